@@ -1,0 +1,9 @@
+//! Archard predicts how surfaces in contact wear away.
+//!
+//! Two elastic bodies are pressed together and slide. Archard finds the pressure between them, lets
+//! it wear the surfaces by the Holm-Archard law or one of yours, and repeats the two until the motion
+//! is over. Boundary elements do the elasticity: nothing but the surfaces near the contact is
+//! divided into elements.
+//!
+
+pub mod numerics;

@@ -1,0 +1,497 @@
+//! Convolution of fields on a grid with symmetric kernels, by real Fourier transforms.
+//!
+//! The transforms are arranged so that little is computed that is not needed: rows outside the field
+//! are never transformed, columns are transformed there and back while they are in the cache, and
+//! only the rows asked for are transformed back. Kernels are even or odd along each axis, so that
+//! their spectra are real up to a factor i, and half of each is stored.
+
+use std::cell::RefCell;
+use std::fmt;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use rayon::prelude::*;
+use realfft::{ComplexToReal, RealFftPlanner, RealToComplex, num_complex::Complex64};
+use rustfft::{Fft, FftPlanner};
+
+/// Columns transformed together.
+const BLOCK: usize = 8;
+
+/// Whether a kernel keeps or changes its sign when an axis is reversed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parity {
+    /// It keeps it.
+    Even,
+    /// It changes it.
+    Odd,
+}
+
+impl Parity {
+    /// The factor of a reversal.
+    fn sign(self) -> f64 {
+        if self == Parity::Even { 1.0 } else { -1.0 }
+    }
+
+    /// The part of the spectrum of a real sequence of this parity that does not vanish.
+    fn part(self, value: Complex64) -> f64 {
+        if self == Parity::Even { value.re } else { value.im }
+    }
+}
+
+/// The spectrum of a kernel, divided by the number of grid points.
+#[derive(Debug, Clone)]
+pub struct Spectrum {
+    /// Real factors, a column of the grid after the other, half a column each.
+    factors: Vec<f64>,
+    /// Along x and y.
+    parity: [Parity; 2],
+}
+
+impl Spectrum {
+    /// The spectrum whose values are those of `change` (real, for kernels even along both axes).
+    pub fn map(&self, change: impl Fn(f64) -> f64) -> Self {
+        Self {
+            factors: self.factors.iter().map(|&factor| change(factor)).collect(),
+            parity: self.parity,
+        }
+    }
+
+    /// Whether the factors are to be multiplied by i: a kernel odd along one axis only.
+    fn is_imaginary(&self) -> bool {
+        self.parity[0] != self.parity[1]
+    }
+}
+
+/// Plans and work space for convolutions on one grid.
+pub struct Convolution {
+    /// Elements of the field along x and y.
+    size: [usize; 2],
+    /// Points of the periodic grid along x and y.
+    period: [usize; 2],
+    row_forward: Arc<dyn RealToComplex<f64>>,
+    row_inverse: Arc<dyn ComplexToReal<f64>>,
+    column_forward: Arc<dyn Fft<f64>>,
+    column_inverse: Arc<dyn Fft<f64>>,
+    /// Work space of an application, kept between applications.
+    spare: Mutex<Option<Workspace>>,
+}
+
+/// Spectra along x of every row: of the field by rows, of the result by blocks of columns.
+#[derive(Default)]
+struct Workspace {
+    rows: Vec<Complex64>,
+    blocks: Vec<Complex64>,
+}
+
+/// Work space of a thread, kept between transforms: fresh memory each time would cost the threads
+/// more than the transforms of a row.
+#[derive(Default)]
+struct Buffers {
+    values: Vec<f64>,
+    spectra: Vec<Complex64>,
+    scratch: Vec<Complex64>,
+}
+
+impl Buffers {
+    /// Lends buffers of these lengths, with anything in them.
+    fn lend(
+        [values, spectra, scratch]: [usize; 3],
+        work: impl FnOnce(&mut [f64], &mut [Complex64], &mut [Complex64]),
+    ) {
+        thread_local! {
+            static BUFFERS: RefCell<Buffers> = RefCell::default();
+        }
+        BUFFERS.with_borrow_mut(|own| {
+            own.values.resize(values.max(own.values.len()), 0.0);
+            own.spectra.resize(spectra.max(own.spectra.len()), Complex64::default());
+            own.scratch.resize(scratch.max(own.scratch.len()), Complex64::default());
+            work(
+                &mut own.values[..values],
+                &mut own.spectra[..spectra],
+                &mut own.scratch[..scratch],
+            );
+        });
+    }
+}
+
+impl fmt::Debug for Convolution {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Convolution {{ size: {:?}, period: {:?} }}", self.size, self.period)
+    }
+}
+
+impl Convolution {
+    /// Convolutions of fields of that size, padded so that nothing wraps around.
+    pub fn padded(size: [usize; 2]) -> Self {
+        Self::with_period(size, size.map(|n| even_smooth(2 * n)))
+    }
+
+    /// Periodic convolutions of fields of that size; the period is a little longer than the field
+    /// where its size has large prime factors.
+    pub fn periodic(size: [usize; 2]) -> Self {
+        Self::with_period(size, size.map(even_smooth))
+    }
+
+    fn with_period(size: [usize; 2], period: [usize; 2]) -> Self {
+        let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
+        Self {
+            size,
+            period,
+            row_forward: real.plan_fft_forward(period[0]),
+            row_inverse: real.plan_fft_inverse(period[0]),
+            column_forward: complex.plan_fft_forward(period[1]),
+            column_inverse: complex.plan_fft_inverse(period[1]),
+            spare: Mutex::new(None),
+        }
+    }
+
+    /// Points of the periodic grid along x and y.
+    pub fn period(&self) -> [usize; 2] {
+        self.period
+    }
+
+    /// Number of columns of a spectrum.
+    fn columns(&self) -> usize {
+        self.period[0] / 2 + 1
+    }
+
+    /// The spectrum of a kernel known at offsets zero and greater, in rows of that width.
+    ///
+    /// Where the period is shorter than twice the field, the nearest image counts.
+    pub fn spectrum(&self, kernel: &[f64], width: usize, parity: [Parity; 2]) -> Spectrum {
+        let (columns, height) = (self.columns(), self.period[1] / 2 + 1);
+        let rows = kernel.len() / width;
+        let mut along_x = vec![0.0; columns * rows];
+        let along = &self.row_forward;
+        along_x.par_chunks_mut(columns).zip(kernel.par_chunks(width)).for_each(|(out, row)| {
+            half_transform(along, row.iter().copied(), parity[0], 1.0, out);
+        });
+        let along = RealFftPlanner::new().plan_fft_forward(self.period[1]);
+        let sign = if parity == [Parity::Odd; 2] { -1.0 } else { 1.0 };
+        let scale = sign / (self.period[0] * self.period[1]) as f64;
+        let mut factors = vec![0.0; height * columns];
+        factors.par_chunks_mut(height).enumerate().for_each(|(kx, out)| {
+            let column = along_x[kx..].iter().step_by(columns).copied();
+            half_transform(&along, column, parity[1], scale, out);
+        });
+        Spectrum { factors, parity }
+    }
+
+    /// Convolves one field with one kernel, into `result`.
+    pub fn apply(&self, spectrum: &Spectrum, field: &[f64], result: &mut [f64]) {
+        let mut space = self.take_space(1);
+        self.transform_rows(field, &mut space.rows);
+        self.transform_columns(&space.rows, 1, &mut space.blocks, |column, spectra| {
+            self.multiply(spectrum, column, spectra)
+        });
+        self.collect_rows(&space.blocks, result);
+        self.give_back(space);
+    }
+
+    /// Convolves `N` fields with a matrix of kernels: result i is the sum over j of kernel (i, j),
+    /// with its sign, applied to field j.
+    pub fn apply_matrix<const N: usize>(
+        &self,
+        kernels: [[(&Spectrum, f64); N]; N],
+        fields: [&[f64]; N],
+    ) -> [Vec<f64>; N] {
+        let mut space = self.take_space(N);
+        let rows_length = self.columns() * self.size[1];
+        for (field, rows) in fields.iter().zip(space.rows.chunks_mut(rows_length)) {
+            self.transform_rows(field, rows);
+        }
+        self.transform_columns(&space.rows, N, &mut space.blocks, |column, spectra| {
+            self.multiply_matrix(&kernels, column, spectra)
+        });
+        let block_length = self.block_length();
+        let results = std::array::from_fn(|component| {
+            let mut result = vec![0.0; self.size[0] * self.size[1]];
+            let blocks: Vec<Complex64> = space
+                .blocks
+                .chunks(N * block_length)
+                .flat_map(|block| &block[component * block_length..][..block_length])
+                .copied()
+                .collect();
+            self.collect_rows(&blocks, &mut result);
+            result
+        });
+        self.give_back(space);
+        results
+    }
+
+    fn block_length(&self) -> usize {
+        BLOCK * self.size[1]
+    }
+
+    fn take_space(&self, components: usize) -> Workspace {
+        let mut space =
+            self.spare.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_default();
+        let blocks = components * self.columns().div_ceil(BLOCK) * self.block_length();
+        grow(&mut space.rows, components * self.columns() * self.size[1]);
+        grow(&mut space.blocks, blocks);
+        space
+    }
+
+    fn give_back(&self, space: Workspace) {
+        *self.spare.lock().unwrap_or_else(PoisonError::into_inner) = Some(space);
+    }
+
+    /// Transforms the rows of a field; rows of zeros cost nothing.
+    fn transform_rows(&self, field: &[f64], rows: &mut [Complex64]) {
+        let nx = self.size[0];
+        let plan = &self.row_forward;
+        let lengths = [self.period[0], 0, plan.get_scratch_len()];
+        rows.par_chunks_mut(self.columns()).zip(field.par_chunks(nx)).for_each(
+            |(spectrum, row)| {
+                if row.iter().all(|&value| value == 0.0) {
+                    return spectrum.fill(Complex64::default());
+                }
+                Buffers::lend(lengths, |padded, _, scratch| {
+                    padded[..nx].copy_from_slice(row);
+                    padded[nx..].fill(0.0);
+                    plan.process_with_scratch(padded, spectrum, scratch)
+                        .expect("buffers of the planned length");
+                });
+            },
+        );
+    }
+
+    /// Transforms blocks of columns, lets `multiply` change them, transforms them back and keeps the
+    /// rows of the field. The spectra handed to `multiply` hold the components' columns one after
+    /// the other.
+    fn transform_columns(
+        &self,
+        rows: &[Complex64],
+        components: usize,
+        blocks: &mut [Complex64],
+        multiply: impl Fn(usize, &mut [Complex64]) + Sync,
+    ) {
+        let ([_, ny], [_, my]) = (self.size, self.period);
+        let (columns, block_length) = (self.columns(), self.block_length());
+        let (forward, inverse) = (&self.column_forward, &self.column_inverse);
+        let scratch_length =
+            forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
+        let transform_block = |block: usize,
+                               out: &mut [Complex64],
+                               spectra: &mut [Complex64],
+                               scratch: &mut [Complex64]| {
+            let first = block * BLOCK;
+            let width = BLOCK.min(columns - first);
+            let spectra = &mut spectra[..width * components * my];
+            for (lane, column) in spectra.chunks_mut(my).enumerate() {
+                let (place, component) = (lane / components, lane % components);
+                let from = rows[first + place + columns * ny * component..].iter().step_by(columns);
+                let (field, padding) = column.split_at_mut(ny);
+                field.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
+                padding.fill(Complex64::default());
+            }
+            forward.process_with_scratch(spectra, scratch);
+            for (column, spectra) in spectra.chunks_mut(components * my).enumerate() {
+                multiply(first + column, spectra);
+            }
+            inverse.process_with_scratch(spectra, scratch);
+            for (lane, column) in spectra.chunks(my).enumerate() {
+                let (place, component) = (lane / components, lane % components);
+                let to = &mut out[component * block_length..][..block_length];
+                to[place..]
+                    .iter_mut()
+                    .step_by(BLOCK)
+                    .zip(column)
+                    .for_each(|(to, from)| *to = *from);
+            }
+        };
+        let lengths = [0, BLOCK * components * my, scratch_length];
+        blocks.par_chunks_mut(components * block_length).enumerate().for_each(|(block, out)| {
+            Buffers::lend(lengths, |_, spectra, scratch| {
+                transform_block(block, out, spectra, scratch)
+            });
+        });
+    }
+
+    /// Transforms the rows of a result back.
+    fn collect_rows(&self, blocks: &[Complex64], result: &mut [f64]) {
+        let nx = self.size[0];
+        let (columns, block_length) = (self.columns(), self.block_length());
+        let plan = &self.row_inverse;
+        let lengths = [self.period[0], columns, plan.get_scratch_len()];
+        result.par_chunks_mut(nx).enumerate().for_each(|(row, out)| {
+            Buffers::lend(lengths, |values, spectrum, scratch| {
+                let (whole, rest) = spectrum.as_chunks_mut::<BLOCK>();
+                let row_of = |block: usize| &blocks[block * block_length + row * BLOCK..][..BLOCK];
+                for (block, part) in whole.iter_mut().enumerate() {
+                    part.copy_from_slice(row_of(block));
+                }
+                if !rest.is_empty() {
+                    rest.copy_from_slice(&row_of(whole.len())[..rest.len()]);
+                }
+                // Real by symmetry, up to rounding that the plan would refuse.
+                spectrum[0].im = 0.0;
+                spectrum[columns - 1].im = 0.0;
+                plan.process_with_scratch(spectrum, values, scratch)
+                    .expect("buffers of the planned length");
+                out.copy_from_slice(&values[..nx]);
+            });
+        });
+    }
+
+    /// Real factors of a column of a spectrum, from frequency zero to the highest.
+    fn factors<'a>(&self, spectrum: &'a Spectrum, column: usize) -> &'a [f64] {
+        let half = self.period[1] / 2 + 1;
+        &spectrum.factors[column * half..][..half]
+    }
+
+    /// Multiplies a column by a kernel that is even along both axes, or odd along both.
+    fn multiply(&self, spectrum: &Spectrum, column: usize, values: &mut [Complex64]) {
+        let factors = self.factors(spectrum, column);
+        let (low, high) = values.split_at_mut(factors.len());
+        low.iter_mut().zip(factors).for_each(|(value, factor)| *value *= factor);
+        let sign = spectrum.parity[1].sign();
+        let mirrored = &factors[1..][..high.len()];
+        high.iter_mut().rev().zip(mirrored).for_each(|(value, factor)| *value *= sign * factor);
+    }
+
+    /// Multiplies the columns of several fields by a matrix of kernels.
+    fn multiply_matrix<const N: usize>(
+        &self,
+        kernels: &[[(&Spectrum, f64); N]; N],
+        column: usize,
+        values: &mut [Complex64],
+    ) {
+        let my = self.period[1];
+        let factors = kernels.map(|row| {
+            row.map(|(spectrum, sign)| (self.factors(spectrum, column), spectrum, sign))
+        });
+        for ky in 0..my {
+            let (mirrored, reversed) = if ky > my / 2 { (my - ky, true) } else { (ky, false) };
+            let field: [Complex64; N] = std::array::from_fn(|j| values[j * my + ky]);
+            for (i, row) in factors.iter().enumerate() {
+                let mut sum = Complex64::default();
+                for ((factors, spectrum, sign), value) in row.iter().zip(field) {
+                    let side = if reversed { spectrum.parity[1].sign() } else { 1.0 };
+                    let factor = sign * side * factors[mirrored];
+                    sum += if spectrum.is_imaginary() {
+                        Complex64::new(-factor * value.im, factor * value.re)
+                    } else {
+                        factor * value
+                    };
+                }
+                values[i * my + ky] = sum;
+            }
+        }
+    }
+}
+
+/// Brings a work space to a length; the threads touch fresh memory together.
+fn grow(space: &mut Vec<Complex64>, length: usize) {
+    if space.len() < length {
+        *space =
+            (0..length).into_par_iter().with_min_len(4096).map(|_| Complex64::default()).collect();
+    }
+    space.truncate(length);
+}
+
+/// The part that does not vanish of the transform of a periodic sequence, times `scale`; the sequence
+/// is given at offsets zero and greater, and the nearest image counts.
+fn half_transform(
+    plan: &Arc<dyn RealToComplex<f64>>,
+    half: impl Iterator<Item = f64>,
+    parity: Parity,
+    scale: f64,
+    out: &mut [f64],
+) {
+    let period = plan.len();
+    let lengths = [period, out.len(), plan.get_scratch_len()];
+    Buffers::lend(lengths, |values, spectrum, scratch| {
+        values.fill(0.0);
+        for (offset, value) in half.enumerate().take(period / 2 + 1) {
+            values[offset] = value;
+            if offset > 0 && 2 * offset < period {
+                values[period - offset] = parity.sign() * value;
+            }
+        }
+        plan.process_with_scratch(values, spectrum, scratch)
+            .expect("buffers of the planned length");
+        out.iter_mut().zip(spectrum).for_each(|(out, value)| *out = scale * parity.part(*value));
+    });
+}
+
+/// The smallest even number of prime factors 2, 3 and 5 that is not below `n`.
+fn even_smooth(n: usize) -> usize {
+    let smooth = |mut n: usize| {
+        for prime in [2, 3, 5] {
+            while n.is_multiple_of(prime) {
+                n /= prime;
+            }
+        }
+        n == 1
+    };
+    (n.max(2)..).find(|&n| n.is_multiple_of(2) && smooth(n)).unwrap_or(n)
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::{Convolution, Parity, even_smooth};
+
+    /// The sum a convolution stands for, term by term.
+    fn direct(size: [usize; 2], kernel: &[f64], parity: [Parity; 2], field: &[f64]) -> Vec<f64> {
+        let [nx, ny] = size;
+        let value = |i: usize, j: usize| {
+            let mut sum = 0.0;
+            for (source, strength) in field.iter().enumerate() {
+                let (p, q) = (source % nx, source / nx);
+                let sign_x = if p > i { parity[0].sign() } else { 1.0 };
+                let sign_y = if q > j { parity[1].sign() } else { 1.0 };
+                sum += sign_x * sign_y * kernel[i.abs_diff(p) + nx * j.abs_diff(q)] * strength;
+            }
+            sum
+        };
+        (0..nx * ny).map(|pair| value(pair % nx, pair / nx)).collect()
+    }
+
+    /// Values without pattern between -1 and 1.
+    fn scattered(count: usize, seed: f64) -> Vec<f64> {
+        (0..count).map(|i| (12.9898 * (i as f64 + seed)).sin() * 43758.5453 % 1.0).collect()
+    }
+
+    #[test]
+    fn every_parity_equals_the_sum() {
+        for size in [[7, 5], [9, 20], [16, 3]] {
+            let [nx, ny] = size;
+            let convolution = Convolution::padded(size);
+            for parity in [
+                [Parity::Even; 2],
+                [Parity::Odd; 2],
+                [Parity::Odd, Parity::Even],
+                [Parity::Even, Parity::Odd],
+            ] {
+                let mut kernel = scattered(nx * ny, 0.3);
+                for (pair, value) in kernel.iter_mut().enumerate() {
+                    let offset = [pair % nx, pair / nx];
+                    if (0..2).any(|axis| offset[axis] == 0 && parity[axis] == Parity::Odd) {
+                        *value = 0.0;
+                    }
+                }
+                let field = scattered(nx * ny, 7.7);
+                let spectrum = convolution.spectrum(&kernel, nx, parity);
+                let expected = direct(size, &kernel, parity, &field);
+                let [result] = convolution.apply_matrix([[(&spectrum, 1.0)]], [&field]);
+                for (a, b) in result.iter().zip(&expected) {
+                    assert_relative_eq!(a, b, epsilon = 1e-12);
+                }
+                if !spectrum.is_imaginary() {
+                    let mut result = vec![0.0; nx * ny];
+                    convolution.apply(&spectrum, &field, &mut result);
+                    for (a, b) in result.iter().zip(&expected) {
+                        assert_relative_eq!(a, b, epsilon = 1e-12);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn periods_have_small_factors() {
+        assert_eq!([60, 82, 1024, 14].map(even_smooth), [60, 90, 1024, 16]);
+    }
+}

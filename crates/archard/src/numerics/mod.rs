@@ -1,0 +1,5 @@
+//! Numerical tools that know nothing of mechanics.
+
+pub mod convolution;
+pub mod interpolate;
+pub mod vector;
