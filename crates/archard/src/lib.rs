@@ -7,3 +7,5 @@
 //!
 
 pub mod numerics;
+pub mod parameters;
+pub mod units;

@@ -1,0 +1,214 @@
+//! How a choice (a profile, a wear law, a motion, a solver) says what it takes.
+//!
+//! Every interchangeable part of the program is registered as a [`Choice`]: a name, a list of
+//! [`Parameter`]s with their quantity, and a function that builds it from values in SI. Readers of
+//! case files, help pages and error messages all work from that declaration, so a new choice needs
+//! no reader of its own.
+
+use std::fmt;
+
+/// The physical quantity of a parameter; decides which units a reader accepts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Quantity {
+    /// A number without unit.
+    Number,
+    /// A whole number, zero or greater.
+    Count,
+    /// A length (m).
+    Length,
+    /// A force (N).
+    Force,
+    /// A stress, pressure, modulus or hardness (Pa).
+    Pressure,
+    /// A dimensional wear coefficient (1/Pa, the same as m^3/(N m)).
+    WearCoefficient,
+    /// The factor of a power profile, m^(1 - exponent): its unit depends on the parameter named here.
+    PowerFactor {
+        /// The name of the parameter that holds the exponent.
+        exponent: &'static str,
+    },
+    /// One of a few words.
+    Word(&'static [&'static str]),
+    /// The name of a file of columns, each headed `name_unit`; every column a length.
+    Table,
+}
+
+/// What values of a numeric parameter are allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Bound {
+    /// Any finite value.
+    Any,
+    /// Greater than zero.
+    Positive,
+    /// Zero or greater.
+    NonNegative,
+    /// Strictly between the two.
+    Between(f64, f64),
+}
+
+impl Bound {
+    /// Whether `value` is finite and within the bound.
+    pub fn admits(self, value: f64) -> bool {
+        value.is_finite()
+            && match self {
+                Bound::Any => true,
+                Bound::Positive => value > 0.0,
+                Bound::NonNegative => value >= 0.0,
+                Bound::Between(low, high) => value > low && value < high,
+            }
+    }
+}
+
+impl fmt::Display for Bound {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Bound::Any => write!(f, "a finite number"),
+            Bound::Positive => write!(f, "greater than zero"),
+            Bound::NonNegative => write!(f, "zero or greater"),
+            Bound::Between(low, high) => write!(f, "between {low} and {high}"),
+        }
+    }
+}
+
+/// One value a choice takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameter {
+    /// The key, as written in a case file.
+    pub name: &'static str,
+    /// What it measures.
+    pub quantity: Quantity,
+    /// Which values are allowed.
+    pub bound: Bound,
+    /// Whether it must be given.
+    pub required: bool,
+    /// One phrase for help pages and error messages.
+    pub meaning: &'static str,
+}
+
+impl Parameter {
+    /// A parameter that must be given and be greater than zero.
+    pub const fn required(name: &'static str, quantity: Quantity, meaning: &'static str) -> Self {
+        Self { name, quantity, bound: Bound::Positive, required: true, meaning }
+    }
+
+    /// A parameter that may be left out; greater than zero where it is given.
+    pub const fn optional(name: &'static str, quantity: Quantity, meaning: &'static str) -> Self {
+        Self { required: false, ..Self::required(name, quantity, meaning) }
+    }
+
+    /// The same parameter with another bound.
+    pub const fn bound(self, bound: Bound) -> Self {
+        Self { bound, ..self }
+    }
+}
+
+/// A value in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number (SI).
+    Number(f64),
+    /// A word.
+    Word(String),
+    /// Columns of numbers (SI), each with its name, all of one length.
+    Table(Vec<(String, Vec<f64>)>),
+}
+
+/// The values given for one choice, checked against its declaration.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Values(Vec<(&'static str, Value)>);
+
+impl Values {
+    /// Adds a value; the caller has checked it against the declaration.
+    pub fn insert(&mut self, name: &'static str, value: Value) {
+        self.0.retain(|(known, _)| *known != name);
+        self.0.push((name, value));
+    }
+
+    /// The values in the order they were given.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, &Value)> {
+        self.0.iter().map(|(name, value)| (*name, value))
+    }
+
+    /// The value of that name, if it was given.
+    pub fn get(&self, name: &str) -> Option<&Value> {
+        self.iter().find_map(|(known, value)| (known == name).then_some(value))
+    }
+
+    /// The number of that name, if it was given.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match self.get(name) {
+            Some(Value::Number(number)) => Some(*number),
+            _ => None,
+        }
+    }
+
+    /// The number of that name, or an error that says it is missing.
+    pub fn require(&self, name: &'static str) -> Result<f64, Invalid> {
+        self.number(name).ok_or_else(|| Invalid::new(name, format!("`{name}` is missing")))
+    }
+
+    /// The word of that name, if it was given.
+    pub fn word(&self, name: &str) -> Option<&str> {
+        match self.get(name) {
+            Some(Value::Word(word)) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The columns of that name, if they were given.
+    pub fn table(&self, name: &str) -> Option<&[(String, Vec<f64>)]> {
+        match self.get(name) {
+            Some(Value::Table(columns)) => Some(columns),
+            _ => None,
+        }
+    }
+
+    /// The one of the two that was given, as `(first, None)` or `(None, second)`; an error if both or
+    /// neither were.
+    pub fn one_of(
+        &self,
+        first: &'static str,
+        second: &'static str,
+    ) -> Result<(Option<f64>, Option<f64>), Invalid> {
+        match (self.number(first), self.number(second)) {
+            (None, None) => {
+                Err(Invalid::new(first, format!("one of `{first}` and `{second}` is needed")))
+            }
+            (Some(_), Some(_)) => Err(Invalid::new(
+                second,
+                format!("`{first}` and `{second}` exclude each other: keep one"),
+            )),
+            given => Ok(given),
+        }
+    }
+}
+
+/// Values that do not fit together, named by the parameter to change.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{message}")]
+pub struct Invalid {
+    /// The parameter to point at.
+    pub parameter: &'static str,
+    /// What is wrong and what to do.
+    pub message: String,
+}
+
+impl Invalid {
+    /// An error at that parameter.
+    pub fn new(parameter: &'static str, message: impl Into<String>) -> Self {
+        Self { parameter, message: message.into() }
+    }
+}
+
+/// One entry of a list of interchangeable parts: how it is called, what it takes, how it is built.
+#[derive(Debug)]
+pub struct Choice<T> {
+    /// The name of its table in a case file.
+    pub name: &'static str,
+    /// One phrase on what it is.
+    pub meaning: &'static str,
+    /// What it takes.
+    pub parameters: &'static [Parameter],
+    /// Builds it from values that passed the declaration.
+    pub build: fn(&Values) -> Result<T, Invalid>,
+}

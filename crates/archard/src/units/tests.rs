@@ -1,0 +1,118 @@
+use approx::assert_relative_eq;
+use proptest::prelude::*;
+
+use super::{Dimension, Error, Measure, Scale, read};
+
+#[test]
+fn every_notation_of_a_length_is_the_same_number() {
+    for text in
+        ["0.45 mm", "0.45mm", "450 um", "450 \u{b5}m", "450 \u{3bc}m", "0.00045 m", "45e-3 cm"]
+    {
+        assert_eq!(read(text, &Measure::LENGTH), Ok(0.45e-3), "{text}");
+    }
+}
+
+#[test]
+fn wear_coefficients_in_all_their_units() {
+    let texts = [
+        "1.33e-13 1/Pa",
+        "1.33e-13/Pa",
+        "1.33e-13 Pa^-1",
+        "1.33e-7 1/MPa",
+        "1.33e-7 MPa^-1",
+        "1.33e-7 MPa⁻¹",
+        "1.33e-7 mm^2/N",
+        "1.33e-7 mm²/N",
+        "1.33e-4 mm^3/(N m)",
+        "1.33e-4 mm3/(N m)",
+        "1.33e-4 mm3/(N·m)",
+        "1.33e-4 mm3/(N*m)",
+        "1.33e-4 mm3/Nm",
+        "1.33e-4 mm^3/N/m",
+        "1.33e-4 mm^3 N^-1 m^-1",
+        "1.33e-4 mm³·N⁻¹·m⁻¹",
+    ];
+    for text in texts {
+        assert_eq!(read(text, &Measure::WEAR_COEFFICIENT), Ok(1.33e-13), "{text}");
+    }
+}
+
+#[test]
+fn pressures_and_forces() {
+    for text in ["210 GPa", "2.1e5 N/mm^2", "210000 MPa", "2.1e6 bar", "210e9 kg/(m s^2)"] {
+        assert_eq!(read(text, &Measure::PRESSURE), Ok(2.1e11), "{text}");
+    }
+    assert_eq!(read("0.0102 kN", &Measure::FORCE), Ok(10.2));
+    assert_eq!(read("10.2 kg m/s^2", &Measure::FORCE), Ok(10.2));
+}
+
+#[test]
+fn a_symbol_of_its_own_goes_before_a_prefixed_one() {
+    let measure = |dimension| Measure { dimension, ..Measure::LENGTH };
+    assert_eq!(read("2 min", &measure(Dimension::TIME)), Ok(120.0));
+    let rotation = Dimension::ANGLE.times(Dimension::TIME.to_the(-1.0));
+    let radians = read("30 rev/min", &measure(rotation)).unwrap();
+    assert_relative_eq!(radians, std::f64::consts::PI, epsilon = 1e-15);
+}
+
+#[test]
+fn broken_powers_of_length() {
+    let measure = Measure::length_to_the(-1.5);
+    assert_relative_eq!(read("2 mm^-1.5", &measure).unwrap(), 2.0 * 10f64.powf(4.5));
+    assert_eq!(read("2 1/mm^3", &Measure::length_to_the(-3.0)), Ok(2e9));
+    assert_eq!(read("2 mm^(-3)", &Measure::length_to_the(-3.0)), Ok(2e9));
+}
+
+#[test]
+fn messages_say_what_is_expected() {
+    let message = |text, measure: &Measure| read(text, measure).unwrap_err().to_string();
+    assert_eq!(
+        message("50 mm", &Measure::PRESSURE),
+        "expected a pressure (for example \"210 GPa\"), found a length"
+    );
+    assert_eq!(message("50", &Measure::LENGTH), "needs a unit: write \"50 mm\" or \"50 m\"");
+    assert_eq!(
+        message("wide", &Measure::LENGTH),
+        "expected a length (for example \"50 mm\"), found `wide`"
+    );
+    assert_eq!(
+        message("5 furlong", &Measure::LENGTH),
+        "`furlong` is not a known unit; a length is written like \"50 mm\""
+    );
+    assert_eq!(
+        message("5 mm^", &Measure::LENGTH),
+        "cannot read the unit `mm^`: `^` needs a number behind it"
+    );
+    assert_eq!(message("1e999 mm", &Measure::LENGTH), "`1e999` is not a finite number");
+    assert!(matches!(read("nan mm", &Measure::LENGTH), Err(Error::NoNumber { .. })));
+}
+
+#[test]
+fn columns_share_a_scale() {
+    let scale = Scale::read("um", &Measure::LENGTH).unwrap();
+    assert_eq!(scale.apply(" 450 "), Some(0.45e-3));
+    assert_eq!(["", "nan", "inf", "12 mm", "a"].map(|text| scale.apply(text)), [None; 5]);
+}
+
+proptest! {
+    #[test]
+    fn a_change_of_unit_changes_no_bit(mantissa in -999_999_999i64..=999_999_999, exponent in -40i32..40) {
+        let metres = read(&format!("{mantissa}e{exponent} m"), &Measure::LENGTH);
+        for (unit, tens) in [("km", 3), ("mm", -3), ("um", -6), ("nm", -9)] {
+            let text = format!("{mantissa}e{}{unit}", exponent - tens);
+            prop_assert_eq!(read(&text, &Measure::LENGTH), metres.clone());
+        }
+    }
+
+    #[test]
+    fn printed_numbers_come_back(value in proptest::num::f64::NORMAL) {
+        prop_assert_eq!(read(&format!("{value:e} Pa"), &Measure::PRESSURE), Ok(value));
+        prop_assert_eq!(read(&format!("{value} Pa"), &Measure::PRESSURE), Ok(value));
+    }
+
+    #[test]
+    fn no_text_panics(text in "\\PC{0,24}", unit in "[-0-9 a-zA-Zµ^/()*·²⁻.]{0,16}") {
+        let _ = read(&text, &Measure::LENGTH);
+        let _ = read(&format!("1 {unit}"), &Measure::LENGTH);
+    }
+}
