@@ -6,6 +6,11 @@
 //! divided into elements.
 //!
 
+pub mod body;
 pub mod numerics;
 pub mod parameters;
 pub mod units;
+pub mod wear;
+
+pub use body::Body;
+pub use wear::WearLaw;

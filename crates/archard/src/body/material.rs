@@ -1,0 +1,52 @@
+//! Linear isotropic elasticity.
+
+use crate::parameters::{Bound, Parameter, Quantity};
+
+/// An isotropic linear elastic material.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Material {
+    /// Young's modulus (Pa).
+    pub young: f64,
+    /// Poisson's ratio.
+    pub poisson: f64,
+}
+
+impl Material {
+    /// What a material takes, for readers of case files.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        Parameter::required("young", Quantity::Pressure, "Young's modulus"),
+        Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
+            .bound(Bound::Between(-1.0, 0.5)),
+    ];
+
+    /// Plane-strain compliance (1 - nu^2)/E (1/Pa); the sum over the bodies is 1/E*.
+    pub fn plane_strain_compliance(&self) -> f64 {
+        (1.0 - self.poisson * self.poisson) / self.young
+    }
+
+    /// Shear modulus G = E / (2 (1 + nu)) (Pa).
+    pub fn shear_modulus(&self) -> f64 {
+        self.young / (2.0 * (1.0 + self.poisson))
+    }
+}
+
+/// Contact modulus E* (Pa) of two bodies, 1/E* = sum (1 - nu^2)/E, a rigid body (`None`) adding
+/// nothing; infinite for two rigid bodies.
+pub fn contact_modulus(materials: [Option<&Material>; 2]) -> f64 {
+    // Not `sum`: an empty one is -0, which would make the modulus of rigid bodies negative.
+    let compliances = materials.into_iter().flatten().map(Material::plane_strain_compliance);
+    1.0 / compliances.fold(0.0, |sum, compliance| sum + compliance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Material, contact_modulus};
+
+    #[test]
+    fn a_rigid_body_doubles_the_contact_modulus_of_twins() {
+        let steel = Material { young: 210e9, poisson: 0.3 };
+        let twins = contact_modulus([Some(&steel), Some(&steel)]);
+        assert_eq!(contact_modulus([None, Some(&steel)]), 2.0 * twins);
+        assert_eq!(contact_modulus([None, None]), f64::INFINITY);
+    }
+}

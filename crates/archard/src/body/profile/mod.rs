@@ -1,0 +1,49 @@
+//! The shape of a body's surface near the contact.
+//!
+//! A profile gives the *recess*: how far the surface lies below the plane through its highest
+//! region, measured along the normal into the body. The recesses of the two bodies add up to the
+//! geometric gap. A new profile is one file here and one line in [`PROFILES`].
+
+mod cylinder;
+mod disc;
+mod flat;
+mod paraboloid;
+mod power;
+mod sphere;
+mod table;
+
+use std::fmt::Debug;
+
+use crate::parameters::Choice;
+
+/// The shape of a surface as its recess below the plane of contact.
+pub trait Profile: Debug + Send + Sync {
+    /// Recess (m), positive into the body, at x and y (m) from the frame's centre.
+    ///
+    /// Not a number where the surface does not reach.
+    fn recess(&self, x: f64, y: f64) -> f64;
+
+    /// Curvatures (1/m) along x and y at the centre, where the shape is smooth and has them;
+    /// estimates before a run use them.
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+/// The profiles a case can name.
+pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
+    sphere::CHOICE,
+    paraboloid::CHOICE,
+    cylinder::CHOICE,
+    disc::CHOICE,
+    flat::CHOICE,
+    power::CHOICE,
+    table::CHOICE,
+];
+
+/// Recess (m) of a circle of that radius (m) at a distance (m) from its apex, without cancellation;
+/// not a number beyond the circle.
+fn circle_recess(radius: f64, distance: f64) -> f64 {
+    let square = distance * distance;
+    square / (radius + (radius * radius - square).sqrt())
+}

@@ -1,0 +1,123 @@
+//! A measured shape: heights at points of a rectangular grid, or a profile along one axis.
+
+use super::Profile;
+use crate::numerics::interpolate::interpolate;
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+
+pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
+    name: "table",
+    meaning: "measured heights of the surface, positive towards the other body",
+    parameters: &[Parameter::required(
+        "file",
+        Quantity::Table,
+        "CSV with columns x, y and z, or x and z, or y and z, units in the header (x_mm, z_um)",
+    )],
+    build: |values| {
+        let columns = values.table("file").unwrap_or_default();
+        let column = |name| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
+        let table = match (columns.len(), column("x"), column("y"), column("z")) {
+            (3, Some(x), Some(y), Some(z)) => Table::from_points(x, y, z),
+            (2, Some(x), None, Some(z)) => Table::from_points(x, &vec![0.0; x.len()], z),
+            (2, None, Some(y), Some(z)) => Table::from_points(&vec![0.0; y.len()], y, z),
+            _ => Err("the columns must be x, y and z, or x and z, or y and z".to_owned()),
+        };
+        Ok(Box::new(table.map_err(|message| Invalid::new("file", message))?))
+    },
+};
+
+/// Heights on a rectangular grid, interpolated by cubics; along an axis with a single place the
+/// height does not vary.
+#[derive(Debug)]
+struct Table {
+    /// Rising places along x (m).
+    x: Vec<f64>,
+    /// Rising places along y (m).
+    y: Vec<f64>,
+    /// Recess (m) below the highest point, x running fastest.
+    recess: Vec<f64>,
+}
+
+impl Table {
+    /// Sorts points (m) onto their grid; an error where the grid has holes or a point twice.
+    fn from_points(x: &[f64], y: &[f64], z: &[f64]) -> Result<Self, String> {
+        let (places_x, places_y) = (distinct(x), distinct(y));
+        if places_x.len().max(places_y.len()) < 2 {
+            return Err("at least two different places are needed".to_owned());
+        }
+        let top = z.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut recess = vec![f64::NAN; places_x.len() * places_y.len()];
+        for ((&x, &y), &z) in x.iter().zip(y).zip(z) {
+            let column = places_x.partition_point(|&known| known < x);
+            let row = places_y.partition_point(|&known| known < y);
+            let place = &mut recess[row * places_x.len() + column];
+            if !place.is_nan() {
+                return Err(format!("the point x = {x} m, y = {y} m is there twice"));
+            }
+            *place = top - z;
+        }
+        if let Some(hole) = recess.iter().position(|recess| recess.is_nan()) {
+            let (row, column) = (hole / places_x.len(), hole % places_x.len());
+            return Err(format!(
+                "the table has holes: no height at x = {} m, y = {} m; the points must fill a rectangular grid",
+                places_x[column], places_y[row]
+            ));
+        }
+        Ok(Self { x: places_x, y: places_y, recess })
+    }
+
+    /// Recess (m) along the row at x (m).
+    fn along_row(&self, row: usize, x: f64) -> f64 {
+        let values = &self.recess[row * self.x.len()..][..self.x.len()];
+        if values.len() == 1 { values[0] } else { interpolate(&self.x, |i| values[i], x) }
+    }
+}
+
+impl Profile for Table {
+    fn recess(&self, x: f64, y: f64) -> f64 {
+        if self.y.len() == 1 {
+            self.along_row(0, x)
+        } else {
+            interpolate(&self.y, |row| self.along_row(row, x), y)
+        }
+    }
+}
+
+/// The different values, rising.
+fn distinct(values: &[f64]) -> Vec<f64> {
+    let mut values = values.to_vec();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::Table;
+    use crate::body::Profile;
+
+    #[test]
+    fn a_tabulated_paraboloid_is_exact() {
+        let (mut x, mut y, mut z) = (vec![], vec![], vec![]);
+        for i in -3..=3 {
+            for j in -2..=2 {
+                let (a, b) = (f64::from(i), f64::from(j) * 1.5);
+                x.push(a);
+                y.push(b);
+                z.push(7.0 - a * a - 0.5 * b * b);
+            }
+        }
+        let table = Table::from_points(&x, &y, &z).unwrap();
+        assert_relative_eq!(table.recess(1.3, -2.2), 1.3 * 1.3 + 0.5 * 2.2 * 2.2, epsilon = 1e-12);
+        assert!(table.recess(3.1, 0.0).is_nan());
+    }
+
+    #[test]
+    fn holes_and_doubled_points_are_named() {
+        let hole = Table::from_points(&[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0; 3]).unwrap_err();
+        assert!(hole.contains("x = 1 m, y = 1 m"), "{hole}");
+        let twice = Table::from_points(&[0.0, 0.0], &[0.0, 0.0], &[1.0, 2.0]).unwrap_err();
+        assert!(twice.contains("two different places"), "{twice}");
+    }
+}
