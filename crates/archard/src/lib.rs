@@ -7,10 +7,13 @@
 //!
 
 pub mod body;
+pub mod closed_form;
+pub mod frame;
 pub mod numerics;
 pub mod parameters;
 pub mod units;
 pub mod wear;
 
 pub use body::Body;
+pub use frame::ContactFrame;
 pub use wear::WearLaw;

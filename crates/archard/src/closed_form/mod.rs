@@ -1,0 +1,9 @@
+//! Contact and wear problems with an answer on paper: for estimates before a run, for curves beside
+//! a result, and for tests.
+//!
+//! Everything takes and gives plain numbers in SI.
+
+pub mod hertz;
+pub mod pin_on_disc;
+
+pub use hertz::Hertz;

@@ -1,0 +1,24 @@
+//! Vectors on the pairs of a frame.
+
+/// A vector a pair, in the local bases {t1, t2, n}, one array a component.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct VectorField {
+    /// Component along t1 (x).
+    pub t1: Vec<f64>,
+    /// Component along t2 (y).
+    pub t2: Vec<f64>,
+    /// Component along n.
+    pub n: Vec<f64>,
+}
+
+impl VectorField {
+    /// Zero vectors on that many pairs.
+    pub fn zeros(pairs: usize) -> Self {
+        Self { t1: vec![0.0; pairs], t2: vec![0.0; pairs], n: vec![0.0; pairs] }
+    }
+
+    /// The three components in the order t1, t2, n.
+    pub fn components(&self) -> [&[f64]; 3] {
+        [&self.t1, &self.t2, &self.n]
+    }
+}
