@@ -8,12 +8,20 @@
 
 pub mod body;
 pub mod closed_form;
+pub mod compliance;
 pub mod frame;
+pub mod kinematics;
 pub mod numerics;
 pub mod parameters;
+pub mod problem;
+pub mod solve;
 pub mod units;
 pub mod wear;
 
 pub use body::Body;
+pub use compliance::Compliance;
 pub use frame::ContactFrame;
+pub use kinematics::Kinematics;
+pub use problem::{ContactProblem, ContactState};
+pub use solve::Solver;
 pub use wear::WearLaw;

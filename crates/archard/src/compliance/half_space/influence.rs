@@ -1,0 +1,281 @@
+//! Displacements of the pairs of a uniform frame under a unit traction on one element.
+//!
+//! Johnson, *Contact Mechanics*, sections 3.2 and 3.6; Love, *Phil. Trans. R. Soc. A* 228 (1929) 377. With
+//! r = hypot(x, y) and [F] the difference of an antiderivative over the corners of an element,
+//!
+//! ```text
+//! Fxx = y asinh(x/|y|)   Fyy = x asinh(y/|x|)   Fxy = -r   Fxn = y ln r + x atan(y/x)
+//! A_nn = S1 [Fxx + Fyy]  A_xx = A_nn + S2 [Fxx]  A_yy = A_nn + S2 [Fyy]
+//! A_xy = S2 [Fxy]        A_xn = S3 [Fxn]         A_nx = -A_xn
+//! ```
+
+use std::f64::consts::PI;
+
+use rayon::prelude::*;
+
+use crate::body::Material;
+
+/// The elastic constants of two half-spaces, as the formulas need them (1/Pa).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Constants {
+    /// S1: sum of (1 - nu^2)/(pi E).
+    normal: f64,
+    /// S2: sum of nu (1 + nu)/(pi E).
+    tangential: f64,
+    /// S3: difference of (1 + nu)(1 - 2 nu)/(2 pi E), body 1 less body 2; zero for like materials.
+    coupling: f64,
+}
+
+impl Constants {
+    pub(super) fn of(materials: [Option<&Material>; 2]) -> Self {
+        let sum = |part: fn(&Material) -> f64| -> f64 {
+            materials.iter().flatten().map(|material| part(material)).sum()
+        };
+        let coupling = |material: Option<&Material>| {
+            material
+                .map_or(0.0, |m| (1.0 + m.poisson) * (1.0 - 2.0 * m.poisson) / (2.0 * PI * m.young))
+        };
+        Self {
+            normal: sum(|m| (1.0 - m.poisson * m.poisson) / (PI * m.young)),
+            tangential: sum(|m| m.poisson * (1.0 + m.poisson) / (PI * m.young)),
+            coupling: coupling(materials[0]) - coupling(materials[1]),
+        }
+    }
+}
+
+/// Influence coefficients at offsets zero and greater, `[i + elements_x j]`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Influence {
+    constants: Constants,
+    elements: [usize; 2],
+    /// Half the size of an element along x and y (m).
+    half: [f64; 2],
+}
+
+impl Influence {
+    pub(super) fn new(constants: Constants, elements: [usize; 2], spacing: [f64; 2]) -> Self {
+        Self { constants, elements, half: spacing.map(|h| 0.5 * h) }
+    }
+
+    pub(super) fn elements(&self) -> [usize; 2] {
+        self.elements
+    }
+
+    /// The same on fewer elements of the same size.
+    pub(super) fn within(&self, elements: [usize; 2]) -> Self {
+        Self { elements, ..self.clone() }
+    }
+
+    /// Normal displacement under a unit pressure on the element itself (m/Pa).
+    pub(super) fn normal_self_term(&self) -> f64 {
+        let [a, b] = self.half;
+        4.0 * self.constants.normal * (b * (a / b).asinh() + a * (b / a).asinh())
+    }
+
+    /// Normal displacement under pressure (m/Pa).
+    pub(super) fn nn(&self) -> Vec<f64> {
+        let normal = self.constants.normal;
+        self.differences([-1.0, -1.0], |corner| normal * (corner.fxx() + corner.fyy()))
+    }
+
+    /// Displacement along x under a traction along x (m/Pa).
+    pub(super) fn xx(&self) -> Vec<f64> {
+        let Constants { normal, tangential, .. } = self.constants;
+        self.differences([-1.0, -1.0], |corner| {
+            (normal + tangential) * corner.fxx() + normal * corner.fyy()
+        })
+    }
+
+    /// Displacement along y under a traction along y (m/Pa).
+    pub(super) fn yy(&self) -> Vec<f64> {
+        let Constants { normal, tangential, .. } = self.constants;
+        self.differences([-1.0, -1.0], |corner| {
+            normal * corner.fxx() + (normal + tangential) * corner.fyy()
+        })
+    }
+
+    /// Displacement along x under a traction along y, and the reverse (m/Pa).
+    pub(super) fn xy(&self) -> Vec<f64> {
+        let tangential = self.constants.tangential;
+        self.differences([1.0, 1.0], |corner| -tangential * corner.r)
+    }
+
+    /// Displacement along x under a normal traction (m/Pa).
+    pub(super) fn xn(&self) -> Vec<f64> {
+        let coupling = self.constants.coupling;
+        self.differences([1.0, -1.0], |c| coupling * (c.y * c.r.ln() + c.x * (c.y / c.x).atan()))
+    }
+
+    /// Displacement along y under a normal traction (m/Pa).
+    pub(super) fn yn(&self) -> Vec<f64> {
+        let coupling = self.constants.coupling;
+        self.differences([-1.0, 1.0], |c| coupling * (c.x * c.r.ln() + c.y * (c.x / c.y).atan()))
+    }
+
+    /// Differences over the corners of the elements of an antiderivative, which is even (1) or odd
+    /// (-1) along x and along y: only corners with x and y above zero are evaluated.
+    fn differences(
+        &self,
+        parity: [f64; 2],
+        antiderivative: impl Fn(Corner) -> f64 + Sync,
+    ) -> Vec<f64> {
+        let [nx, ny] = self.elements;
+        let place = |axis: usize, index: usize| self.half[axis] * (2 * index + 1) as f64;
+        let logarithms = |axis: usize| -> Vec<f64> {
+            (0..self.elements[axis]).map(|index| place(axis, index).ln()).collect()
+        };
+        let (ln_x, ln_y) = (logarithms(0), logarithms(1));
+        let mut values: Vec<f64> = (0..nx * ny)
+            .into_par_iter()
+            .with_min_len(1024)
+            .map(|index| {
+                let (i, j) = (index % nx, index / nx);
+                let (x, y) = (place(0, i), place(1, j));
+                antiderivative(Corner { x, y, r: x.hypot(y), ln_x: ln_x[i], ln_y: ln_y[j] })
+            })
+            .collect();
+        // Backwards, so that the corners still to be read are those not yet overwritten.
+        for j in (0..ny).rev() {
+            for i in (0..nx).rev() {
+                let here = values[i + nx * j];
+                let low = if j > 0 { values[i + nx * (j - 1)] } else { parity[1] * here };
+                let left = if i > 0 { values[i - 1 + nx * j] } else { parity[0] * here };
+                let left_low = match (i, j) {
+                    (0, _) => parity[0] * low,
+                    (_, 0) => parity[1] * left,
+                    _ => values[i - 1 + nx * (j - 1)],
+                };
+                values[i + nx * j] = (here - left) - (low - left_low);
+            }
+        }
+        values
+    }
+}
+
+/// A corner of an element, seen from a pair; x and y above zero (m).
+struct Corner {
+    x: f64,
+    y: f64,
+    r: f64,
+    ln_x: f64,
+    ln_y: f64,
+}
+
+impl Corner {
+    /// y asinh(x/y).
+    fn fxx(&self) -> f64 {
+        self.y * ((self.x + self.r).ln() - self.ln_y)
+    }
+
+    /// x asinh(y/x).
+    fn fyy(&self) -> f64 {
+        self.x * ((self.y + self.r).ln() - self.ln_x)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::{assert_abs_diff_eq, assert_relative_eq};
+
+    use super::{Constants, Corner, Influence};
+    use crate::body::Material;
+
+    /// Steel-like, with G = 1.
+    const SOLID: Material = Material { young: 2.6, poisson: 0.3 };
+
+    fn corner(x: f64, y: f64) -> Corner {
+        Corner { x, y, r: x.hypot(y), ln_x: x.ln(), ln_y: y.ln() }
+    }
+
+    /// Displacement at a place under a rectangle centred at the origin, from an antiderivative known
+    /// for positive arguments.
+    fn under_rectangle(
+        place: [f64; 2],
+        half: [f64; 2],
+        parity: [f64; 2],
+        antiderivative: impl Fn(Corner) -> f64,
+    ) -> f64 {
+        let mut sum = 0.0;
+        for (side_x, side_y) in [(1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)] {
+            let (x, y) = (place[0] + side_x * half[0], place[1] + side_y * half[1]);
+            let reflected = |value: f64, parity: f64| if value < 0.0 { parity } else { 1.0 };
+            // A tiny distance stands for the limit at a corner below the place itself.
+            let value = antiderivative(corner(x.abs().max(1e-300), y.abs().max(1e-300)));
+            sum += side_x * side_y * reflected(x, parity[0]) * reflected(y, parity[1]) * value;
+        }
+        sum
+    }
+
+    /// Table "Rectangle under uniform traction" of independent values (half sides 1 and 0.5, G = 1,
+    /// nu = 0.3, z into the solid), eight digits. With n out of the solid, pressure is -t_n: the
+    /// tangential displacements under a normal traction have the opposite sign.
+    #[test]
+    fn every_component_agrees_with_independent_values() {
+        let Constants { normal: s1, tangential: s2, coupling: s3 } =
+            Constants::of([Some(&SOLID), None]);
+        let rows = [
+            ([0.0, 0.0], [0.53611068, 0.0, 0.0, 0.67396772, 0.0, 0.62801537]),
+            (
+                [0.5, 0.25],
+                [0.48396964, -0.02978748, -0.03274933, 0.60502795, 0.00888135, 0.57032690],
+            ),
+            (
+                [1.0, 0.5],
+                [0.26805534, -0.05513172, -0.04234452, 0.33698386, 0.03647507, 0.31400769],
+            ),
+            (
+                [-1.5, 0.75],
+                [0.14469597, 0.03450645, -0.02050983, 0.18902158, -0.02409565, 0.16238293],
+            ),
+        ];
+        for (place, [uz_pz, ux_pz, uy_pz, ux_qx, uy_qx, uy_qy]) in rows {
+            let at =
+                |parity, f: &dyn Fn(Corner) -> f64| under_rectangle(place, [1.0, 0.5], parity, f);
+            let both_odd = [-1.0, -1.0];
+            let close =
+                |value: f64, expected: f64| assert_abs_diff_eq!(value, expected, epsilon = 1e-8);
+            close(at(both_odd, &|c| s1 * (c.fxx() + c.fyy())), uz_pz);
+            close(at(both_odd, &|c| (s1 + s2) * c.fxx() + s1 * c.fyy()), ux_qx);
+            close(at(both_odd, &|c| s1 * c.fxx() + (s1 + s2) * c.fyy()), uy_qy);
+            close(at([1.0, 1.0], &|c| -s2 * c.r), uy_qx);
+            close(at([1.0, -1.0], &|c| -s3 * (c.y * c.r.ln() + c.x * (c.y / c.x).atan())), ux_pz);
+            close(at([-1.0, 1.0], &|c| -s3 * (c.x * c.r.ln() + c.y * (c.x / c.y).atan())), uy_pz);
+        }
+    }
+
+    #[test]
+    fn the_grid_holds_the_rectangles_at_its_offsets() {
+        let half = [0.3, 0.2];
+        let influence = Influence::new(Constants::of([Some(&SOLID), None]), [4, 5], [0.6, 0.4]);
+        let Constants { normal: s1, tangential: s2, coupling: s3 } = influence.constants;
+        let grids =
+            [influence.nn(), influence.xx(), influence.xy(), influence.xn(), influence.yn()];
+        for index in 0..20 {
+            let place = [0.6 * (index % 4) as f64, 0.4 * (index / 4) as f64];
+            let expected = [
+                under_rectangle(place, half, [-1.0, -1.0], |c| s1 * (c.fxx() + c.fyy())),
+                under_rectangle(place, half, [-1.0, -1.0], |c| (s1 + s2) * c.fxx() + s1 * c.fyy()),
+                under_rectangle(place, half, [1.0, 1.0], |c| -s2 * c.r),
+                under_rectangle(place, half, [1.0, -1.0], |c| {
+                    s3 * (c.y * c.r.ln() + c.x * (c.y / c.x).atan())
+                }),
+                under_rectangle(place, half, [-1.0, 1.0], |c| {
+                    s3 * (c.x * c.r.ln() + c.y * (c.x / c.y).atan())
+                }),
+            ];
+            for (grid, expected) in grids.iter().zip(expected) {
+                assert_abs_diff_eq!(grid[index], expected, epsilon = 1e-14);
+            }
+        }
+    }
+
+    /// Table of independent values, unit square: A33 = .3927698966, A11 = .4769348745 for G = 1,
+    /// nu = 0.3.
+    #[test]
+    fn self_terms_of_the_unit_square() {
+        let influence = Influence::new(Constants::of([None, Some(&SOLID)]), [1, 1], [1.0, 1.0]);
+        assert_relative_eq!(influence.normal_self_term(), 0.3927698966, max_relative = 1e-9);
+        assert_relative_eq!(influence.nn()[0], influence.normal_self_term(), max_relative = 1e-14);
+        assert_relative_eq!(influence.xx()[0], 0.4769348745, max_relative = 1e-9);
+    }
+}

@@ -1,0 +1,52 @@
+//! How two bodies deform, seen from the contact frame: one linear map from the tractions of the
+//! pairs to their relative displacements.
+
+pub mod half_space;
+
+use std::fmt::Debug;
+
+use crate::frame::VectorField;
+
+pub use half_space::HalfSpace;
+
+/// A linear map from tractions (Pa) to relative displacements (m) of the pairs.
+///
+/// It is symmetric and positive definite. Tractions act on body 1, and the displacement returned is
+/// that of body 1 less that of body 2: the C L of the gap k = k_g + k_o + w n - C L.
+pub trait Compliance: Debug + Send + Sync {
+    /// Relative displacements (m) under tractions (Pa).
+    fn apply(&self, tractions: &VectorField) -> VectorField;
+
+    /// Normal displacement (m) that pressures alone (Pa) press the surfaces apart by, into
+    /// `displacement`.
+    fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
+        let zeros = vec![0.0; pressure.len()];
+        let tractions = VectorField { t1: zeros.clone(), t2: zeros, n: pressure.to_vec() };
+        displacement.copy_from_slice(&self.apply(&tractions).n);
+    }
+
+    /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone.
+    fn normal_self_term(&self) -> f64;
+
+    /// An approximate inverse of `apply_normal` with `addition` (m/Pa) on its diagonal, for
+    /// iterations; symmetric and positive definite. By default a division by the diagonal.
+    fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
+        Box::new(Diagonal(1.0 / (self.normal_self_term() + addition)))
+    }
+}
+
+/// A symmetric positive definite map from displacements (m) to pressures (Pa).
+pub trait Preconditioner: Debug {
+    /// The pressures that answer to `displacement`, into `pressure`.
+    fn apply(&self, displacement: &[f64], pressure: &mut [f64]);
+}
+
+/// Multiplication by a constant (Pa/m).
+#[derive(Debug)]
+struct Diagonal(f64);
+
+impl Preconditioner for Diagonal {
+    fn apply(&self, displacement: &[f64], pressure: &mut [f64]) {
+        pressure.iter_mut().zip(displacement).for_each(|(p, d)| *p = self.0 * d);
+    }
+}

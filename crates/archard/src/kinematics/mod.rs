@@ -1,0 +1,116 @@
+//! Motions: how the bodies are driven, how slip follows, and how rubbing is collected into wear.
+//!
+//! A new motion is one file here and one line in [`MOTIONS`].
+
+mod indentation;
+mod sliding;
+
+use std::fmt::Debug;
+
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+
+/// How the pairs of a frame rub while the motion goes on.
+///
+/// The *advance* is the motion's own measure of progress: metres for sliding, a pure number for
+/// indentation.
+pub trait Kinematics: Debug + Send + Sync {
+    /// Distance (m) the pairs in contact slide over each other while the motion advances by that much.
+    fn slip(&self, advance: f64) -> f64;
+
+    /// The name of the progress, for result columns and messages.
+    fn progress(&self) -> Progress;
+}
+
+/// How the progress of a motion is called and shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Progress {
+    /// What it is, for people: "distance".
+    pub name: &'static str,
+    /// The result column, unit included: "distance_m".
+    pub column: &'static str,
+    /// What it measures.
+    pub quantity: Quantity,
+}
+
+impl Progress {
+    /// A value of it (SI) in words: "distance 0.05 m".
+    pub fn at(&self, value: f64) -> String {
+        format!("{} {}", self.name, self.length(value))
+    }
+
+    /// A difference of two values (SI) in words: "0.05 m".
+    pub fn length(&self, value: f64) -> String {
+        // Seven digits: a sum of steps is not shown with what rounding made of it.
+        let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
+        match self.quantity {
+            Quantity::Length => format!("{rounded:?} m"),
+            _ => format!("{rounded:?}"),
+        }
+    }
+}
+
+/// What holds the bodies together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Control {
+    /// The normal force (N); the approach follows.
+    Load(f64),
+    /// The approach of the bodies from first touch (m); the load follows.
+    Approach(f64),
+}
+
+impl Control {
+    /// The control scaled by that factor.
+    pub fn scaled(self, factor: f64) -> Self {
+        match self {
+            Control::Load(load) => Control::Load(factor * load),
+            Control::Approach(approach) => Control::Approach(factor * approach),
+        }
+    }
+}
+
+/// How the advance of a motion is divided into steps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Stepping {
+    /// Implicit steps of that length (the motion's unit).
+    Implicit(f64),
+    /// Explicit steps of that length (the motion's unit); stable only below a bound.
+    Explicit(f64),
+    /// Implicit steps chosen so that the relative error of the depth stays below this.
+    Tolerance(f64),
+}
+
+/// A motion as a case states it.
+#[derive(Debug)]
+pub struct Motion {
+    /// How the pairs rub.
+    pub kinematics: Box<dyn Kinematics>,
+    /// What holds the bodies together while the motion goes on.
+    pub control: Control,
+    /// Whether the control grows in proportion to the progress instead of being constant.
+    pub ramped: bool,
+    /// How far the motion goes (its own unit).
+    pub extent: f64,
+    /// How it is divided into steps.
+    pub stepping: Stepping,
+}
+
+/// The motions a case can name.
+pub const MOTIONS: &[Choice<Motion>] = &[indentation::CHOICE, sliding::CHOICE];
+
+/// The load, as most motions take it.
+const LOAD: Parameter = Parameter::optional("load", Quantity::Force, "normal force");
+/// The approach, as most motions take it.
+const APPROACH: Parameter =
+    Parameter::optional("approach", Quantity::Length, "approach of the bodies from first touch");
+/// The tolerance, as most motions take it.
+const TOLERANCE: Parameter =
+    Parameter::optional("tolerance", Quantity::Number, "relative error allowed in the wear depth")
+        .bound(Bound::Between(0.0, 1.0));
+
+/// The control out of `load` and `approach`.
+fn control(values: &Values) -> Result<Control, Invalid> {
+    match values.one_of("load", "approach")? {
+        (Some(load), _) => Ok(Control::Load(load)),
+        (None, approach) => Ok(Control::Approach(approach.unwrap_or_default())),
+    }
+}

@@ -1,0 +1,60 @@
+//! Gross sliding: every pair in contact slides the same distance (pin on disc).
+
+use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+
+pub(super) const CHOICE: Choice<Motion> = Choice {
+    name: "sliding",
+    meaning: "sliding at constant load or approach, the same distance everywhere (pin on disc)",
+    parameters: &[
+        LOAD,
+        APPROACH,
+        Parameter::required("distance", Quantity::Length, "sliding distance"),
+        Parameter::optional("step", Quantity::Length, "distance slid in one step"),
+        TOLERANCE,
+        Parameter::optional(
+            "scheme",
+            Quantity::Word(&["implicit", "explicit"]),
+            "how a fixed step takes the pressure: at its end (implicit, the default) or at its start",
+        ),
+    ],
+    build: |values| {
+        let distance = values.require("distance")?;
+        let explicit = values.word("scheme") == Some("explicit");
+        let stepping = match values.one_of("step", "tolerance")? {
+            (Some(step), _) if step > distance => {
+                return Err(Invalid::new("step", "`step` is longer than `distance`"));
+            }
+            (Some(step), _) if explicit => Stepping::Explicit(step),
+            (Some(step), _) => Stepping::Implicit(step),
+            (None, _) if explicit => {
+                return Err(Invalid::new(
+                    "scheme",
+                    "the explicit scheme takes a `step`, not a `tolerance`",
+                ));
+            }
+            (None, tolerance) => Stepping::Tolerance(tolerance.unwrap_or_default()),
+        };
+        Ok(Motion {
+            kinematics: Box::new(Sliding),
+            control: control(values)?,
+            ramped: false,
+            extent: distance,
+            stepping,
+        })
+    },
+};
+
+/// Slip is the distance slid; so is progress (m).
+#[derive(Debug)]
+struct Sliding;
+
+impl Kinematics for Sliding {
+    fn slip(&self, advance: f64) -> f64 {
+        advance
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { name: "distance", column: "distance_m", quantity: Quantity::Length }
+    }
+}

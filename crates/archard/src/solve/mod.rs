@@ -1,0 +1,118 @@
+//! Solvers of one normal contact step.
+//!
+//! The problem: p >= 0, g >= 0, p g = 0 on every pair, with the gap
+//! g = gap of the undeformed surfaces - approach + (C + D) p, where C is the compliance and D a
+//! diagonal addition that an implicit wear step puts there. Either the load or the approach is
+//! given; the other follows.
+//!
+//! A new solver is one file here and one line in [`SOLVERS`].
+
+mod conjugate_gradient;
+mod residual;
+mod start;
+mod uzawa;
+
+use std::fmt::Debug;
+
+use crate::compliance::Compliance;
+use crate::kinematics::Control;
+use crate::parameters::{Bound, Choice, Parameter, Quantity, Values};
+
+/// One normal contact step.
+#[derive(Debug)]
+pub struct Step<'a> {
+    /// How the bodies deform.
+    pub compliance: &'a dyn Compliance,
+    /// Gap of the undeformed surfaces at zero approach, wear included (m), one value a pair.
+    pub gap: &'a [f64],
+    /// What a pressure on a pair opens its gap by beside the elasticity (m/Pa): one value a pair.
+    pub addition: &'a [f64],
+    /// Area of an element (m^2).
+    pub element_area: f64,
+    /// The given load or approach.
+    pub control: Control,
+}
+
+/// A solution to start an iteration from.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<'a> {
+    /// Pressure (Pa), one value a pair.
+    pub pressure: &'a [f64],
+    /// Displacement the compliance makes of it (m), one value a pair.
+    pub displacement: &'a [f64],
+    /// Approach (m).
+    pub approach: f64,
+}
+
+/// How a solve ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// The residual is below the tolerance.
+    Converged,
+    /// The iterations allowed did not suffice.
+    OutOfIterations,
+    /// Every pair is in contact: the frame is too small for the load.
+    FrameFull,
+}
+
+/// What a solve found and what it took.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// How it ended; the fields hold the last iterate in any case.
+    pub status: Status,
+    /// Pressure (Pa), one value a pair.
+    pub pressure: Vec<f64>,
+    /// Displacement the compliance makes of it (m), one value a pair.
+    pub displacement: Vec<f64>,
+    /// Gap (m), one value a pair.
+    pub gap: Vec<f64>,
+    /// Approach (m).
+    pub approach: f64,
+    /// Iterations done.
+    pub iterations: usize,
+    /// Violation of the contact conditions relative to the pressures: see [`Settings::tolerance`].
+    pub residual: f64,
+    /// How often the compliance was applied.
+    pub applications: usize,
+}
+
+/// What every solver is told.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Bound on the residual |min(p, g / c)| / |p| (2-norms; c: the compliance of a pair to its own
+    /// pressure), which measures both open gaps under pressure and penetrations.
+    pub tolerance: f64,
+    /// Iterations allowed.
+    pub max_iterations: usize,
+}
+
+/// Solves one step.
+pub trait Solver: Debug + Send + Sync {
+    /// Finds the pressures of a step, from those of an earlier one where there is one.
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome;
+
+    /// What it was told.
+    fn settings(&self) -> Settings;
+}
+
+/// The solvers a case can name; the first is the default.
+pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uzawa::CHOICE];
+
+/// The parameters every solver takes.
+const PARAMETERS: &[Parameter] = &[
+    Parameter::optional("tolerance", Quantity::Number, "bound on the residual; 1e-8 if not given")
+        .bound(Bound::Between(0.0, 1.0)),
+    Parameter::optional("max_iterations", Quantity::Count, "iterations allowed in a solve"),
+];
+
+impl Settings {
+    /// The values given, the others as every solver has them.
+    fn read(values: &Values, max_iterations: usize) -> Self {
+        Self {
+            tolerance: values.number("tolerance").unwrap_or(1e-8),
+            max_iterations: values
+                .number("max_iterations")
+                .map_or(max_iterations, |count| count as usize),
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! The paper's Uzawa iteration (eqs. 44 to 50), the reference the other solvers are held against.
+//!
+//! p <- max(0, p - r g) on every pair at once, with the gap g at the pressure p. The iteration converges
+//! for 0 < r < 2 / lambda_max; the penalty r is computed from a bound on the largest eigenvalue. A given
+//! load is met by an outer iteration on the approach.
+
+use super::residual::Measure;
+use super::start::first_guess;
+use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step};
+use crate::kinematics::Control;
+use crate::numerics::vector;
+use crate::parameters::Choice;
+
+pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
+    name: "uzawa",
+    meaning: "the paper's Uzawa iteration; slow, the reference for the others",
+    parameters: PARAMETERS,
+    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, 1_000_000) })),
+};
+
+/// Penalty times the bound on the largest eigenvalue: a little below the limit of 2.
+const PENALTY: f64 = 1.8;
+
+/// See the module.
+#[derive(Debug)]
+struct Uzawa {
+    settings: Settings,
+}
+
+impl Solver for Uzawa {
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        let (pressure, approach) = match start {
+            Some(start) => (start.pressure.to_vec(), start.approach),
+            None => first_guess(step),
+        };
+        vector::in_pool(|| {
+            let mut iteration = Iteration::new(step, pressure, self.settings);
+            match step.control {
+                Control::Approach(approach) => iteration.settle(approach),
+                Control::Load(load) => iteration.meet(load, approach),
+            }
+        })
+    }
+
+    fn settings(&self) -> Settings {
+        self.settings
+    }
+}
+
+/// Pressures on their way to the solution.
+struct Iteration<'a> {
+    step: &'a Step<'a>,
+    settings: Settings,
+    /// r (Pa/m).
+    penalty: f64,
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+    gap: Vec<f64>,
+    count: usize,
+    applications: usize,
+}
+
+impl<'a> Iteration<'a> {
+    fn new(step: &'a Step<'a>, pressure: Vec<f64>, settings: Settings) -> Self {
+        let (bound, applications) = largest_eigenvalue(step);
+        let zeros = vec![0.0; pressure.len()];
+        let (displacement, gap) = (zeros.clone(), zeros);
+        Self {
+            step,
+            settings,
+            penalty: PENALTY / bound,
+            pressure,
+            displacement,
+            gap,
+            count: 0,
+            applications,
+        }
+    }
+
+    /// Iterates at a fixed approach (m).
+    fn settle(&mut self, approach: f64) -> Outcome {
+        loop {
+            self.applications += 1;
+            self.step.compliance.apply_normal(&self.pressure, &mut self.displacement);
+            let opening = [self.step.gap, &self.displacement, self.step.addition, &self.pressure];
+            vector::update(&mut self.gap, opening, |_, [gap, displacement, addition, pressure]| {
+                gap + displacement + addition * pressure - approach
+            });
+            let residual = Measure::of(self.step).residual(self.step, &self.pressure, &self.gap);
+            let status = if residual <= self.settings.tolerance {
+                Status::Converged
+            } else if self.count >= self.settings.max_iterations {
+                Status::OutOfIterations
+            } else {
+                self.count += 1;
+                let penalty = self.penalty;
+                vector::update(&mut self.pressure, [&self.gap], |p, [gap]| {
+                    (p - penalty * gap).max(0.0)
+                });
+                continue;
+            };
+            let full = self.pressure.iter().all(|&p| p > 0.0);
+            return self.outcome(if full { Status::FrameFull } else { status }, approach, residual);
+        }
+    }
+
+    /// Finds the approach that answers to a load (N), starting from a guess (m): secants on the load
+    /// to the power 2/3, which is proportional to the approach for a sphere.
+    fn meet(&mut self, load: f64, guess: f64) -> Outcome {
+        let lowest = self.step.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        let reached = |pressure: &[f64]| pressure.iter().sum::<f64>() * self.step.element_area;
+        let measure = |force: f64| (force / load).cbrt().powi(2) - 1.0;
+        let mut last = (lowest, -1.0);
+        let mut approach = guess;
+        loop {
+            let outcome = self.settle(approach);
+            let excess = measure(reached(&outcome.pressure));
+            let settled = excess.abs() <= self.settings.tolerance;
+            if outcome.status != Status::Converged || settled {
+                return outcome;
+            }
+            if self.count >= self.settings.max_iterations || excess == last.1 {
+                return Outcome { status: Status::OutOfIterations, ..outcome };
+            }
+            let next = approach - excess * (approach - last.0) / (excess - last.1);
+            last = (approach, excess);
+            approach = next.max(0.5 * (lowest + approach));
+        }
+    }
+
+    fn outcome(&self, status: Status, approach: f64, residual: f64) -> Outcome {
+        Outcome {
+            status,
+            pressure: self.pressure.clone(),
+            displacement: self.displacement.clone(),
+            gap: self.gap.clone(),
+            approach,
+            iterations: self.count,
+            residual,
+            applications: self.applications,
+        }
+    }
+}
+
+/// An upper bound on the largest eigenvalue of the step's operator (m/Pa) and the applications it
+/// took.
+///
+/// Collatz and Wielandt: for a matrix without negative elements and any positive vector, the largest
+/// ratio of image to vector is an upper bound. A few applications sharpen it.
+fn largest_eigenvalue(step: &Step<'_>) -> (f64, usize) {
+    const APPLICATIONS: usize = 8;
+    let mut values = vec![1.0; step.gap.len()];
+    let mut image = vec![0.0; step.gap.len()];
+    let mut bound = f64::INFINITY;
+    for _ in 0..APPLICATIONS {
+        step.compliance.apply_normal(&values, &mut image);
+        vector::update(&mut image, [step.addition, &values], |image, [addition, value]| {
+            image + addition * value
+        });
+        let ratio =
+            image.iter().zip(&values).map(|(image, value)| image / value).fold(0.0, f64::max);
+        bound = bound.min(ratio);
+        let scale = image.iter().copied().fold(0.0, f64::max);
+        values.iter_mut().zip(&image).for_each(|(value, image)| *value = image / scale);
+    }
+    (bound, APPLICATIONS)
+}
