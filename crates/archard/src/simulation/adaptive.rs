@@ -1,0 +1,201 @@
+//! Wear in steps chosen by error.
+//!
+//! Two histories of implicit Euler steps run side by side from the unworn start, one in steps twice
+//! as long as the other's; neither ever sees the other. Their difference is the first-order error of
+//! the coarse one's halves, so that twice the fine less the coarse wear is of second order (L. F.
+//! Richardson, *Phil. Trans. R. Soc. A* 210 (1911) 307). Because the extrapolation is never fed back,
+//! the pressures stay those of implicit Euler, without a spike at the edge of the growing contact:
+//! feeding it back, or any linear second-order step, leaves spikes there.
+//!
+//! The error that remains after extrapolation is estimated by the error removed, times the relative
+//! change of the rate of wear over the step: how far the step is from resolving the history. The
+//! estimate never falls during a run. The pressure of an Euler step lags behind by the order of the
+//! step; the two histories show by how much, and the step is kept short enough for that too.
+
+use super::chain::{Chain, Leg};
+use super::{Effort, Error, Simulation};
+use crate::problem::ContactState;
+use crate::wear::Rubbing;
+
+/// Aim of the controller relative to the tolerance.
+const AIM: f64 = 0.9;
+/// Lag of the pressure at the deepest point that is allowed, relative to the root of the tolerance.
+/// Both the lag and the root of the wear's error grow with the step: 2 % go with a tolerance of 1e-3.
+const LAG: f64 = 0.7;
+/// Bounds on the change of the step from one to the next.
+const CHANGE: (f64, f64) = (0.2, 2.0);
+/// Smallest step, relative to the extent of the motion.
+const SMALLEST: f64 = 1e-10;
+
+/// Two histories of wear and the extrapolation from them.
+#[derive(Debug)]
+pub(super) struct Adaptive {
+    tolerance: f64,
+    coarse: Chain,
+    fine: Chain,
+    /// Wear put out: the extrapolation, never falling anywhere, its volume exact (m).
+    worn: [Vec<f64>; 2],
+    /// Length of the next step (the motion's unit).
+    step: f64,
+    /// Error of the deepest wear (m), the largest estimate so far.
+    error: f64,
+}
+
+/// A step of both histories, before it is accepted.
+struct Trial {
+    coarse: Chain,
+    fine: Chain,
+    /// Extrapolated depths worn off body 1 and body 2 (m).
+    worn: [Vec<f64>; 2],
+    /// Deepest total wear (m) and its error (m).
+    depth: f64,
+    error: f64,
+    /// Relative lag of the pressure where the wear is deepest.
+    lag: f64,
+}
+
+impl Trial {
+    /// Error relative to what the tolerance allows; of second order in the step.
+    fn excess(&self, tolerance: f64) -> f64 {
+        let error = if self.depth > 0.0 { self.error / (tolerance * self.depth) } else { 0.0 };
+        error.max(self.lag * self.lag / (LAG * LAG * tolerance))
+    }
+}
+
+impl Adaptive {
+    /// Both histories at the initial contact.
+    ///
+    /// The first step wears the root of the tolerance times the elastic approach: the depth over which
+    /// the contact starts to change.
+    pub fn new(simulation: &Simulation, initial: &Chain, tolerance: f64) -> Self {
+        let extent = simulation.schedule.extent;
+        let probe = SMALLEST * extent;
+        let problem = &simulation.problem;
+        let slip = problem.kinematics.slip(probe);
+        let rate = initial.state.pressure.iter().fold(0.0, |rate: f64, &pressure| {
+            let depths = problem.wear_depths(Rubbing { pressure, slip });
+            rate.max(depths.iter().sum::<f64>() / probe)
+        });
+        let first = tolerance.sqrt() * initial.state.approach / rate;
+        Self {
+            tolerance,
+            coarse: initial.clone(),
+            fine: initial.clone(),
+            worn: initial.state.worn.clone(),
+            step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
+            error: 0.0,
+        }
+    }
+
+    /// Carries both histories one accepted step on, not beyond `target`; returns the state to put
+    /// out.
+    pub fn step(
+        &mut self,
+        simulation: &Simulation,
+        target: f64,
+        effort: &mut Effort,
+    ) -> Result<Chain, Error> {
+        loop {
+            let progress = self.fine.state.progress;
+            let length = landing(self.step, target - progress);
+            let trial = self.attempt(simulation, length, effort)?;
+            let excess = trial.excess(self.tolerance);
+            let change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
+            if excess <= 1.0 {
+                let shortened = length < 0.9 * self.step && change >= 1.0;
+                self.step =
+                    if shortened { self.step.max(change * length) } else { change * length };
+                return Ok(self.accept(trial, effort));
+            }
+            effort.rejected += 1;
+            self.step = length * change.min(0.8);
+            if self.step < SMALLEST * simulation.schedule.extent {
+                let measure = simulation.problem.kinematics.progress();
+                return Err(Error::StepTooSmall { measure, progress, step: self.step });
+            }
+        }
+    }
+
+    /// One coarse and two fine steps.
+    fn attempt(
+        &self,
+        simulation: &Simulation,
+        length: f64,
+        effort: &mut Effort,
+    ) -> Result<Trial, Error> {
+        let leg = |advance: f64, end: f64| Leg {
+            advance,
+            progress: end,
+            control: simulation.control_at(end),
+        };
+        let start = self.fine.state.progress;
+        let (half, end) = (start + 0.5 * length, start + length);
+        let (mut coarse, mut fine) = (self.coarse.clone(), self.fine.clone());
+        coarse.implicit(simulation, leg(length, end), effort)?;
+        fine.implicit(simulation, leg(0.5 * length, half), effort)?;
+        fine.implicit(simulation, leg(0.5 * length, end), effort)?;
+        let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
+        let total = |worn: &[Vec<f64>; 2], i: usize| worn[0][i] + worn[1][i];
+        let (mut deepest, mut depth, mut removed, mut square) = (0, 0.0, 0.0, 0.0);
+        for i in 0..worn[0].len() {
+            let (value, before) = (total(&worn, i), total(&coarse.state.worn, i));
+            if value > depth {
+                (deepest, depth) = (i, value);
+            }
+            removed += (value - before).powi(2);
+            square += value * value;
+        }
+        let change = |before: f64, after: f64| match before.max(after) {
+            0.0 => 0.0,
+            larger => (after - before).abs() / larger,
+        };
+        let last = fine.state.pressure[deepest];
+        let resolved = change(self.fine.state.pressure[deepest], last);
+        let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
+        let lag = change(coarse.state.pressure[deepest], last);
+        Ok(Trial { coarse, fine, worn, depth, error, lag })
+    }
+
+    /// Takes a trial over and returns the state to put out: the fine history's contact with the
+    /// extrapolated wear.
+    fn accept(&mut self, trial: Trial, effort: &mut Effort) -> Chain {
+        self.error = self.error.max(trial.error);
+        effort.time_error = Some(if trial.depth > 0.0 { self.error / trial.depth } else { 0.0 });
+        for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
+            raise(shown, worn);
+        }
+        (self.coarse, self.fine) = (trial.coarse, trial.fine);
+        let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
+        let ContactState { progress, approach, load, ref pressure, ref gap, .. } = self.fine.state;
+        let (pressure, gap, worn) = (pressure.clone(), gap.clone(), self.worn.clone());
+        let state = ContactState { progress, approach, load, pressure, gap, worn };
+        // Nothing goes on from the state shown: it needs no displacement.
+        Chain { state, displacement: vec![], load_distance }
+    }
+}
+
+/// A step that ends on the next target, alone or with one more of its length, if it comes near it.
+fn landing(step: f64, rest: f64) -> f64 {
+    let count = (rest / step - 0.1).ceil().max(1.0);
+    if count <= 2.0 { rest / count } else { step }
+}
+
+/// Twice the fine less the coarse values.
+fn extrapolate(coarse: &[f64], fine: &[f64]) -> Vec<f64> {
+    coarse.iter().zip(fine).map(|(coarse, fine)| 2.0 * fine - coarse).collect()
+}
+
+/// Raises `shown` towards `worn` without lowering it anywhere and to the same sum: in a few pairs at
+/// the rim, which only the coarse history has reached, the extrapolation falls.
+fn raise(shown: &mut [f64], worn: &[f64]) {
+    let rise = |(shown, worn): (&f64, &f64)| worn - shown;
+    let net: f64 = shown.iter().zip(worn).map(rise).sum();
+    let positive: f64 = shown.iter().zip(worn).map(rise).filter(|rise| *rise > 0.0).sum();
+    if net > 0.0 {
+        let share = net / positive;
+        shown
+            .iter_mut()
+            .zip(worn)
+            .for_each(|(shown, worn)| *shown += share * (worn - *shown).max(0.0));
+    }
+}

@@ -1,0 +1,212 @@
+//! Wear in time: one history of wear, carried from step to step by one contact solve a step.
+
+use super::{Effort, Error, Simulation};
+use crate::kinematics::Control;
+use crate::numerics::vector;
+use crate::problem::{ContactProblem, ContactState};
+use crate::solve::{Outcome, Start, Status, Step};
+use crate::wear::Rubbing;
+
+/// Bound on the disagreement between a wear law and its linearisation, relative to the depth worn.
+const LINEARISATION: f64 = 1e-9;
+/// Linearisations tried before a step counts as not converged.
+const PASSES: usize = 50;
+
+/// Where a history has arrived.
+#[derive(Debug, Clone)]
+pub(super) struct Chain {
+    /// The contact and the worn depths.
+    pub state: ContactState,
+    /// Displacement the compliance makes of the pressure (m).
+    pub displacement: Vec<f64>,
+    /// Integral of the load over the distance slid (N m).
+    pub load_distance: f64,
+}
+
+/// The part of a step that is the same for every chain.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Leg {
+    /// Length (the motion's unit).
+    pub advance: f64,
+    /// Progress at its end (the motion's unit).
+    pub progress: f64,
+    /// Load or approach at its end.
+    pub control: Control,
+}
+
+impl Chain {
+    /// Unworn bodies, just touching.
+    pub fn new(problem: &ContactProblem) -> Self {
+        let gap = problem.frame.gap();
+        Self {
+            state: ContactState::untouched(gap),
+            displacement: vec![0.0; gap.len()],
+            load_distance: 0.0,
+        }
+    }
+
+    /// Solves the contact with the wear as it is.
+    pub fn press(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let addition = vec![0.0; self.displacement.len()];
+        let gap = self.undeformed_gap(&simulation.problem);
+        let outcome = self.solve(simulation, leg, &gap, &addition, effort)?;
+        self.take(outcome, simulation, leg);
+        Ok(())
+    }
+
+    /// An implicit step: the pressure at its end does the wear.
+    ///
+    /// The wear is linearised about the last pressures, which adds its slope to the compliance; for a
+    /// law linear in the pressure the first pass is exact.
+    pub fn implicit(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let slip = problem.kinematics.slip(leg.advance);
+        if slip == 0.0 || !problem.wears() {
+            self.press(simulation, leg, effort)?;
+            self.load_distance += self.state.load * slip;
+            return Ok(());
+        }
+        let undeformed = self.undeformed_gap(problem);
+        for _ in 0..PASSES {
+            let line = Linearised::about(&self.state.pressure, slip, problem);
+            let gap = vector::map([&undeformed, &line.constant], |[gap, constant]| gap + constant);
+            let outcome = self.solve(simulation, leg, &gap, &line.slope, effort)?;
+            self.take(outcome, simulation, leg);
+            if line.holds(&self.state.pressure, slip, problem) {
+                self.wear(slip, problem);
+                return Ok(());
+            }
+        }
+        Err(not_converged(simulation, leg, PASSES, f64::NAN))
+    }
+
+    /// An explicit step: the pressure at its start does the wear.
+    pub fn explicit(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        self.wear(problem.kinematics.slip(leg.advance), problem);
+        self.press(simulation, leg, effort)
+    }
+
+    /// Wears both bodies by rubbing under the present pressures over a slip (m).
+    fn wear(&mut self, slip: f64, problem: &ContactProblem) {
+        let ContactState { pressure, worn, load, .. } = &mut self.state;
+        for (i, &pressure) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
+            let depths = problem.wear_depths(Rubbing { pressure, slip });
+            worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[i] += depth);
+        }
+        self.load_distance += *load * slip;
+    }
+
+    /// Gap of the worn, undeformed surfaces at zero approach (m).
+    fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
+        let [first, second] = &self.state.worn;
+        vector::map([problem.frame.gap(), first, second], |[gap, first, second]| {
+            gap + first + second
+        })
+    }
+
+    /// Takes a solution over.
+    fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
+        let Outcome { pressure, displacement, gap, approach, .. } = outcome;
+        self.displacement = displacement;
+        let load = simulation.problem.frame.integrate(&pressure);
+        let worn = std::mem::take(&mut self.state.worn);
+        self.state = ContactState { progress: leg.progress, approach, load, pressure, gap, worn };
+    }
+
+    fn solve(
+        &self,
+        simulation: &Simulation,
+        leg: Leg,
+        gap: &[f64],
+        addition: &[f64],
+        effort: &mut Effort,
+    ) -> Result<Outcome, Error> {
+        let problem = &simulation.problem;
+        let step = Step {
+            compliance: &*problem.compliance,
+            gap,
+            addition,
+            element_area: problem.frame.element_area(),
+            control: leg.control,
+        };
+        let ContactState { pressure, approach, load, .. } = &self.state;
+        let start = Start { pressure, displacement: &self.displacement, approach: *approach };
+        let outcome = simulation.solver.solve(&step, (*load > 0.0).then_some(start));
+        effort.solves += 1;
+        effort.iterations += outcome.iterations;
+        effort.applications += outcome.applications;
+        effort.residual = outcome.residual;
+        match outcome.status {
+            Status::Converged => Ok(outcome),
+            Status::FrameFull => Err(Error::FrameFull {
+                measure: problem.kinematics.progress(),
+                progress: leg.progress,
+            }),
+            Status::OutOfIterations => {
+                Err(not_converged(simulation, leg, outcome.iterations, outcome.residual))
+            }
+        }
+    }
+}
+
+/// The total wear of a step as a straight line in the pressure of each pair.
+struct Linearised {
+    /// Depth at zero pressure (m).
+    constant: Vec<f64>,
+    /// Slope (m/Pa).
+    slope: Vec<f64>,
+}
+
+impl Linearised {
+    fn about(pressure: &[f64], slip: f64, problem: &ContactProblem) -> Self {
+        let line = |&pressure: &f64| {
+            let rubbing = Rubbing { pressure, slip };
+            let slope = problem.wear_slope(rubbing);
+            (total_depth(problem, rubbing) - slope * pressure, slope)
+        };
+        let (constant, slope) = pressure.iter().map(line).unzip();
+        Self { constant, slope }
+    }
+
+    /// Whether the line agrees with the law at these pressures (Pa).
+    fn holds(&self, pressure: &[f64], slip: f64, problem: &ContactProblem) -> bool {
+        let (mut error, mut deepest) = (0.0f64, 0.0f64);
+        for ((constant, slope), &pressure) in self.constant.iter().zip(&self.slope).zip(pressure) {
+            let depth = total_depth(problem, Rubbing { pressure, slip });
+            error = error.max((constant + slope * pressure - depth).abs());
+            deepest = deepest.max(depth);
+        }
+        error <= LINEARISATION * deepest
+    }
+}
+
+/// Depth worn off both bodies (m).
+fn total_depth(problem: &ContactProblem, rubbing: Rubbing) -> f64 {
+    problem.wear_depths(rubbing).iter().sum()
+}
+
+fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
+    Error::NotConverged {
+        measure: simulation.problem.kinematics.progress(),
+        progress: leg.progress,
+        iterations,
+        residual,
+        tolerance: simulation.solver.settings().tolerance,
+    }
+}

@@ -1,0 +1,45 @@
+//! One row of numbers a step.
+
+use super::Report;
+use crate::problem::ContactState;
+
+/// The numbers of a step by column, units in the names.
+///
+/// Depths and volumes are followed by the body's own name. The columns are the same for every step
+/// of a run.
+pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
+    let Report { problem, state, effort, .. } = report;
+    let frame = &problem.frame;
+    let area = state.pairs_in_contact() as f64 * frame.element_area();
+    let mut row: Vec<(String, f64)> = vec![
+        (problem.kinematics.progress().column.to_owned(), state.progress),
+        ("load_N".to_owned(), state.load),
+        ("approach_m".to_owned(), state.approach),
+        ("peak_pressure_Pa".to_owned(), maximum(&state.pressure)),
+        ("centre_pressure_Pa".to_owned(), frame.at_centre(&state.pressure)),
+        ("contact_area_m2".to_owned(), area),
+    ];
+    let bodies = || problem.bodies.iter().zip(&state.worn);
+    row.extend(
+        bodies()
+            .map(|(body, worn)| (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))),
+    );
+    row.extend(bodies().map(|(body, worn)| (format!("wear_depth_{}_m", body.name), maximum(worn))));
+    row.push(("wear_depth_m".to_owned(), deepest(state)));
+    row.push(("iterations".to_owned(), effort.iterations as f64));
+    row.push(("residual".to_owned(), effort.residual));
+    row.push(("solves".to_owned(), effort.solves as f64));
+    row.push(("rejected".to_owned(), effort.rejected as f64));
+    row.push(("time_error".to_owned(), effort.time_error.unwrap_or(f64::NAN)));
+    row
+}
+
+/// Deepest total wear (m).
+pub fn deepest(state: &ContactState) -> f64 {
+    state.worn[0].iter().zip(&state.worn[1]).map(|(a, b)| a + b).fold(0.0, f64::max)
+}
+
+/// Largest value, zero at least.
+fn maximum(field: &[f64]) -> f64 {
+    field.iter().copied().fold(0.0, f64::max)
+}

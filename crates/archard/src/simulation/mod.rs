@@ -1,0 +1,134 @@
+//! A motion carried through: contact and wear step after step.
+
+mod adaptive;
+mod chain;
+mod history;
+mod march;
+
+use std::error::Error as StdError;
+
+pub use history::row;
+
+use crate::kinematics::{Control, Progress, Stepping};
+use crate::problem::{ContactProblem, ContactState};
+use crate::solve::Solver;
+
+/// A problem, how to solve it, and what to put it through.
+#[derive(Debug)]
+pub struct Simulation {
+    /// The bodies, the frame and the motion.
+    pub problem: ContactProblem,
+    /// Solver of the contact steps.
+    pub solver: Box<dyn Solver>,
+    /// What the problem is put through.
+    pub schedule: Schedule,
+}
+
+/// Load, extent and steps of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Schedule {
+    /// What holds the bodies together, at the end of the motion.
+    pub control: Control,
+    /// Whether the control grows in proportion to the progress instead of being constant.
+    pub ramped: bool,
+    /// How far the motion goes (its own unit).
+    pub extent: f64,
+    /// How it is divided into steps.
+    pub stepping: Stepping,
+    /// Progress at which fields are put out, rising, the end of the motion among them. Steps chosen
+    /// by error end on them; fixed steps put out when they first reach or pass one.
+    pub outputs: Vec<f64>,
+}
+
+/// What an observer is shown after the initial contact and after every accepted step.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// The problem.
+    pub problem: &'a ContactProblem,
+    /// What is known now.
+    pub state: &'a ContactState,
+    /// What it took.
+    pub effort: Effort,
+    /// Whether fields are due: at the start, at the schedule's outputs and at the end.
+    pub output: bool,
+    /// How far the motion goes (its own unit).
+    pub extent: f64,
+}
+
+/// What a step took, and what the run took so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Effort {
+    /// Steps accepted so far.
+    pub steps: usize,
+    /// Steps rejected so far.
+    pub rejected: usize,
+    /// Contact solves so far.
+    pub solves: usize,
+    /// Iterations of this step's solves, rejected ones included.
+    pub iterations: usize,
+    /// Applications of the compliance so far.
+    pub applications: usize,
+    /// Residual of the step's last solve.
+    pub residual: f64,
+    /// Estimate of the relative error of the wear depth that the division into steps has caused;
+    /// `None` where no estimate is made.
+    pub time_error: Option<f64>,
+    /// Integral of the load over the distance slid (N m), to compare worn volumes with.
+    pub load_distance: f64,
+}
+
+/// Someone who follows a run: writes files, draws a bar.
+pub trait Observer {
+    /// Takes notice of a state. An error stops the run.
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>>;
+}
+
+/// Why a run stopped before its end.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A contact solve ran out of iterations.
+    #[error(
+        "the contact at {} did not converge: residual {residual:.1e} after {iterations} iterations, tolerance {tolerance:.1e}; allow more iterations or a larger tolerance in the `solver` table",
+        .measure.at(*.progress)
+    )]
+    NotConverged {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress at the end of the step.
+        progress: f64,
+        /// Iterations done.
+        iterations: usize,
+        /// Residual reached.
+        residual: f64,
+        /// Residual asked for.
+        tolerance: f64,
+    },
+    /// The contact fills the frame.
+    #[error(
+        "at {} every element of the frame is in contact: the frame is too small, enlarge `frame.size`",
+        .measure.at(*.progress)
+    )]
+    FrameFull {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress at the end of the step.
+        progress: f64,
+    },
+    /// Steps had to become too small.
+    #[error(
+        "at {} the step fell below {} without meeting the tolerance; allow a larger `tolerance`",
+        .measure.at(*.progress),
+        .measure.length(*.step)
+    )]
+    StepTooSmall {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress reached.
+        progress: f64,
+        /// Length of the last step tried.
+        step: f64,
+    },
+    /// An observer could not go on.
+    #[error(transparent)]
+    Observer(Box<dyn StdError + Send + Sync>),
+}
