@@ -12,6 +12,7 @@ pub mod compliance;
 pub mod frame;
 pub mod kinematics;
 pub mod numerics;
+pub mod output;
 pub mod parameters;
 pub mod problem;
 pub mod simulation;

@@ -1,0 +1,63 @@
+//! All fields of one output on their grid.
+
+use std::fs;
+use std::path::Path;
+
+use super::{Error, Field, fields, file, vti};
+use crate::problem::{ContactProblem, ContactState};
+
+/// Fields on a uniform grid of elements, as kept in a `.vti` file (VTK's XML image data).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image {
+    /// The lowest corner along x and y (m).
+    pub origin: [f64; 2],
+    /// Size of an element along x and y (m).
+    pub spacing: [f64; 2],
+    /// Number of elements along x and y.
+    pub elements: [usize; 2],
+    /// The fields, one value an element, x running fastest.
+    pub fields: Vec<Field>,
+}
+
+impl Image {
+    /// The image of a state; see [`fields()`] for what is on it.
+    pub fn of(problem: &ContactProblem, state: &ContactState) -> Self {
+        Self {
+            origin: problem.frame.size().map(|size| -0.5 * size),
+            spacing: problem.frame.spacing(),
+            elements: problem.frame.elements(),
+            fields: fields(problem, state),
+        }
+    }
+
+    /// The values of the field of that name, if there is one.
+    pub fn field(&self, name: &str) -> Option<&[f64]> {
+        let field = self.fields.iter().find(|field| field.name == name)?;
+        Some(&field.values)
+    }
+
+    /// Centre (m) of the element of that index along an axis (0: x, 1: y).
+    pub fn centre(&self, axis: usize, index: usize) -> f64 {
+        self.origin[axis] + (index as f64 + 0.5) * self.spacing[axis]
+    }
+
+    /// Writes a `.vti` file.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), Error> {
+        let bytes =
+            vti::encode(self).map_err(|source| Error::Write { path: path.to_owned(), source })?;
+        file::write_whole(path, &bytes)
+    }
+
+    /// Reads a `.vti` file that [`Image::write`] wrote; it does not read those of other programs.
+    ///
+    /// # Errors
+    /// If the file cannot be read, is damaged or is written in another way.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes =
+            fs::read(path).map_err(|source| Error::Read { path: path.to_owned(), source })?;
+        vti::decode(&bytes).map_err(|what| Error::NotAnImage { path: path.to_owned(), what })
+    }
+}

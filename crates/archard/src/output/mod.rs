@@ -1,0 +1,61 @@
+//! What a run leaves behind: a folder of files that spreadsheets, Python and ParaView read.
+//!
+//! [`ResultFolder`] observes a run and writes
+//!
+//! - `case.toml`: the case as resolved;
+//! - `history.csv`: a row a step, units in the names of the columns;
+//! - `profiles.csv`: at each output the sections through the centre of the frame;
+//! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView;
+//! - `summary.json`: the last row, checks and totals.
+//!
+//! All of them are complete on the disk after every step, so an interrupted run can be read.
+
+mod fields;
+mod file;
+mod folder;
+mod image;
+mod pvd;
+mod sections;
+mod summary;
+mod table;
+mod vti;
+
+#[cfg(test)]
+mod fixture;
+
+use std::io;
+use std::path::PathBuf;
+
+pub use fields::{Field, fields};
+pub use folder::ResultFolder;
+pub use image::Image;
+pub use summary::Totals;
+
+/// A result that cannot be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The file system refuses to write.
+    #[error("cannot write `{}`: {source}", .path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The file system refuses to read.
+    #[error("cannot read `{}`: {source}", .path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file of fields that is damaged or comes from another program.
+    #[error("`{}` is not a complete .vti file of this program: {what}", .path.display())]
+    NotAnImage {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        what: String,
+    },
+}
