@@ -5,8 +5,52 @@
 //! is over. Boundary elements do the elasticity: nothing but the surfaces near the contact is
 //! divided into elements.
 //!
+//! # From a case file
+//!
+//! ```
+//! use archard::case::CaseFile;
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let text = r#"
+//!     [body.pin]
+//!     material = { young = "210 GPa", poisson = 0.3 }
+//!     profile.sphere = { radius = "50 mm" }
+//!     wear.archard = { coefficient = "1.33e-13 1/Pa" }
+//!     [body.disc]
+//!     material = { young = "210 GPa", poisson = 0.3 }
+//!     profile.flat = {}
+//!     [frame]
+//!     size = ["1.2 mm", "1.2 mm"]
+//!     elements = [30, 30]
+//!     [motion.sliding]
+//!     load = "10.2 N"
+//!     distance = "500 mm"
+//!     step = "5 mm"
+//! "#;
+//! let resolved = CaseFile::from_text("pin on disc", text, ".").resolve().map_err(|_| "mistakes")?;
+//! let simulation = resolved.case.build()?;
+//! let effort = simulation.run(&mut [])?;
+//! assert_eq!(effort.steps, 100);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Results go to the [observers](simulation::Observer) handed to `run`:
+//! [`output::ResultFolder`] writes files, your own keeps what it likes.
+//!
+//! # The names
+//!
+//! A [`Case`] builds a [`Simulation`]: a [`ContactProblem`], a [`Solver`] and a schedule. The problem
+//! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
+//! seen from the frame, and the [`Kinematics`] of their motion; each body may have a [`WearLaw`].
+//! What is known at the end of a step is a [`ContactState`]. Profiles, wear laws, motions and solvers
+//! are interchangeable parts, declared as [`parameters::Choice`]s.
+//!
+//! SI units everywhere; `case` and `output` are the only modules that know others. Signs and axes are
+//! stated in [`frame`].
 
 pub mod body;
+pub mod case;
 pub mod closed_form;
 pub mod compliance;
 pub mod frame;
@@ -21,6 +65,7 @@ pub mod units;
 pub mod wear;
 
 pub use body::Body;
+pub use case::Case;
 pub use compliance::Compliance;
 pub use frame::ContactFrame;
 pub use kinematics::Kinematics;

@@ -1,0 +1,86 @@
+//! Whether the bodies meet inside the frame.
+
+use super::Parts;
+use super::words::{length, size_list};
+use crate::body::Profile;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::frame::ContactFrame;
+
+/// What is wrong with frame and profiles; nothing else is worth checking then.
+pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
+    let frame = parts.case.frame;
+    let profiles = parts.profiles.each_ref().map(|profile| &**profile);
+    match ContactFrame::uniform(frame.size, frame.elements, profiles) {
+        Err(off) => vec![beyond(parts, off.body)],
+        Ok(built) => touch(parts, built.gap()).into_iter().collect(),
+    }
+}
+
+/// The frame reaches beyond the surface of that body.
+fn beyond(parts: &Parts<'_>, body: usize) -> Problem {
+    let case = parts.case;
+    let message = format!("reaches beyond the surface of the body `{}`", case.bodies[body].name);
+    let problem = Problem::error(Key::of(["frame", "size"]), message);
+    match largest_share(parts, &*parts.profiles[body]) {
+        share if share < 1e-6 => problem.help("the profile does not cover the centre of the frame"),
+        share => {
+            let sizes = case.frame.size.map(|size| size * share);
+            problem.help(format!("with this shape, the largest that fits is {}", size_list(sizes)))
+        }
+    }
+}
+
+/// The share of the frame's size up to which its corner elements lie on a surface.
+fn largest_share(parts: &Parts<'_>, profile: &dyn Profile) -> f64 {
+    let frame = parts.case.frame;
+    let spacing = frame.spacing();
+    let corner = [0, 1].map(|axis| 0.5 * (frame.size[axis] - spacing[axis]));
+    let reaches = |share: f64| {
+        [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]]
+            .iter()
+            .all(|[x, y]| profile.recess(share * x * corner[0], share * y * corner[1]).is_finite())
+    };
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..50 {
+        let middle = 0.5 * (low + high);
+        if reaches(middle) { low = middle } else { high = middle }
+    }
+    low
+}
+
+/// Whether the bodies touch where a contact can grow.
+fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
+    let largest = gap.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 {
+        let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
+        let message = "both surfaces are the same plane: the contact would fill the whole frame";
+        return Some(Problem::error(key, message).help("give one of the bodies a curved profile"));
+    }
+    if let Some(curvatures) = parts.curvatures()
+        && let Some(axis) = [0, 1].into_iter().find(|&axis| curvatures[axis] < 0.0)
+    {
+        let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
+        let message = format!(
+            "the bodies together are hollow along {}: they would touch at the edge of the frame first",
+            ["x", "y"][axis]
+        );
+        let radius = length(-1.0 / curvatures[axis]);
+        return Some(Problem::error(key, message).help(format!(
+            "the curvatures 1/R of both bodies add up to -1/({radius}); the sum has to be positive"
+        )));
+    }
+    let [nx, ny] = parts.case.frame.elements;
+    let edge = |pair: usize| {
+        pair.is_multiple_of(nx) || pair % nx + 1 == nx || pair < nx || pair >= nx * (ny - 1)
+    };
+    let lowest = |inside: bool| {
+        let pairs = (0..gap.len()).filter(|&pair| edge(pair) != inside);
+        pairs.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min)
+    };
+    (nx > 2 && ny > 2 && lowest(false) < lowest(true)).then(|| {
+        let message =
+            "the bodies touch first at the edge of the frame: the contact is cut off there";
+        Problem::warning(Key::of(["frame", "size"]), message)
+    })
+}

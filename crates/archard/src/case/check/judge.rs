@@ -1,0 +1,181 @@
+//! What is doubtful about a case, in words.
+
+use super::contact::{Contact, coefficient};
+use super::words::{both, length, pressure, size_list_up, three};
+use super::{Forecast, Parts};
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::kinematics::Stepping;
+
+/// Cells across the contact below which it is poorly resolved.
+const FEW_CELLS: f64 = 8.0;
+/// Share of the radius of curvature beyond which a body is no half-space under its contact.
+const WIDE: f64 = 0.3;
+/// Size of a comfortable frame in contact radii: the elastic fields need some room around.
+const ROOM: f64 = 2.4;
+/// Smallest eigenvalue of the half-space compliance on square cells, in h/E* (measured; twice it
+/// bounds the explicit step).
+const SMALLEST_EIGENVALUE: f64 = 0.5807;
+
+/// All that is wrong or doubtful.
+pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
+    let mut problems = rubbing(parts);
+    problems.extend(explicit(parts));
+    if let Some(contact) = &forecast.contact {
+        match too_small(parts, contact) {
+            Some(problem) => problems.push(problem),
+            None => {
+                problems.extend(reaches_the_edge(parts, forecast));
+                problems.extend(few_cells(forecast));
+            }
+        }
+        problems.extend(wide(parts, forecast));
+        problems.extend(too_soft(parts, contact));
+    }
+    problems
+}
+
+/// Wear without sliding, sliding without wear.
+fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
+    let motion = parts.case.motion.choice.name;
+    let slides = parts.slip() > 0.0;
+    if slides && parts.wear.iter().all(Option::is_none) {
+        let message = "the bodies slide, but neither has a `wear` table: nothing will wear";
+        return vec![Problem::warning(Key::of(["motion", motion]), message)];
+    }
+    let worn = parts.case.bodies.iter().filter(|body| !slides && body.wear.is_some());
+    worn.map(|body| {
+        let message = format!("nothing slides in `motion.{motion}`: this body will not wear");
+        Problem::warning(Key::of(["body", &body.name, "wear"]), message)
+    })
+    .collect()
+}
+
+/// Explicit steps beyond their bound: pressures swing from step to step.
+fn explicit(parts: &Parts<'_>) -> Option<Problem> {
+    let Stepping::Explicit(step) = parts.motion.stepping else { return None };
+    let [dx, dy] = parts.case.frame.spacing();
+    let opening = 2.0 * SMALLEST_EIGENVALUE * dx.min(dy) / parts.contact_modulus();
+    let wear = coefficient(parts, 1e8) * parts.motion.kinematics.slip(step);
+    (wear > opening).then(|| {
+        let message = format!(
+            "the explicit scheme is unstable with this step: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
+            length(step * opening / wear)
+        );
+        Problem::warning(Key::of(["motion", parts.case.motion.choice.name, "step"]), message)
+            .help("take the implicit scheme, shorter steps or larger elements")
+    })
+}
+
+/// A frame smaller than the contact it should hold.
+fn too_small(parts: &Parts<'_>, contact: &Contact) -> Option<Problem> {
+    let size = parts.case.frame.size;
+    let cut = |axis: usize| {
+        contact.semi_axes[axis].is_finite() && 2.0 * contact.semi_axes[axis] > size[axis]
+    };
+    (cut(0) || cut(1)).then(|| {
+        let extents = contact.semi_axes.map(|axis| 2.0 * axis);
+        let message = format!(
+            "is smaller than the contact, which Hertz expects to be {} wide",
+            extents_in_words(extents)
+        );
+        let needed = needed(size, contact.semi_axes);
+        Problem::error(Key::of(["frame", "size"]), message)
+            .help(format!("the contact needs about `size = {}`", size_list_up(needed)))
+    })
+}
+
+/// The size a frame should have around a contact; as it is along a line contact.
+fn needed(size: [f64; 2], semi_axes: [f64; 2]) -> [f64; 2] {
+    [0, 1].map(|axis| if semi_axes[axis].is_finite() { ROOM * semi_axes[axis] } else { size[axis] })
+}
+
+fn extents_in_words(extents: [f64; 2]) -> String {
+    let finite: Vec<String> =
+        extents.into_iter().filter(|extent| extent.is_finite()).map(length).collect();
+    match &finite[..] {
+        [x, y] if x != y => format!("{x} by {y}"),
+        [one, ..] => one.clone(),
+        [] => String::new(),
+    }
+}
+
+/// A contact that fills the frame along an axis, or will once it has worn.
+fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
+    let size = parts.case.frame.size;
+    let key = Key::of(["frame", "size"]);
+    let contact = forecast.contact.as_ref()?;
+    if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {
+        let message = format!(
+            "the bodies touch along a line that runs through both edges of the frame along {}: they are computed as if cut off there",
+            ["x", "y"][axis]
+        );
+        return Some(Problem::warning(key, message));
+    }
+    let reach = forecast.reach()?;
+    let cut: Vec<&str> = [0, 1]
+        .into_iter()
+        .filter(|&axis| 2.0 * reach[axis] > size[axis])
+        .map(|axis| ["x", "y"][axis])
+        .collect();
+    (!cut.is_empty()).then(|| {
+        let message = format!(
+            "the contact will reach the edge of the frame along {} by the end of the motion, when it is about {} wide",
+            both(&cut),
+            extents_in_words(reach.map(|axis| 2.0 * axis))
+        );
+        let needed = reach.map(|axis| ROOM * axis);
+        Problem::warning(key, message)
+            .help(format!("the worn contact needs about `size = {}`", size_list_up(needed)))
+    })
+}
+
+fn few_cells(forecast: &Forecast) -> Option<Problem> {
+    let cells = forecast.cells_across?;
+    let fewest = cells[0].min(cells[1]);
+    (fewest < FEW_CELLS).then(|| {
+        let message = format!(
+            "only {} elements lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
+            three(fewest)
+        );
+        Problem::warning(Key::of(["frame", "elements"]), message)
+            .help("take more elements or a smaller frame")
+    })
+}
+
+/// A contact wide beside a body's radius, where a half-space no longer stands for the body.
+fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
+    let reach = forecast.reach()?;
+    for (body, profile) in parts.case.bodies.iter().zip(&parts.profiles) {
+        let curvatures = profile.curvatures()?;
+        for (axis, name) in ["x", "y"].into_iter().enumerate() {
+            let share = reach[axis] * curvatures[axis].abs();
+            if reach[axis].is_finite() && share > WIDE {
+                let message = format!(
+                    "the contact reaches {} along {name}, {} of this body's radius: a half-space hardly stands for it",
+                    length(reach[axis]),
+                    three(share)
+                );
+                return Some(Problem::warning(Key::of(["body", &body.name, "profile"]), message));
+            }
+        }
+    }
+    None
+}
+
+/// A pressure that no elastic body of that hardness bears.
+fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
+    let hard = parts.case.bodies.iter().filter_map(|body| {
+        let wear = body.wear.as_ref()?;
+        let hardness = wear.values.number("hardness")?;
+        (contact.peak_pressure > 3.0 * hardness).then(|| {
+            let message = format!(
+                "the peak pressure {} is above three times the hardness: the body would yield, here it stays elastic",
+                pressure(contact.peak_pressure)
+            );
+            let law = wear.choice.name;
+            Problem::warning(Key::of(["body", &body.name, "wear", law, "hardness"]), message)
+        })
+    });
+    hard.collect()
+}

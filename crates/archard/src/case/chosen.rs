@@ -1,0 +1,40 @@
+//! A choice made in a case, with the values given for it.
+
+use std::path::PathBuf;
+
+use crate::parameters::{Choice, Invalid, Values};
+
+/// One of the interchangeable parts (a profile, a law, a motion, a solver) and its values in SI.
+#[derive(Debug)]
+pub struct Chosen<T: 'static> {
+    /// What was chosen.
+    pub choice: &'static Choice<T>,
+    /// The values given (SI).
+    pub values: Values,
+    /// The files that tables were read from, by parameter.
+    pub(super) files: Vec<(&'static str, PathBuf)>,
+}
+
+impl<T> Chosen<T> {
+    /// Builds the part.
+    ///
+    /// # Errors
+    /// If values do not fit together; in a checked case they do.
+    pub fn build(&self) -> Result<T, Invalid> {
+        (self.choice.build)(&self.values)
+    }
+}
+
+impl<T> Clone for Chosen<T> {
+    fn clone(&self) -> Self {
+        Self { choice: self.choice, values: self.values.clone(), files: self.files.clone() }
+    }
+}
+
+impl<T> PartialEq for Chosen<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.choice.name == other.choice.name
+            && self.values == other.values
+            && self.files == other.files
+    }
+}

@@ -1,0 +1,126 @@
+//! Columns of lengths out of a CSV file whose header names them with their units.
+
+use std::path::{Path, PathBuf};
+
+use crate::units::{self, Measure, Scale};
+
+/// Why a file of columns cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Error {
+    #[error("cannot read {}: {cause}", .file.display())]
+    Unreadable { file: PathBuf, cause: csv::Error },
+    #[error("{}: the column `{column}` has no unit: name it like `x_mm` or `x (mm)`", .file.display())]
+    NoUnit { file: PathBuf, column: String },
+    #[error("{}: the column `{column}`: {cause}", .file.display())]
+    WrongUnit { file: PathBuf, column: String, cause: Box<units::Error> },
+    #[error("{}: the column `{column}` is there twice", .file.display())]
+    Twice { file: PathBuf, column: String },
+    #[error(
+        "{}, line {line}: expected {expected} values, found {found}",
+        .file.display()
+    )]
+    Ragged { file: PathBuf, line: u64, expected: usize, found: usize },
+    #[error("{}, line {line}: `{text}` in the column `{column}` is not a finite number", .file.display())]
+    NotANumber { file: PathBuf, line: u64, column: String, text: String },
+    #[error("{}: there is nothing below the header", .file.display())]
+    Empty { file: PathBuf },
+}
+
+/// Named columns (m).
+type Columns = Vec<(String, Vec<f64>)>;
+
+/// Reads the columns of a file (m).
+pub(super) fn read(path: &Path) -> Result<Columns, Error> {
+    let file = || path.to_owned();
+    let unreadable = |cause| Error::Unreadable { file: file(), cause };
+    let mut reader = csv::ReaderBuilder::new()
+        .trim(csv::Trim::All)
+        .comment(Some(b'#'))
+        .flexible(true)
+        .from_path(path)
+        .map_err(unreadable)?;
+    let (mut columns, mut scales): (Columns, Vec<Scale>) = (vec![], vec![]);
+    for title in reader.headers().map_err(unreadable)? {
+        let (name, scale) = heading(title, path)?;
+        if columns.iter().any(|(known, _)| *known == name) {
+            return Err(Error::Twice { file: file(), column: name });
+        }
+        columns.push((name, vec![]));
+        scales.push(scale);
+    }
+    for record in reader.records() {
+        let record = record.map_err(unreadable)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        if record.len() != columns.len() {
+            let (expected, found) = (columns.len(), record.len());
+            return Err(Error::Ragged { file: file(), line, expected, found });
+        }
+        for ((text, scale), (name, values)) in record.iter().zip(&scales).zip(&mut columns) {
+            values.push(scale.apply(text).ok_or_else(|| Error::NotANumber {
+                file: file(),
+                line,
+                column: name.clone(),
+                text: text.to_owned(),
+            })?);
+        }
+    }
+    match columns.first() {
+        Some((_, values)) if !values.is_empty() => Ok(columns),
+        _ => Err(Error::Empty { file: file() }),
+    }
+}
+
+/// The name and the unit of a column titled `x_mm`, `x (mm)` or `x [mm]`.
+fn heading(title: &str, path: &Path) -> Result<(String, Scale), Error> {
+    let title = title.trim_start_matches('\u{feff}').trim();
+    let bracketed = title.strip_suffix([')', ']']).and_then(|title| title.split_once(['(', '[']));
+    let (name, unit) = bracketed
+        .or_else(|| title.split_once('_'))
+        .ok_or_else(|| Error::NoUnit { file: path.to_owned(), column: title.to_owned() })?;
+    let scale = Scale::read(unit, &Measure::LENGTH).map_err(|cause| Error::WrongUnit {
+        file: path.to_owned(),
+        column: title.to_owned(),
+        cause: Box::new(cause),
+    })?;
+    Ok((name.trim().to_lowercase(), scale))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::read;
+
+    /// What reading a file of that text gives, the folder cut from the message.
+    fn read_text(text: &str) -> Result<Vec<(String, Vec<f64>)>, String> {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("pin.csv");
+        std::fs::write(&path, text).unwrap();
+        let prefix = format!("{}/", folder.path().display());
+        read(&path).map_err(|error| error.to_string().replace(&prefix, ""))
+    }
+
+    #[test]
+    fn headers_carry_units_in_three_notations() {
+        let expected = vec![("x".to_owned(), vec![0.45e-3]), ("z".to_owned(), vec![-1.2e-6])];
+        for header in ["x_mm,z_um", "x (mm), z [um]", "\u{feff}X_mm,z (\u{b5}m)"] {
+            let text = format!("{header}\n# measured\n0.45, -1.2\n");
+            assert_eq!(read_text(&text).as_ref(), Ok(&expected), "{header}");
+        }
+    }
+
+    #[test]
+    fn errors_name_the_line_and_the_column() {
+        let error = |text| read_text(text).unwrap_err();
+        assert_eq!(
+            error("x_mm,z_um\n0,1\n1,nan\n"),
+            "pin.csv, line 3: `nan` in the column `z` is not a finite number"
+        );
+        assert_eq!(error("x_mm,z_um\n0\n"), "pin.csv, line 2: expected 2 values, found 1");
+        assert_eq!(
+            error("x,z_um\n0,1\n"),
+            "pin.csv: the column `x` has no unit: name it like `x_mm` or `x (mm)`"
+        );
+        assert!(error("x_mm,z_N\n0,1\n").contains("expected a length"));
+        assert_eq!(error("x_mm,z_um\n"), "pin.csv: there is nothing below the header");
+        assert_eq!(error("x_mm,x_um\n0,1\n"), "pin.csv: the column `x` is there twice");
+    }
+}

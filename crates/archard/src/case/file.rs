@@ -1,0 +1,199 @@
+//! A case as written: the file and the options laid over it.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use toml::de::DeTable;
+
+use super::check::{self, Forecast};
+use super::definition::Case;
+use super::key::Key;
+use super::overlay;
+use super::problem::{Location, Problem, Severity, Source, Target};
+use super::reader::{Reader, Section};
+use super::tree::{Origin, Table};
+
+/// A case as written.
+#[derive(Debug, Clone)]
+pub struct CaseFile {
+    name: String,
+    folder: PathBuf,
+    text: String,
+    options: Vec<String>,
+}
+
+/// A case file that cannot be read.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot read the case `{}`: {cause}", .path.display())]
+pub struct Unreadable {
+    /// The file.
+    pub path: PathBuf,
+    /// Why not.
+    #[source]
+    pub cause: io::Error,
+}
+
+/// A case that can be run.
+#[derive(Debug, Clone)]
+pub struct Resolved {
+    /// The case in SI.
+    pub case: Case,
+    /// What can be said about it before the run.
+    pub forecast: Forecast,
+    /// What may not be as it was meant.
+    pub warnings: Vec<Problem>,
+}
+
+impl CaseFile {
+    /// Reads a file, or the `case.toml` of a folder.
+    ///
+    /// # Errors
+    /// If there is no such file or it is not text.
+    pub fn read(path: &Path) -> Result<Self, Unreadable> {
+        let path = if path.is_dir() { path.join("case.toml") } else { path.to_owned() };
+        match std::fs::read_to_string(&path) {
+            Ok(text) => {
+                let folder = path.parent().map(Path::to_owned).unwrap_or_default();
+                Ok(Self::from_text(path.display().to_string(), text, folder))
+            }
+            Err(cause) => Err(Unreadable { path, cause }),
+        }
+    }
+
+    /// A case of that text. Messages call it by the name; file names in it are relative to the folder.
+    pub fn from_text(
+        name: impl Into<String>,
+        text: impl Into<String>,
+        folder: impl Into<PathBuf>,
+    ) -> Self {
+        Self { name: name.into(), folder: folder.into(), text: text.into(), options: vec![] }
+    }
+
+    /// Lays an option `KEY=VALUE` over the case; later ones over earlier ones.
+    #[must_use]
+    pub fn set(mut self, option: impl Into<String>) -> Self {
+        self.options.push(option.into());
+        self
+    }
+
+    /// What messages call a source.
+    pub fn name(&self, source: Source) -> &str {
+        match source {
+            Source::File => &self.name,
+            Source::Option(_) => "--set",
+        }
+    }
+
+    /// The text of a source.
+    pub fn text(&self, source: Source) -> &str {
+        match source {
+            Source::File => &self.text,
+            Source::Option(index) => self.options.get(index).map_or("", String::as_str),
+        }
+    }
+
+    /// The line a location begins on, counted from one.
+    pub fn line(&self, location: &Location) -> usize {
+        let text = self.text(location.source).as_bytes();
+        let before = &text[..location.span.start.min(text.len())];
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// A problem in one line: "case.toml:7: error: `frame.size`: ...".
+    pub fn describe(&self, problem: &Problem) -> String {
+        let place = match &problem.location {
+            None => self.name.clone(),
+            Some(at) => match at.source {
+                Source::File => format!("{}:{}", self.name, self.line(at)),
+                Source::Option(_) => format!("--set {}", self.text(at.source)),
+            },
+        };
+        format!("{place}: {}: {}", problem.severity, problem.title())
+    }
+
+    /// Reads and checks the case.
+    ///
+    /// # Errors
+    /// All that is wrong with it, and the warnings besides.
+    pub fn resolve(&self) -> Result<Resolved, Vec<Problem>> {
+        let (mut table, syntax) = self.parse();
+        let mut problems = vec![];
+        for (index, option) in self.options.iter().enumerate() {
+            problems.extend(overlay::apply(&mut table, index, option).err());
+        }
+        let mut reader = Reader { folder: &self.folder, problems };
+        let case = reader.case(&Section { key: Key::default(), table: &table });
+        let mut problems = reader.problems;
+        let failed = |problems: &[Problem]| {
+            problems.iter().any(|problem| problem.severity == Severity::Error)
+        };
+        let mut checked = None;
+        if let Some(case) = case
+            && syntax.is_empty()
+            && !failed(&problems)
+        {
+            let (forecast, doubts) = check::check(&case);
+            problems.extend(doubts);
+            checked = Some((case, forecast));
+        }
+        let problems = self.locate(problems, syntax, &table);
+        match checked {
+            Some((case, forecast)) if !failed(&problems) => {
+                Ok(Resolved { case, forecast, warnings: problems })
+            }
+            _ => Err(problems),
+        }
+    }
+
+    /// The tree of the file, and what is not TOML in it.
+    fn parse(&self) -> (Table, Vec<Problem>) {
+        let (table, errors) = DeTable::parse_recoverable(&self.text);
+        let origin = Origin { source: Source::File, start: 0, fixed: None };
+        let problems = errors.iter().map(|error| Problem {
+            location: error.span().map(|span| Location { source: Source::File, span }),
+            ..Problem::error(Key::default(), error.message())
+        });
+        let mut problems: Vec<Problem> = problems.collect();
+        if let Some(unclosed) = problems.iter().find(|problem| is_unclosed(problem)) {
+            let help =
+                format!("{}; is a bracket or a quote missing on a line above?", unclosed.message);
+            problems[0].help = Some(help);
+        }
+        (Table::from_toml(table.get_ref(), &origin), problems)
+    }
+
+    /// Looks up where each problem stands, in the order of the file. Beside broken TOML, keys are
+    /// missing and values garbled only because of it: such problems are left out.
+    fn locate(&self, found: Vec<Problem>, syntax: Vec<Problem>, table: &Table) -> Vec<Problem> {
+        let line = |problem: &Problem| problem.location.as_ref().map(|at| self.line(at));
+        let broken: Vec<usize> = syntax.iter().filter_map(line).collect();
+        let unclosed = syntax.iter().any(is_unclosed);
+        let located = found.into_iter().map(|problem| Problem {
+            location: problem
+                .location
+                .clone()
+                .or_else(|| table.locate(&problem.key, problem.target)),
+            ..problem
+        });
+        let independent = |problem: &Problem| {
+            syntax.is_empty()
+                || (!unclosed
+                    && problem.target != Target::Missing
+                    && line(problem).is_none_or(|line| !broken.contains(&line)))
+        };
+        let mut problems: Vec<Problem> = located.filter(independent).collect();
+        let mut syntax = syntax;
+        // What follows something unclosed is read as its content: the first mistake says enough.
+        syntax.dedup_by_key(|problem| if unclosed { None } else { line(problem) });
+        problems.extend(syntax);
+        problems.sort_by_key(|problem| {
+            problem.location.as_ref().map(|location| (location.source, location.span.start))
+        });
+        problems
+    }
+}
+
+/// Whether a list, a table or a text never ends.
+fn is_unclosed(problem: &Problem) -> bool {
+    problem.message.contains("unclosed")
+}

@@ -1,0 +1,41 @@
+//! Cases: from the file a user writes to a simulation, with every mistake named where it stands.
+//!
+//! A [`CaseFile`] is the text as written and the `--set` options laid over it.
+//! [`CaseFile::resolve`] reads it against the declarations of the choices (profiles, wear laws,
+//! motions, solvers), so that a new choice needs no reader, and checks what can be known before a
+//! run. What comes out is a [`Case`] in SI, which prints as a case file and builds a
+//! [`Simulation`](crate::simulation::Simulation), and a [`Forecast`] of the run; or all
+//! [`Problem`]s at once.
+//!
+//! # Case files
+//!
+//! TOML. A value with a dimension is a text with its unit (`"50 mm"`). The choice is the name of a
+//! table (`profile.sphere = { radius = "50 mm" }`). The body written first is body 1.
+//!
+//! # Options
+//!
+//! `KEY=VALUE` puts a value at a dotted key, replacing what is there, tables included. The value is
+//! read as TOML, or as plain text where it is not TOML. `KEY=` removes the key: to go from one of
+//! two keys that exclude each other to the other, remove the first.
+
+mod check;
+mod chosen;
+mod columns;
+mod definition;
+mod file;
+mod key;
+mod nearest;
+mod overlay;
+mod print;
+mod problem;
+mod quantity;
+mod read;
+mod reader;
+mod tree;
+
+pub use check::{Contact, Forecast, Solves, Worn};
+pub use chosen::Chosen;
+pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
+pub use file::{CaseFile, Resolved, Unreadable};
+pub use key::Key;
+pub use problem::{Location, Problem, Severity, Source};

@@ -1,0 +1,120 @@
+//! A checked case as a case file: every key in full, every value in SI.
+//!
+//! Each line is what `--set` would take.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::chosen::Chosen;
+use super::definition::{Case, Output};
+use super::quantity::measure;
+use crate::body::Material;
+use crate::parameters::{Parameter, Quantity, Value, Values};
+
+impl Display for Case {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if let Some(title) = &self.title {
+            writeln!(f, "title = {}\n", quoted(title))?;
+        }
+        for body in &self.bodies {
+            let key = format!("body.{}", body.name);
+            match &body.material {
+                Some(material) => print_material(f, &key, material)?,
+                None => writeln!(f, "{key}.rigid = true")?,
+            }
+            print_chosen(f, &format!("{key}.profile"), &body.profile)?;
+            if let Some(wear) = &body.wear {
+                print_chosen(f, &format!("{key}.wear"), wear)?;
+            }
+            writeln!(f)?;
+        }
+        let [x, y] = self.frame.size.map(|size| si(size, "m"));
+        writeln!(f, "frame.size = [{x}, {y}]")?;
+        writeln!(f, "frame.elements = {:?}\n", self.frame.elements)?;
+        print_chosen(f, "motion", &self.motion)?;
+        print_chosen(f, "solver", &self.solver)?;
+        self.print_output(f)
+    }
+}
+
+impl Case {
+    fn print_output(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let quantity = self
+            .motion
+            .build()
+            .map_or(Quantity::Number, |motion| motion.kinematics.progress().quantity);
+        let place = |place: f64| match measure(quantity, &Values::default()) {
+            Some(measure) => si(place, &measure.si),
+            None => number(place),
+        };
+        match &self.output {
+            Output::Every(interval) => writeln!(f, "output.every = {}", place(*interval)),
+            Output::At(places) => {
+                let places: Vec<String> = places.iter().map(|&at| place(at)).collect();
+                writeln!(f, "output.at = [{}]", places.join(", "))
+            }
+        }
+    }
+}
+
+fn print_material(f: &mut Formatter<'_>, key: &str, material: &Material) -> fmt::Result {
+    writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
+    writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
+}
+
+fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
+    let key = format!("{key}.{}", chosen.choice.name);
+    if chosen.values.iter().next().is_none() {
+        return writeln!(f, "{key} = {{}}");
+    }
+    for parameter in chosen.choice.parameters {
+        if let Some(value) = chosen.values.get(parameter.name) {
+            writeln!(f, "{key}.{} = {}", parameter.name, print_value(chosen, parameter, value))?;
+        }
+    }
+    Ok(())
+}
+
+fn print_value<T>(chosen: &Chosen<T>, parameter: &Parameter, value: &Value) -> String {
+    match value {
+        Value::Word(word) => quoted(word),
+        Value::Number(value) => match measure(parameter.quantity, &chosen.values) {
+            Some(measure) => si(*value, &measure.si),
+            None if parameter.quantity == Quantity::Count => format!("{value:.0}"),
+            None => number(*value),
+        },
+        Value::Table(_) => {
+            let file = chosen.files.iter().find(|(name, _)| *name == parameter.name);
+            quoted(&file.map(|(_, file)| file.display().to_string()).unwrap_or_default())
+        }
+    }
+}
+
+/// A value with its SI unit, in quotes.
+fn si(value: f64, unit: &str) -> String {
+    format!("\"{} {unit}\"", digits(value))
+}
+
+/// A number that TOML takes for one with a broken part.
+fn number(value: f64) -> String {
+    let digits = digits(value);
+    if digits.contains(['.', 'e']) { digits } else { digits + ".0" }
+}
+
+/// The fewest digits that read back to the same bits.
+fn digits(value: f64) -> String {
+    let plain = value == 0.0 || (1e-4..1e6).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
+}
+
+/// A text in quotes, as TOML writes it.
+fn quoted(text: &str) -> String {
+    let mut quoted = String::from('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => quoted.extend(['\\', c]),
+            c if c.is_control() => quoted.push_str(&format!("\\u{:04X}", u32::from(c))),
+            c => quoted.push(c),
+        }
+    }
+    quoted + "\""
+}

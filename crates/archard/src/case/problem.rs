@@ -1,0 +1,108 @@
+//! What is wrong with a case, as data: the key, the message, where it stands and what to do.
+
+use std::fmt;
+use std::ops::Range;
+
+use super::Key;
+
+/// How much a problem matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Severity {
+    /// The case cannot be run.
+    Error,
+    /// The case can be run, the result may not be what was meant.
+    Warning,
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        })
+    }
+}
+
+/// Which text a location is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Source {
+    /// The case file.
+    File,
+    /// The `--set` option of that index.
+    Option(usize),
+}
+
+/// A stretch of text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Location {
+    /// The text.
+    pub source: Source,
+    /// The bytes of it.
+    pub span: Range<usize>,
+}
+
+/// One thing that is wrong, or doubtful.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// How much it matters.
+    pub severity: Severity,
+    /// The key it is about; empty where the text is not TOML.
+    pub key: Key,
+    /// What is wrong, without the key.
+    pub message: String,
+    /// What to do about it.
+    pub help: Option<String>,
+    /// Where it stands; `None` where nothing is written that one could point at.
+    pub location: Option<Location>,
+    /// What the location should show.
+    pub(super) target: Target,
+}
+
+/// What a problem points at once its key is looked up.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Target {
+    /// The value.
+    Value,
+    /// The key.
+    Name,
+    /// The table that lacks the key.
+    Missing,
+}
+
+impl Problem {
+    pub(super) fn error(key: Key, message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Error,
+            key,
+            message: message.into(),
+            help: None,
+            location: None,
+            target: Target::Value,
+        }
+    }
+
+    pub(super) fn warning(key: Key, message: impl Into<String>) -> Self {
+        Self { severity: Severity::Warning, ..Self::error(key, message) }
+    }
+
+    pub(super) fn missing(key: Key, message: impl Into<String>) -> Self {
+        Self { target: Target::Missing, ..Self::error(key, message) }
+    }
+
+    pub(super) fn help(self, help: impl Into<String>) -> Self {
+        Self { help: Some(help.into()), ..self }
+    }
+
+    pub(super) fn at_name(self) -> Self {
+        Self { target: Target::Name, ..self }
+    }
+
+    /// The key and what is wrong: "frame.size: ...".
+    pub fn title(&self) -> String {
+        if self.key.parts().is_empty() {
+            self.message.clone()
+        } else {
+            format!("`{}`: {}", self.key, self.message)
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! The bodies of a case.
+
+use crate::body::{Material, profile::PROFILES};
+use crate::case::chosen::Chosen;
+use crate::case::definition::BodyCase;
+use crate::case::key::{Key, is_bare};
+use crate::case::problem::Problem;
+use crate::case::reader::{Reader, Section};
+use crate::case::tree::{Entry, Item};
+use crate::wear::{WEAR_LAWS, WearLaw};
+
+impl Reader<'_> {
+    /// Both bodies, in the order in which they are written.
+    pub(super) fn bodies(&mut self, root: &Section<'_>) -> Option<[BodyCase; 2]> {
+        let section = self.table(root, "body", "two bodies, `[body.NAME]` each")?;
+        let bodies: Vec<Option<BodyCase>> =
+            section.table.0.iter().map(|entry| self.body(&section.key, entry)).collect();
+        self.count_bodies(&section);
+        let [Some(first), Some(second)] = <[_; 2]>::try_from(bodies).ok()? else { return None };
+        if first.material.is_none() && second.material.is_none() {
+            let key = section.key.child(&second.name).child("rigid");
+            self.push(
+                Problem::error(key, "both bodies are rigid: one has to be elastic").at_name(),
+            );
+            return None;
+        }
+        Some([first, second])
+    }
+
+    fn count_bodies(&mut self, section: &Section<'_>) {
+        let entries = &section.table.0;
+        if let [.., last] = &entries[..]
+            && entries.len() == 1
+        {
+            let message = format!("a second body beside `{}` is missing", last.name);
+            self.push(Problem::missing(section.key.child(&last.name), message));
+        }
+        for surplus in entries.iter().skip(2) {
+            let message = "a third body: a contact has two".to_owned();
+            self.push(Problem::error(section.key.child(&surplus.name), message).at_name());
+        }
+        if entries.is_empty() {
+            self.push(Problem::error(section.key.clone(), "no body is given, a contact has two"));
+        }
+    }
+
+    fn body(&mut self, bodies: &Key, entry: &Entry) -> Option<BodyCase> {
+        let key = bodies.child(&entry.name);
+        let named = is_bare(&entry.name) && entry.name != "total";
+        if !named {
+            let message = "a body's name becomes part of column names: use letters, digits, _ and - (and not `total`)";
+            self.push(Problem::error(key.clone(), message).at_name());
+        }
+        let section = self.as_table(key, &entry.node)?;
+        self.unknown(&section, "key", &["material", "rigid", "profile", "wear"]);
+        let material = self.material(&section);
+        let profile = self
+            .table(&section, "profile", "the shape of the body, for example `profile.flat = {}`")
+            .and_then(|profiles| self.required(&profiles, "profile", PROFILES));
+        let wear = self.wear(&section);
+        Some(BodyCase {
+            name: entry.name.clone(),
+            material: material?,
+            profile: profile?,
+            wear: wear?,
+        })
+        .filter(|_| named)
+    }
+
+    /// The material of an elastic body, `Some(None)` for a rigid one; `None` if it is wrong.
+    fn material(&mut self, body: &Section<'_>) -> Option<Option<Material>> {
+        let rigid = match body.get("rigid").map(|(key, entry)| (key, &entry.node.item)) {
+            None => false,
+            Some((_, Item::Boolean(rigid))) => *rigid,
+            Some((key, other)) => {
+                let message = format!("expected true or false, found {}", other.kind());
+                self.push(Problem::error(key, message));
+                return None;
+            }
+        };
+        if rigid {
+            if let Some((key, _)) = body.get("material") {
+                let message = "a rigid body does not deform: its material has no effect";
+                self.push(Problem::warning(key, message).at_name());
+            }
+            return Some(None);
+        }
+        let meaning = "`{ young = \"210 GPa\", poisson = 0.3 }`, or `rigid = true` beside it";
+        let section = self.table(body, "material", meaning)?;
+        let (values, _) = self.values(&section, Material::PARAMETERS);
+        let (young, poisson) = (values.number("young")?, values.number("poisson")?);
+        Some(Some(Material { young, poisson }))
+    }
+
+    /// The wear law, `Some(None)` where there is none; `None` if it is wrong.
+    fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
+        let Some((key, entry)) = body.get("wear") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        self.required(&section, "wear law", WEAR_LAWS).map(Some)
+    }
+}

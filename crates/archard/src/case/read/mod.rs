@@ -1,0 +1,95 @@
+//! From the tree as written to a case: every key read and checked by itself.
+
+mod body;
+mod frame;
+mod output;
+
+use super::chosen::Chosen;
+use super::definition::Case;
+use super::problem::Problem;
+use super::reader::{Reader, Section};
+use super::tree::Item;
+use crate::kinematics::{MOTIONS, Motion};
+use crate::parameters::{Choice, Values};
+use crate::solve::{SOLVERS, Solver};
+
+/// The tables of a case.
+const TABLES: &[&str] = &["title", "body", "frame", "motion", "solver", "output"];
+
+impl Reader<'_> {
+    /// The case, if nothing is wrong with it.
+    pub fn case(&mut self, root: &Section<'_>) -> Option<Case> {
+        self.unknown(root, "key", TABLES);
+        let title = self.title(root);
+        let bodies = self.bodies(root);
+        let frame = self
+            .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
+            .and_then(|section| self.frame(&section));
+        let motion = self.motion(root);
+        let solver = self.solver(root);
+        let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
+        Some(Case {
+            title: title?,
+            bodies: bodies?,
+            frame: frame?,
+            motion: motion?.0,
+            solver: solver?,
+            output: output?,
+        })
+    }
+
+    /// The title if there is one; `None` if it is wrong.
+    fn title(&mut self, root: &Section<'_>) -> Option<Option<String>> {
+        let Some((key, entry)) = root.get("title") else { return Some(None) };
+        match &entry.node.item {
+            Item::Text(text) => Some(Some(text.clone())),
+            other => {
+                self.push(Problem::error(key, format!("expected a text, found {}", other.kind())));
+                None
+            }
+        }
+    }
+
+    fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Motion>, Motion)> {
+        let section =
+            self.table(root, "motion", "what the bodies do, for example `[motion.sliding]`")?;
+        self.require_one(&section, "motion", MOTIONS);
+        self.choice(&section, "motion", MOTIONS)
+    }
+
+    /// The solver chosen, or the first of the list.
+    fn solver(&mut self, root: &Section<'_>) -> Option<Chosen<Box<dyn Solver>>> {
+        let default = || {
+            SOLVERS.first().map(|choice| Chosen {
+                choice,
+                values: Values::default(),
+                files: vec![],
+            })
+        };
+        let Some((key, entry)) = root.get("solver") else { return default() };
+        let section = self.as_table(key, &entry.node)?;
+        if section.table.0.is_empty() {
+            return default();
+        }
+        self.choice(&section, "solver", SOLVERS).map(|(chosen, _)| chosen)
+    }
+
+    /// A choice that has to be made.
+    fn required<T>(
+        &mut self,
+        section: &Section<'_>,
+        what: &str,
+        choices: &'static [Choice<T>],
+    ) -> Option<Chosen<T>> {
+        self.require_one(section, what, choices);
+        self.choice(section, what, choices).map(|(chosen, _)| chosen)
+    }
+
+    fn require_one<T>(&mut self, section: &Section<'_>, what: &str, choices: &'static [Choice<T>]) {
+        if section.table.0.is_empty() {
+            let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
+            let problem = Problem::error(section.key.clone(), format!("names no {what}"));
+            self.push(problem.help(format!("known here: {}", names.join(", "))));
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! When a case puts out fields.
+
+use crate::case::definition::Output;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::case::quantity::measure;
+use crate::case::reader::{Reader, Section};
+use crate::case::tree::{Entry, Item};
+use crate::kinematics::Motion;
+use crate::parameters::{Quantity, Values};
+
+impl Reader<'_> {
+    /// When fields are put out; ten times where nothing is said.
+    pub(super) fn output(&mut self, root: &Section<'_>, motion: &Motion) -> Option<Output> {
+        let default = Output::Every(motion.extent / 10.0);
+        let Some((key, entry)) = root.get("output") else { return Some(default) };
+        let section = self.as_table(key, &entry.node)?;
+        self.unknown(&section, "key", &["every", "at"]);
+        let quantity = motion.kinematics.progress().quantity;
+        match (section.get("every"), section.get("at")) {
+            (None, None) => Some(default),
+            (Some(_), Some((key, _))) => {
+                let message = "`every` and `at` exclude each other: keep one";
+                self.push(Problem::error(key, message).at_name());
+                None
+            }
+            (Some((key, entry)), None) => {
+                let interval = self.number(key.clone(), &entry.node, quantity)?;
+                self.few_outputs(key, interval, motion.extent)
+            }
+            (None, Some((key, entry))) => self.places(key, entry, quantity, motion.extent),
+        }
+    }
+
+    /// An interval between outputs that does not ask for more of them than anyone would look at.
+    fn few_outputs(&mut self, key: Key, interval: f64, extent: f64) -> Option<Output> {
+        const MANY: f64 = 1e5;
+        if extent / interval > MANY {
+            let message =
+                format!("asks for {:.1e} outputs, at most {MANY:e} are written", extent / interval);
+            self.push(Problem::error(key, message));
+            return None;
+        }
+        Some(Output::Every(interval))
+    }
+
+    fn places(
+        &mut self,
+        key: Key,
+        entry: &Entry,
+        quantity: Quantity,
+        extent: f64,
+    ) -> Option<Output> {
+        let Item::Array(nodes) = &entry.node.item else {
+            let example = measure(quantity, &Values::default())
+                .map_or("0.5".to_owned(), |measure| format!("\"{}\"", measure.example));
+            let message =
+                format!("expected a list like [{example}], found {}", entry.node.item.kind());
+            self.push(Problem::error(key, message));
+            return None;
+        };
+        let before = self.problems.len();
+        let mut places = vec![];
+        for (index, node) in nodes.iter().enumerate() {
+            let key = key.index(index);
+            match self.number(key.clone(), node, quantity) {
+                Some(place) if place > extent => {
+                    let message = "lies beyond the end of the motion".to_owned();
+                    self.push(Problem::error(key, message));
+                }
+                place => places.extend(place),
+            }
+        }
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        (self.problems.len() == before).then_some(Output::At(places))
+    }
+}

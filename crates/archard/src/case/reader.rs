@@ -1,0 +1,216 @@
+//! Reads a table against a declaration of what it takes.
+
+use std::path::Path;
+
+use super::chosen::Chosen;
+use super::key::Key;
+use super::nearest::nearest;
+use super::problem::{Problem, Source};
+use super::quantity;
+use super::tree::{Entry, Item, Node, Table};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
+
+/// Reads one case and collects what is wrong with it.
+pub(super) struct Reader<'a> {
+    /// Where relative file names begin.
+    pub folder: &'a Path,
+    /// What was found so far.
+    pub problems: Vec<Problem>,
+}
+
+/// A table and its key.
+#[derive(Clone)]
+pub(super) struct Section<'a> {
+    pub key: Key,
+    pub table: &'a Table,
+}
+
+impl<'a> Section<'a> {
+    /// The entry of that name with its key.
+    pub fn get(&self, name: &str) -> Option<(Key, &'a Entry)> {
+        self.table.get(name).map(|entry| (self.key.child(name), entry))
+    }
+}
+
+impl Reader<'_> {
+    pub fn push(&mut self, problem: Problem) {
+        self.problems.push(problem);
+    }
+
+    /// The table inside a section, or a problem that says what it is for.
+    pub fn table<'t>(
+        &mut self,
+        section: &Section<'t>,
+        name: &str,
+        meaning: &str,
+    ) -> Option<Section<'t>> {
+        match section.get(name) {
+            Some((key, entry)) => self.as_table(key, &entry.node),
+            None => {
+                self.missing(section.key.child(name), meaning);
+                None
+            }
+        }
+    }
+
+    /// A value as a table, or a problem.
+    pub fn as_table<'t>(&mut self, key: Key, node: &'t Node) -> Option<Section<'t>> {
+        match &node.item {
+            Item::Table(table) => Some(Section { key, table }),
+            other => {
+                let message =
+                    format!("expected a table `{{ key = value, ... }}`, found {}", other.kind());
+                self.push(Problem::error(key, message));
+                None
+            }
+        }
+    }
+
+    pub fn missing(&mut self, key: Key, meaning: &str) {
+        self.push(Problem::missing(key, format!("is missing: {meaning}")));
+    }
+
+    /// Complains about entries that are none of the known ones.
+    pub fn unknown(&mut self, section: &Section<'_>, what: &str, known: &[&str]) {
+        for entry in section.table.0.iter().filter(|entry| !known.contains(&entry.name.as_str())) {
+            let message = match nearest(&entry.name, known) {
+                Some(meant) => format!("is not a known {what}; did you mean `{meant}`?"),
+                None => format!("is not a known {what}"),
+            };
+            let help = match known {
+                [] => "nothing is set here".to_owned(),
+                _ => format!("known here: {}", known.join(", ")),
+            };
+            self.push(Problem::error(section.key.child(&entry.name), message).at_name().help(help));
+        }
+    }
+
+    /// The choice a section makes by the name of its table; `None` if it makes none or a wrong one.
+    pub fn choice<T>(
+        &mut self,
+        section: &Section<'_>,
+        what: &str,
+        choices: &'static [Choice<T>],
+    ) -> Option<(Chosen<T>, T)> {
+        let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
+        self.unknown(section, what, &names);
+        let mut named = section.table.0.iter().filter_map(|entry| {
+            choices.iter().find(|choice| choice.name == entry.name).map(|choice| (choice, entry))
+        });
+        let (choice, entry) = named.next()?;
+        let surplus: Vec<&Entry> = named.map(|(_, entry)| entry).collect();
+        for second in &surplus {
+            let message = format!("a second {what} beside `{}`: keep one", entry.name);
+            let key = section.key.child(&second.name);
+            self.push(Problem::error(key, message).at_name());
+        }
+        let table = self.as_table(section.key.child(&entry.name), &entry.node)?;
+        let chosen = self.parameters(&table, choice)?;
+        match chosen.build() {
+            Ok(built) if surplus.is_empty() => Some((chosen, built)),
+            Ok(_) => None,
+            Err(invalid) => {
+                self.invalid(&table, invalid);
+                None
+            }
+        }
+    }
+
+    /// The values a choice takes; `None` if any of them is wrong.
+    fn parameters<T>(
+        &mut self,
+        section: &Section<'_>,
+        choice: &'static Choice<T>,
+    ) -> Option<Chosen<T>> {
+        let before = self.problems.len();
+        let (values, files) = self.values(section, choice.parameters);
+        (self.problems.len() == before).then_some(Chosen { choice, values, files })
+    }
+
+    /// The values of a declared list of parameters, and the files they came from.
+    pub fn values(
+        &mut self,
+        section: &Section<'_>,
+        parameters: &'static [Parameter],
+    ) -> (Values, Vec<(&'static str, std::path::PathBuf)>) {
+        let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
+        self.unknown(section, "key", &names);
+        let (mut values, mut files) = (Values::default(), vec![]);
+        // Factors of powers come last: their unit follows from an exponent read before.
+        let (last, first): (Vec<&Parameter>, Vec<_>) = parameters
+            .iter()
+            .partition(|parameter| matches!(parameter.quantity, Quantity::PowerFactor { .. }));
+        for parameter in first.into_iter().chain(last) {
+            match section.get(parameter.name) {
+                None if parameter.required => {
+                    self.missing(section.key.child(parameter.name), parameter.meaning);
+                }
+                None => {}
+                Some((key, entry)) => {
+                    match quantity::read(&entry.node, parameter, &values, self.folder) {
+                        Ok((value, file)) => {
+                            values.insert(parameter.name, value);
+                            files.extend(file.map(|file| (parameter.name, file)));
+                        }
+                        Err(quantity::Wrong { message, help }) => {
+                            self.push(Problem { help, ..Problem::error(key, message) });
+                        }
+                    }
+                }
+            }
+        }
+        (values, files)
+    }
+
+    /// A number without unit that is zero or greater and whole.
+    pub fn count(&mut self, key: Key, node: &Node) -> Option<usize> {
+        const COUNT: Parameter = Parameter::required("", Quantity::Count, "");
+        match quantity::read(node, &COUNT, &Values::default(), self.folder) {
+            Ok((Value::Number(number), _)) => Some(number as usize),
+            Ok(_) => None,
+            Err(wrong) => {
+                self.push(Problem { help: wrong.help, ..Problem::error(key, wrong.message) });
+                None
+            }
+        }
+    }
+
+    /// A value of that quantity, greater than zero.
+    pub fn number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
+        let parameter = Parameter::required("", quantity, "");
+        match quantity::read(node, &parameter, &Values::default(), self.folder) {
+            Ok((Value::Number(number), _)) => Some(number),
+            Ok(_) => None,
+            Err(wrong) => {
+                self.push(Problem { help: wrong.help, ..Problem::error(key, wrong.message) });
+                None
+            }
+        }
+    }
+
+    /// Values that do not fit together. Where the message names several keys of the table, it points
+    /// at the one an option set last, since that one upset the case.
+    fn invalid(&mut self, section: &Section<'_>, invalid: Invalid) {
+        let named = section.table.0.iter().filter(|entry| {
+            entry.name == invalid.parameter
+                || invalid.message.contains(&format!("`{}`", entry.name))
+        });
+        let last =
+            named.clone().max_by_key(|entry| (entry.at.source, entry.name == invalid.parameter));
+        let Some(last) = last.filter(|entry| entry.at.source != Source::File) else {
+            let key = section.key.child(invalid.parameter);
+            return self.push(Problem::error(key, invalid.message));
+        };
+        let problem = Problem::error(section.key.child(&last.name), &*invalid.message);
+        let other = named.clone().rfind(|entry| entry.name != last.name);
+        self.push(match other {
+            Some(other) => {
+                let key = section.key.child(&other.name);
+                let name = &other.name;
+                problem
+                    .help(format!("`--set {key}=`, with nothing behind the `=`, removes `{name}`"))
+            }
+            None => problem,
+        });
+    }
+}
