@@ -1,0 +1,70 @@
+//! The command line.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+/// Predicts contact and wear of elastic bodies from a case file.
+#[derive(Debug, Parser)]
+#[command(version, about, propagate_version = true)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Run a case and write its results into a folder
+    Run(Run),
+    /// Show a case in SI, what to expect of it and what is doubtful about it
+    Check(Case),
+    /// List the built-in cases, or write one out to start from
+    New(New),
+    /// Draw the pictures of a result folder
+    Plot {
+        /// A folder written by `run`
+        dir: PathBuf,
+    },
+}
+
+/// A case with options laid over it.
+#[derive(Debug, Args)]
+pub struct Case {
+    /// A case file, or a folder with a `case.toml`
+    pub case: PathBuf,
+    /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
+    /// out, a table replaces the table that is there, and KEY= removes the key
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+}
+
+/// The arguments of `run`.
+#[derive(Debug, Args)]
+pub struct Run {
+    /// The case.
+    #[command(flatten)]
+    pub case: Case,
+    /// Where to write the results; results/NAME if not given. Files of an earlier run in it are
+    /// replaced, others left alone
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+    /// Number of threads; as many as there are processors if not given
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Print errors only
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// The arguments of `new`.
+#[derive(Debug, Args)]
+pub struct New {
+    /// A built-in case; all are listed if none is named
+    pub name: Option<String>,
+    /// The folder to write it into; the case's name if not given
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+}

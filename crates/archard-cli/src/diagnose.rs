@@ -1,0 +1,60 @@
+//! Reads a case and shows what is wrong with it: file, line, the place underlined, what to do.
+
+use std::io::IsTerminal;
+
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use archard::case::{CaseFile, Problem, Resolved, Severity};
+
+use crate::arguments::Case;
+use crate::failure::Failure;
+
+/// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
+pub fn resolve(arguments: &Case, quiet: bool) -> Result<Resolved, Failure> {
+    let file =
+        CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
+    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    match file.resolve() {
+        Ok(resolved) => {
+            if !quiet {
+                show(&file, &resolved.warnings);
+            }
+            Ok(resolved)
+        }
+        Err(problems) => {
+            show(&file, &problems);
+            Err(Failure::Shown)
+        }
+    }
+}
+
+/// Prints problems.
+fn show(file: &CaseFile, problems: &[Problem]) {
+    let renderer =
+        if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
+    let renderer = renderer.decor_style(DecorStyle::Ascii);
+    for problem in problems {
+        eprintln!("{}\n", renderer.render(&[group(file, problem)]));
+    }
+}
+
+/// A problem as the renderer takes it.
+fn group<'a>(file: &'a CaseFile, problem: &'a Problem) -> Group<'a> {
+    let level = match problem.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let group = Group::with_title(level.primary_title(problem.title()));
+    let group = match &problem.location {
+        None => group.element(Origin::path(file.name(archard::case::Source::File))),
+        Some(at) => group.element(
+            Snippet::source(file.text(at.source))
+                .path(file.name(at.source))
+                .annotation(AnnotationKind::Primary.span(at.span.clone())),
+        ),
+    };
+    match &problem.help {
+        Some(help) => group.element(Level::HELP.message(help)),
+        None => group,
+    }
+}

@@ -1,0 +1,39 @@
+//! The command `archard`.
+//!
+//! Exit codes: 0 done, 1 did not converge, 2 the case (or the command line) is wrong, 3 interrupted.
+
+mod arguments;
+mod builtin;
+mod check;
+mod diagnose;
+mod failure;
+mod new;
+mod number;
+mod plot;
+mod progress;
+mod run;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use arguments::{Arguments, Command};
+use failure::Failure;
+
+fn main() -> ExitCode {
+    let outcome = match Arguments::parse().command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
+        Command::New(arguments) => new::new(&arguments),
+        Command::Plot { dir } => plot::run(&dir)
+            .map(|files| files.iter().for_each(|file| println!("{}", file.display())))
+            .map_err(|error| Failure::wrong(format!("{error:#}"))),
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.report();
+            ExitCode::from(failure.code())
+        }
+    }
+}

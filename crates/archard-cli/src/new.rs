@@ -1,0 +1,43 @@
+//! `archard new`: lists the built-in cases, or writes one out.
+
+use std::fs::{self, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use crate::arguments::New;
+use crate::builtin::{Builtin, CASES};
+use crate::failure::Failure;
+
+/// Lists the built-in cases, or writes one out.
+pub fn new(arguments: &New) -> Result<(), Failure> {
+    let Some(name) = &arguments.name else {
+        list();
+        return Ok(());
+    };
+    let Some(builtin) = CASES.iter().find(|builtin| builtin.name == name) else {
+        let known: Vec<&str> = CASES.iter().map(|builtin| builtin.name).collect();
+        let message = format!("there is no built-in case `{name}`; there are {}", known.join(", "));
+        return Err(Failure::wrong(message));
+    };
+    let dir = arguments.output.clone().unwrap_or_else(|| PathBuf::from(name));
+    let path = dir.join("case.toml");
+    write(&dir, &path, builtin)
+        .map_err(|error| Failure::wrong(format!("cannot write `{}`: {error}", path.display())))?;
+    println!("{} written; next: archard run {}", path.display(), path.display());
+    Ok(())
+}
+
+fn list() {
+    let width = CASES.iter().map(|builtin| builtin.name.len()).max().unwrap_or(0);
+    for builtin in CASES {
+        println!("{:width$}  {}", builtin.name, builtin.title());
+    }
+    println!("\narchard new NAME writes one out to start from");
+}
+
+/// Writes the case, never over a file that is there.
+fn write(dir: &Path, path: &Path, builtin: &Builtin) -> io::Result<()> {
+    fs::create_dir_all(dir)?;
+    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
+    file.write_all(builtin.text.as_bytes())
+}

@@ -1,0 +1,32 @@
+//! Load over approach, with Hertz beside it.
+
+use anyhow::Result;
+use kuva::plot::LegendPosition;
+
+use super::figure::{COLOURS, Curves, Panel, Pen};
+use super::results::{Results, largest};
+use super::scale::Unit;
+
+/// Points of the curve of the closed form.
+const POINTS: usize = 100;
+
+/// The load over the approach of the bodies.
+pub(super) fn panel(results: &Results) -> Result<Panel> {
+    let load = results.history.column("load_N")?;
+    let approach = results.history.column("approach_m")?;
+    let unit = Unit::depth(largest(approach));
+    let mut curves = Curves::new();
+    let hertz: Vec<_> = (0..=POINTS)
+        .map(|point| largest(load) * (point as f64 / POINTS as f64).powi(2))
+        .filter_map(|load| results.hertz(load))
+        .map(|hertz| (hertz.approach * unit.factor, hertz.load))
+        .collect();
+    if !hertz.is_empty() {
+        curves.add(hertz, Pen::closed_form(), Some("Hertz"));
+    }
+    let points = approach.iter().zip(load).map(|(d, f)| (d * unit.factor, *f));
+    curves.mark(points, COLOURS[1], "computed");
+    Ok(curves.panel(["Load", &unit.label("Approach"), "Load (N)"], |layout| {
+        layout.with_legend_position(LegendPosition::InsideTopLeft)
+    }))
+}

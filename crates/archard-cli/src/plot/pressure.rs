@@ -1,0 +1,103 @@
+//! The pressure: along the axes at several outputs, and over the frame at the last.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use anyhow::{Context, Result};
+use kuva::plot::{ColorMap, Heatmap, LegendPosition};
+use kuva::render::layout::Layout;
+
+use super::cells::Cells;
+use super::figure::{Curves, Panel, Pen, moment};
+use super::results::{Axis, Results};
+use super::scale::{Unit, phrase};
+
+/// Most outputs shown in one panel.
+pub(super) const MOMENTS: usize = 6;
+/// Points of the curve of the closed form.
+const POINTS: usize = 200;
+
+/// The pressure along an axis at several outputs, and Hertz's for the unworn bodies.
+pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
+    let sections = results.sections(axis, MOMENTS);
+    let progress = Unit::of_column(results.progress().0);
+    let window = results.window(axis)?;
+    let (across, unit) = (Unit::across(window), Unit::pressure());
+    let mut curves = Curves::new();
+    if let Some(curve) = hertz(results, axis, window)? {
+        let points = curve.into_iter().map(|(x, p)| (x * across.factor, p * unit.factor));
+        let name = if results.wears() { "Hertz, unworn" } else { "Hertz" };
+        curves.add(points, Pen::closed_form(), Some(name));
+    }
+    for (index, profile) in sections.iter().enumerate() {
+        let places = profile.table.column("coordinate_m")?.iter();
+        let pressures = profile.table.column("pressure_Pa")?;
+        let points = places.zip(pressures).filter(|(x, _)| x.abs() <= window);
+        let points = points.map(|(x, p)| (x * across.factor, p * unit.factor));
+        let pen = Pen::line(moment(index, sections.len()));
+        curves.add(points, pen, Some(&progress.show(profile.progress)));
+    }
+    let title = format!("Pressure along {}", axis.name());
+    let labels = [&*title, &across.label(axis.name()), &unit.label("Pressure")];
+    Ok(curves.panel(labels, |layout| {
+        along_axis(layout, results, window * across.factor).with_y_axis_min(0.0)
+    }))
+}
+
+/// The layout of sections out to `window` on either side, with the outputs named beside them.
+pub(super) fn along_axis(layout: Layout, results: &Results, window: f64) -> Layout {
+    layout
+        .with_x_axis_min(-window)
+        .with_x_axis_max(window)
+        .with_legend_title(phrase(results.progress().0))
+        .with_legend_position(LegendPosition::OutsideRightTop)
+}
+
+/// Hertz's pressure (Pa) over the place (m) under the last load, out to `reach`.
+fn hertz(results: &Results, axis: Axis, reach: f64) -> Result<Option<Vec<(f64, f64)>>> {
+    let load = results.history.column("load_N")?.last().copied().unwrap_or_default();
+    let Some(hertz) = results.hertz(load) else { return Ok(None) };
+    let semi_axis = hertz.semi_axes[axis.index()].min(reach);
+    let pressure = |place: f64| match axis {
+        Axis::X => hertz.pressure([place, 0.0]),
+        Axis::Y => hertz.pressure([0.0, place]),
+    };
+    // Points by angle: dense at the edge, where the curve is steep.
+    let angles = (0..=POINTS).map(|point| PI * point as f64 / POINTS as f64);
+    Ok(Some(angles.map(|angle| -semi_axis * angle.cos()).map(|x| (x, pressure(x))).collect()))
+}
+
+/// The pressure over the frame at the last output, white where there is none.
+pub(super) fn map(results: &Results) -> Result<Panel> {
+    let image = results.image.as_ref().context("there is no output of fields")?;
+    let pressure = image.field("pressure_Pa").context("the fields have no `pressure_Pa`")?;
+    let windows = [results.window(Axis::X)?, results.window(Axis::Y)?];
+    let cells = Cells::of(image, pressure, windows);
+    let (across, unit) = (Unit::across(windows[0].max(windows[1])), Unit::pressure());
+    let [x, y] = cells.edges.map(|edges| edges.map(|place| place * across.factor));
+    let rows = cells.rows.iter().map(|row| row.iter().map(|p| p * unit.factor));
+    let plot = Heatmap::new()
+        .with_data(rows)
+        .with_x_range(x[0], x[1])
+        .with_y_range(y[0], y[1])
+        .with_cell_size(1.0)
+        .with_color_map(ColorMap::Custom(Arc::new(colour)));
+    let name = unit.label("Pressure");
+    let title = match results.profiles.last() {
+        Some(last) => {
+            let (column, _) = results.progress();
+            let progress = Unit::of_column(column).show(last.progress);
+            format!("{name}, {} {progress}", phrase(column).to_lowercase())
+        }
+        None => name,
+    };
+    let labels = [&*title, &across.label("x"), &across.label("y")];
+    Ok(Panel::new(vec![plot.into()], labels, |layout| {
+        layout.with_equal_aspect().with_show_grid(false)
+    }))
+}
+
+/// The colour of a pressure relative to the largest: none for none.
+fn colour(share: f64) -> String {
+    if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
+}

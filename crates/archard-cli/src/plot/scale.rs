@@ -1,0 +1,137 @@
+//! Units a reader of pictures expects.
+
+/// A unit and how many of it are in one SI unit.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Unit {
+    /// As shown beside an axis; empty for pure numbers.
+    pub(super) name: String,
+    /// Factor from SI.
+    pub(super) factor: f64,
+}
+
+impl Unit {
+    /// A unit of that name and factor.
+    fn new(name: impl Into<String>, factor: f64) -> Self {
+        Self { name: name.into(), factor }
+    }
+
+    /// Megapascals.
+    pub(super) fn pressure() -> Self {
+        Self::new("MPa", 1e-6)
+    }
+
+    /// For lengths across the contact up to `largest` (m): mm, or µm where those would be tiny.
+    pub(super) fn across(largest: f64) -> Self {
+        if largest >= 0.05e-3 { Self::new("mm", 1e3) } else { Self::new("µm", 1e6) }
+    }
+
+    /// For depths and approaches up to `largest` (m): µm, or nm or mm where those fit better.
+    pub(super) fn depth(largest: f64) -> Self {
+        match largest {
+            large if large >= 1e-3 => Self::new("mm", 1e3),
+            small if small < 0.05e-6 => Self::new("nm", 1e9),
+            _ => Self::new("µm", 1e6),
+        }
+    }
+
+    /// For volumes up to `largest` (m^3): mm³ by the power of a thousand that leaves readable
+    /// numbers.
+    pub(super) fn volume(largest: f64) -> Self {
+        if largest <= 0.0 {
+            return Self::new("mm³", 1e9);
+        }
+        // Between a tenth and a hundred of the unit.
+        let digits = (largest * 1e9).log10() + 1.0;
+        let thousands = digits.div_euclid(3.0).min(0.0);
+        let power = 3 * thousands as i32;
+        let name =
+            if power == 0 { "mm³".to_owned() } else { format!("10{} mm³", superscript(power)) };
+        Self::new(name, 1e9 * 10f64.powi(-power))
+    }
+
+    /// For a column whose name ends in its SI unit.
+    pub(super) fn of_column(column: &str) -> Self {
+        if column.ends_with("_m") {
+            Self::new("mm", 1e3)
+        } else if column == "share" {
+            Self::new("%", 100.0)
+        } else {
+            Self::new("", 1.0)
+        }
+    }
+
+    /// "what (unit)".
+    pub(super) fn label(&self, what: &str) -> String {
+        if self.name.is_empty() { what.to_owned() } else { format!("{what} ({})", self.name) }
+    }
+
+    /// A value (SI) with this unit, to three digits.
+    pub(super) fn show(&self, value: f64) -> String {
+        let value = value * self.factor;
+        let decimals = match value.abs() {
+            large if large >= 100.0 || large == 0.0 => 0,
+            middle => (2 - middle.log10().floor() as i32).clamp(0, 9) as usize,
+        };
+        let digits = format!("{value:.decimals$}");
+        let digits = if digits.contains('.') {
+            digits.trim_end_matches('0').trim_end_matches('.')
+        } else {
+            &digits
+        };
+        format!("{digits} {}", self.name).trim_end().to_owned()
+    }
+}
+
+/// A whole number in raised digits.
+fn superscript(number: i32) -> String {
+    let raise = |digit: char| match digit {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        _ => char::from_u32('⁰' as u32 + digit.to_digit(10).unwrap_or(0)).unwrap_or(digit),
+    };
+    number.to_string().chars().map(raise).collect()
+}
+
+/// A tick without superfluous zeros.
+pub(super) fn tick(value: f64) -> String {
+    let rounded = format!("{value:.4}");
+    let short = rounded.trim_end_matches('0').trim_end_matches('.');
+    if short == "-0" { "0".to_owned() } else { short.replace('-', "\u{2212}") }
+}
+
+/// A column name as a phrase: "share" is "Share", "distance_m" is "Distance".
+pub(super) fn phrase(column: &str) -> String {
+    let words = column.strip_suffix("_m").unwrap_or(column);
+    let words = words.replace('_', " ");
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Unit, phrase, tick};
+
+    #[test]
+    fn volumes_keep_readable_numbers() {
+        let small = Unit::volume(6.8e-13);
+        assert_eq!(small.name, "10⁻³ mm³");
+        assert!((small.factor * 6.8e-13 - 0.68).abs() < 1e-12);
+        assert_eq!(Unit::volume(2e-9).name, "mm³");
+        assert_eq!(Unit::volume(2e-3).name, "mm³");
+    }
+
+    #[test]
+    fn values_are_short() {
+        let mm = Unit::of_column("distance_m");
+        assert_eq!(mm.show(0.5), "500 mm");
+        assert_eq!(mm.show(0.0), "0 mm");
+        assert_eq!(mm.show(0.00123456), "1.23 mm");
+        assert_eq!(Unit::of_column("share").show(0.25), "25 %");
+        assert_eq!(tick(-0.00001), "0");
+        assert_eq!(tick(0.5), "0.5");
+        assert_eq!(phrase("share"), "Share");
+        assert_eq!(phrase("distance_m"), "Distance");
+    }
+}

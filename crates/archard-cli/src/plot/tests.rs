@@ -1,0 +1,187 @@
+//! Pictures of a made-up run: no solver, Hertz's pressure on a growing scar.
+
+use std::fs;
+use std::path::Path;
+
+use archard::body::{Body, Material, profile::PROFILES};
+use archard::closed_form::pin_on_disc;
+use archard::compliance::Compliance;
+use archard::frame::{ContactFrame, VectorField};
+use archard::kinematics::MOTIONS;
+use archard::output::{ResultFolder, Totals};
+use archard::parameters::{Choice, Value, Values};
+use archard::problem::{ContactProblem, ContactState};
+use archard::simulation::{Effort, Observer, Report};
+use archard::wear::WEAR_LAWS;
+use tempfile::tempdir;
+
+use super::run;
+
+/// Bodies that do not deform.
+#[derive(Debug)]
+struct Stiff;
+
+impl Compliance for Stiff {
+    fn apply(&self, tractions: &VectorField) -> VectorField {
+        VectorField::zeros(tractions.n.len())
+    }
+
+    fn normal_self_term(&self) -> f64 {
+        0.0
+    }
+}
+
+/// Builds the choice of that name.
+fn build<T>(choices: &[Choice<T>], name: &str, numbers: &[(&'static str, f64)]) -> T {
+    let mut values = Values::default();
+    numbers.iter().for_each(|(name, number)| values.insert(name, Value::Number(*number)));
+    let choice = choices.iter().find(|choice| choice.name == name).unwrap();
+    (choice.build)(&values).unwrap()
+}
+
+/// A sphere of 50 mm on a flat, with these wear coefficients (1/Pa) and that motion.
+fn problem(
+    coefficients: [f64; 2],
+    motion: &str,
+    numbers: &[(&'static str, f64)],
+) -> ContactProblem {
+    let body = |name: &str, profile, coefficient| Body {
+        name: name.to_owned(),
+        profile,
+        material: Some(Material { young: 210e9, poisson: 0.3 }),
+        wear: (coefficient > 0.0)
+            .then(|| build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
+    };
+    let sphere = build(PROFILES, "sphere", &[("radius", 50e-3)]);
+    let flat = build(PROFILES, "flat", &[]);
+    let frame = ContactFrame::uniform([1.2e-3; 2], [60, 60], [&*sphere, &*flat]).unwrap();
+    ContactProblem {
+        bodies: [body("pin", sphere, coefficients[0]), body("disc", flat, coefficients[1])],
+        frame,
+        compliance: Box::new(Stiff),
+        kinematics: build(MOTIONS, motion, numbers).kinematics,
+    }
+}
+
+/// A state with that load (N) on a scar as deep as `volume` (m^3) makes it, shared as given.
+fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> ContactState {
+    let frame = &problem.frame;
+    let depth = pin_on_disc::depth(50e-3, volume);
+    let hertz = 0.149e-3 * (load / 10.2).cbrt();
+    let radius = (hertz * hertz + 2.0 * 50e-3 * depth).sqrt();
+    let shape = |power: f64| -> Vec<f64> {
+        let value =
+            |[x, y]: [f64; 2]| (1.0 - (x * x + y * y) / (radius * radius)).max(0.0).powf(power);
+        (0..frame.len()).map(|pair| value(frame.place(pair))).collect()
+    };
+    let scaled = |shape: &[f64], total: f64| -> Vec<f64> {
+        let factor = total / frame.integrate(shape).max(f64::MIN_POSITIVE);
+        shape.iter().map(|value| factor * value).collect()
+    };
+    let (bowl, cap) = (shape(0.5 / (1.0 + 3e6 * depth)), shape(1.0));
+    ContactState {
+        approach: 0.445e-6 * (load / 10.2).powf(2.0 / 3.0) + depth,
+        load,
+        pressure: scaled(&bowl, load),
+        worn: shares.map(|share| scaled(&cap, share * volume)),
+        ..ContactState::untouched(frame.gap())
+    }
+}
+
+/// Writes the result folder of a made-up run.
+fn write(dir: &Path, problem: &ContactProblem, states: &[ContactState], finished: bool) {
+    let mut folder = ResultFolder::create(dir, "").unwrap();
+    let last = states.len() - 1;
+    for (step, state) in states.iter().enumerate() {
+        let load_distance = 10.2 * state.progress;
+        let effort = Effort { steps: step, load_distance, ..Effort::default() };
+        let output = step % (last / 5).max(1) == 0;
+        let report = Report { problem, state, effort, output, extent: states[last].progress };
+        folder.observe(&report).unwrap();
+    }
+    if finished {
+        folder.finish(&Totals::default()).unwrap();
+    }
+}
+
+/// Writes a run of sliding over 500 mm in 100 steps.
+fn slide(dir: &Path, coefficients: [f64; 2], finished: bool) {
+    let numbers = [("load", 10.2), ("distance", 0.5), ("step", 5e-3)];
+    let problem = problem(coefficients, "sliding", &numbers);
+    let total = coefficients[0] + coefficients[1];
+    let shares = coefficients.map(|coefficient| coefficient / total);
+    let states: Vec<_> = (0..=100)
+        .map(|step| 5e-3 * f64::from(step))
+        .map(|s| ContactState { progress: s, ..state(&problem, 10.2, 10.2 * total * s, shares) })
+        .collect();
+    write(dir, &problem, &states, finished);
+}
+
+/// The names of the files that were drawn, checked to be there.
+fn drawn(dir: &Path) -> Vec<String> {
+    let files = run(dir).unwrap();
+    for file in &files {
+        let bytes = fs::read(file).unwrap();
+        let start: &[u8] = if file.extension().unwrap() == "png" { b"\x89PNG" } else { b"<" };
+        assert!(bytes.starts_with(start), "{}", file.display());
+    }
+    files.iter().map(|file| file.file_name().unwrap().to_str().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn a_sliding_run_has_its_four_pictures() {
+    let dir = tempdir().unwrap();
+    slide(dir.path(), [1.33e-13, 0.0], true);
+    let files = drawn(dir.path());
+    let known = ["wear", "profiles", "pressure_map", "overview"];
+    let both = known.iter().flat_map(|name| [format!("{name}.svg"), format!("{name}.png")]);
+    assert_eq!(files, both.collect::<Vec<_>>());
+    let svg = fs::read_to_string(dir.path().join("plots/wear.svg")).unwrap();
+    for text in ["Distance (mm)", "Wear depth (µm)", "10⁻³ mm³", "sphere worn flat"] {
+        assert!(svg.contains(text), "{text}");
+    }
+}
+
+#[test]
+fn an_interrupted_run_is_drawn_without_closed_forms() {
+    let dir = tempdir().unwrap();
+    slide(dir.path(), [0.887e-13, 0.443e-13], false);
+    assert_eq!(drawn(dir.path()).len(), 8);
+    let svg = fs::read_to_string(dir.path().join("plots/wear.svg")).unwrap();
+    assert!(!svg.contains("sphere worn flat") && svg.contains("both bodies"));
+}
+
+#[test]
+fn an_indentation_is_drawn_beside_hertz() {
+    let dir = tempdir().unwrap();
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    let states: Vec<_> = (0..=10)
+        .map(|step| 0.1 * f64::from(step))
+        .map(|share| ContactState {
+            progress: share,
+            ..state(&problem, 10.2 * share, 0.0, [0.0; 2])
+        })
+        .collect();
+    write(dir.path(), &problem, &states, true);
+    assert_eq!(drawn(dir.path())[0], "load.svg");
+    let svg = fs::read_to_string(dir.path().join("plots/load.svg")).unwrap();
+    assert!(svg.contains("Hertz") && svg.contains("Approach (µm)"));
+}
+
+#[test]
+fn a_run_that_has_only_begun_is_drawn() {
+    let dir = tempdir().unwrap();
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    write(dir.path(), &problem, &[ContactState::untouched(problem.frame.gap())], false);
+    assert_eq!(drawn(dir.path()).len(), 8);
+}
+
+#[test]
+fn other_folders_are_refused_in_words() {
+    let dir = tempdir().unwrap();
+    let error = run(dir.path()).unwrap_err().to_string();
+    assert!(error.contains("is not a result folder"), "{error}");
+    ResultFolder::create(dir.path(), "").unwrap();
+    let error = run(dir.path()).unwrap_err().to_string();
+    assert!(error.contains("no rows"), "{error}");
+}

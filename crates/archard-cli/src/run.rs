@@ -1,0 +1,110 @@
+//! `archard run`: a case through to its result folder.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use archard::case::{Case, Resolved};
+use archard::output::{ResultFolder, Totals};
+use archard::simulation::{Effort, Error, Simulation};
+
+use crate::arguments::Run;
+use crate::diagnose;
+use crate::failure::Failure;
+use crate::number::four;
+use crate::progress::Follower;
+
+/// Runs a case.
+pub fn run(arguments: &Run) -> Result<(), Failure> {
+    // First of all: whatever works in parallel before it would fix the number of threads.
+    set_threads(arguments)?;
+    let Resolved { case, warnings, .. } = diagnose::resolve(&arguments.case, arguments.quiet)?;
+    let warnings = warnings.iter().map(|warning| warning.title()).collect();
+    let dir = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.case.case));
+    keep_the_case(&arguments.case.case, &dir)?;
+    let mut folder = ResultFolder::create(&dir, &case.to_string())
+        .map_err(|error| Failure::wrong(error.to_string()))?;
+    let mut follower = Follower::new(arguments.quiet);
+    let start = Instant::now();
+    let simulation = case.build().map_err(|error| Failure::wrong(error.to_string()))?;
+    let outcome = simulation.run(&mut [&mut folder, &mut follower]);
+    follower.finish();
+    let totals = Totals {
+        seconds: start.elapsed().as_secs_f64(),
+        threads: rayon::current_num_threads(),
+        warnings,
+        failure: outcome.as_ref().err().map(ToString::to_string),
+    };
+    folder.finish(&totals).map_err(|error| Failure::wrong(error.to_string()))?;
+    let effort = outcome.map_err(|error| failure(error, &dir))?;
+    if !arguments.quiet {
+        summarize(&case, &simulation, &follower, &totals, effort, &dir);
+    }
+    Ok(())
+}
+
+/// `results/NAME`: the name of the case file, or of its folder where the file is a `case.toml`.
+fn default_folder(case: &Path) -> PathBuf {
+    let case = case.canonicalize().unwrap_or_else(|_| case.to_owned());
+    let named_by_folder = case.file_name().is_some_and(|name| name == "case.toml");
+    let name = match case.parent().and_then(Path::file_name) {
+        _ if case.is_dir() => case.file_name(),
+        Some(folder) if named_by_folder => Some(folder),
+        _ => case.file_stem(),
+    };
+    Path::new("results").join(name.unwrap_or("case".as_ref()))
+}
+
+/// Refuses to write the resolved case over the case itself.
+fn keep_the_case(case: &Path, dir: &Path) -> Result<(), Failure> {
+    let case = if case.is_dir() { case.join("case.toml") } else { case.to_owned() };
+    let written = dir.join("case.toml").canonicalize();
+    match (case.canonicalize(), written) {
+        (Ok(case), Ok(written)) if case == written => Err(Failure::wrong(format!(
+            "the results would overwrite the case `{}`; choose another folder with -o",
+            case.display()
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn set_threads(arguments: &Run) -> Result<(), Failure> {
+    let Some(threads) = arguments.threads else { return Ok(()) };
+    rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.get())
+        .build_global()
+        .map_err(|error| Failure::wrong(format!("cannot start {threads} threads: {error}")))
+}
+
+/// What an unfinished run means for the exit code.
+fn failure(error: Error, dir: &Path) -> Failure {
+    let message = format!("{error}\nwhat was computed so far is in {}", dir.display());
+    match error {
+        Error::NotConverged { .. } | Error::StepTooSmall { .. } => Failure::NotConverged(message),
+        Error::FrameFull { .. } | Error::Observer(_) => Failure::Wrong(message),
+    }
+}
+
+/// Says what came out and where it is.
+fn summarize(
+    case: &Case,
+    simulation: &Simulation,
+    follower: &Follower,
+    totals: &Totals,
+    effort: Effort,
+    dir: &Path,
+) {
+    let number = |column: &str, factor: f64| four(follower.number(column).unwrap_or(0.0) * factor);
+    println!("peak pressure     {} MPa", number("peak_pressure_Pa", 1e-6));
+    println!("approach          {} um", number("approach_m", 1e6));
+    println!("contact area      {} mm^2", number("contact_area_m2", 1e6));
+    if simulation.problem.wears() {
+        println!("wear depth        {} um", number("wear_depth_m", 1e6));
+        for body in &case.bodies {
+            let volume = number(&format!("worn_volume_{}_m3", body.name), 1e9);
+            println!("worn volume       {volume} mm^3 off `{}`", body.name);
+        }
+    }
+    let Effort { steps, solves, .. } = effort;
+    println!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds);
+    println!("results           {}", dir.display());
+}

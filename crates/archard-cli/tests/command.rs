@@ -1,0 +1,205 @@
+//! The command as a user meets it: exit codes, what it says, what it leaves behind.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use assert_cmd::assert::Assert;
+use tempfile::TempDir;
+
+/// A published case.
+fn case(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name)
+}
+
+/// What the command does with these arguments in a folder.
+fn archard(dir: &TempDir, arguments: &[&str]) -> Assert {
+    Command::cargo_bin("archard").unwrap().current_dir(dir.path()).args(arguments).assert()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn said(assert: &Assert) -> String {
+    text(&assert.get_output().stderr)
+}
+
+fn printed(assert: &Assert) -> String {
+    text(&assert.get_output().stdout)
+}
+
+#[test]
+fn a_wrong_case_exits_with_two_and_points_at_the_line() {
+    let dir = TempDir::new().unwrap();
+    let wrong = fs::read_to_string(case("pin_on_disc/case.toml")).unwrap();
+    fs::write(dir.path().join("pin.toml"), wrong.replace("\"50 mm\" }", "50 }")).unwrap();
+    for command in ["run", "check"] {
+        let refused = archard(&dir, &[command, "pin.toml"]).code(2);
+        let said = said(&refused);
+        assert!(said.contains("pin.toml:5:29"), "{said}");
+        assert!(said.contains("`body.pin.profile.sphere.radius`"), "{said}");
+        assert!(said.contains("write \"50 mm\" or \"50 m\""), "{said}");
+    }
+    assert!(!dir.path().join("results").exists());
+}
+
+#[test]
+fn a_case_that_is_not_there_exits_with_two() {
+    let dir = TempDir::new().unwrap();
+    let refused = archard(&dir, &["run", "nowhere.toml"]).code(2);
+    assert!(said(&refused).contains("cannot read the case `nowhere.toml`"));
+}
+
+#[test]
+fn an_option_on_an_unknown_key_points_at_the_option() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc");
+    let option = "motion.sliding.stpe=10 mm";
+    let refused = archard(&dir, &["check", case.to_str().unwrap(), "--set", option]).code(2);
+    let said = said(&refused);
+    assert!(said.contains("--set:1:16"), "{said}");
+    assert!(said.contains("did you mean `step`?"), "{said}");
+}
+
+#[test]
+fn check_prints_the_case_in_si_and_the_forecast() {
+    let dir = TempDir::new().unwrap();
+    let checked = archard(&dir, &["check", case("pin_on_disc").to_str().unwrap()]).success();
+    let printed = printed(&checked);
+    for line in [
+        "body.pin.profile.sphere.radius = \"0.05 m\"",
+        "motion.sliding.step = \"0.005 m\"",
+        "Hertz contact     radius 0.149 mm",
+        "peak pressure     219 MPa",
+        "wear depth        2.08 um at the end",
+        "contact solves    101",
+    ] {
+        assert!(printed.contains(line), "{line} is not in\n{printed}");
+    }
+    assert!(said(&checked).contains("only 7.46 elements lie across the contact"));
+}
+
+#[test]
+fn a_run_leaves_a_case_that_runs_again() {
+    let dir = TempDir::new().unwrap();
+    let small = ["--set", "frame.elements=[12, 12]", "--set", "motion.sliding.step=50 mm"];
+    let case = case("pin_on_disc");
+    let mut arguments = vec!["run", case.to_str().unwrap()];
+    arguments.extend(small);
+    let ran = archard(&dir, &arguments).success();
+    assert!(printed(&ran).contains("results/pin_on_disc"), "{}", printed(&ran));
+    let results = dir.path().join("results/pin_on_disc");
+    for name in ["case.toml", "history.csv", "summary.json", "fields.pvd"] {
+        assert!(results.join(name).is_file(), "{name}");
+    }
+    let again = archard(&dir, &["run", "results/pin_on_disc", "-o", "again", "--quiet"]).success();
+    assert_eq!((printed(&again), said(&again)), (String::new(), String::new()));
+    for name in ["case.toml", "history.csv"] {
+        let read = |folder: &Path| fs::read_to_string(folder.join(name)).unwrap();
+        assert_eq!(read(&results), read(&dir.path().join("again")), "{name}");
+    }
+}
+
+#[test]
+fn results_in_a_folder_of_an_earlier_run_leave_other_files_alone() {
+    let dir = TempDir::new().unwrap();
+    let case = case("hertz");
+    let arguments =
+        ["run", case.to_str().unwrap(), "-o", "out", "--set", "frame.elements=[10, 10]"];
+    archard(&dir, &arguments).success();
+    fs::write(dir.path().join("out/notes.txt"), "mine").unwrap();
+    archard(&dir, &arguments).success();
+    assert_eq!(fs::read_to_string(dir.path().join("out/notes.txt")).unwrap(), "mine");
+}
+
+#[test]
+fn an_output_folder_that_cannot_be_written_exits_with_two() {
+    let dir = TempDir::new().unwrap();
+    fs::write(dir.path().join("taken"), "a file, not a folder").unwrap();
+    let case = case("hertz");
+    let refused = archard(&dir, &["run", case.to_str().unwrap(), "-o", "taken/out"]).code(2);
+    let said = said(&refused);
+    assert!(said.contains("cannot write `taken/out"), "{said}");
+}
+
+#[test]
+fn results_never_replace_the_case_itself() {
+    let dir = TempDir::new().unwrap();
+    archard(&dir, &["new", "hertz"]).success();
+    let before = fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap();
+    let refused = archard(&dir, &["run", "hertz", "-o", "hertz"]).code(2);
+    assert!(said(&refused).contains("would overwrite the case"));
+    assert_eq!(fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap(), before);
+}
+
+#[test]
+fn new_lists_and_writes_the_cases() {
+    let dir = TempDir::new().unwrap();
+    let listed = printed(&archard(&dir, &["new"]).success());
+    for name in ["hertz", "pin_on_disc", "pin_on_disc_both"] {
+        assert!(
+            listed.lines().any(|line| line.split_whitespace().next() == Some(name)),
+            "{listed}"
+        );
+        let written = printed(&archard(&dir, &["new", name]).success());
+        let next = format!("archard run {name}/case.toml");
+        assert!(written.contains(&next), "{written}");
+        archard(&dir, &["run", &format!("{name}/case.toml"), "-q"]).success();
+        assert!(dir.path().join("results").join(name).join("history.csv").is_file());
+        let refused = archard(&dir, &["new", name]).code(2);
+        assert!(said(&refused).contains("cannot write"), "{}", said(&refused));
+    }
+    let unknown = archard(&dir, &["new", "gear"]).code(2);
+    assert!(said(&unknown).contains("there is no built-in case `gear`"));
+}
+
+#[test]
+fn a_solve_that_does_not_converge_exits_with_one_and_says_by_how_much() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc");
+    let option = "solver.conjugate_gradient.max_iterations=1";
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", option];
+    let failed = archard(&dir, &arguments).code(1);
+    let said = said(&failed);
+    for part in ["at distance 0.0 m did not converge", "residual", "1 iterations", "1.0e-8"] {
+        assert!(said.contains(part), "{part} is not in\n{said}");
+    }
+    assert!(said.contains("what was computed so far is in out"), "{said}");
+    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
+    assert!(summary.contains("\"complete\": false"), "{summary}");
+    assert!(summary.contains("did not converge"), "{summary}");
+}
+
+#[test]
+fn a_scar_that_outgrows_the_frame_exits_with_two_and_keeps_what_was_computed() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc");
+    let size = "frame.size=[\"0.4 mm\", \"0.4 mm\"]";
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", size];
+    let failed = archard(&dir, &arguments).code(2);
+    let said = said(&failed);
+    assert!(said.contains("will reach the edge of the frame along x and y"), "{said}");
+    assert!(said.contains("every element of the frame is in contact"), "{said}");
+    assert!(said.contains("enlarge `frame.size`"), "{said}");
+    let history = fs::read_to_string(dir.path().join("out/history.csv")).unwrap();
+    assert!(history.lines().count() > 2, "{history}");
+    assert!(!history.contains("\n0.5,"), "{history}");
+}
+
+#[test]
+fn explicit_steps_beyond_their_bound_run_with_a_warning() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc");
+    let explicit = ["--set", "motion.sliding.scheme=explicit", "--set", "output.every=1 m"];
+    let arguments = [&["run", case.to_str().unwrap(), "-o", "out"][..], &explicit].concat();
+    let said = said(&archard(&dir, &arguments).success());
+    assert!(said.contains("the explicit scheme is unstable with this step"), "{said}");
+    assert!(said.contains("3.03 mm"), "{said}");
+}
+
+#[test]
+fn an_unknown_flag_exits_with_two() {
+    let dir = TempDir::new().unwrap();
+    archard(&dir, &["run", "case.toml", "--fast"]).code(2);
+}
