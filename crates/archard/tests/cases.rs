@@ -1,0 +1,214 @@
+//! The published cases: each gives what its folder says it has to.
+//!
+//! `expected.toml` beside a `case.toml`:
+//!
+//! ```toml
+//! coarse = ["frame.elements=[30, 30]"]   # options of every run of the test
+//! [[expect]]
+//! column = "wear_depth_m"                # a result column
+//! at = "500 mm"                          # progress of its row; the last row if left out
+//! value = "2.059002 um"                  # with a unit of the column's dimension
+//! within = 0.006                         # largest relative difference
+//! source = "..."                         # where the value comes from
+//! set = ["motion.sliding.step=10 mm"]    # more options, if any
+//! ```
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use archard::case::CaseFile;
+use archard::simulation::{Observer, Report, row};
+use archard::units::{self, Measure};
+use toml::de::{DeTable, DeValue};
+
+/// A number a case has to give.
+struct Expected {
+    options: Vec<String>,
+    column: String,
+    at: Option<String>,
+    value: String,
+    within: f64,
+}
+
+/// Keeps the rows of a run.
+#[derive(Default)]
+struct Rows(Vec<Vec<(String, f64)>>);
+
+impl Observer for Rows {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
+        self.0.push(row(report));
+        Ok(())
+    }
+}
+
+/// The folders of the cases.
+fn folders() -> Vec<PathBuf> {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
+    let entries = fs::read_dir(cases).unwrap().map(|entry| entry.unwrap().path());
+    let mut folders: Vec<PathBuf> = entries.filter(|path| path.is_dir()).collect();
+    folders.sort();
+    folders
+}
+
+/// The text at a key, where there is one.
+fn text(table: &DeTable<'_>, key: &str) -> Option<String> {
+    Some(table.get(key)?.get_ref().as_str().expect("a text").to_owned())
+}
+
+/// The list of texts at a key; empty where there is none.
+fn texts(table: &DeTable<'_>, key: &str) -> Vec<String> {
+    let list = table.get(key).map(|value| value.get_ref().as_array().expect("a list"));
+    let texts = list.into_iter().flat_map(|list| list.iter());
+    texts.map(|text| text.get_ref().as_str().expect("a text").to_owned()).collect()
+}
+
+/// Reads what a case has to give; keys it does not know are mistakes.
+fn expected(file: &str) -> Vec<Expected> {
+    let document = DeTable::parse(file).expect("TOML").into_inner();
+    assert!(document.keys().all(|key| ["coarse", "expect"].contains(&&**key.get_ref())));
+    let coarse = texts(&document, "coarse");
+    let entries = document.get("expect").expect("`expect`").get_ref();
+    let entry = |table: &DeTable<'_>| {
+        let known = ["column", "at", "value", "within", "source", "set"];
+        assert!(table.keys().all(|key| known.contains(&&**key.get_ref())), "{table:?}");
+        assert!(text(table, "source").is_some_and(|source| !source.is_empty()), "{table:?}");
+        let within = match table.get("within").expect("`within`").get_ref() {
+            DeValue::Float(number) => number.as_str().parse().expect("a number"),
+            other => panic!("`within` is {}", other.type_str()),
+        };
+        Expected {
+            options: [&coarse[..], &texts(table, "set")[..]].concat(),
+            column: text(table, "column").expect("`column`"),
+            at: text(table, "at"),
+            value: text(table, "value").expect("`value`"),
+            within,
+        }
+    };
+    let entries = entries.as_array().expect("`[[expect]]`").iter();
+    entries.map(|table| entry(table.get_ref().as_table().expect("a table"))).collect()
+}
+
+/// What a column holds, by the unit at the end of its name.
+fn measure(column: &str) -> Measure {
+    match column.rsplit('_').next() {
+        Some("m") => Measure::LENGTH,
+        Some("m2") => Measure::length_to_the(2.0),
+        Some("m3") => Measure::length_to_the(3.0),
+        Some("Pa") => Measure::PRESSURE,
+        Some("N") => Measure::FORCE,
+        _ => panic!("the column `{column}` has no unit known here"),
+    }
+}
+
+/// The rows of the case in a folder, run with these options.
+fn run(folder: &Path, options: &[String]) -> Result<Rows, String> {
+    let file = CaseFile::read(folder).map_err(|error| error.to_string())?;
+    let file = options.iter().fold(file, |file, option| file.set(option));
+    let resolved = file.resolve().map_err(|problems| {
+        problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join("\n")
+    })?;
+    let simulation = resolved.case.build().map_err(|error| error.to_string())?;
+    let mut rows = Rows::default();
+    simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
+    Ok(rows)
+}
+
+/// The number in a column at the given progress, which is the first column.
+fn number(rows: &Rows, column: &str, at: Option<&str>) -> Option<f64> {
+    let row = match at {
+        None => rows.0.last()?,
+        Some(at) => {
+            let place = units::read(at, &measure(&rows.0.first()?.first()?.0)).expect("a place");
+            rows.0.iter().find(|row| (row[0].1 - place).abs() <= 1e-9 * place)?
+        }
+    };
+    row.iter().find_map(|(known, value)| (known == column).then_some(*value))
+}
+
+/// What a case gives otherwise than it has to.
+fn mismatches(folder: &Path) -> Vec<String> {
+    let Ok(file) = fs::read_to_string(folder.join("expected.toml")) else {
+        return vec!["there is no expected.toml".to_owned()];
+    };
+    let expected = expected(&file);
+    let mut runs: Vec<(&[String], Result<Rows, String>)> = vec![];
+    let mut mismatches = vec![];
+    for one in &expected {
+        if !runs.iter().any(|(options, _)| *options == one.options) {
+            runs.push((&one.options, run(folder, &one.options)));
+        }
+        let rows = &runs.iter().find(|(options, _)| *options == one.options).unwrap().1;
+        let name = format!("{} at {:?} with {:?}", one.column, one.at, one.options);
+        let found = match rows {
+            Err(error) => {
+                mismatches.push(format!("{name}: {error}"));
+                continue;
+            }
+            Ok(rows) => number(rows, &one.column, one.at.as_deref()),
+        };
+        let value = units::read(&one.value, &measure(&one.column)).expect("a value with its unit");
+        match found {
+            None => mismatches.push(format!("{name}: no such number")),
+            Some(found) if (found - value).abs() <= one.within * value.abs() => {}
+            Some(found) => {
+                let difference = found / value - 1.0;
+                mismatches
+                    .push(format!("{name}: {found:e} is {difference:+.2e} from {}", one.value));
+            }
+        }
+    }
+    if expected.is_empty() {
+        mismatches.push("expects nothing".to_owned());
+    }
+    mismatches
+}
+
+#[test]
+fn every_case_gives_what_it_has_to() {
+    let folders = folders();
+    assert!(folders.len() >= 3, "{folders:?}");
+    let report: Vec<String> = folders
+        .iter()
+        .flat_map(|folder| {
+            let name = folder.file_name().unwrap().to_string_lossy().into_owned();
+            mismatches(folder).into_iter().map(move |mismatch| format!("{name}: {mismatch}"))
+        })
+        .collect();
+    assert!(report.is_empty(), "\n{}", report.join("\n"));
+}
+
+/// The options of the commands a `README.md` shows: `--set KEY=VALUE`, quoted as for a shell.
+fn options_shown(readme: &str) -> Vec<Vec<String>> {
+    let joined = readme.replace("\\\n", " ");
+    let commands = joined.lines().filter(|line| line.trim_start().starts_with("cargo run"));
+    commands.map(|command| command.split(" --set ").skip(1).map(unquoted).collect()).collect()
+}
+
+/// The first word of a command line, without the quotes a shell removes.
+fn unquoted(text: &str) -> String {
+    let (mut word, mut quote) = (String::new(), None);
+    for letter in text.trim_start().chars() {
+        match (quote, letter) {
+            (Some(open), _) if open == letter => quote = None,
+            (None, '"' | '\'') => quote = Some(letter),
+            (None, ' ') => break,
+            _ => word.push(letter),
+        }
+    }
+    word
+}
+
+#[test]
+fn every_case_explains_itself_in_commands_that_are_right() {
+    for folder in folders() {
+        let readme = fs::read_to_string(folder.join("README.md")).expect("a README.md");
+        let commands = options_shown(&readme);
+        assert!(!commands.is_empty(), "{} shows no command", folder.display());
+        for options in commands {
+            let file = CaseFile::read(&folder).unwrap();
+            let file = options.iter().fold(file, |file, option| file.set(option));
+            assert!(file.resolve().is_ok(), "{}: {options:?}", folder.display());
+        }
+    }
+}

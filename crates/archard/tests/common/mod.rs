@@ -1,0 +1,155 @@
+//! Problems the tests are made of.
+
+#![allow(dead_code, reason = "every test binary uses a part of it")]
+
+use archard::body::profile::PROFILES;
+use archard::body::{Body, Material};
+use archard::compliance::HalfSpace;
+use archard::frame::ContactFrame;
+use archard::kinematics::{Control, MOTIONS, Stepping};
+use archard::parameters::{Choice, Value, Values};
+use archard::problem::{ContactProblem, ContactState};
+use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation};
+use archard::solve::{SOLVERS, Solver, Step};
+use archard::wear::WEAR_LAWS;
+
+/// The steel of the reference problems.
+pub const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
+
+/// Builds the entry of a list from numbers (SI).
+pub fn choose<T>(list: &[Choice<T>], name: &str, numbers: &[(&'static str, f64)]) -> T {
+    let mut values = Values::default();
+    for (name, number) in numbers {
+        values.insert(name, Value::Number(*number));
+    }
+    let choice = list.iter().find(|choice| choice.name == name).expect("a listed name");
+    (choice.build)(&values).expect("valid values")
+}
+
+/// A solver of that name with that tolerance.
+pub fn solver(name: &str, tolerance: f64) -> Box<dyn Solver> {
+    choose(SOLVERS, name, &[("tolerance", tolerance)])
+}
+
+/// A ball (or paraboloid) on a flat.
+#[derive(Debug, Clone, Copy)]
+pub struct Ball {
+    /// Radii of curvature along x and y (m).
+    pub radii: [f64; 2],
+    /// Materials of body 1 and body 2.
+    pub materials: [Option<Material>; 2],
+    /// Size of the frame (m).
+    pub size: [f64; 2],
+    /// Elements of the frame.
+    pub elements: [usize; 2],
+    /// Wear coefficients of body 1 and body 2 (1/Pa).
+    pub wear: [f64; 2],
+    /// Load or approach.
+    pub control: Control,
+    /// Tolerance of the contact solver.
+    pub solver_tolerance: f64,
+}
+
+impl Ball {
+    /// The pin on disc of the paper's section 6.2.
+    pub fn pin_on_disc(elements: usize) -> Self {
+        Self {
+            radii: [0.05; 2],
+            materials: [Some(STEEL); 2],
+            size: [1.2e-3; 2],
+            elements: [elements; 2],
+            wear: [1.33e-13, 0.0],
+            control: Control::Load(10.2),
+            solver_tolerance: 1e-8,
+        }
+    }
+
+    /// The bodies in contact.
+    pub fn problem(&self) -> ContactProblem {
+        let [radius_x, radius_y] = self.radii;
+        let profiles = [
+            choose(PROFILES, "paraboloid", &[("radius_x", radius_x), ("radius_y", radius_y)]),
+            choose(PROFILES, "flat", &[]),
+        ];
+        let frame = ContactFrame::uniform(self.size, self.elements, [&*profiles[0], &*profiles[1]])
+            .expect("paraboloids have no end");
+        let compliance = HalfSpace::new(self.materials.each_ref().map(Option::as_ref), &frame);
+        let mut parts =
+            ["pin", "disc"].into_iter().zip(profiles).zip(self.materials).zip(self.wear);
+        let bodies = std::array::from_fn(|_| {
+            let (((name, profile), material), coefficient) = parts.next().expect("two bodies");
+            let wear = (coefficient > 0.0)
+                .then(|| choose(WEAR_LAWS, "archard", &[("coefficient", coefficient)]));
+            Body { name: name.to_owned(), profile, material, wear }
+        });
+        let kinematics =
+            choose(MOTIONS, "sliding", &[("load", 1.0), ("distance", 1.0), ("step", 1.0)])
+                .kinematics;
+        ContactProblem { bodies, frame, compliance: Box::new(compliance), kinematics }
+    }
+
+    /// Its sliding over an extent (m) with outputs there (m).
+    pub fn sliding(&self, extent: f64, stepping: Stepping, outputs: &[f64]) -> Simulation {
+        Simulation {
+            problem: self.problem(),
+            solver: solver("conjugate_gradient", self.solver_tolerance),
+            schedule: Schedule {
+                control: self.control,
+                ramped: false,
+                extent,
+                stepping,
+                outputs: outputs.to_vec(),
+            },
+        }
+    }
+
+    /// Its contact, unworn.
+    pub fn contact(&self) -> ContactState {
+        let simulation = self.sliding(1e-9, Stepping::Explicit(1e-9), &[]);
+        let mut states = States::default();
+        simulation.run(&mut [&mut states]).expect("a contact that converges");
+        states.0.swap_remove(0).0
+    }
+}
+
+/// A step of a problem at rest, under its control.
+pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Control) -> Step<'a> {
+    Step {
+        compliance: &*problem.compliance,
+        gap: problem.frame.gap(),
+        addition,
+        element_area: problem.frame.element_area(),
+        control,
+    }
+}
+
+/// Keeps every state with what it took, and whether it was due for output.
+#[derive(Debug, Default)]
+pub struct States(pub Vec<(ContactState, Effort, bool)>);
+
+impl Observer for States {
+    fn observe(
+        &mut self,
+        report: &Report<'_>,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        self.0.push((report.state.clone(), report.effort, report.output));
+        Ok(())
+    }
+}
+
+/// Runs to the end and returns all states.
+pub fn states(simulation: &Simulation) -> Result<Vec<(ContactState, Effort, bool)>, Error> {
+    let mut states = States::default();
+    simulation.run(&mut [&mut states])?;
+    Ok(states.0)
+}
+
+/// Deepest total wear (m).
+pub fn depth(state: &ContactState) -> f64 {
+    peak(&state.total_worn())
+}
+
+/// Largest value.
+pub fn peak(field: &[f64]) -> f64 {
+    field.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}

@@ -1,0 +1,211 @@
+//! What every implementation of a trait owes: one suite a trait, one line a newcomer.
+
+mod common;
+
+use approx::assert_relative_eq;
+use archard::body::profile::PROFILES;
+use archard::compliance::{Compliance, HalfSpace};
+use archard::frame::VectorField;
+use archard::kinematics::{Control, MOTIONS};
+use archard::parameters::{Choice, Values};
+use archard::solve::{SOLVERS, Status, Step};
+use archard::wear::{Rubbing, WEAR_LAWS};
+
+use common::{Ball, STEEL, at_rest, choose, solver};
+
+/// Numbers (SI) to build each choice with.
+type Examples = &'static [(&'static str, &'static [(&'static str, f64)])];
+
+const PROFILE_EXAMPLES: Examples = &[
+    ("sphere", &[("radius", 0.05)]),
+    ("paraboloid", &[("radius_x", 0.02), ("radius_y", -0.3)]),
+    ("cylinder", &[("radius", 0.01)]),
+    ("disc", &[("radius", 0.0325), ("crown", 0.125)]),
+    ("flat", &[]),
+    ("power", &[("coefficient", 0.005), ("exponent", 2.0)]),
+];
+/// Profiles that need more than numbers, tested beside their code.
+const OTHER_PROFILES: &[&str] = &["table"];
+
+const WEAR_EXAMPLES: Examples =
+    &[("archard", &[("coefficient", 1.33e-13)]), ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)])];
+
+const MOTION_EXAMPLES: Examples = &[
+    ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
+    ("sliding", &[("load", 10.2), ("distance", 0.5), ("step", 0.005)]),
+    ("sliding", &[("load", 10.2), ("distance", 0.5), ("tolerance", 1e-3)]),
+];
+
+fn all_have_examples<T>(list: &[Choice<T>], examples: Examples, others: &[&str]) {
+    for choice in list {
+        let known = examples.iter().any(|example| example.0 == choice.name)
+            || others.contains(&choice.name);
+        assert!(known, "`{}` needs a line in the contract list", choice.name);
+    }
+}
+
+#[test]
+fn profiles_touch_at_the_centre_with_the_curvatures_they_state() {
+    all_have_examples(PROFILES, PROFILE_EXAMPLES, OTHER_PROFILES);
+    for (name, numbers) in PROFILE_EXAMPLES {
+        let profile = choose(PROFILES, name, numbers);
+        assert_eq!(profile.recess(0.0, 0.0), 0.0, "{name}");
+        assert_eq!(profile.recess(1e-4, 2e-4), profile.recess(-1e-4, -2e-4), "{name}");
+        if let Some([along_x, along_y]) = profile.curvatures() {
+            let h = 1e-5;
+            assert_relative_eq!(
+                2.0 * profile.recess(h, 0.0) / (h * h),
+                along_x,
+                max_relative = 1e-6
+            );
+            assert_relative_eq!(
+                2.0 * profile.recess(0.0, h) / (h * h),
+                along_y,
+                max_relative = 1e-6
+            );
+        }
+    }
+}
+
+#[test]
+fn wear_laws_grow_with_pressure_and_know_their_slope() {
+    all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &[]);
+    for (name, numbers) in WEAR_EXAMPLES {
+        let law = choose(WEAR_LAWS, name, numbers);
+        let depth = |pressure: f64, slip: f64| law.depth(Rubbing { pressure, slip });
+        assert_eq!(depth(0.0, 1.0), 0.0, "{name}");
+        assert_eq!(depth(1e8, 0.0), 0.0, "{name}");
+        for pressure in [0.0, 1e6, 1e8, 3e9] {
+            let change = 1e-4 * f64::max(pressure, 1e6);
+            let slope = law.slope(Rubbing { pressure, slip: 0.3 });
+            let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
+            assert!(slope >= 0.0 && rise >= 0.0, "{name}");
+            assert_relative_eq!(rise / change, slope, max_relative = 1e-3);
+        }
+    }
+}
+
+#[test]
+fn motions_go_somewhere() {
+    all_have_examples(MOTIONS, MOTION_EXAMPLES, &[]);
+    for (name, numbers) in MOTION_EXAMPLES {
+        let motion = choose(MOTIONS, name, numbers);
+        assert!(motion.extent > 0.0, "{name}");
+        let slips = [0.0, 0.1, 0.2].map(|advance| motion.kinematics.slip(advance));
+        assert!(slips[0] == 0.0 && slips[1] >= 0.0 && slips[2] >= slips[1], "{name}");
+        assert!(motion.kinematics.progress().column.contains(char::is_alphabetic), "{name}");
+    }
+}
+
+/// Every compliance, on one frame.
+fn compliances() -> Vec<Box<dyn Compliance>> {
+    let frame = Ball { elements: [7, 6], ..Ball::pin_on_disc(1) }.problem().frame;
+    vec![
+        Box::new(HalfSpace::new([Some(&STEEL), Some(&STEEL)], &frame)),
+        Box::new(HalfSpace::new([Some(&STEEL), None], &frame)),
+    ]
+}
+
+#[test]
+fn compliances_are_linear_symmetric_and_positive() {
+    for compliance in compliances() {
+        let columns: Vec<Vec<f64>> = (0..42)
+            .map(|pair| {
+                let mut tractions = VectorField::zeros(42);
+                tractions.n[pair] = 1.0;
+                let mut normal = vec![0.0; 42];
+                compliance.apply_normal(&tractions.n, &mut normal);
+                for (a, b) in normal.iter().zip(&compliance.apply(&tractions).n) {
+                    assert_relative_eq!(a, b, max_relative = 1e-12);
+                }
+                assert_relative_eq!(
+                    normal[pair],
+                    compliance.normal_self_term(),
+                    max_relative = 1e-12
+                );
+                normal
+            })
+            .collect();
+        let pressure: Vec<f64> = (0..42).map(|i| f64::from(i).sin()).collect();
+        let mut image = vec![0.0; 42];
+        compliance.apply_normal(&pressure, &mut image);
+        for (row, value) in image.iter().enumerate() {
+            let sum: f64 = columns.iter().zip(&pressure).map(|(column, p)| column[row] * p).sum();
+            assert_relative_eq!(*value, sum, epsilon = 1e-12 * columns[0][0]);
+            for (column, values) in columns.iter().enumerate() {
+                assert_relative_eq!(values[row], columns[row][column], max_relative = 1e-12);
+            }
+        }
+        let work: f64 = pressure.iter().zip(&image).map(|(p, u)| p * u).sum();
+        assert!(work > 0.0);
+    }
+}
+
+#[test]
+fn preconditioners_are_symmetric_and_positive() {
+    for compliance in compliances() {
+        for addition in [0.0, 1e-14] {
+            let preconditioner = compliance.normal_preconditioner(addition);
+            let apply = |displacement: &[f64]| {
+                let mut pressure = vec![0.0; 42];
+                preconditioner.apply(displacement, &mut pressure);
+                pressure
+            };
+            let (a, b): (Vec<f64>, Vec<f64>) =
+                (0..42).map(|i| (f64::from(i).sin(), f64::from(i * i).cos())).unzip();
+            let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
+            let scale = (dot(&a, &apply(&a)) * dot(&b, &apply(&b))).sqrt();
+            assert!((dot(&a, &apply(&b)) - dot(&b, &apply(&a))).abs() < 1e-13 * scale);
+        }
+    }
+}
+
+/// p >= 0, g >= 0, p g = 0 and the load, by every solver, with and without an addition.
+#[test]
+fn solvers_meet_the_contact_conditions() {
+    let problem = Ball { size: [0.6e-3; 2], ..Ball::pin_on_disc(20) }.problem();
+    for choice in SOLVERS {
+        for added in [0.0, 5e-15] {
+            let addition = vec![added; problem.frame.len()];
+            let outcome = solver(choice.name, 1e-9)
+                .solve(&at_rest(&problem, &addition, Control::Load(10.2)), None);
+            assert_eq!(outcome.status, Status::Converged, "{}", choice.name);
+            assert_relative_eq!(
+                problem.frame.integrate(&outcome.pressure),
+                10.2,
+                max_relative = 1e-8
+            );
+            for (pressure, gap) in outcome.pressure.iter().zip(&outcome.gap) {
+                assert!(*pressure >= 0.0 && *gap > -1e-8 * outcome.approach);
+                assert!(*pressure == 0.0 || gap.abs() < 1e-8 * outcome.approach);
+            }
+        }
+    }
+}
+
+/// An approach that leaves the bodies apart is an answer too.
+#[test]
+fn solvers_leave_bodies_apart() {
+    let problem = Ball::pin_on_disc(10).problem();
+    let addition = vec![0.0; 100];
+    let gap: Vec<f64> = problem.frame.gap().iter().map(|gap| gap + 2e-6).collect();
+    for choice in SOLVERS {
+        let rest = at_rest(&problem, &addition, Control::Approach(1e-6));
+        let outcome = solver(choice.name, 1e-8).solve(&Step { gap: &gap, ..rest }, None);
+        assert_eq!(outcome.status, Status::Converged, "{}", choice.name);
+        assert!(outcome.pressure.iter().all(|&pressure| pressure == 0.0));
+        assert!(outcome.gap.iter().all(|&gap| gap >= 1e-6 * (1.0 - 1e-12)));
+    }
+}
+
+#[test]
+fn choices_say_what_they_miss() {
+    for choice in PROFILES {
+        if choice.parameters.iter().any(|parameter| parameter.required) {
+            assert!((choice.build)(&Values::default()).is_err(), "{}", choice.name);
+        }
+    }
+    for choice in MOTIONS {
+        assert!((choice.build)(&Values::default()).is_err(), "{}", choice.name);
+    }
+}

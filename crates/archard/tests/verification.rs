@@ -1,0 +1,12 @@
+//! The program against closed forms and independent solutions.
+
+mod common;
+
+mod verification {
+    mod compliance;
+    mod hertz;
+    mod own_wear_law;
+    mod pin_on_disc;
+    mod similarity;
+    mod step_by_error;
+}

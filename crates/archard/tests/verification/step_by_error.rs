@@ -1,0 +1,160 @@
+//! Steps chosen by error, against a run on the same grid that is converged in time.
+
+use archard::kinematics::Stepping;
+use archard::problem::ContactState;
+use archard::simulation::Effort;
+
+use crate::common::{Ball, depth, peak, states};
+
+/// Outputs (m).
+const OUTPUTS: [f64; 9] = [5e-3, 10e-3, 20e-3, 50e-3, 100e-3, 200e-3, 300e-3, 400e-3, 500e-3];
+/// Elements along a side.
+const CELLS: usize = 24;
+
+/// A run's outputs after the initial contact.
+fn outputs(tolerance: f64) -> Vec<(ContactState, Effort)> {
+    all(tolerance)
+        .into_iter()
+        .skip(1)
+        .filter_map(|(state, effort, due)| due.then_some((state, effort)))
+        .collect()
+}
+
+fn all(tolerance: f64) -> Vec<(ContactState, Effort, bool)> {
+    states(&Ball::pin_on_disc(CELLS).sliding(0.5, Stepping::Tolerance(tolerance), &OUTPUTS))
+        .unwrap()
+}
+
+/// A converged history made without the scheme under test: plain implicit steps a fixed share of the
+/// distance slid, and half as long; the depths extrapolated.
+fn converged() -> Vec<f64> {
+    let ball = Ball::pin_on_disc(CELLS);
+    let plain = |parts: usize| {
+        let (mut depths, mut start) = (Vec::new(), 0.0);
+        let mut wear = Plain::new(ball);
+        for end in OUTPUTS {
+            let count = parts * if start == 0.0 { 4 } else { 1 };
+            wear.slide((end - start) / count as f64, count);
+            depths.push(wear.depth());
+            start = end;
+        }
+        depths
+    };
+    plain(100).iter().zip(plain(200)).map(|(coarse, fine)| 2.0 * fine - coarse).collect()
+}
+
+/// Implicit Euler without anything around it.
+struct Plain {
+    problem: archard::problem::ContactProblem,
+    worn: Vec<f64>,
+    last: Option<archard::solve::Outcome>,
+}
+
+impl Plain {
+    fn new(ball: Ball) -> Self {
+        let problem = ball.problem();
+        let zeros = vec![0.0; problem.frame.len()];
+        Self { worn: zeros, last: None, problem }
+    }
+
+    fn slide(&mut self, step: f64, count: usize) {
+        let solver = crate::common::solver("conjugate_gradient", 1e-8);
+        let addition = vec![1.33e-13 * step; self.worn.len()];
+        for _ in 0..count {
+            let gap: Vec<f64> =
+                self.problem.frame.gap().iter().zip(&self.worn).map(|(g, w)| g + w).collect();
+            let rest = crate::common::at_rest(
+                &self.problem,
+                &addition,
+                archard::kinematics::Control::Load(10.2),
+            );
+            let start = self.last.as_ref().map(|last| archard::solve::Start {
+                pressure: &last.pressure,
+                displacement: &last.displacement,
+                approach: last.approach,
+            });
+            let outcome = solver.solve(&archard::solve::Step { gap: &gap, ..rest }, start);
+            let pressures = outcome.pressure.iter();
+            self.worn.iter_mut().zip(pressures).for_each(|(worn, p)| *worn += 1.33e-13 * step * p);
+            self.last = Some(outcome);
+        }
+    }
+
+    fn depth(&self) -> f64 {
+        peak(&self.worn)
+    }
+}
+
+/// The true error of the deepest wear stays below the estimate, the estimate below the tolerance, at
+/// every output and for five tolerances; and the error shrinks with the tolerance.
+#[test]
+fn the_estimate_is_honest() {
+    let converged = converged();
+    let mut last = f64::INFINITY;
+    for tolerance in [1e-2, 3e-3, 1e-3, 3e-4, 1e-4] {
+        let outputs = outputs(tolerance);
+        assert_eq!(outputs.len(), OUTPUTS.len());
+        let mut largest = 0.0f64;
+        for ((state, effort), reference) in outputs.iter().zip(&converged) {
+            let error = (depth(state) / reference - 1.0).abs();
+            let estimate = effort.time_error.unwrap();
+            assert!(
+                error <= estimate,
+                "tolerance {tolerance} at {}: {error:e} > {estimate:e}",
+                state.progress
+            );
+            assert!(estimate <= tolerance, "{estimate:e} > {tolerance:e}");
+            largest = largest.max(error);
+        }
+        assert!(largest < last, "{largest:e} after {last:e}");
+        last = largest;
+    }
+}
+
+/// A tolerance of 1e-3: depths within 0.5 % and at most 150 solves.
+#[test]
+fn a_thousandth_takes_at_most_150_solves() {
+    let outputs = outputs(1e-3);
+    for ((state, _), reference) in outputs.iter().zip(converged()) {
+        assert!((depth(state) / reference - 1.0).abs() < 0.005);
+    }
+    let solves = outputs.last().unwrap().1.solves;
+    assert!(solves <= 150, "{solves} solves");
+}
+
+/// No spike at the moving edge. A pair that has just been touched climbs fast, and so differs at any
+/// one instant; but nowhere does a pressure exceed the most that the converged history shows there
+/// within a tenth of the distance slid, by more than 3 % of the peak.
+#[test]
+fn no_pressure_spikes_at_the_moving_edge() {
+    let converged = all(2e-5);
+    for (state, _) in outputs(1e-3) {
+        let near: Vec<&ContactState> = converged
+            .iter()
+            .map(|step| &step.0)
+            .filter(|known| (known.progress / state.progress - 1.0).abs() <= 0.1)
+            .collect();
+        let largest = peak(&near.last().unwrap().pressure);
+        for (pair, pressure) in state.pressure.iter().enumerate() {
+            let most = near.iter().map(|known| known.pressure[pair]).fold(0.0, f64::max);
+            assert!(
+                pressure - most < 0.03 * largest,
+                "{pressure:e} above {most:e} at {}",
+                state.progress
+            );
+        }
+    }
+}
+
+/// Wear never grows back, and every state keeps the volume.
+#[test]
+fn wear_only_grows() {
+    let states = all(3e-3);
+    let frame = Ball::pin_on_disc(CELLS).problem().frame;
+    for pair in states.windows(2) {
+        let (before, after) = (&pair[0].0, &pair[1].0);
+        assert!(before.worn[0].iter().zip(&after.worn[0]).all(|(before, after)| after >= before));
+        let volume = frame.integrate(&after.worn[0]);
+        assert!((volume / (1.33e-13 * 10.2 * after.progress) - 1.0).abs() < 1e-10);
+    }
+}
