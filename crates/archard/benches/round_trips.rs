@@ -1,0 +1,119 @@
+//! Cost of whole runs in padded real FFT round trips: one forward and one backward transform of the
+//! doubled grid, timed in the same run on the same number of threads, so that the numbers hold on
+//! any machine.
+//!
+//! `cargo bench --bench round_trips` prints the tables of the book's page on performance.
+
+#![allow(missing_docs, reason = "a program")]
+
+mod round_trip;
+
+use std::path::Path;
+use std::time::Instant;
+
+use archard::case::{Case, CaseFile};
+use archard::simulation::Effort;
+
+use round_trip::RoundTrip;
+
+fn main() {
+    println!("Hertz, cold, residual 1e-8, kernels included, one thread\n");
+    header("solver", "iterations");
+    for n in [64, 128, 256, 512, 1024] {
+        hertz(n, "conjugate_gradient");
+        if n <= 128 {
+            hertz(n, "uzawa");
+        }
+    }
+    println!("\nPin on disc to 500 mm, residual 1e-8, kernels included, one thread\n");
+    header("steps", "solves");
+    for n in [64, 128, 256] {
+        for steps in ["step = \"20 mm\"", "tolerance = 1e-3"] {
+            let runs = if n > 128 { 2 } else { 5 };
+            let cost = cost(n, runs, 1, &pin_on_disc(n, steps));
+            row(n, steps, cost.effort.solves, &cost);
+        }
+    }
+    println!("\nOne thread against two, Hertz\n");
+    println!("| n | one thread ms | two threads ms | ratio | ratio of a round trip |");
+    println!("|---|---|---|---|---|");
+    for n in [256, 512, 1024] {
+        let case = hertz_case(n, "conjugate_gradient");
+        let [one, two] = [1, 2].map(|threads| cost(n, 9, threads, &case));
+        println!(
+            "| {n} | {:.1} | {:.1} | {:.2} | {:.2} |",
+            1e3 * one.seconds,
+            1e3 * two.seconds,
+            one.seconds / two.seconds,
+            one.round_trip / two.round_trip
+        );
+    }
+}
+
+fn header(what: &str, count: &str) {
+    println!("| n | {what} | {count} | applications | ms | round trip ms | round trips |");
+    println!("|---|---|---|---|---|---|---|");
+}
+
+fn row(n: usize, what: &str, count: usize, cost: &Cost) {
+    let Cost { seconds, round_trip, effort } = cost;
+    println!(
+        "| {n} | {what} | {count} | {} | {:.2} | {:.3} | {:.1} |",
+        effort.applications,
+        1e3 * seconds,
+        1e3 * round_trip,
+        seconds / round_trip
+    );
+}
+
+fn hertz(n: usize, solver: &str) {
+    let cost = cost(n, if solver == "uzawa" { 2 } else { 7 }, 1, &hertz_case(n, solver));
+    row(n, solver, cost.effort.iterations, &cost);
+}
+
+/// What a run took.
+struct Cost {
+    seconds: f64,
+    round_trip: f64,
+    effort: Effort,
+}
+
+/// The shortest of several runs and the shortest round trip around them.
+fn cost(n: usize, runs: usize, threads: usize, case: &Case) -> Cost {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+    pool.install(|| {
+        let trip = RoundTrip::new(2 * n);
+        let mut cost =
+            Cost { seconds: f64::INFINITY, round_trip: trip.seconds(), effort: Effort::default() };
+        for _ in 0..runs {
+            let start = Instant::now();
+            cost.effort =
+                case.build().expect("a checked case").run(&mut []).expect("a run that converges");
+            cost.seconds = cost.seconds.min(start.elapsed().as_secs_f64());
+            cost.round_trip = cost.round_trip.min(trip.seconds());
+        }
+        cost
+    })
+}
+
+/// A sphere pressed on a flat, on a frame 2.4 contact radii wide.
+fn hertz_case(n: usize, solver: &str) -> Case {
+    case(
+        "hertz",
+        &[format!("frame.elements=[{n},{n}]"), format!("solver.{solver}={{ tolerance = 1e-8 }}")],
+    )
+}
+
+fn pin_on_disc(n: usize, steps: &str) -> Case {
+    let steps = steps.replace(' ', "");
+    let options = ["motion.sliding.step=".to_owned(), format!("motion.sliding.{steps}")];
+    case("pin_on_disc", &[&options[..], &[format!("frame.elements=[{n},{n}]")]].concat())
+}
+
+/// A case of the gallery with options.
+fn case(name: &str, options: &[String]) -> Case {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let file = CaseFile::read(&path).expect("a case of the gallery");
+    let file = options.iter().fold(file, CaseFile::set);
+    file.resolve().expect("options that fit").case
+}
