@@ -1,0 +1,30 @@
+# The commands a person types. `just` lists them.
+
+# list the commands
+default:
+    @just --list
+
+# run a case: just run cases/pin_on_disc, just run cases/hertz -o results/ball
+run case="cases/pin_on_disc" *options:
+    cargo run --release -- run {{case}} {{options}}
+
+# run every test
+test:
+    cargo test
+
+# check formatting and lints
+lint:
+    cargo fmt --all --check
+    cargo clippy --workspace --all-targets -- -D warnings
+
+# build the documentation of the library, warnings as errors
+docs:
+    RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
+
+# time whole solves, in padded round trips
+bench:
+    cargo bench -p archard
+
+# all that has to pass before a merge
+ci:
+    .ci/run
