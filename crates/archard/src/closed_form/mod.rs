@@ -3,7 +3,9 @@
 //!
 //! Everything takes and gives plain numbers in SI.
 
+pub mod carter;
 pub mod hertz;
 pub mod pin_on_disc;
+pub mod twin_discs;
 
 pub use hertz::Hertz;
