@@ -55,6 +55,26 @@ struct Trial {
 }
 
 impl Trial {
+    /// Extrapolates both histories and estimates the error, from the pressures before the step too.
+    fn of(coarse: Chain, fine: Chain, before: &[f64]) -> Self {
+        let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
+        let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
+        let (mut deepest, mut depth, mut removed, mut square) = (0, 0.0, 0.0, 0.0);
+        for pair in 0..before.len() {
+            let value = total(&worn, pair);
+            if value > depth {
+                (deepest, depth) = (pair, value);
+            }
+            removed += (value - total(&coarse.state.worn, pair)).powi(2);
+            square += value * value;
+        }
+        let last = fine.state.pressure[deepest];
+        let resolved = relative_change(before[deepest], last);
+        let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
+        let lag = relative_change(coarse.state.pressure[deepest], last);
+        Self { coarse, fine, worn, depth, error, lag }
+    }
+
     /// Error relative to what the tolerance allows; of second order in the step.
     fn excess(&self, tolerance: f64) -> f64 {
         let error = if self.depth > 0.0 { self.error / (tolerance * self.depth) } else { 0.0 };
@@ -134,26 +154,7 @@ impl Adaptive {
         coarse.implicit(simulation, leg(length, end), effort)?;
         fine.implicit(simulation, leg(0.5 * length, half), effort)?;
         fine.implicit(simulation, leg(0.5 * length, end), effort)?;
-        let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
-        let total = |worn: &[Vec<f64>; 2], i: usize| worn[0][i] + worn[1][i];
-        let (mut deepest, mut depth, mut removed, mut square) = (0, 0.0, 0.0, 0.0);
-        for i in 0..worn[0].len() {
-            let (value, before) = (total(&worn, i), total(&coarse.state.worn, i));
-            if value > depth {
-                (deepest, depth) = (i, value);
-            }
-            removed += (value - before).powi(2);
-            square += value * value;
-        }
-        let change = |before: f64, after: f64| match before.max(after) {
-            0.0 => 0.0,
-            larger => (after - before).abs() / larger,
-        };
-        let last = fine.state.pressure[deepest];
-        let resolved = change(self.fine.state.pressure[deepest], last);
-        let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
-        let lag = change(coarse.state.pressure[deepest], last);
-        Ok(Trial { coarse, fine, worn, depth, error, lag })
+        Ok(Trial::of(coarse, fine, &self.fine.state.pressure))
     }
 
     /// Takes a trial over and returns the state to put out: the fine history's contact with the
@@ -178,6 +179,12 @@ impl Adaptive {
 fn landing(step: f64, rest: f64) -> f64 {
     let count = (rest / step - 0.1).ceil().max(1.0);
     if count <= 2.0 { rest / count } else { step }
+}
+
+/// Change between two pressures relative to the larger.
+fn relative_change(one: f64, other: f64) -> f64 {
+    let larger = one.max(other);
+    if larger > 0.0 { (other - one).abs() / larger } else { 0.0 }
 }
 
 /// Twice the fine less the coarse values.
