@@ -3,16 +3,16 @@
 use crate::arguments::Case;
 use crate::diagnose;
 use crate::failure::Failure;
+use crate::say::say;
 
 /// Checks a case.
 pub fn check(arguments: &Case) -> Result<(), Failure> {
     let resolved = diagnose::resolve(arguments, false)?;
-    println!("# The case in SI\n\n{}", resolved.case);
-    println!("# What to expect\n\n{}", resolved.forecast);
+    say(&format!("# The case in SI\n\n{}", resolved.case))?;
+    say(&format!("# What to expect\n\n{}", resolved.forecast))?;
     match resolved.warnings.len() {
-        0 => println!("No warnings."),
-        1 => println!("1 warning, shown above."),
-        n => println!("{n} warnings, shown above."),
+        0 => say("No warnings."),
+        1 => say("1 warning, shown above."),
+        n => say(&format!("{n} warnings, shown above.")),
     }
-    Ok(())
 }

@@ -9,6 +9,8 @@ pub enum Failure {
     Wrong(String),
     /// The same, and what is wrong was shown already.
     Shown,
+    /// The user stopped the run.
+    Interrupted(String),
 }
 
 impl Failure {
@@ -22,13 +24,16 @@ impl Failure {
         match self {
             Failure::NotConverged(_) => 1,
             Failure::Wrong(_) | Failure::Shown => 2,
+            Failure::Interrupted(_) => 3,
         }
     }
 
     /// Says what happened.
     pub fn report(&self) {
         match self {
-            Failure::NotConverged(message) | Failure::Wrong(message) => {
+            Failure::NotConverged(message)
+            | Failure::Wrong(message)
+            | Failure::Interrupted(message) => {
                 eprintln!("error: {message}");
             }
             Failure::Shown => {}

@@ -7,11 +7,13 @@ mod builtin;
 mod check;
 mod diagnose;
 mod failure;
+mod interrupt;
 mod new;
 mod number;
 mod plot;
 mod progress;
 mod run;
+mod say;
 
 use std::process::ExitCode;
 
@@ -25,9 +27,11 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Plot { dir } => plot::run(&dir)
-            .map(|files| files.iter().for_each(|file| println!("{}", file.display())))
-            .map_err(|error| Failure::wrong(format!("{error:#}"))),
+        Command::Plot { dir } => {
+            plot::run(&dir).map_err(|error| Failure::wrong(format!("{error:#}"))).and_then(
+                |files| files.iter().try_for_each(|file| say::say(&file.display().to_string())),
+            )
+        }
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

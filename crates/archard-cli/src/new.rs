@@ -7,12 +7,12 @@ use std::path::{Path, PathBuf};
 use crate::arguments::New;
 use crate::builtin::{Builtin, CASES};
 use crate::failure::Failure;
+use crate::say::say;
 
 /// Lists the built-in cases, or writes one out.
 pub fn new(arguments: &New) -> Result<(), Failure> {
     let Some(name) = &arguments.name else {
-        list();
-        return Ok(());
+        return list();
     };
     let Some(builtin) = CASES.iter().find(|builtin| builtin.name == name) else {
         let known: Vec<&str> = CASES.iter().map(|builtin| builtin.name).collect();
@@ -21,18 +21,22 @@ pub fn new(arguments: &New) -> Result<(), Failure> {
     };
     let dir = arguments.output.clone().unwrap_or_else(|| PathBuf::from(name));
     let path = dir.join("case.toml");
-    write(&dir, &path, builtin)
-        .map_err(|error| Failure::wrong(format!("cannot write `{}`: {error}", path.display())))?;
-    println!("{} written; next: archard run {}", path.display(), path.display());
-    Ok(())
+    write(&dir, &path, builtin).map_err(|error| {
+        let next = match error.kind() {
+            io::ErrorKind::AlreadyExists => "; it is kept: choose another folder with -o",
+            _ => "",
+        };
+        Failure::wrong(format!("cannot write `{}`: {error}{next}", path.display()))
+    })?;
+    say(&format!("{} written; next: archard run {}", path.display(), path.display()))
 }
 
-fn list() {
+fn list() -> Result<(), Failure> {
     let width = CASES.iter().map(|builtin| builtin.name.len()).max().unwrap_or(0);
     for builtin in CASES {
-        println!("{:width$}  {}", builtin.name, builtin.title());
+        say(&format!("{:width$}  {}", builtin.name, builtin.title()))?;
     }
-    println!("\narchard new NAME writes one out to start from");
+    say("\narchard new NAME writes one out to start from")
 }
 
 /// Writes the case, never over a file that is there.

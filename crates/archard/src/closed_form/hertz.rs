@@ -174,7 +174,7 @@ mod tests {
         0.5 * young / (1.0 - poisson * poisson)
     }
 
-    /// reference.md, Hertz: sphere of 50 mm, steel on steel, 10.2 N.
+    /// Independent values: sphere of 50 mm, steel on steel, 10.2 N.
     #[test]
     fn sphere_on_flat() {
         let hertz = Hertz::from_load([20.0, 20.0], twin(210e9, 0.3), 10.2).unwrap();
@@ -184,7 +184,7 @@ mod tests {
         assert_relative_eq!(hertz.approach, 0.44465074e-6, max_relative = 2e-8);
     }
 
-    /// reference.md, Hertz: the twin discs.
+    /// Independent values: the twin discs of the paper's section 6.3.
     #[test]
     fn twin_discs() {
         let curvatures = [1.0 / 32.5e-3 + 1.0 / 32.3e-3, 8.0];
@@ -195,7 +195,7 @@ mod tests {
         assert_relative_eq!(hertz.approach, 4.1798535e-6, max_relative = 2e-8);
     }
 
-    /// reference.md, Hertz: F = 1, E* = 1, 1/Rx + 1/Ry = 1; Ry/Rx, ax, ay, p0, delta.
+    /// Independent values: F = 1, E* = 1, 1/Rx + 1/Ry = 1; Ry/Rx, ax, ay, p0, delta.
     const ELLIPSES: [[f64; 5]; 4] = [
         [1.0, 1.144714, 1.144714, 0.364374, 0.655185],
         [2.0, 0.920954, 1.460450, 0.354991, 0.638204],

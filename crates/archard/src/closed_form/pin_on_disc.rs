@@ -39,7 +39,7 @@ mod tests {
 
     use super::{depth, volume};
 
-    /// reference.md, pin on disc: s (mm) and the column "eq. 55" (um).
+    /// Independent values of eq. 55 for the pin on disc: distance (mm) and depth (um).
     const EQ_55: [[f64; 2]; 8] = [
         [5.0, 0.207803],
         [20.0, 0.415606],

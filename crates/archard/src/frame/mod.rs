@@ -66,7 +66,9 @@ impl ContactFrame {
             return Err(OffTheSurface { body, place: frame.place(pair) });
         }
         frame.gap = gap;
-        let touch = frame.gap.iter().copied().fold(f64::INFINITY, f64::min);
+        // The bodies may touch between pairs, where the apex of most profiles is.
+        let apex: f64 = profiles.iter().map(|profile| profile.recess(0.0, 0.0)).sum();
+        let touch = frame.gap.iter().copied().fold(apex, f64::min);
         frame.gap.iter_mut().for_each(|gap| *gap -= touch);
         Ok(frame)
     }
@@ -122,24 +124,44 @@ impl ContactFrame {
         field.iter().sum::<f64>() * self.element_area()
     }
 
-    /// Value of a smooth field at the frame's centre: the pair's own where one sits there, otherwise
-    /// the mean of the two or four around it, corrected for curvature by their next neighbours.
+    /// Value of a field at the frame's centre, in the field's unit: the pair's own where one sits
+    /// there, otherwise the mean of the two or four around it, corrected for curvature by their next
+    /// neighbours unless the field vanishes at one of those, as pressures do outside a contact.
     pub fn at_centre(&self, field: &[f64]) -> f64 {
-        let [nx, ny] = self.elements;
-        let weights = |n: usize| -> Vec<(usize, f64)> {
-            match (n % 2, n) {
-                (1, _) => vec![(n / 2, 1.0)],
-                (_, 2) => vec![(0, 0.5), (1, 0.5)],
-                _ => [-1.0, 9.0, 9.0, -1.0]
-                    .iter()
-                    .enumerate()
-                    .map(|(i, w)| (n / 2 - 2 + i, w / 16.0))
-                    .collect(),
+        let nearest = self.weigh(field, centre_nearest).0;
+        match self.weigh(field, centre_smooth) {
+            (value, true) => value,
+            (_, false) => nearest,
+        }
+    }
+
+    /// Weighs the values around the centre, and whether none of them is zero.
+    fn weigh(&self, field: &[f64], weights: fn(usize) -> Vec<(usize, f64)>) -> (f64, bool) {
+        let [along_x, along_y] = self.elements.map(weights);
+        let (mut sum, mut whole) = (0.0, true);
+        for (iy, weight_y) in &along_y {
+            for (ix, weight_x) in &along_x {
+                let value = field[ix + self.elements[0] * iy];
+                sum += weight_x * weight_y * value;
+                whole &= value != 0.0;
             }
-        };
-        let along_x = weights(nx);
-        let row = |iy: usize| along_x.iter().map(|(ix, w)| w * field[ix + nx * iy]).sum::<f64>();
-        weights(ny).iter().map(|(iy, w)| w * row(*iy)).sum()
+        }
+        (sum, whole)
+    }
+}
+
+/// Weights of the one or two places at the middle of `n`.
+fn centre_nearest(n: usize) -> Vec<(usize, f64)> {
+    if n.is_multiple_of(2) { vec![(n / 2 - 1, 0.5), (n / 2, 0.5)] } else { vec![(n / 2, 1.0)] }
+}
+
+/// Weights that are exact for cubics, where there are places enough.
+fn centre_smooth(n: usize) -> Vec<(usize, f64)> {
+    if n.is_multiple_of(2) && n >= 4 {
+        let weights = [-1.0, 9.0, 9.0, -1.0].into_iter().enumerate();
+        weights.map(|(i, weight)| (n / 2 - 2 + i, weight / 16.0)).collect()
+    } else {
+        centre_nearest(n)
     }
 }
 

@@ -193,7 +193,7 @@ mod tests {
         assert_eq!(summary["applications"], 44);
         assert_eq!(summary["last"]["distance_m"], 0.5);
         assert!(summary["last"]["time_error"].is_null());
-        // reference.md: Hertz and eq. 55 of this sphere.
+        // Hertz and eq. 55 of this sphere.
         let known = &summary["closed_form"];
         let peak = known["hertz"]["peak_pressure_Pa"].as_f64().unwrap();
         assert_relative_eq!(peak, 219.0547e6, max_relative = 3e-7);

@@ -14,6 +14,7 @@
 
 use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
+use crate::kinematics::Control;
 use crate::problem::ContactState;
 use crate::wear::Rubbing;
 
@@ -121,15 +122,16 @@ impl Adaptive {
             let trial = self.attempt(simulation, length, effort)?;
             let excess = trial.excess(self.tolerance);
             let change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
+            let smallest = SMALLEST * simulation.schedule.extent;
             if excess <= 1.0 {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
-                self.step =
-                    if shortened { self.step.max(change * length) } else { change * length };
+                let next = if shortened { self.step.max(change * length) } else { change * length };
+                self.step = next.max(smallest);
                 return Ok(self.accept(trial, effort));
             }
             effort.rejected += 1;
             self.step = length * change.min(0.8);
-            if self.step < SMALLEST * simulation.schedule.extent {
+            if self.step < smallest {
                 let measure = simulation.problem.kinematics.progress();
                 return Err(Error::StepTooSmall { measure, progress, step: self.step });
             }
@@ -154,7 +156,12 @@ impl Adaptive {
         coarse.implicit(simulation, leg(length, end), effort)?;
         fine.implicit(simulation, leg(0.5 * length, half), effort)?;
         fine.implicit(simulation, leg(0.5 * length, end), effort)?;
-        Ok(Trial::of(coarse, fine, &self.fine.state.pressure))
+        let mut trial = Trial::of(coarse, fine, &self.fine.state.pressure);
+        if matches!(simulation.schedule.control, Control::Approach(_)) {
+            // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
+            trial.lag = 0.0;
+        }
+        Ok(trial)
     }
 
     /// Takes a trial over and returns the state to put out: the fine history's contact with the

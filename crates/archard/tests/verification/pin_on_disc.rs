@@ -48,7 +48,7 @@ fn thirty_cells_and_five_millimetres() {
         let bound = if distance >= 300.0 { 0.006 } else { 0.01 };
         if distance >= 100.0 {
             assert_relative_eq!(depth(&state) * 1e6, reference, max_relative = bound);
-            assert_relative_eq!(state.approach * 1e6, approach, max_relative = 0.01);
+            assert_relative_eq!(state.approach * 1e6, approach, max_relative = 0.002);
             assert_relative_eq!(
                 frame.at_centre(&state.pressure) / 1e6,
                 centre,
@@ -159,7 +159,7 @@ fn steps_by_error_on_a_fine_grid() {
                 centre,
                 max_relative = 0.02
             );
-            assert_relative_eq!(state.approach * 1e6, approach, max_relative = 0.003);
+            assert_relative_eq!(state.approach * 1e6, approach, max_relative = 0.001);
         }
         assert_relative_eq!(
             frame.integrate(&state.worn[0]),
