@@ -203,3 +203,58 @@ fn an_unknown_flag_exits_with_two() {
     let dir = TempDir::new().unwrap();
     archard(&dir, &["run", "case.toml", "--fast"]).code(2);
 }
+
+/// A reader that has seen enough, `archard check ... | head -1`, and a full disc.
+#[cfg(target_os = "linux")]
+#[test]
+fn standard_output_may_be_closed_or_full() {
+    let shell = |line: &str| {
+        let program = assert_cmd::cargo::cargo_bin("archard");
+        let case = case("hertz");
+        let line =
+            line.replace("CHECK", &format!("'{}' check '{}'", program.display(), case.display()));
+        Command::new("bash").args(["-o", "pipefail", "-c", &line]).assert()
+    };
+    shell("CHECK | head -n 1").code(0);
+    let full = shell("CHECK > /dev/full").code(2);
+    assert!(said(&full).contains("cannot write to standard output"), "{}", said(&full));
+}
+
+/// Ctrl-C ends the run after a step, with exit code 3 and what was computed in its files.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_keeps_what_it_has() {
+    let dir = TempDir::new().unwrap();
+    let program = assert_cmd::cargo::cargo_bin("archard");
+    let mut run = std::process::Command::new(program)
+        .args(["run", case("pin_on_disc").to_str().unwrap(), "-o", "out", "--quiet"])
+        .args(["--set", "motion.sliding.step=0.002 mm"])
+        .current_dir(dir.path())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    let history = dir.path().join("out/history.csv");
+    let rows = || fs::read_to_string(&history).map_or(0, |text| text.lines().count());
+    let begun = std::time::Instant::now();
+    while rows() < 10 && begun.elapsed().as_secs() < 60 {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    let interrupt = format!("kill -INT {}", run.id());
+    Command::new("bash").args(["-c", &interrupt]).assert().success();
+    assert_eq!(run.wait().unwrap().code(), Some(3));
+    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
+    assert!(summary.contains("\"complete\": false"), "{summary}");
+    assert!(rows() >= 10);
+}
+
+#[test]
+fn threads_are_few_and_many_are_refused() {
+    let dir = TempDir::new().unwrap();
+    let hertz = case("hertz");
+    let hertz = hertz.to_str().unwrap();
+    archard(&dir, &["run", hertz, "-o", "out", "--threads", "1", "--quiet"]).success();
+    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
+    assert!(summary.contains("\"threads\": 1"), "{summary}");
+    let refused = archard(&dir, &["run", hertz, "-o", "out", "--threads", "100000"]).code(2);
+    assert!(said(&refused).contains("processors"), "{}", said(&refused));
+}

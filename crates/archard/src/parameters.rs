@@ -33,6 +33,9 @@ pub enum Quantity {
     Table,
 }
 
+/// What messages say of two parameters of which only one may be given.
+pub const EXCLUSIVE: &str = "exclude each other";
+
 /// What values of a numeric parameter are allowed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
@@ -174,10 +177,9 @@ impl Values {
             (None, None) => {
                 Err(Invalid::new(first, format!("one of `{first}` and `{second}` is needed")))
             }
-            (Some(_), Some(_)) => Err(Invalid::new(
-                second,
-                format!("`{first}` and `{second}` exclude each other: keep one"),
-            )),
+            (Some(_), Some(_)) => {
+                Err(Invalid::new(second, format!("`{first}` and `{second}` {EXCLUSIVE}: keep one")))
+            }
             given => Ok(given),
         }
     }

@@ -32,51 +32,108 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The modules of the crate a line names: after `crate::`, braces included.
-fn imports(line: &str) -> Vec<String> {
+/// The modules of the crate a text names after `crate::`, braces included, each with its line.
+fn imports(text: &str) -> Vec<(usize, String)> {
     let word = |text: &str| {
-        text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
+        text.trim_start()
+            .chars()
+            .take_while(|c| c.is_alphanumeric() || *c == '_')
+            .collect::<String>()
     };
     let mut modules = Vec::new();
-    for (at, found) in line.match_indices("crate::") {
-        let rest = &line[at + found.len()..];
+    for (at, found) in text.match_indices("crate::") {
+        let line = text[..at].matches('\n').count() + 1;
+        let rest = &text[at + found.len()..];
         match rest.strip_prefix('{') {
-            Some(list) => modules.extend(list.split(',').map(|part| word(part.trim()))),
-            None => modules.push(word(rest)),
+            Some(list) => modules.extend(outermost(list).iter().map(|part| (line, word(part)))),
+            None => modules.push((line, word(rest))),
         }
     }
+    modules.retain(|(_, module)| !module.is_empty());
     modules
+}
+
+/// The parts of a braced list, as far as its closing brace, parted by the commas that stand in no
+/// further braces.
+fn outermost(list: &str) -> Vec<String> {
+    let (mut depth, mut parts) = (1, vec![String::new()]);
+    for letter in list.chars() {
+        match letter {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            _ => {}
+        }
+        match (letter, depth) {
+            (_, 0) => break,
+            (',', 1) => parts.push(String::new()),
+            _ => parts.iter_mut().next_back().expect("one at least").push(letter),
+        }
+    }
+    parts
+}
+
+/// The sources with their module and its layer.
+fn layered_sources() -> Vec<(PathBuf, String, usize, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut files = Vec::new();
+    sources(&root, &mut files);
+    let mut layered = Vec::new();
+    for file in files {
+        let inside = file.strip_prefix(&root).expect("a file below the root").to_owned();
+        let first = inside.iter().next().and_then(|first| Path::new(first).file_stem());
+        let module = first.and_then(|stem| stem.to_str()).expect("a name").to_owned();
+        if module != "lib" {
+            let own = layer(&module)
+                .unwrap_or_else(|| panic!("`{module}` has no layer: add it to LAYERS"));
+            layered.push((inside, module, own, fs::read_to_string(&file).expect("a text")));
+        }
+    }
+    layered
 }
 
 #[test]
 fn modules_import_only_what_stands_below_them() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    sources(&root, &mut files);
     let mut wrong = Vec::new();
-    for file in files {
-        let inside = file.strip_prefix(&root).expect("a file below the root");
-        let module = inside
-            .iter()
-            .next()
-            .and_then(|first| Path::new(first).file_stem())
-            .and_then(|stem| stem.to_str());
-        let Some(module) = module.filter(|module| *module != "lib") else { continue };
-        let own =
-            layer(module).unwrap_or_else(|| panic!("`{module}` has no layer: add it to LAYERS"));
-        for (number, line) in fs::read_to_string(&file).expect("a text").lines().enumerate() {
-            for import in imports(line).iter().filter(|import| *import != module) {
-                if layer(import).is_some_and(|other| other >= own) {
-                    wrong.push(format!("{}:{}: {}", inside.display(), number + 1, line.trim()));
-                }
+    for (file, module, own, text) in layered_sources() {
+        for (line, import) in imports(&text) {
+            if import != module && layer(&import).is_some_and(|other| other >= own) {
+                wrong.push(format!("{}:{line}: {import}", file.display()));
             }
         }
     }
     assert!(wrong.is_empty(), "imports from the same layer or above:\n{}", wrong.join("\n"));
 }
 
+/// Only the border knows files, and nothing prints or looks at a clock.
 #[test]
-fn the_reader_of_imports_sees_braces() {
-    assert_eq!(imports("use crate::{body, frame::ContactFrame};"), ["body", "frame"]);
-    assert_eq!(imports("let x = crate::wear::Rubbing { pressure, slip };"), ["wear"]);
+fn the_library_is_silent_and_only_its_border_knows_files() {
+    let border = layer("output").expect("a layer");
+    let mut wrong = Vec::new();
+    for (file, _, own, text) in layered_sources() {
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let mut forbidden = vec!["println!", "print!", "Instant::", "SystemTime::"];
+        if own < border {
+            forbidden.extend(["std::fs", "File::"]);
+        }
+        wrong.extend(
+            forbidden
+                .iter()
+                .filter(|word| code.contains(**word))
+                .map(|word| format!("{}: {word}", file.display())),
+        );
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn the_reader_of_imports_sees_braces_and_lines() {
+    let names = |text: &str| imports(text).into_iter().map(|import| import.1).collect::<Vec<_>>();
+    assert_eq!(
+        names("use crate::{\n    body,\n    frame::{ContactFrame, VectorField},\n    wear,\n};"),
+        ["body", "frame", "wear"]
+    );
+    assert_eq!(
+        imports("\nlet x = crate::wear::Rubbing { pressure, slip };"),
+        [(2, "wear".to_owned())]
+    );
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
-use archard::case::CaseFile;
+use archard::case::{CaseFile, Solves};
 use archard::closed_form::Hertz;
 use archard::simulation::{Observer, Report, row};
 
@@ -70,6 +70,28 @@ fn one_step_may_be_the_whole_run() {
             1.33e-13 * 10.2 * 0.5,
             max_relative = 1e-5
         );
+    }
+}
+
+/// What `check` promises: exact for fixed steps, within a quarter for steps chosen by error.
+#[test]
+fn the_forecast_of_solves_is_right() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/pin_on_disc");
+    let promised = |options: &[&str]| {
+        let file = CaseFile::read(&folder).unwrap();
+        let file = options.iter().fold(file, |file, option| file.set(*option));
+        file.resolve().unwrap_or_else(|_| panic!("a case that holds")).forecast.solves
+    };
+    let by_error = ["motion.sliding.step=", "motion.sliding.tolerance=1e-2"];
+    let strict = ["motion.sliding.step=", "motion.sliding.tolerance=3e-4"];
+    for options in [&[][..], &by_error, &strict] {
+        let solves = run("pin_on_disc", options).last("solves");
+        match promised(options) {
+            Solves::Exactly(promised) => assert_eq!(promised as f64, solves),
+            Solves::About(promised) => {
+                assert_relative_eq!(promised as f64, solves, max_relative = 0.25)
+            }
+        }
     }
 }
 

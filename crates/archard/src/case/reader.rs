@@ -8,7 +8,7 @@ use super::nearest::nearest;
 use super::problem::{Problem, Source};
 use super::quantity;
 use super::tree::{Entry, Item, Node, Table};
-use crate::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
+use crate::parameters::{Choice, EXCLUSIVE, Invalid, Parameter, Quantity, Value, Values};
 
 /// Reads one case and collects what is wrong with it.
 pub(super) struct Reader<'a> {
@@ -202,7 +202,8 @@ impl Reader<'_> {
             return self.push(Problem::error(key, invalid.message));
         };
         let problem = Problem::error(section.key.child(&last.name), &*invalid.message);
-        let other = named.clone().rfind(|entry| entry.name != last.name);
+        let exclusive = invalid.message.contains(EXCLUSIVE);
+        let other = named.clone().rfind(|entry| exclusive && entry.name != last.name);
         self.push(match other {
             Some(other) => {
                 let key = section.key.child(&other.name);

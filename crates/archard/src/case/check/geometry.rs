@@ -52,6 +52,10 @@ fn largest_share(parts: &Parts<'_>, profile: &dyn Profile) -> f64 {
 /// Whether the bodies touch where a contact can grow.
 fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     let largest = gap.iter().copied().fold(0.0, f64::max);
+    if largest == 0.0 && parts.curvatures() != Some([0.0; 2]) {
+        let message = "no gap between the bodies at any element: the frame has too few elements";
+        return Some(Problem::error(Key::of(["frame", "elements"]), message));
+    }
     if largest == 0.0 {
         let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
         let message = "both surfaces are the same plane: the contact would fill the whole frame";

@@ -59,7 +59,7 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
     let wear = coefficient(parts, 1e8) * parts.motion.kinematics.slip(step);
     (wear > opening).then(|| {
         let message = format!(
-            "the explicit scheme is unstable with this step: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
+            "the explicit scheme is unstable with this step on square elements: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
             length(step * opening / wear)
         );
         Problem::warning(Key::of(["motion", parts.case.motion.choice.name, "step"]), message)
