@@ -2,13 +2,15 @@
 
 use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Forecast, Parts};
+use super::{Forecast, Parts, Solves};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::Stepping;
 
 /// Cells across the contact below which it is poorly resolved.
 const FEW_CELLS: f64 = 8.0;
+/// Contact solves beyond which a run is worth a warning.
+const MANY_SOLVES: u64 = 1_000_000;
 /// Share of the radius of curvature beyond which a body is no half-space under its contact.
 const WIDE: f64 = 0.3;
 /// Size of a comfortable frame in contact radii: the elastic fields need some room around.
@@ -21,6 +23,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(explicit(parts));
+    problems.extend(long(parts, forecast));
     if let Some(contact) = &forecast.contact {
         match too_small(parts, contact) {
             Some(problem) => problems.push(problem),
@@ -64,6 +67,17 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
         );
         Problem::warning(Key::of(["motion", parts.case.motion.choice.name, "step"]), message)
             .help("take the implicit scheme, shorter steps or larger elements")
+    })
+}
+
+/// More contact solves than anyone will wait for.
+fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
+    let (Solves::Exactly(solves) | Solves::About(solves)) = forecast.solves;
+    (solves > MANY_SOLVES).then(|| {
+        let motion = parts.case.motion.choice.name;
+        let message = format!("the run will take {:.0e} contact solves", solves as f64);
+        Problem::warning(Key::of(["motion", motion]), message)
+            .help("take longer steps or a larger tolerance")
     })
 }
 
