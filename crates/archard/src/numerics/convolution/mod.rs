@@ -5,7 +5,9 @@
 //! only the rows asked for are transformed back. Kernels are even or odd along each axis, so that
 //! their spectra are real up to a factor i, and half of each is stored.
 
-use std::cell::RefCell;
+mod buffers;
+mod spectrum;
+
 use std::fmt;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -13,53 +15,13 @@ use rayon::prelude::*;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex, num_complex::Complex64};
 use rustfft::{Fft, FftPlanner};
 
+pub use spectrum::{Parity, Spectrum};
+
+use buffers::{Buffers, grow};
+use spectrum::half_transform;
+
 /// Columns transformed together.
 const BLOCK: usize = 8;
-
-/// Whether a kernel keeps or changes its sign when an axis is reversed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Parity {
-    /// It keeps it.
-    Even,
-    /// It changes it.
-    Odd,
-}
-
-impl Parity {
-    /// The factor of a reversal.
-    fn sign(self) -> f64 {
-        if self == Parity::Even { 1.0 } else { -1.0 }
-    }
-
-    /// The part of the spectrum of a real sequence of this parity that does not vanish.
-    fn part(self, value: Complex64) -> f64 {
-        if self == Parity::Even { value.re } else { value.im }
-    }
-}
-
-/// The spectrum of a kernel, divided by the number of grid points.
-#[derive(Debug, Clone)]
-pub struct Spectrum {
-    /// Real factors, a column of the grid after the other, half a column each.
-    factors: Vec<f64>,
-    /// Along x and y.
-    parity: [Parity; 2],
-}
-
-impl Spectrum {
-    /// The spectrum whose values are those of `change` (real, for kernels even along both axes).
-    pub fn map(&self, change: impl Fn(f64) -> f64) -> Self {
-        Self {
-            factors: self.factors.iter().map(|&factor| change(factor)).collect(),
-            parity: self.parity,
-        }
-    }
-
-    /// Whether the factors are to be multiplied by i: a kernel odd along one axis only.
-    fn is_imaginary(&self) -> bool {
-        self.parity[0] != self.parity[1]
-    }
-}
 
 /// Plans and work space for convolutions on one grid.
 pub struct Convolution {
@@ -80,37 +42,6 @@ pub struct Convolution {
 struct Workspace {
     rows: Vec<Complex64>,
     blocks: Vec<Complex64>,
-}
-
-/// Work space of a thread, kept between transforms: fresh memory each time would cost the threads
-/// more than the transforms of a row.
-#[derive(Default)]
-struct Buffers {
-    values: Vec<f64>,
-    spectra: Vec<Complex64>,
-    scratch: Vec<Complex64>,
-}
-
-impl Buffers {
-    /// Lends buffers of these lengths, with anything in them.
-    fn lend(
-        [values, spectra, scratch]: [usize; 3],
-        work: impl FnOnce(&mut [f64], &mut [Complex64], &mut [Complex64]),
-    ) {
-        thread_local! {
-            static BUFFERS: RefCell<Buffers> = RefCell::default();
-        }
-        BUFFERS.with_borrow_mut(|own| {
-            own.values.resize(values.max(own.values.len()), 0.0);
-            own.spectra.resize(spectra.max(own.spectra.len()), Complex64::default());
-            own.scratch.resize(scratch.max(own.scratch.len()), Complex64::default());
-            work(
-                &mut own.values[..values],
-                &mut own.spectra[..spectra],
-                &mut own.scratch[..scratch],
-            );
-        });
-    }
 }
 
 impl fmt::Debug for Convolution {
@@ -378,40 +309,6 @@ impl Convolution {
             }
         }
     }
-}
-
-/// Brings a work space to a length; the threads touch fresh memory together.
-fn grow(space: &mut Vec<Complex64>, length: usize) {
-    if space.len() < length {
-        *space =
-            (0..length).into_par_iter().with_min_len(4096).map(|_| Complex64::default()).collect();
-    }
-    space.truncate(length);
-}
-
-/// The part that does not vanish of the transform of a periodic sequence, times `scale`; the sequence
-/// is given at offsets zero and greater, and the nearest image counts.
-fn half_transform(
-    plan: &Arc<dyn RealToComplex<f64>>,
-    half: impl Iterator<Item = f64>,
-    parity: Parity,
-    scale: f64,
-    out: &mut [f64],
-) {
-    let period = plan.len();
-    let lengths = [period, out.len(), plan.get_scratch_len()];
-    Buffers::lend(lengths, |values, spectrum, scratch| {
-        values.fill(0.0);
-        for (offset, value) in half.enumerate().take(period / 2 + 1) {
-            values[offset] = value;
-            if offset > 0 && 2 * offset < period {
-                values[period - offset] = parity.sign() * value;
-            }
-        }
-        plan.process_with_scratch(values, spectrum, scratch)
-            .expect("buffers of the planned length");
-        out.iter_mut().zip(spectrum).for_each(|(out, value)| *out = scale * parity.part(*value));
-    });
 }
 
 /// The smallest even number of prime factors 2, 3 and 5 that is not below `n`.
