@@ -13,14 +13,16 @@
 //! set = ["motion.sliding.step=10 mm"]    # more options, if any
 //! ```
 
-use std::error::Error;
+mod common;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use archard::case::CaseFile;
-use archard::simulation::{Observer, Report, row};
 use archard::units::{self, Measure};
 use toml::de::{DeTable, DeValue};
+
+use common::Rows;
 
 /// A number a case has to give.
 struct Expected {
@@ -29,17 +31,6 @@ struct Expected {
     at: Option<String>,
     value: String,
     within: f64,
-}
-
-/// Keeps the rows of a run.
-#[derive(Default)]
-struct Rows(Vec<Vec<(String, f64)>>);
-
-impl Observer for Rows {
-    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
-        self.0.push(row(report));
-        Ok(())
-    }
 }
 
 /// The folders of the cases.

@@ -1,39 +1,15 @@
 //! Cases run in ways the published ones are not, against closed forms and identities.
 
-use std::error::Error;
+mod common;
+
 use std::fmt::Write;
 use std::path::Path;
 
 use approx::assert_relative_eq;
 use archard::case::{CaseFile, Solves};
 use archard::closed_form::Hertz;
-use archard::simulation::{Observer, Report, row};
 
-/// Keeps the rows of a run.
-#[derive(Default)]
-struct Rows(Vec<Vec<(String, f64)>>);
-
-impl Observer for Rows {
-    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
-        self.0.push(row(report));
-        Ok(())
-    }
-}
-
-impl Rows {
-    /// A column.
-    fn column(&self, name: &str) -> Vec<f64> {
-        let value = |row: &Vec<(String, f64)>| {
-            row.iter().find_map(|(known, value)| (known == name).then_some(*value)).unwrap()
-        };
-        self.0.iter().map(value).collect()
-    }
-
-    /// The last value of a column.
-    fn last(&self, name: &str) -> f64 {
-        *self.column(name).last().unwrap()
-    }
-}
+use common::Rows;
 
 /// The rows of a published case with options.
 fn run(case: &str, options: &[&str]) -> Rows {

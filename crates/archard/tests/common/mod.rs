@@ -9,7 +9,7 @@ use archard::frame::ContactFrame;
 use archard::kinematics::{Control, MOTIONS, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
-use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation};
+use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation, row};
 use archard::solve::{SOLVERS, Solver, Step};
 use archard::wear::WEAR_LAWS;
 
@@ -152,4 +152,33 @@ pub fn depth(state: &ContactState) -> f64 {
 /// Largest value.
 pub fn peak(field: &[f64]) -> f64 {
     field.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Keeps the rows of a run.
+#[derive(Debug, Default)]
+pub struct Rows(pub Vec<Vec<(String, f64)>>);
+
+impl Observer for Rows {
+    fn observe(
+        &mut self,
+        report: &Report<'_>,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        self.0.push(row(report));
+        Ok(())
+    }
+}
+
+impl Rows {
+    /// A column.
+    pub fn column(&self, name: &str) -> Vec<f64> {
+        let value = |row: &Vec<(String, f64)>| {
+            row.iter().find_map(|(known, value)| (known == name).then_some(*value))
+        };
+        self.0.iter().map(|row| value(row).expect("a column of that name")).collect()
+    }
+
+    /// The last value of a column.
+    pub fn last(&self, name: &str) -> f64 {
+        *self.column(name).last().expect("a row")
+    }
 }
