@@ -2,4 +2,5 @@
 
 pub mod convolution;
 pub mod interpolate;
+pub mod upwind;
 pub mod vector;
