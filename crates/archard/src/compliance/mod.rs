@@ -2,12 +2,16 @@
 //! pairs to their relative displacements.
 
 pub mod half_space;
+mod slip;
 
 use std::fmt::Debug;
 
-use crate::frame::VectorField;
+use crate::frame::{ContactFrame, Direction, VectorField};
 
 pub use half_space::HalfSpace;
+pub use slip::SlipMap;
+
+use slip::Differenced;
 
 /// A linear map from tractions (Pa) to relative displacements (m) of the pairs.
 ///
@@ -27,6 +31,20 @@ pub trait Compliance: Debug + Send + Sync {
 
     /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone.
     fn normal_self_term(&self) -> f64;
+
+    /// Whether tangential tractions displace the pairs along n, and pressures across it.
+    fn couples(&self) -> bool {
+        true
+    }
+
+    /// How tangential tractions change the slip while the contact rolls on by one element of the frame.
+    fn rolling<'a>(
+        &'a self,
+        frame: &'a ContactFrame,
+        direction: Direction,
+    ) -> Box<dyn SlipMap + 'a> {
+        Box::new(Differenced::new(self, frame, direction))
+    }
 
     /// An approximate inverse of `apply_normal` with `addition` (m/Pa) on its diagonal, for
     /// iterations; symmetric and positive definite. By default a division by the diagonal.

@@ -12,8 +12,10 @@
 //!   body 2 over body 1.
 //! - A pair is the centre of a rectangular element of uniform traction; pair i = ix + nx iy.
 
+mod direction;
 mod field;
 
+pub use direction::Direction;
 pub use field::VectorField;
 
 use rayon::prelude::*;

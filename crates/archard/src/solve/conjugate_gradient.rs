@@ -9,7 +9,7 @@
 
 use super::residual::Measure;
 use super::start::first_guess;
-use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step};
+use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::compliance::Preconditioner;
 use crate::kinematics::Control;
 use crate::numerics::vector::{in_pool, sum, sweep, update};
@@ -19,7 +19,9 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
     name: "conjugate_gradient",
     meaning: "preconditioned conjugate gradients on the pairs in contact",
     parameters: PARAMETERS,
-    build: |values| Ok(Box::new(ConjugateGradient { settings: Settings::read(values, 500) })),
+    build: |values| {
+        Ok(Box::new(ConjugateGradient { settings: Settings::read(values, TOLERANCE, 500) }))
+    },
 };
 
 /// See the module.

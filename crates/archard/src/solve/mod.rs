@@ -1,4 +1,4 @@
-//! Solvers of one normal contact step.
+//! Solvers of one contact step: pressures here, friction in [`tangential`].
 //!
 //! The problem: p >= 0, g >= 0, p g = 0 on every pair, with the gap
 //! g = gap of the undeformed surfaces - approach + (C + D) p, where C is the compliance and D a
@@ -10,6 +10,7 @@
 mod conjugate_gradient;
 mod residual;
 mod start;
+pub mod tangential;
 mod uzawa;
 
 use std::fmt::Debug;
@@ -79,7 +80,7 @@ pub struct Outcome {
 /// What every solver is told.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Bound on the residual |min(p, g / c)| / |p| (2-norms; c: the compliance of a pair to its own
+    /// Bound on the residual; of pressures, |min(p, g / c)| / |p| (2-norms; c: the compliance of a pair to its own
     /// pressure), which measures both open gaps under pressure and penetrations.
     pub tolerance: f64,
     /// Iterations allowed.
@@ -98,18 +99,21 @@ pub trait Solver: Debug + Send + Sync {
 /// The solvers a case can name; the first is the default.
 pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uzawa::CHOICE];
 
+/// Bound on the residual where a case gives none.
+const TOLERANCE: f64 = 1e-8;
+
 /// The parameters every solver takes.
 const PARAMETERS: &[Parameter] = &[
-    Parameter::optional("tolerance", Quantity::Number, "bound on the residual; 1e-8 if not given")
+    Parameter::optional("tolerance", Quantity::Number, "bound on the residual")
         .bound(Bound::Between(0.0, 1.0)),
     Parameter::optional("max_iterations", Quantity::Count, "iterations allowed in a solve"),
 ];
 
 impl Settings {
-    /// The values given, the others as every solver has them.
-    fn read(values: &Values, max_iterations: usize) -> Self {
+    /// The values given, the others as the solver has them.
+    fn read(values: &Values, tolerance: f64, max_iterations: usize) -> Self {
         Self {
-            tolerance: values.number("tolerance").unwrap_or(1e-8),
+            tolerance: values.number("tolerance").unwrap_or(tolerance),
             max_iterations: values
                 .number("max_iterations")
                 .map_or(max_iterations, |count| count as usize),

@@ -6,7 +6,7 @@
 
 use super::residual::Measure;
 use super::start::first_guess;
-use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step};
+use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::kinematics::Control;
 use crate::numerics::vector;
 use crate::parameters::Choice;
@@ -15,7 +15,7 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
     name: "uzawa",
     meaning: "the paper's Uzawa iteration; slow, the reference for the others",
     parameters: PARAMETERS,
-    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, 1_000_000) })),
+    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, TOLERANCE, 1_000_000) })),
 };
 
 /// Penalty times the bound on the largest eigenvalue: a little below the limit of 2.

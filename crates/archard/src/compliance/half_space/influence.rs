@@ -66,6 +66,27 @@ impl Influence {
         Self { elements, ..self.clone() }
     }
 
+    /// The same on as few elements of twice the size as cover these.
+    pub(super) fn coarser(&self) -> Self {
+        let elements = self.elements.map(|n| n.div_ceil(2));
+        Self { elements, half: self.half.map(|half| 2.0 * half), ..*self }
+    }
+
+    /// Whether normal and tangential tractions act on one another.
+    pub(super) fn couples(&self) -> bool {
+        self.constants.coupling != 0.0
+    }
+
+    /// The larger tangential displacement under a unit traction on the element itself, less that of
+    /// the neighbour along an axis (m/Pa).
+    pub(super) fn rolling_self_term(&self, axis: usize) -> f64 {
+        let mut elements = [1, 1];
+        elements[axis] = 2;
+        let near = self.within(elements);
+        let along = |kernel: Vec<f64>| kernel[0] - kernel[1];
+        along(near.xx()).max(along(near.yy()))
+    }
+
     /// Normal displacement under a unit pressure on the element itself (m/Pa).
     pub(super) fn normal_self_term(&self) -> f64 {
         let [a, b] = self.half;

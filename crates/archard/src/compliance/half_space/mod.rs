@@ -2,16 +2,18 @@
 //! summed by fast convolution.
 
 mod influence;
+mod rolling;
 
 use std::fmt;
 use std::sync::OnceLock;
 
 use crate::body::Material;
-use crate::compliance::{Compliance, Preconditioner};
-use crate::frame::{ContactFrame, VectorField};
+use crate::compliance::{Compliance, Preconditioner, SlipMap};
+use crate::frame::{ContactFrame, Direction, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 use influence::{Constants, Influence};
+use rolling::Rolling;
 
 /// The sum of the compliances of two half-spaces on a uniform frame; a rigid body adds nothing.
 ///
@@ -21,18 +23,15 @@ pub struct HalfSpace {
     influence: Influence,
     convolution: Convolution,
     normal: Spectrum,
-    tangential: OnceLock<Tangential>,
+    /// xx, xy and yy.
+    tangential: OnceLock<[Spectrum; 3]>,
+    /// xn and yn.
+    coupling: OnceLock<[Spectrum; 2]>,
     periodic: OnceLock<(Convolution, Spectrum)>,
-}
-
-/// The spectra of the other components.
-#[derive(Debug)]
-struct Tangential {
-    xx: Spectrum,
-    yy: Spectrum,
-    xy: Spectrum,
-    xn: Spectrum,
-    yn: Spectrum,
+    /// The inverse of the tangential compliance of a frame that repeats itself: xx, xy and yy.
+    tangential_inverse: OnceLock<(Convolution, [Spectrum; 3])>,
+    /// The same half-spaces under elements of twice the size.
+    coarser: OnceLock<Box<HalfSpace>>,
 }
 
 impl fmt::Debug for HalfSpace {
@@ -44,32 +43,75 @@ impl fmt::Debug for HalfSpace {
 impl HalfSpace {
     /// The half-spaces of these materials under the elements of a frame; `None` for a rigid body.
     pub fn new(materials: [Option<&Material>; 2], frame: &ContactFrame) -> Self {
-        let influence = Influence::new(Constants::of(materials), frame.elements(), frame.spacing());
-        let convolution = Convolution::padded(frame.elements());
-        let normal = convolution.spectrum(&influence.nn(), frame.elements()[0], [Parity::Even; 2]);
+        Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()))
+    }
+
+    fn on(influence: Influence) -> Self {
+        let elements = influence.elements();
+        let convolution = Convolution::padded(elements);
+        let normal = convolution.spectrum(&influence.nn(), elements[0], [Parity::Even; 2]);
         Self {
             influence,
             convolution,
             normal,
             tangential: OnceLock::new(),
+            coupling: OnceLock::new(),
             periodic: OnceLock::new(),
+            tangential_inverse: OnceLock::new(),
+            coarser: OnceLock::new(),
         }
     }
 
-    fn tangential(&self) -> &Tangential {
-        self.tangential.get_or_init(|| {
+    /// Kernels xx, xy and yy.
+    fn tangential(&self) -> [&Spectrum; 3] {
+        let spectra = self.tangential.get_or_init(|| {
+            // One more offset than the field has, to difference the results along an axis.
+            let influence = self.influence.within(self.influence.elements().map(|n| n + 1));
+            tangential_spectra(&influence, &self.convolution)
+        });
+        spectra.each_ref()
+    }
+
+    /// Kernels xn and yn.
+    fn coupling(&self) -> &[Spectrum; 2] {
+        self.coupling.get_or_init(|| {
             use Parity::{Even, Odd};
             let width = self.influence.elements()[0];
-            let spectrum =
-                |kernel: Vec<f64>, parity| self.convolution.spectrum(&kernel, width, parity);
-            Tangential {
-                xx: spectrum(self.influence.xx(), [Even, Even]),
-                yy: spectrum(self.influence.yy(), [Even, Even]),
-                xy: spectrum(self.influence.xy(), [Odd, Odd]),
-                xn: spectrum(self.influence.xn(), [Odd, Even]),
-                yn: spectrum(self.influence.yn(), [Even, Odd]),
-            }
+            [
+                self.convolution.spectrum(&self.influence.xn(), width, [Odd, Even]),
+                self.convolution.spectrum(&self.influence.yn(), width, [Even, Odd]),
+            ]
         })
+    }
+
+    /// The inverse of the tangential compliance as if the frame repeated itself without end.
+    fn tangential_inverse(&self) -> &(Convolution, [Spectrum; 3]) {
+        self.tangential_inverse.get_or_init(|| {
+            let convolution = Convolution::periodic(self.influence.elements());
+            let influence = self.influence.within(self.reach(&convolution));
+            let compliance = tangential_spectra(&influence, &convolution);
+            let points = convolution.period().iter().product::<usize>() as f64;
+            // The images cut off at half a period must not bring a value near zero or below.
+            let floor = FLOOR * self.normal_self_term();
+            let inverse = Spectrum::combine(&compliance, |[xx, xy, yy]| {
+                let (xx, xy, yy) =
+                    ((xx * points).max(floor), xy * points, (yy * points).max(floor));
+                let determinant = (xx * yy - xy * xy).max(FLOOR * xx * yy);
+                [yy, -xy, xx].map(|value| value / (determinant * points))
+            });
+            (convolution, inverse)
+        })
+    }
+
+    /// The same half-spaces under elements of twice the size, one more where their number is odd.
+    fn coarser(&self) -> &HalfSpace {
+        self.coarser.get_or_init(|| Box::new(Self::on(self.influence.coarser())))
+    }
+
+    /// The most offsets along each axis of a kernel on a grid that repeats itself.
+    fn reach(&self, convolution: &Convolution) -> [usize; 2] {
+        let elements = self.influence.elements();
+        [0, 1].map(|axis| elements[axis].min(convolution.period()[axis] / 2 + 1))
     }
 
     /// The normal compliance as if the frame repeated itself without end.
@@ -77,7 +119,7 @@ impl HalfSpace {
         self.periodic.get_or_init(|| {
             let elements = self.influence.elements();
             let convolution = Convolution::periodic(elements);
-            let reach = [0, 1].map(|axis| elements[axis].min(convolution.period()[axis] / 2 + 1));
+            let reach = self.reach(&convolution);
             let kernel = self.influence.within(reach).nn();
             let spectrum = convolution.spectrum(&kernel, reach[0], [Parity::Even; 2]);
             (convolution, spectrum)
@@ -87,14 +129,17 @@ impl HalfSpace {
 
 impl Compliance for HalfSpace {
     fn apply(&self, tractions: &VectorField) -> VectorField {
-        let Tangential { xx, yy, xy, xn, yn } = self.tangential();
+        let [xx, xy, yy] = self.tangential();
+        let [xn, yn] = self.coupling();
         let kernels = [
             [(xx, 1.0), (xy, 1.0), (xn, 1.0)],
             [(xy, 1.0), (yy, 1.0), (yn, 1.0)],
             [(xn, -1.0), (yn, -1.0), (&self.normal, 1.0)],
         ];
-        let [t1, t2, n] = self.convolution.apply_matrix(kernels, tractions.components());
-        VectorField { t1, t2, n }
+        let mut displacements = VectorField::zeros(tractions.n.len());
+        let VectorField { t1, t2, n } = &mut displacements;
+        self.convolution.apply_matrix(kernels, tractions.components(), [t1, t2, n]);
+        displacements
     }
 
     fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
@@ -105,10 +150,32 @@ impl Compliance for HalfSpace {
         self.influence.normal_self_term()
     }
 
+    fn couples(&self) -> bool {
+        self.influence.couples()
+    }
+
+    fn rolling<'a>(&'a self, _: &'a ContactFrame, direction: Direction) -> Box<dyn SlipMap + 'a> {
+        Box::new(Rolling::new(self, direction))
+    }
+
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         let (convolution, spectrum) = self.periodic();
         Box::new(Circulant::new(convolution, spectrum, self.normal_self_term(), addition))
     }
+}
+
+/// The smallest value of a spectrum, relative to the self term: below the smallest eigenvalue on square
+/// elements, 0.53 of it.
+const FLOOR: f64 = 0.25;
+
+/// The spectra of xx, xy and yy.
+fn tangential_spectra(influence: &Influence, convolution: &Convolution) -> [Spectrum; 3] {
+    let width = influence.elements()[0];
+    [
+        convolution.spectrum(&influence.xx(), width, [Parity::Even; 2]),
+        convolution.spectrum(&influence.xy(), width, [Parity::Odd; 2]),
+        convolution.spectrum(&influence.yy(), width, [Parity::Even; 2]),
+    ]
 }
 
 /// Division by the spectrum of the compliance of a frame that repeats itself: nearly the inverse
@@ -128,9 +195,8 @@ impl<'a> Circulant<'a> {
     ) -> Self {
         // A spectrum carries the factor 1/points of one convolution; its inverse has to carry it too.
         let points = convolution.period().iter().product::<usize>() as f64;
-        // The smallest eigenvalue on square elements is 0.53 of the self term; the images cut off at
-        // half a period must not bring a value near zero or below.
-        let floor = 0.25 * self_term;
+        // The images cut off at half a period must not bring a value near zero or below.
+        let floor = FLOOR * self_term;
         let inverse = spectrum.map(|value| 1.0 / ((value * points).max(floor) + addition) / points);
         Self { convolution, inverse }
     }

@@ -6,6 +6,7 @@
 //! their spectra are real up to a factor i, and half of each is stored.
 
 mod buffers;
+mod difference;
 mod spectrum;
 
 use std::fmt;
@@ -15,6 +16,7 @@ use rayon::prelude::*;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex, num_complex::Complex64};
 use rustfft::{Fft, FftPlanner};
 
+pub use difference::Difference;
 pub use spectrum::{Parity, Spectrum};
 
 use buffers::{Buffers, grow};
@@ -109,13 +111,9 @@ impl Convolution {
 
     /// Convolves one field with one kernel, into `result`.
     pub fn apply(&self, spectrum: &Spectrum, field: &[f64], result: &mut [f64]) {
-        let mut space = self.take_space(1);
-        self.transform_rows(field, &mut space.rows);
-        self.transform_columns(&space.rows, 1, &mut space.blocks, |column, spectra| {
-            self.multiply(spectrum, column, spectra)
+        self.apply_columns([field], [result], |column, spectra| {
+            self.multiply(spectrum, column, spectra);
         });
-        self.collect_rows(&space.blocks, result);
-        self.give_back(space);
     }
 
     /// Convolves `N` fields with a matrix of kernels: result i is the sum over j of kernel (i, j),
@@ -124,29 +122,58 @@ impl Convolution {
         &self,
         kernels: [[(&Spectrum, f64); N]; N],
         fields: [&[f64]; N],
-    ) -> [Vec<f64>; N] {
+        results: [&mut [f64]; N],
+    ) {
+        self.apply_columns(fields, results, |column, spectra| {
+            self.multiply_matrix(&kernels, column, spectra);
+        });
+    }
+
+    /// Convolves two fields with a symmetric matrix of real spectra, of which (0, 1) is odd along both
+    /// axes, and takes from each result its own value one element upstream.
+    pub fn apply_differenced(
+        &self,
+        kernels: [&Spectrum; 3],
+        difference: &Difference,
+        fields: [&[f64]; 2],
+        results: [&mut [f64]; 2],
+    ) {
+        self.apply_columns(fields, results, |column, spectra| {
+            self.multiply_pair(kernels, column, spectra);
+            difference.multiply(column, self.period[1], spectra);
+        });
+    }
+
+    /// Convolves two fields with a symmetric matrix of real spectra, of which (0, 1) is odd along both
+    /// axes.
+    pub fn apply_pair(
+        &self,
+        kernels: [&Spectrum; 3],
+        fields: [&[f64]; 2],
+        results: [&mut [f64]; 2],
+    ) {
+        self.apply_columns(fields, results, |column, spectra| {
+            self.multiply_pair(kernels, column, spectra);
+        });
+    }
+
+    /// Transforms fields, lets `multiply` change their columns, and transforms them back.
+    fn apply_columns<const N: usize>(
+        &self,
+        fields: [&[f64]; N],
+        results: [&mut [f64]; N],
+        multiply: impl Fn(usize, &mut [Complex64]) + Sync,
+    ) {
         let mut space = self.take_space(N);
         let rows_length = self.columns() * self.size[1];
         for (field, rows) in fields.iter().zip(space.rows.chunks_mut(rows_length)) {
             self.transform_rows(field, rows);
         }
-        self.transform_columns(&space.rows, N, &mut space.blocks, |column, spectra| {
-            self.multiply_matrix(&kernels, column, spectra)
-        });
-        let block_length = self.block_length();
-        let results = std::array::from_fn(|component| {
-            let mut result = vec![0.0; self.size[0] * self.size[1]];
-            let blocks: Vec<Complex64> = space
-                .blocks
-                .chunks(N * block_length)
-                .flat_map(|block| &block[component * block_length..][..block_length])
-                .copied()
-                .collect();
-            self.collect_rows(&blocks, &mut result);
-            result
-        });
+        self.transform_columns(&space.rows, N, &mut space.blocks, multiply);
+        for (component, result) in results.into_iter().enumerate() {
+            self.collect_rows(&space.blocks, [component, N], result);
+        }
         self.give_back(space);
-        results
     }
 
     fn block_length(&self) -> usize {
@@ -238,16 +265,22 @@ impl Convolution {
         });
     }
 
-    /// Transforms the rows of a result back.
-    fn collect_rows(&self, blocks: &[Complex64], result: &mut [f64]) {
+    /// Transforms the rows of one of several components back.
+    fn collect_rows(
+        &self,
+        blocks: &[Complex64],
+        [component, components]: [usize; 2],
+        result: &mut [f64],
+    ) {
         let nx = self.size[0];
         let (columns, block_length) = (self.columns(), self.block_length());
+        let place = |block: usize| (block * components + component) * block_length;
         let plan = &self.row_inverse;
         let lengths = [self.period[0], columns, plan.get_scratch_len()];
         result.par_chunks_mut(nx).enumerate().for_each(|(row, out)| {
             Buffers::lend(lengths, |values, spectrum, scratch| {
                 let (whole, rest) = spectrum.as_chunks_mut::<BLOCK>();
-                let row_of = |block: usize| &blocks[block * block_length + row * BLOCK..][..BLOCK];
+                let row_of = |block: usize| &blocks[place(block) + row * BLOCK..][..BLOCK];
                 for (block, part) in whole.iter_mut().enumerate() {
                     part.copy_from_slice(row_of(block));
                 }
@@ -278,6 +311,24 @@ impl Convolution {
         let sign = spectrum.parity[1].sign();
         let mirrored = &factors[1..][..high.len()];
         high.iter_mut().rev().zip(mirrored).for_each(|(value, factor)| *value *= sign * factor);
+    }
+
+    /// Multiplies the columns of two fields by a symmetric matrix of kernels, the outer ones even along
+    /// both axes and the middle one odd along both.
+    fn multiply_pair(&self, kernels: [&Spectrum; 3], column: usize, values: &mut [Complex64]) {
+        let my = self.period[1];
+        let [xx, xy, yy] = kernels.map(|spectrum| self.factors(spectrum, column));
+        let (first, second) = values.split_at_mut(my);
+        let turn = |x: &mut Complex64, y: &mut Complex64, [xx, xy, yy]: [f64; 3]| {
+            (*x, *y) = (*x * xx + *y * xy, *x * xy + *y * yy);
+        };
+        for ky in 0..xx.len() {
+            turn(&mut first[ky], &mut second[ky], [xx[ky], xy[ky], yy[ky]]);
+        }
+        for ky in xx.len()..my {
+            let mirror = my - ky;
+            turn(&mut first[ky], &mut second[ky], [xx[mirror], -xy[mirror], yy[mirror]]);
+        }
     }
 
     /// Multiplies the columns of several fields by a matrix of kernels.
@@ -328,7 +379,7 @@ fn even_smooth(n: usize) -> usize {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Convolution, Parity, even_smooth};
+    use super::{Convolution, Difference, Parity, even_smooth};
 
     /// The sum a convolution stands for, term by term.
     fn direct(size: [usize; 2], kernel: &[f64], parity: [Parity; 2], field: &[f64]) -> Vec<f64> {
@@ -372,7 +423,8 @@ mod tests {
                 let field = scattered(nx * ny, 7.7);
                 let spectrum = convolution.spectrum(&kernel, nx, parity);
                 let expected = direct(size, &kernel, parity, &field);
-                let [result] = convolution.apply_matrix([[(&spectrum, 1.0)]], [&field]);
+                let mut result = vec![0.0; nx * ny];
+                convolution.apply_matrix([[(&spectrum, 1.0)]], [&field], [&mut result]);
                 for (a, b) in result.iter().zip(&expected) {
                     assert_relative_eq!(a, b, epsilon = 1e-12);
                 }
@@ -383,6 +435,68 @@ mod tests {
                         assert_relative_eq!(a, b, epsilon = 1e-12);
                     }
                 }
+            }
+        }
+    }
+
+    /// Two fields under a symmetric matrix of kernels, and the difference of the results along both axes
+    /// in both senses, against sums over the elements.
+    #[test]
+    fn pairs_and_differences_equal_the_sum() {
+        for size in [[7, 5], [8, 15]] {
+            let [nx, ny] = size;
+            let convolution = Convolution::padded(size);
+            // One more offset than the field has, for the neighbours of its outermost elements.
+            let kernel = |seed: f64| scattered((nx + 1) * (ny + 1), seed);
+            let mut kernels = [kernel(0.1), kernel(0.2), kernel(0.3)];
+            for (place, value) in kernels[1].iter_mut().enumerate() {
+                let offset = [place % (nx + 1), place / (nx + 1)];
+                if offset[0] % nx == 0 || offset[1] % ny == 0 {
+                    *value = 0.0;
+                }
+            }
+            let parities = [[Parity::Even; 2], [Parity::Odd; 2], [Parity::Even; 2]];
+            let spectra = [0, 1, 2]
+                .map(|index| convolution.spectrum(&kernels[index], nx + 1, parities[index]));
+            let fields = [scattered(nx * ny, 5.1), scattered(nx * ny, 6.3)];
+            // The result at an element, which may lie one outside the field.
+            let at = |component: usize, x: isize, y: isize| -> f64 {
+                let mut sum = 0.0;
+                for (other, (one, two)) in fields[0].iter().zip(&fields[1]).enumerate() {
+                    let offset = [x - (other % nx) as isize, y - (other / nx) as isize];
+                    let place = offset[0].unsigned_abs() + (nx + 1) * offset[1].unsigned_abs();
+                    let sign = (offset[0].signum() * offset[1].signum()) as f64;
+                    let [xx, xy, yy] = [0, 1, 2].map(|index| kernels[index][place]);
+                    sum += if component == 0 {
+                        xx * one + sign * xy * two
+                    } else {
+                        sign * xy * one + yy * two
+                    };
+                }
+                sum
+            };
+            let kernels = spectra.each_ref();
+            let inputs = [&fields[0][..], &fields[1][..]];
+            let (mut one, mut two) = (vec![0.0; nx * ny], vec![0.0; nx * ny]);
+            for (axis, reversed) in [(0, false), (0, true), (1, false), (1, true)] {
+                let difference = Difference::new(&convolution, axis, reversed);
+                convolution.apply_differenced(kernels, &difference, inputs, [&mut one, &mut two]);
+                let shift = if reversed { 1 } else { -1 };
+                for pair in 0..nx * ny {
+                    let [x, y] = [(pair % nx) as isize, (pair / nx) as isize];
+                    let upstream = if axis == 0 { [x + shift, y] } else { [x, y + shift] };
+                    for (component, found) in [one[pair], two[pair]].into_iter().enumerate() {
+                        let expected =
+                            at(component, x, y) - at(component, upstream[0], upstream[1]);
+                        assert_relative_eq!(found, expected, epsilon = 1e-11);
+                    }
+                }
+            }
+            convolution.apply_pair(kernels, inputs, [&mut one, &mut two]);
+            for pair in 0..nx * ny {
+                let [x, y] = [(pair % nx) as isize, (pair / nx) as isize];
+                assert_relative_eq!(one[pair], at(0, x, y), epsilon = 1e-11);
+                assert_relative_eq!(two[pair], at(1, x, y), epsilon = 1e-11);
             }
         }
     }

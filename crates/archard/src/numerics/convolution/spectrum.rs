@@ -45,6 +45,19 @@ impl Spectrum {
         }
     }
 
+    /// Spectra made of others, value by value; each keeps the parity of the one in its place.
+    pub fn combine<const N: usize>(
+        spectra: &[Self; N],
+        change: impl Fn([f64; N]) -> [f64; N],
+    ) -> [Self; N] {
+        let mut result = spectra.clone();
+        for index in 0..spectra.first().map_or(0, |spectrum| spectrum.factors.len()) {
+            let values = change(spectra.each_ref().map(|spectrum| spectrum.factors[index]));
+            result.iter_mut().zip(values).for_each(|(to, value)| to.factors[index] = value);
+        }
+        result
+    }
+
     /// Whether the factors are to be multiplied by i: a kernel odd along one axis only.
     pub(super) fn is_imaginary(&self) -> bool {
         self.parity[0] != self.parity[1]

@@ -1,0 +1,75 @@
+//! How tangential tractions change the slip of the pairs, seen by the solvers of friction.
+
+use std::fmt::Debug;
+
+use super::Compliance;
+use crate::frame::{ContactFrame, Direction, VectorField};
+
+/// A linear map from tangential tractions (Pa) to the slip (m) they take away.
+///
+/// In steady rolling the slip is that of a particle on its way from the pair ahead: the difference of
+/// the elastic displacements of the two. The map is monotone, t . B t >= 0, but nearly skew.
+pub trait SlipMap: Debug + Send + Sync {
+    /// The slip (m) that tractions (Pa) take away, along t1 and t2, one value a pair.
+    fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]);
+
+    /// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
+    fn own(&self) -> f64;
+
+    /// Tractions (Pa) that nearly take a slip (m) away from the sticking pairs (ones in `stick`, zeros
+    /// elsewhere) while the others bear none. By default a division by `own`.
+    fn undo(&self, slip: [&[f64]; 2], stick: &[f64], tractions: [&mut [f64]; 2]) {
+        for (tractions, slip) in tractions.into_iter().zip(slip) {
+            for ((traction, slip), stick) in tractions.iter_mut().zip(slip).zip(stick) {
+                *traction = stick * slip / self.own();
+            }
+        }
+    }
+
+    /// The same map on elements of twice the size, the first of which begins where these do, and their
+    /// number; `None` where that is not possible.
+    fn coarser(&self) -> Option<(Box<dyn SlipMap + '_>, [usize; 2])> {
+        None
+    }
+}
+
+/// Steady rolling on any compliance of a uniform frame.
+#[derive(Debug)]
+pub(super) struct Differenced<'a, C: ?Sized> {
+    compliance: &'a C,
+    elements: [usize; 2],
+    direction: Direction,
+    own: f64,
+}
+
+impl<'a, C: Compliance + ?Sized> Differenced<'a, C> {
+    pub fn new(compliance: &'a C, frame: &ContactFrame, direction: Direction) -> Self {
+        let elements = frame.elements();
+        let mut map = Self { compliance, elements, direction, own: 0.0 };
+        let middle = frame.len() / 2;
+        for axis in 0..2 {
+            let mut unit = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+            let mut slip = unit.clone();
+            unit[axis][middle] = 1.0;
+            let [t1, t2] = &mut slip;
+            map.apply([&unit[0], &unit[1]], [t1, t2]);
+            map.own = map.own.max(slip[axis][middle]);
+        }
+        map
+    }
+}
+
+impl<C: Compliance + ?Sized> SlipMap for Differenced<'_, C> {
+    fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]) {
+        let [t1, t2] = tractions.map(<[f64]>::to_vec);
+        let n = vec![0.0; t1.len()];
+        let displacement = self.compliance.apply(&VectorField { t1, t2, n });
+        for (slip, displacement) in slip.into_iter().zip([&displacement.t1, &displacement.t2]) {
+            slip.copy_from_slice(&self.direction.gained(displacement, self.elements));
+        }
+    }
+
+    fn own(&self) -> f64 {
+        self.own
+    }
+}

@@ -1,0 +1,31 @@
+//! Friction laws: how much tangential traction a pair bears.
+//!
+//! A new law is one file here and one line in [`FRICTION`].
+
+mod coulomb;
+
+use std::fmt::Debug;
+
+use crate::parameters::Choice;
+
+/// The admissible tangential tractions under a pressure: a disc around zero.
+pub trait Friction: Debug + Send + Sync {
+    /// Largest tangential traction (Pa) that a pair bears under a pressure (Pa); must not fall as the
+    /// pressure grows, and be zero without pressure.
+    fn limit(&self, pressure: f64) -> f64;
+
+    /// The admissible traction (Pa) next to a trial one (Pa), under a pressure (Pa): the projection of
+    /// the augmented Lagrangian (the paper's eq. 11, with the sign of its eq. 10).
+    fn project(&self, trial: [f64; 2], pressure: f64) -> [f64; 2] {
+        onto_disc(trial, self.limit(pressure))
+    }
+}
+
+/// The friction laws a case can name.
+pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE];
+
+/// The point of a disc around zero that is next to a point.
+pub fn onto_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
+    let length = x.hypot(y);
+    if length <= radius { [x, y] } else { [x, y].map(|value| value * (radius / length)) }
+}

@@ -1,0 +1,146 @@
+//! Projection and contraction for monotone operators.
+//!
+//! B. He and L.-Z. Liao, *J. Optim. Theory Appl.* 112 (2002) 111: a projection predicts, and a step along
+//! the direction that it and a second application of the operator give contracts the distance to the
+//! solution, whatever the operator, if it is monotone. The length of the projection's step adapts
+//! itself. Forces that are given enter as unknown slips, which adds a skew border to the operator.
+
+use super::pairs::{Pairs, State};
+use super::{FrictionSolver, Outcome, Start, Step, TOLERANCE};
+use crate::numerics::vector::{in_pool, sum};
+use crate::parameters::Choice;
+use crate::solve::{PARAMETERS, Settings, Status};
+
+pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
+    name: "projection_contraction",
+    meaning: "projection and contraction with self-adaptive steps; slow but sure",
+    parameters: PARAMETERS,
+    build: |values| {
+        Ok(Box::new(ProjectionContraction { settings: Settings::read(values, TOLERANCE, 10_000) }))
+    },
+};
+
+/// Relaxation of the contraction, below 2.
+const RELAXATION: f64 = 1.8;
+/// Ratio of the change of the slip to that of the tractions above which a step is shortened, and below
+/// which the next is lengthened.
+const RATIO: (f64, f64) = (0.9, 0.5);
+
+/// See the module.
+#[derive(Debug)]
+struct ProjectionContraction {
+    settings: Settings,
+}
+
+impl FrictionSolver for ProjectionContraction {
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        in_pool(|| {
+            let mut pairs = Pairs::of(step);
+            let state = pairs.start(start);
+            let mut iteration = Contraction::new(&pairs, state);
+            let mut count = 0;
+            loop {
+                let residual = pairs.residual(&iteration.state);
+                let status = if residual <= self.settings.tolerance {
+                    Status::Converged
+                } else if count == self.settings.max_iterations {
+                    Status::OutOfIterations
+                } else {
+                    count += 1;
+                    iteration.advance(&mut pairs);
+                    continue;
+                };
+                return pairs.finish(iteration.state, status, count, residual);
+            }
+        })
+    }
+
+    fn settings(&self) -> Settings {
+        self.settings
+    }
+}
+
+/// The state of an iteration.
+pub(super) struct Contraction {
+    /// The last prediction, within the limits.
+    pub state: State,
+    /// The iterate, which may lie beyond them.
+    iterate: State,
+    /// Step of the projection (Pa/m).
+    step: f64,
+    /// Unit (m/Pa) in which a slip that is found counts beside the tractions.
+    unit: f64,
+}
+
+impl Contraction {
+    pub fn new(pairs: &Pairs<'_>, state: State) -> Self {
+        let unit = pairs.own / (pairs.len().max(1) as f64).sqrt();
+        Self { iterate: state.clone(), state, step: 1.0 / pairs.own, unit }
+    }
+
+    /// One iteration: two applications, more where the step has to be shortened.
+    pub fn advance(&mut self, pairs: &mut Pairs<'_>) {
+        let force = |traction: &[f64], pairs: &Pairs<'_>| -> Vec<f64> {
+            let area = pairs.step.element_area;
+            pairs.missing(traction).into_iter().map(|missing| missing / area).collect()
+        };
+        let missing = force(&self.iterate.traction, pairs);
+        loop {
+            let Self { iterate, step, unit, .. } = &*self;
+            let mut trial = iterate.clone();
+            for (traction, slip) in trial.traction.iter_mut().zip(&iterate.slip) {
+                *traction += step * slip;
+            }
+            pairs.project(&mut trial.traction);
+            for (found, missing) in trial.found.iter_mut().zip(&missing) {
+                *found += step * unit * unit * missing;
+            }
+            pairs.find_slip(&mut trial);
+            let left = force(&trial.traction, pairs);
+            // Changes of the unknowns, in Pa, and of the operator's values times the step.
+            let [moved, changed, product] = sum(
+                [&iterate.traction, &trial.traction, &iterate.slip, &trial.slip],
+                |[before, after, slip, trial_slip]| {
+                    let (e, d) = (before - after, step * (trial_slip - slip));
+                    [e * e, d * d, e * d]
+                },
+            );
+            let (mut moved, mut changed, mut product) = (moved, changed, product);
+            for index in 0..missing.len() {
+                let e = (iterate.found[index] - trial.found[index]) / unit;
+                let d = step * unit * (left[index] - missing[index]);
+                moved += e * e;
+                changed += d * d;
+                product += e * d;
+            }
+            if moved == 0.0 {
+                self.state = trial;
+                return;
+            }
+            let ratio = (changed / moved).sqrt();
+            if ratio > RATIO.0 {
+                self.step *= 0.7 * (1.0 / ratio).min(1.0);
+                continue;
+            }
+            let length = RELAXATION * (moved - product) / (moved - 2.0 * product + changed);
+            let step = *step;
+            let mut next = iterate.clone();
+            for index in 0..next.traction.len() {
+                let e = iterate.traction[index] - trial.traction[index];
+                let d = step * (trial.slip[index] - iterate.slip[index]);
+                next.traction[index] -= length * (e - d);
+            }
+            for index in 0..missing.len() {
+                let e = iterate.found[index] - trial.found[index];
+                let d = step * unit * unit * (left[index] - missing[index]);
+                next.found[index] -= length * (e - d);
+            }
+            pairs.find_slip(&mut next);
+            (self.iterate, self.state) = (next, trial);
+            if ratio < RATIO.1 {
+                self.step *= 1.3;
+            }
+            return;
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! Solvers of friction under known pressures.
+//!
+//! The problem: on every pair the traction t is bounded, |t| <= limit, and where the slip s is not
+//! zero t has that length and the direction of s. The slip is that of the rigid bodies less what
+//! the tractions take away, s = rigid - B t. Instead of a rigid slip along some direction the force
+//! along it may be given; the slip follows.
+//!
+//! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
+
+mod contraction;
+mod newton;
+mod pairs;
+mod uzawa;
+
+use std::fmt::Debug;
+
+use super::{Settings, Status};
+use crate::compliance::SlipMap;
+use crate::parameters::Choice;
+
+/// One step of friction.
+#[derive(Debug, Clone, Copy)]
+pub struct Step<'a> {
+    /// How tractions change the slip.
+    pub map: &'a dyn SlipMap,
+    /// Number of elements along x and y.
+    pub elements: [usize; 2],
+    /// Area of an element (m^2).
+    pub element_area: f64,
+    /// Largest traction (Pa), one value a pair; zero outside the contact.
+    pub limit: &'a [f64],
+    /// Slip of the rigid bodies (m), along t1 and t2, one value a pair.
+    pub rigid: [&'a [f64]; 2],
+    /// Directions along which the force is given, two at most.
+    pub held: &'a [Held],
+}
+
+/// A force that is given instead of a slip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Held {
+    /// Unit vector along which the bodies slip as far as it takes.
+    pub direction: [f64; 2],
+    /// Force on body 1 along it (N).
+    pub force: f64,
+}
+
+/// A solution to start an iteration from.
+#[derive(Debug, Clone, Copy)]
+pub struct Start<'a> {
+    /// Tractions (Pa), along t1 and t2, one value a pair.
+    pub traction: [&'a [f64]; 2],
+    /// Uniform slip (m) along each direction whose force is given.
+    pub found: &'a [f64],
+}
+
+/// What a solve found and what it took.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// How it ended; the fields hold the last iterate in any case.
+    pub status: Status,
+    /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
+    pub traction: [Vec<f64>; 2],
+    /// Slip of body 2 over body 1 (m), along t1 and t2, one value a pair; outside the contact, what the
+    /// surfaces slide over each other without touching.
+    pub slip: [Vec<f64>; 2],
+    /// Uniform slip (m) along each direction whose force is given.
+    pub found: Vec<f64>,
+    /// Iterations done.
+    pub iterations: usize,
+    /// Distance of the tractions from those that the slip projects them on, relative to the limits
+    /// (2-norms), or of the forces from those given, relative to the largest force.
+    pub residual: f64,
+    /// How often the map was applied; applications on coarser elements count by their number.
+    pub applications: usize,
+}
+
+/// Solves one step of friction.
+pub trait FrictionSolver: Debug + Send + Sync {
+    /// Finds the tractions of a step, from those of an earlier one where there is one.
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome;
+
+    /// What it was told.
+    fn settings(&self) -> Settings;
+}
+
+/// The solvers of friction a case can name; the first is the default.
+pub const FRICTION_SOLVERS: &[Choice<Box<dyn FrictionSolver>>] =
+    &[newton::CHOICE, contraction::CHOICE, uzawa::CHOICE];
+
+/// Bound on the residual where a case gives none.
+const TOLERANCE: f64 = 1e-6;

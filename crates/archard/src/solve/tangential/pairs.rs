@@ -1,0 +1,196 @@
+//! The pairs in contact alone: what iterations of friction work on.
+
+use super::{Outcome, Start, Status, Step};
+use crate::friction::onto_disc;
+use crate::numerics::vector::sum;
+
+/// The pairs in contact of a step. Vectors on them hold all values along t1, then all along t2.
+pub(super) struct Pairs<'a> {
+    pub step: &'a Step<'a>,
+    /// Their indices on the frame.
+    pub places: Vec<usize>,
+    /// Largest traction (Pa) of each.
+    pub limit: Vec<f64>,
+    /// Slip of the rigid bodies (m).
+    pub rigid: Vec<f64>,
+    /// Slip (m) of a pair under a unit traction (Pa) on it alone.
+    pub own: f64,
+    /// 2-norm (Pa) and sum (N) of the limits.
+    norm: f64,
+    force: f64,
+    /// Fields on the whole frame: tractions there, slip back.
+    fields: [Vec<f64>; 2],
+    images: [Vec<f64>; 2],
+    pub applications: usize,
+}
+
+/// Tractions of the pairs in contact, and what belongs to them.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    /// Tractions (Pa).
+    pub traction: Vec<f64>,
+    /// Uniform slip (m) along each direction whose force is given.
+    pub found: Vec<f64>,
+    /// Slip (m).
+    pub slip: Vec<f64>,
+}
+
+impl<'a> Pairs<'a> {
+    pub fn of(step: &'a Step<'a>) -> Self {
+        let places: Vec<usize> = (0..step.limit.len()).filter(|&i| step.limit[i] > 0.0).collect();
+        let limit: Vec<f64> = places.iter().map(|&place| step.limit[place]).collect();
+        let rigid = step.rigid.iter().flat_map(|rigid| places.iter().map(|&place| rigid[place]));
+        let [squares, total] = sum([&limit], |[limit]| [limit * limit, limit]);
+        let zeros = || vec![0.0; step.limit.len()];
+        Self {
+            step,
+            rigid: rigid.collect(),
+            own: step.map.own(),
+            norm: squares.sqrt(),
+            force: total * step.element_area,
+            fields: [zeros(), zeros()],
+            images: [zeros(), zeros()],
+            applications: 0,
+            places,
+            limit,
+        }
+    }
+
+    pub fn len(&self) -> usize {
+        self.places.len()
+    }
+
+    /// Puts a vector on the frame.
+    fn scatter(&mut self, vector: &[f64]) {
+        for (field, values) in self.fields.iter_mut().zip(vector.chunks(self.places.len())) {
+            self.places.iter().zip(values).for_each(|(&place, value)| field[place] = *value);
+        }
+    }
+
+    /// The slip (m) that tractions (Pa) take away, on the pairs in contact; it stays on the whole frame
+    /// in `images`.
+    pub fn apply(&mut self, traction: &[f64]) -> Vec<f64> {
+        self.scatter(traction);
+        self.applications += 1;
+        let [one, two] = &mut self.images;
+        self.step.map.apply([&self.fields[0], &self.fields[1]], [one, two]);
+        self.gather()
+    }
+
+    /// Tractions (Pa) that nearly take a slip (m) away from the sticking pairs.
+    pub fn undo(&mut self, slip: &[f64], stick: &[f64]) -> Vec<f64> {
+        self.scatter(slip);
+        let [one, two] = &mut self.images;
+        self.step.map.undo([&self.fields[0], &self.fields[1]], stick, [one, two]);
+        self.gather()
+    }
+
+    fn gather(&self) -> Vec<f64> {
+        let values = |image: &'_ Vec<f64>| -> Vec<f64> {
+            self.places.iter().map(|&place| image[place]).collect()
+        };
+        self.images.iter().flat_map(values).collect()
+    }
+
+    /// Tractions at rest, or those of an earlier solution brought within the limits.
+    pub fn start(&mut self, start: Option<Start<'_>>) -> State {
+        let mut traction = vec![0.0; 2 * self.len()];
+        let mut found = vec![0.0; self.step.held.len()];
+        if let Some(start) = start {
+            for (values, field) in traction.chunks_mut(self.places.len()).zip(start.traction) {
+                values.iter_mut().zip(&self.places).for_each(|(to, &place)| *to = field[place]);
+            }
+            found.copy_from_slice(start.found);
+            self.project(&mut traction);
+        }
+        let mut state = State { traction, found, slip: vec![] };
+        self.find_slip(&mut state);
+        state
+    }
+
+    /// Brings tractions within the limits.
+    pub fn project(&self, traction: &mut [f64]) {
+        let (one, two) = traction.split_at_mut(self.len());
+        for ((x, y), &limit) in one.iter_mut().zip(two).zip(&self.limit) {
+            [*x, *y] = onto_disc([*x, *y], limit);
+        }
+    }
+
+    /// Computes the slip of the tractions.
+    pub fn find_slip(&mut self, state: &mut State) {
+        let taken = if state.traction.iter().all(|&traction| traction == 0.0) {
+            self.images.iter_mut().for_each(|image| image.fill(0.0));
+            vec![0.0; state.traction.len()]
+        } else {
+            self.apply(&state.traction)
+        };
+        state.slip = self.rigid.iter().zip(&taken).map(|(rigid, taken)| rigid - taken).collect();
+        for (found, held) in state.found.iter().zip(self.step.held) {
+            for (slip, unit) in state.slip.chunks_mut(self.places.len()).zip(held.direction) {
+                slip.iter_mut().for_each(|slip| *slip += found * unit);
+            }
+        }
+    }
+
+    /// Force (N) of tractions along a direction.
+    pub fn force(&self, traction: &[f64], direction: [f64; 2]) -> f64 {
+        let (one, two) = traction.split_at(self.len());
+        let [force] = sum([one, two], |[x, y]| [x * direction[0] + y * direction[1]]);
+        force * self.step.element_area
+    }
+
+    /// How much each force given is short of (N).
+    pub fn missing(&self, traction: &[f64]) -> Vec<f64> {
+        let missing = |held: &super::Held| held.force - self.force(traction, held.direction);
+        self.step.held.iter().map(missing).collect()
+    }
+
+    /// The residual of [`Outcome`].
+    pub fn residual(&self, state: &State) -> f64 {
+        let (t1, t2) = state.traction.split_at(self.len());
+        let (s1, s2) = state.slip.split_at(self.len());
+        let [squares] = sum([t1, t2, s1, s2, &self.limit], |[t1, t2, s1, s2, limit]| {
+            let [x, y] = onto_disc([t1 + s1 / self.own, t2 + s2 / self.own], limit);
+            [(t1 - x).powi(2) + (t2 - y).powi(2)]
+        });
+        let missing = self.missing(&state.traction);
+        let missing = missing.iter().map(|force| force * force).sum::<f64>().sqrt();
+        if self.norm > 0.0 { (squares.sqrt() / self.norm).max(missing / self.force) } else { 0.0 }
+    }
+
+    /// The solution on the whole frame.
+    pub fn finish(
+        mut self,
+        mut state: State,
+        status: Status,
+        iterations: usize,
+        residual: f64,
+    ) -> Outcome {
+        self.find_slip(&mut state);
+        let (step, pairs) = (self.step, self.places.len());
+        let mut slip = [0, 1].map(|axis| -> Vec<f64> {
+            let held = state.found.iter().zip(step.held);
+            let uniform: f64 = held.map(|(found, held)| found * held.direction[axis]).sum();
+            let taken = self.images[axis].iter();
+            step.rigid[axis]
+                .iter()
+                .zip(taken)
+                .map(|(rigid, taken)| rigid - taken + uniform)
+                .collect()
+        });
+        self.fields.iter_mut().for_each(|field| field.fill(0.0));
+        self.scatter(&state.traction);
+        for (field, values) in slip.iter_mut().zip(state.slip.chunks(pairs.max(1))) {
+            self.places.iter().zip(values).for_each(|(&place, value)| field[place] = *value);
+        }
+        Outcome {
+            status,
+            traction: self.fields,
+            slip,
+            found: state.found,
+            iterations,
+            residual,
+            applications: self.applications,
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! The paper's Uzawa iteration (eqs. 51 to 53 with the sign of eq. 10), the reference the other solvers
+//! are held against.
+//!
+//! t <- P(t + r s) on every pair at once. Rolling is nearly skew: the damping of the slowest mode is that
+//! of the upwind difference, an element over the length of the contact, and r has to be as small.
+
+use super::pairs::Pairs;
+use super::{FrictionSolver, Outcome, Start, Step, TOLERANCE};
+use crate::numerics::vector::in_pool;
+use crate::parameters::Choice;
+use crate::solve::{PARAMETERS, Settings, Status};
+
+pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
+    name: "uzawa",
+    meaning: "the paper's Uzawa iteration; slow, the reference for the others",
+    parameters: PARAMETERS,
+    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, TOLERANCE, 1_000_000) })),
+};
+
+/// Penalty r times the slip of a pair under its own traction, times the number of pairs in a row.
+const PENALTY: f64 = 4.0;
+
+/// See the module.
+#[derive(Debug)]
+struct Uzawa {
+    settings: Settings,
+}
+
+impl FrictionSolver for Uzawa {
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        in_pool(|| self.iterate(Pairs::of(step), start))
+    }
+
+    fn settings(&self) -> Settings {
+        self.settings
+    }
+}
+
+impl Uzawa {
+    fn iterate(&self, mut pairs: Pairs<'_>, start: Option<Start<'_>>) -> Outcome {
+        let mut state = pairs.start(start);
+        let across = (pairs.len() as f64).sqrt().max(1.0);
+        let penalty = PENALTY / (across * pairs.own);
+        // A force off by all the limits moves the slip like a traction off by the mean limit.
+        let compliance = penalty * pairs.own * pairs.own / pairs.len().max(1) as f64;
+        let area = pairs.step.element_area;
+        let mut count = 0;
+        loop {
+            let residual = pairs.residual(&state);
+            let status = if residual <= self.settings.tolerance {
+                Status::Converged
+            } else if count == self.settings.max_iterations {
+                Status::OutOfIterations
+            } else {
+                count += 1;
+                let missing = pairs.missing(&state.traction);
+                for (traction, slip) in state.traction.iter_mut().zip(&state.slip) {
+                    *traction += penalty * slip;
+                }
+                pairs.project(&mut state.traction);
+                for (found, missing) in state.found.iter_mut().zip(missing) {
+                    *found += compliance * missing / area;
+                }
+                pairs.find_slip(&mut state);
+                continue;
+            };
+            return pairs.finish(state, status, count, residual);
+        }
+    }
+}
