@@ -5,6 +5,7 @@
 
 pub mod carter;
 pub mod hertz;
+pub mod kalker;
 pub mod pin_on_disc;
 pub mod twin_discs;
 
