@@ -62,6 +62,8 @@ impl Coefficients {
     /// Forces and moment on body 1: shear modulus (Pa), semi-axes along the rolling direction and
     /// across (m), creepages of body 1 over body 2 along and across, and spin of body 1 over body 2
     /// about the normal x cross y over the speed of rolling (1/m).
+    ///
+    /// Friction sets no limit here; [`super::vermeulen_johnson::force`] does.
     pub fn resultant(
         &self,
         shear_modulus: f64,

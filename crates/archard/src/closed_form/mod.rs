@@ -8,5 +8,6 @@ pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
 pub mod twin_discs;
+pub mod vermeulen_johnson;
 
 pub use hertz::Hertz;
