@@ -7,6 +7,7 @@ pub mod carter;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
+pub mod strip;
 pub mod twin_discs;
 pub mod vermeulen_johnson;
 
