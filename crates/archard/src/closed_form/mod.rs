@@ -4,6 +4,7 @@
 //! Everything takes and gives plain numbers in SI.
 
 pub mod carter;
+pub mod free_rolling;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
