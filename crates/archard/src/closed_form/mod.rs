@@ -4,8 +4,12 @@
 //! Everything takes and gives plain numbers in SI.
 
 pub mod carter;
+pub mod free_rolling;
 pub mod hertz;
+pub mod kalker;
 pub mod pin_on_disc;
+pub mod strip;
 pub mod twin_discs;
+pub mod vermeulen_johnson;
 
 pub use hertz::Hertz;
