@@ -20,6 +20,8 @@ pub enum Quantity {
     Force,
     /// A stress, pressure, modulus or hardness (Pa).
     Pressure,
+    /// A curvature or spin (1/m).
+    Curvature,
     /// A dimensional wear coefficient (1/Pa, the same as m^3/(N m)).
     WearCoefficient,
     /// The factor of a power profile, m^(1 - exponent): its unit depends on the parameter named here.

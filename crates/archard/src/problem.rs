@@ -3,8 +3,12 @@
 use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::ContactFrame;
-use crate::kinematics::Kinematics;
+use crate::friction::Friction;
+use crate::kinematics::{Kinematics, Rolling};
 use crate::wear::Rubbing;
+
+/// How far below its limit a traction is where pairs stick, relative to it.
+const STICKS: f64 = 1e-6;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
 #[derive(Debug)]
@@ -15,6 +19,8 @@ pub struct ContactProblem {
     pub frame: ContactFrame,
     /// How both bodies deform, seen from the frame.
     pub compliance: Box<dyn Compliance>,
+    /// How much tangential traction the pairs bear; `None` without friction.
+    pub friction: Option<Box<dyn Friction>>,
     /// How the pairs rub.
     pub kinematics: Box<dyn Kinematics>,
 }
@@ -51,6 +57,59 @@ pub struct ContactState {
     pub gap: Vec<f64>,
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub worn: [Vec<f64>; 2],
+    /// Friction, where the motion tells slip from stick.
+    pub tangential: Option<Tangential>,
+}
+
+/// What is known of friction at the end of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tangential {
+    /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
+    pub traction: [Vec<f64>; 2],
+    /// Slip of body 2 over body 1 (m), along t1 and t2, one value a pair; in rolling, on the way from
+    /// the pair ahead, and outside the contact what the surfaces slide without touching.
+    pub slip: [Vec<f64>; 2],
+    /// Creepage along the direction of rolling and across it, given or found.
+    pub creepage: [f64; 2],
+}
+
+impl Tangential {
+    /// Force on body 1 along t1 and t2 (N).
+    pub fn force(&self, frame: &ContactFrame) -> [f64; 2] {
+        self.traction.each_ref().map(|traction| frame.integrate(traction))
+    }
+
+    /// Moment on body 1 about n through the centre of the frame (N m).
+    pub fn moment(&self, frame: &ContactFrame) -> f64 {
+        let [t1, t2] = &self.traction;
+        let moment = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            x * t2[pair] - y * t1[pair]
+        };
+        (0..frame.len()).map(moment).sum::<f64>() * frame.element_area()
+    }
+
+    /// Power of the creepages and the spin over the speed of rolling (N): what friction dissipates.
+    pub fn creep_power(&self, problem: &ContactProblem, rolling: &Rolling) -> f64 {
+        let frame = &problem.frame;
+        let force = self.force(frame);
+        let along = |unit: [f64; 2]| force[0] * unit[0] + force[1] * unit[1];
+        let Rolling { direction, spin, .. } = rolling;
+        self.creepage[0] * along(direction.forward())
+            + self.creepage[1] * along(direction.lateral())
+            + spin * self.moment(frame)
+    }
+
+    /// Area (m^2) of the pairs in contact that stick: those that bear less than the limit.
+    pub fn stick_area(&self, problem: &ContactProblem, pressure: &[f64]) -> f64 {
+        let Some(friction) = &problem.friction else { return 0.0 };
+        let [t1, t2] = &self.traction;
+        let sticks = |&pair: &usize| {
+            let limit = friction.limit(pressure[pair]);
+            limit > 0.0 && t1[pair].hypot(t2[pair]) < (1.0 - STICKS) * limit
+        };
+        (0..pressure.len()).filter(sticks).count() as f64 * problem.frame.element_area()
+    }
 }
 
 impl ContactState {
@@ -63,6 +122,7 @@ impl ContactState {
             pressure: vec![0.0; gap.len()],
             gap: gap.to_vec(),
             worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
+            tangential: None,
         }
     }
 

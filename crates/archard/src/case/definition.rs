@@ -4,11 +4,13 @@ use super::chosen::Chosen;
 use crate::body::{Body, Material, Profile};
 use crate::compliance::HalfSpace;
 use crate::frame::{ContactFrame, OffTheSurface};
+use crate::friction::Friction;
 use crate::kinematics::Motion;
 use crate::parameters::Invalid;
 use crate::problem::ContactProblem;
 use crate::simulation::{Schedule, Simulation};
 use crate::solve::Solver;
+use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
 
 /// A checked case in SI. It prints as a case file that reads back to the same bits.
@@ -20,10 +22,14 @@ pub struct Case {
     pub bodies: [BodyCase; 2],
     /// The potential contact zone.
     pub frame: FrameCase,
+    /// The friction between the bodies; `None` without.
+    pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// The motion.
     pub motion: Chosen<Motion>,
     /// The solver of the contact steps.
     pub solver: Chosen<Box<dyn Solver>>,
+    /// The solver of friction.
+    pub friction_solver: Chosen<Box<dyn FrictionSolver>>,
     /// When fields are put out.
     pub output: Output,
 }
@@ -120,10 +126,12 @@ impl Case {
         let materials = bodies.each_ref().map(|body| body.material.as_ref());
         let compliance = Box::new(HalfSpace::new(materials, &frame));
         let Motion { kinematics, control, ramped, extent, stepping } = self.motion.build()?;
+        let friction = self.friction.as_ref().map(Chosen::build).transpose()?;
         let outputs = self.output.places(extent);
         Ok(Simulation {
-            problem: ContactProblem { bodies, frame, compliance, kinematics },
+            problem: ContactProblem { bodies, frame, compliance, friction, kinematics },
             solver: self.solver.build()?,
+            friction_solver: self.friction_solver.build()?,
             schedule: Schedule { control, ramped, extent, stepping, outputs },
         })
     }

@@ -30,8 +30,14 @@ impl Display for Case {
         let [x, y] = self.frame.size.map(|size| si(size, "m"));
         writeln!(f, "frame.size = [{x}, {y}]")?;
         writeln!(f, "frame.elements = {:?}\n", self.frame.elements)?;
+        if let Some(friction) = &self.friction {
+            print_chosen(f, "friction", friction)?;
+        }
         print_chosen(f, "motion", &self.motion)?;
         print_chosen(f, "solver", &self.solver)?;
+        if self.friction.is_some() {
+            print_chosen(f, "friction_solver", &self.friction_solver)?;
+        }
         self.print_output(f)
     }
 }

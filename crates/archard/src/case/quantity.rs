@@ -58,6 +58,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Length => Some(Measure::LENGTH),
         Quantity::Force => Some(Measure::FORCE),
         Quantity::Pressure => Some(Measure::PRESSURE),
+        Quantity::Curvature => Some(Measure::length_to_the(-1.0)),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
         Quantity::PowerFactor { exponent } => {
             values.number(exponent).map(|exponent| Measure::length_to_the(1.0 - exponent))

@@ -3,6 +3,7 @@
 
 pub mod half_space;
 mod slip;
+mod worn_planes;
 
 use std::fmt::Debug;
 
@@ -10,6 +11,7 @@ use crate::frame::{ContactFrame, Direction, VectorField};
 
 pub use half_space::HalfSpace;
 pub use slip::SlipMap;
+pub use worn_planes::WornPlanes;
 
 use slip::Differenced;
 

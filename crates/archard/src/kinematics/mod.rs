@@ -3,19 +3,29 @@
 //! A new motion is one file here and one line in [`MOTIONS`].
 
 mod indentation;
+mod rolling;
 mod sliding;
 
 use std::fmt::Debug;
+
+pub use rolling::{Drive, Rolling};
 
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 /// How the pairs of a frame rub while the motion goes on.
 ///
-/// The *advance* is the motion's own measure of progress: metres for sliding, a pure number for
-/// indentation.
+/// The *advance* is the motion's own measure of progress: metres for sliding, revolutions for rolling,
+/// a pure number for indentation.
 pub trait Kinematics: Debug + Send + Sync {
-    /// Distance (m) the pairs in contact slide over each other while the motion advances by that much.
+    /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
+    /// much; zero where what they slide depends on the place.
     fn slip(&self, advance: f64) -> f64;
+
+    /// How the bodies roll, if they do: the slip then follows from the tractions, and rubbing is
+    /// collected along the planes of rolling.
+    fn rolling(&self) -> Option<&Rolling> {
+        None
+    }
 
     /// The name of the progress, for result columns and messages.
     fn progress(&self) -> Progress;
@@ -95,7 +105,7 @@ pub struct Motion {
 }
 
 /// The motions a case can name.
-pub const MOTIONS: &[Choice<Motion>] = &[indentation::CHOICE, sliding::CHOICE];
+pub const MOTIONS: &[Choice<Motion>] = &[indentation::CHOICE, sliding::CHOICE, rolling::CHOICE];
 
 /// The load, as most motions take it.
 const LOAD: Parameter = Parameter::optional("load", Quantity::Force, "normal force");

@@ -1,6 +1,7 @@
 //! Numerical tools that know nothing of mechanics.
 
 pub mod convolution;
+pub mod dense;
 pub mod gmres;
 pub mod interpolate;
 pub mod upwind;

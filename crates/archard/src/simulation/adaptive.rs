@@ -16,7 +16,6 @@ use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
 use crate::kinematics::Control;
 use crate::problem::ContactState;
-use crate::wear::Rubbing;
 
 /// Aim of the controller relative to the tolerance.
 const AIM: f64 = 0.9;
@@ -60,16 +59,18 @@ impl Trial {
     fn of(coarse: Chain, fine: Chain, before: &[f64]) -> Self {
         let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
         let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
+        let fine_pressure = &fine.state.pressure;
         let (mut deepest, mut depth, mut removed, mut square) = (0, 0.0, 0.0, 0.0);
         for pair in 0..before.len() {
             let value = total(&worn, pair);
-            if value > depth {
+            // Planes wear evenly: the lag is that of their most pressed pair.
+            if value > depth || value == depth && fine_pressure[pair] > fine_pressure[deepest] {
                 (deepest, depth) = (pair, value);
             }
             removed += (value - total(&coarse.state.worn, pair)).powi(2);
             square += value * value;
         }
-        let last = fine.state.pressure[deepest];
+        let last = fine_pressure[deepest];
         let resolved = relative_change(before[deepest], last);
         let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
         let lag = relative_change(coarse.state.pressure[deepest], last);
@@ -92,11 +93,7 @@ impl Adaptive {
         let extent = simulation.schedule.extent;
         let probe = SMALLEST * extent;
         let problem = &simulation.problem;
-        let slip = problem.kinematics.slip(probe);
-        let rate = initial.state.pressure.iter().fold(0.0, |rate: f64, &pressure| {
-            let depths = problem.wear_depths(Rubbing { pressure, slip });
-            rate.max(depths.iter().sum::<f64>() / probe)
-        });
+        let rate = initial.deepest_wear(problem, probe) / probe;
         let first = tolerance.sqrt() * initial.state.approach / rate;
         Self {
             tolerance,
@@ -174,9 +171,7 @@ impl Adaptive {
         }
         (self.coarse, self.fine) = (trial.coarse, trial.fine);
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
-        let ContactState { progress, approach, load, ref pressure, ref gap, .. } = self.fine.state;
-        let (pressure, gap, worn) = (pressure.clone(), gap.clone(), self.worn.clone());
-        let state = ContactState { progress, approach, load, pressure, gap, worn };
+        let state = ContactState { worn: self.worn.clone(), ..self.fine.state.clone() };
         // Nothing goes on from the state shown: it needs no displacement.
         Chain { state, displacement: vec![], load_distance }
     }

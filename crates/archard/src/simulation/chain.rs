@@ -1,6 +1,7 @@
 //! Wear in time: one history of wear, carried from step to step by one contact solve a step.
 
 use super::{Effort, Error, Simulation};
+use crate::compliance::Compliance;
 use crate::kinematics::Control;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState};
@@ -19,7 +20,7 @@ pub(super) struct Chain {
     pub state: ContactState,
     /// Displacement the compliance makes of the pressure (m).
     pub displacement: Vec<f64>,
-    /// Integral of the load over the distance slid (N m).
+    /// Integral of the load over the distance slid (N m); see [`Effort::load_distance`].
     pub load_distance: f64,
 }
 
@@ -52,11 +53,13 @@ impl Chain {
         leg: Leg,
         effort: &mut Effort,
     ) -> Result<(), Error> {
+        let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
-        let gap = self.undeformed_gap(&simulation.problem);
-        let outcome = self.solve(simulation, leg, &gap, &addition, effort)?;
-        self.take(outcome, simulation, leg);
-        Ok(())
+        let gap = self.undeformed_gap(problem);
+        match problem.kinematics.rolling() {
+            Some(_) => self.roll_on(simulation, leg, &gap, &*problem.compliance, effort),
+            None => self.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort),
+        }
     }
 
     /// An implicit step: the pressure at its end does the wear.
@@ -70,6 +73,9 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
+        if let Some(rolling) = problem.kinematics.rolling() {
+            return self.wear_planes(simulation, rolling, leg, effort);
+        }
         let slip = problem.kinematics.slip(leg.advance);
         if slip == 0.0 || !problem.wears() {
             self.press(simulation, leg, effort)?;
@@ -80,8 +86,7 @@ impl Chain {
         for _ in 0..PASSES {
             let line = Linearised::about(&self.state.pressure, slip, problem);
             let gap = vector::map([&undeformed, &line.constant], |[gap, constant]| gap + constant);
-            let outcome = self.solve(simulation, leg, &gap, &line.slope, effort)?;
-            self.take(outcome, simulation, leg);
+            self.meet(simulation, leg, &gap, &line.slope, &*problem.compliance, effort)?;
             if line.holds(&self.state.pressure, slip, problem) {
                 self.wear(slip, problem);
                 return Ok(());
@@ -112,8 +117,18 @@ impl Chain {
         self.load_distance += *load * slip;
     }
 
+    /// Deepest wear (m) that an advance under the present contact makes.
+    pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> f64 {
+        if let Some(rolling) = problem.kinematics.rolling() {
+            return self.deepest_plane(problem, rolling, advance);
+        }
+        let slip = problem.kinematics.slip(advance);
+        let depth = |&pressure: &f64| total_depth(problem, Rubbing { pressure, slip });
+        self.state.pressure.iter().map(depth).fold(0.0, f64::max)
+    }
+
     /// Gap of the worn, undeformed surfaces at zero approach (m).
-    fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
+    pub(super) fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
         let [first, second] = &self.state.worn;
         vector::map([problem.frame.gap(), first, second], |[gap, first, second]| {
             gap + first + second
@@ -126,20 +141,24 @@ impl Chain {
         self.displacement = displacement;
         let load = simulation.problem.frame.integrate(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
-        self.state = ContactState { progress: leg.progress, approach, load, pressure, gap, worn };
+        let tangential = self.state.tangential.take();
+        let progress = leg.progress;
+        self.state = ContactState { progress, approach, load, pressure, gap, worn, tangential };
     }
 
-    fn solve(
-        &self,
+    /// Finds the pressures that close a gap (m).
+    pub(super) fn meet(
+        &mut self,
         simulation: &Simulation,
         leg: Leg,
         gap: &[f64],
         addition: &[f64],
+        compliance: &dyn Compliance,
         effort: &mut Effort,
-    ) -> Result<Outcome, Error> {
+    ) -> Result<(), Error> {
         let problem = &simulation.problem;
         let step = Step {
-            compliance: &*problem.compliance,
+            compliance,
             gap,
             addition,
             element_area: problem.frame.element_area(),
@@ -153,7 +172,10 @@ impl Chain {
         effort.applications += outcome.applications;
         effort.residual = outcome.residual;
         match outcome.status {
-            Status::Converged => Ok(outcome),
+            Status::Converged => {
+                self.take(outcome, simulation, leg);
+                Ok(())
+            }
             Status::FrameFull => Err(Error::FrameFull {
                 measure: problem.kinematics.progress(),
                 progress: leg.progress,

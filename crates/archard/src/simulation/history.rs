@@ -1,7 +1,8 @@
 //! One row of numbers a step.
 
 use super::Report;
-use crate::problem::ContactState;
+use crate::kinematics::Rolling;
+use crate::problem::{ContactProblem, ContactState, Tangential};
 
 /// The numbers of a step by column, units in the names.
 ///
@@ -20,18 +21,51 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
         ("contact_area_m2".to_owned(), area),
     ];
     let bodies = || problem.bodies.iter().zip(&state.worn);
-    row.extend(
-        bodies()
-            .map(|(body, worn)| (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))),
-    );
+    match problem.kinematics.rolling() {
+        None => row.extend(bodies().map(|(body, worn)| {
+            (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))
+        })),
+        Some(rolling) => row.extend(bodies().map(|(body, worn)| {
+            (format!("worn_section_{}_m2", body.name), section(problem, rolling, worn))
+        })),
+    }
     row.extend(bodies().map(|(body, worn)| (format!("wear_depth_{}_m", body.name), maximum(worn))));
     row.push(("wear_depth_m".to_owned(), deepest(state)));
+    if let (Some(rolling), Some(tangential)) = (problem.kinematics.rolling(), &state.tangential) {
+        row.extend(rolling_columns(problem, rolling, tangential, &state.pressure));
+    }
     row.push(("iterations".to_owned(), effort.iterations as f64));
     row.push(("residual".to_owned(), effort.residual));
     row.push(("solves".to_owned(), effort.solves as f64));
     row.push(("rejected".to_owned(), effort.rejected as f64));
     row.push(("time_error".to_owned(), effort.time_error.unwrap_or(f64::NAN)));
     row
+}
+
+/// Worn section across the direction of rolling (m^2).
+pub fn section(problem: &ContactProblem, rolling: &Rolling, worn: &[f64]) -> f64 {
+    let along = problem.frame.size()[rolling.direction.axis];
+    problem.frame.integrate(worn) / along
+}
+
+/// Creepages, forces on body 1 and what they dissipate.
+fn rolling_columns(
+    problem: &ContactProblem,
+    rolling: &Rolling,
+    tangential: &Tangential,
+    pressure: &[f64],
+) -> Vec<(String, f64)> {
+    let [force_x, force_y] = tangential.force(&problem.frame);
+    let columns = [
+        ("creepage", tangential.creepage[0]),
+        ("lateral_creepage", tangential.creepage[1]),
+        ("force_x_N", force_x),
+        ("force_y_N", force_y),
+        ("moment_z_Nm", tangential.moment(&problem.frame)),
+        ("stick_area_m2", tangential.stick_area(problem, pressure)),
+        ("frictional_power_per_speed_N", tangential.creep_power(problem, rolling)),
+    ];
+    columns.map(|(column, value)| (column.to_owned(), value)).to_vec()
 }
 
 /// Deepest total wear (m).

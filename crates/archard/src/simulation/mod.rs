@@ -4,6 +4,7 @@ mod adaptive;
 mod chain;
 mod history;
 mod march;
+mod rolling;
 
 use std::error::Error as StdError;
 
@@ -12,6 +13,7 @@ pub use history::row;
 use crate::kinematics::{Control, Progress, Stepping};
 use crate::problem::{ContactProblem, ContactState};
 use crate::solve::Solver;
+use crate::solve::tangential::FrictionSolver;
 
 /// A problem, how to solve it, and what to put it through.
 #[derive(Debug)]
@@ -20,6 +22,8 @@ pub struct Simulation {
     pub problem: ContactProblem,
     /// Solver of the contact steps.
     pub solver: Box<dyn Solver>,
+    /// Solver of friction, where the motion tells slip from stick.
+    pub friction_solver: Box<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
 }
@@ -73,7 +77,9 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
-    /// Integral of the load over the distance slid (N m), to compare worn volumes with.
+    /// Integral of the load over the distance slid (N m), to compare worn volumes with; in rolling, of
+    /// the work of the creepages a revolution over the coefficient of friction (N), to compare worn
+    /// sections with.
     pub load_distance: f64,
 }
 
@@ -102,6 +108,36 @@ pub enum Error {
         residual: f64,
         /// Residual asked for.
         tolerance: f64,
+    },
+    /// A solve of friction ran out of iterations.
+    #[error(
+        "friction at {} did not converge: residual {residual:.1e} after {iterations} iterations, tolerance {tolerance:.1e}; a force given has to be less than friction bears, otherwise allow more iterations or a larger tolerance in the `friction_solver` table",
+        .measure.at(*.progress)
+    )]
+    FrictionNotConverged {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress at the end of the step.
+        progress: f64,
+        /// Iterations done.
+        iterations: usize,
+        /// Residual reached.
+        residual: f64,
+        /// Residual asked for.
+        tolerance: f64,
+    },
+    /// Pressure, friction and wear did not agree with each other.
+    #[error(
+        "at {} pressure, friction and wear did not settle in {passes} passes; take shorter steps",
+        .measure.at(*.progress)
+    )]
+    NotConsistent {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress at the end of the step.
+        progress: f64,
+        /// Passes done.
+        passes: usize,
     },
     /// The contact fills the frame.
     #[error(

@@ -9,12 +9,15 @@ use super::definition::Case;
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::tree::Item;
+use crate::friction::{FRICTION, Friction};
 use crate::kinematics::{MOTIONS, Motion};
 use crate::parameters::{Choice, Values};
-use crate::solve::{SOLVERS, Solver};
+use crate::solve::SOLVERS;
+use crate::solve::tangential::FRICTION_SOLVERS;
 
 /// The tables of a case.
-const TABLES: &[&str] = &["title", "body", "frame", "motion", "solver", "output"];
+const TABLES: &[&str] =
+    &["title", "body", "frame", "friction", "motion", "solver", "friction_solver", "output"];
 
 impl Reader<'_> {
     /// The case, if nothing is wrong with it.
@@ -26,14 +29,18 @@ impl Reader<'_> {
             .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
             .and_then(|section| self.frame(&section));
         let motion = self.motion(root);
-        let solver = self.solver(root);
+        let friction = self.friction(root);
+        let solver = self.solver(root, "solver", SOLVERS);
+        let friction_solver = self.solver(root, "friction_solver", FRICTION_SOLVERS);
         let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
         Some(Case {
             title: title?,
             bodies: bodies?,
             frame: frame?,
             motion: motion?.0,
+            friction: friction?,
             solver: solver?,
+            friction_solver: friction_solver?,
             output: output?,
         })
     }
@@ -57,21 +64,33 @@ impl Reader<'_> {
         self.choice(&section, "motion", MOTIONS)
     }
 
+    /// The friction law, `Some(None)` where there is none; `None` if it is wrong.
+    fn friction(&mut self, root: &Section<'_>) -> Option<Option<Chosen<Box<dyn Friction>>>> {
+        let Some((key, entry)) = root.get("friction") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        self.required(&section, "friction law", FRICTION).map(Some)
+    }
+
     /// The solver chosen, or the first of the list.
-    fn solver(&mut self, root: &Section<'_>) -> Option<Chosen<Box<dyn Solver>>> {
+    fn solver<T>(
+        &mut self,
+        root: &Section<'_>,
+        table: &str,
+        solvers: &'static [Choice<T>],
+    ) -> Option<Chosen<T>> {
         let default = || {
-            SOLVERS.first().map(|choice| Chosen {
+            solvers.first().map(|choice| Chosen {
                 choice,
                 values: Values::default(),
                 files: vec![],
             })
         };
-        let Some((key, entry)) = root.get("solver") else { return default() };
+        let Some((key, entry)) = root.get(table) else { return default() };
         let section = self.as_table(key, &entry.node)?;
         if section.table.0.is_empty() {
             return default();
         }
-        self.choice(&section, "solver", SOLVERS).map(|(chosen, _)| chosen)
+        self.choice(&section, "solver", solvers).map(|(chosen, _)| chosen)
     }
 
     /// A choice that has to be made.

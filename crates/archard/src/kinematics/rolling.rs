@@ -1,0 +1,168 @@
+//! Steady rolling with creepage and spin (Kalker; the paper's section 2.2): twin discs, wheel on rail.
+//!
+//! The contact rolls along an axis of the frame, and the material flows through it against that
+//! direction. Creepage is positive where the surface of body 1 runs faster than that of body 2: for
+//! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
+//! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
+
+use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control};
+use crate::frame::{ContactFrame, Direction};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+
+pub(super) const CHOICE: Choice<Motion> = Choice {
+    name: "rolling",
+    meaning: "steady rolling with creepage and spin; both profiles wear evenly around (twin discs)",
+    parameters: &[
+        LOAD,
+        APPROACH,
+        Parameter::optional(
+            "creepage",
+            Quantity::Number,
+            "longitudinal creepage, positive where body 1 is faster; 0 if not given",
+        )
+        .bound(Bound::Any),
+        Parameter::optional(
+            "force",
+            Quantity::Force,
+            "longitudinal force on body 1, forward positive, instead of the creepage",
+        )
+        .bound(Bound::Any),
+        Parameter::optional("lateral_creepage", Quantity::Number, "lateral creepage; 0 if not given")
+            .bound(Bound::Any),
+        Parameter::optional(
+            "lateral_force",
+            Quantity::Force,
+            "lateral force on body 1 instead of the lateral creepage",
+        )
+        .bound(Bound::Any),
+        Parameter::optional("spin", Quantity::Curvature, "spin; 0 if not given").bound(Bound::Any),
+        Parameter::optional(
+            "direction",
+            Quantity::Word(&["x", "-x", "y", "-y"]),
+            "axis of the frame along which the contact rolls; x if not given",
+        ),
+        Parameter::required("revolutions", Quantity::Number, "revolutions of both discs")
+            .bound(Bound::NonNegative),
+        Parameter::optional("step", Quantity::Number, "revolutions in one step"),
+        TOLERANCE,
+        Parameter::optional(
+            "radius",
+            Quantity::Word(&["nominal", "worn"]),
+            "whether the creepage stays as given (nominal, the default) or follows the worn radii",
+        ),
+    ],
+    build: |values| {
+        let revolutions = values.require("revolutions")?;
+        let rolling = Rolling {
+            direction: direction(values),
+            longitudinal: drive(values, "creepage", "force")?,
+            lateral: drive(values, "lateral_creepage", "lateral_force")?,
+            spin: values.number("spin").unwrap_or(0.0),
+            worn_radius: values.word("radius") == Some("worn"),
+        };
+        Ok(Motion {
+            kinematics: Box::new(rolling),
+            control: control(values)?,
+            ramped: false,
+            extent: revolutions,
+            stepping: stepping(values, revolutions)?,
+        })
+    },
+};
+
+fn direction(values: &Values) -> Direction {
+    let word = values.word("direction").unwrap_or("x");
+    Direction { axis: usize::from(word.ends_with('y')), reversed: word.starts_with('-') }
+}
+
+/// The creepage given, or the force.
+fn drive(values: &Values, creepage: &'static str, force: &'static str) -> Result<Drive, Invalid> {
+    match (values.number(creepage), values.number(force)) {
+        (None, None) => Ok(Drive::Creepage(0.0)),
+        _ => match values.one_of(creepage, force)? {
+            (Some(creepage), _) => Ok(Drive::Creepage(creepage)),
+            (None, force) => Ok(Drive::Force(force.unwrap_or_default())),
+        },
+    }
+}
+
+fn stepping(values: &Values, revolutions: f64) -> Result<Stepping, Invalid> {
+    if revolutions == 0.0 && values.number("step").is_none() && values.number("tolerance").is_none()
+    {
+        return Ok(Stepping::Implicit(1.0));
+    }
+    match values.one_of("step", "tolerance")? {
+        (Some(step), _) if revolutions > 0.0 && step > revolutions => {
+            Err(Invalid::new("step", "`step` is more than all `revolutions`"))
+        }
+        (Some(step), _) => Ok(Stepping::Implicit(step)),
+        (None, tolerance) => Ok(Stepping::Tolerance(tolerance.unwrap_or_default())),
+    }
+}
+
+/// What drives the bodies along one direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Drive {
+    /// The creepage; the force follows.
+    Creepage(f64),
+    /// The force on body 1 (N); the creepage follows.
+    Force(f64),
+}
+
+/// Steady rolling; progress is the number of revolutions.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rolling {
+    /// Where the contact rolls to.
+    pub direction: Direction,
+    /// Drive along the direction.
+    pub longitudinal: Drive,
+    /// Drive across it, a quarter turn on from t1 to t2.
+    pub lateral: Drive,
+    /// Spin about n (1/m), positive where the surface of body 2 turns from t1 to t2 beneath body 1.
+    pub spin: f64,
+    /// Whether the longitudinal creepage follows the worn radii of the bodies.
+    pub worn_radius: bool,
+}
+
+impl Rolling {
+    /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their way to each
+    /// pair from the one ahead, one value a pair; without what drives by force.
+    pub fn rigid_slip(&self, frame: &ContactFrame) -> [Vec<f64>; 2] {
+        let given = |drive: Drive| match drive {
+            Drive::Creepage(creepage) => creepage,
+            Drive::Force(_) => 0.0,
+        };
+        let (forward, lateral) = (self.direction.forward(), self.direction.lateral());
+        let advance = self.advance(frame);
+        let slip = |pair: usize| {
+            let place = frame.place(pair);
+            let along = |unit: [f64; 2]| place[0] * unit[0] + place[1] * unit[1];
+            // Half way from the pair ahead.
+            let (x, y) = (along(forward) + 0.5 * advance, along(lateral));
+            let longitudinal = given(self.longitudinal) - self.spin * y;
+            let lateral_slip = given(self.lateral) + self.spin * x;
+            [0, 1].map(|axis| advance * (longitudinal * forward[axis] + lateral_slip * lateral[axis]))
+        };
+        let slips: Vec<[f64; 2]> = (0..frame.len()).map(slip).collect();
+        [0, 1].map(|axis| slips.iter().map(|slip| slip[axis]).collect())
+    }
+
+    /// How far the contact rolls from one pair to the next (m).
+    pub fn advance(&self, frame: &ContactFrame) -> f64 {
+        frame.spacing()[self.direction.axis]
+    }
+}
+
+impl Kinematics for Rolling {
+    fn slip(&self, _advance: f64) -> f64 {
+        0.0
+    }
+
+    fn rolling(&self) -> Option<&Rolling> {
+        Some(self)
+    }
+
+    fn progress(&self) -> Progress {
+        Progress { name: "revolution", column: "revolutions", quantity: Quantity::Number }
+    }
+}

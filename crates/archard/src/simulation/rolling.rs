@@ -1,0 +1,327 @@
+//! Contact and wear in steady rolling.
+//!
+//! Rubbing is collected along the planes of rolling: a particle on its way from the pair ahead slides the
+//! slip of that passage under the mean of both pressures, and it is rubbed until it has left the last pair
+//! under pressure. With that pairing of pressure and slip the worn section equals the work of the
+//! creepage to the last digits, as it does in nature. Both profiles wear evenly around, so that a plane has
+//! one depth.
+
+use super::chain::{Chain, Leg};
+use super::{Effort, Error, Simulation};
+use crate::compliance::{Compliance, WornPlanes};
+use crate::frame::VectorField;
+use crate::kinematics::{Drive, Rolling};
+use crate::numerics::vector;
+use crate::problem::{ContactProblem, Tangential};
+use crate::solve::Status;
+use crate::solve::tangential::{self, Held};
+use crate::wear::Rubbing;
+
+/// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
+/// taken as consistent.
+const CONSISTENT: f64 = 1e-8;
+/// Passes between pressures and friction, and between contact and the wear it makes.
+const PASSES: usize = 50;
+/// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest.
+const FORESEEN: f64 = 0.02;
+
+/// Wear of the planes under the contact as it is, in one revolution.
+struct Collected {
+    /// Depth worn off body 1 and body 2 (m), one value a plane.
+    depths: Vec<[f64; 2]>,
+    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
+    slopes: Vec<f64>,
+    /// Sum of the pressures (Pa), one value a plane.
+    pressures: Vec<f64>,
+}
+
+impl Collected {
+    fn of(chain: &Chain, problem: &ContactProblem, rolling: &Rolling) -> Self {
+        let elements = problem.frame.elements();
+        let pressure = &chain.state.pressure;
+        let slip = chain.state.tangential.as_ref().map(|tangential| &tangential.slip);
+        let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
+        for plane in rolling.direction.planes(elements) {
+            let (mut depths, mut slope, mut sum, mut ahead) = ([0.0; 2], 0.0, 0.0, 0.0);
+            for pair in plane {
+                let mean = 0.5 * (pressure[pair] + ahead);
+                ahead = pressure[pair];
+                sum += ahead;
+                let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
+                let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
+                let worn = problem.wear_depths(rubbing);
+                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += worn);
+                slope += problem.wear_slope(rubbing) * mean;
+            }
+            collected.depths.push(depths);
+            collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
+            collected.pressures.push(sum);
+        }
+        collected.spread_slopes();
+        collected
+    }
+
+    /// Gives planes that do not touch yet the slope of the nearest that do.
+    fn spread_slopes(&mut self) {
+        let touching: Vec<usize> =
+            (0..self.pressures.len()).filter(|&plane| self.pressures[plane] > 0.0).collect();
+        let (Some(&first), Some(&last)) = (touching.first(), touching.last()) else { return };
+        let (low, high) = (self.slopes[first], self.slopes[last]);
+        self.slopes[..first].fill(low);
+        self.slopes[last..].fill(high);
+    }
+
+    fn total(&self, plane: usize) -> f64 {
+        self.depths[plane].iter().sum()
+    }
+}
+
+impl Chain {
+    /// Finds pressures and friction that belong together.
+    pub(super) fn roll_on(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        gap: &[f64],
+        compliance: &dyn Compliance,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let addition = vec![0.0; gap.len()];
+        let couples = problem.friction.is_some() && problem.compliance.couples();
+        if !couples {
+            self.meet(simulation, leg, gap, &addition, compliance, effort)?;
+            return self.rub(simulation, leg, effort);
+        }
+        let mut opened = self.opened_by_friction(problem);
+        for _ in 0..PASSES {
+            let lifted = vector::map([gap, &opened], |[gap, opened]| gap + opened);
+            self.meet(simulation, leg, &lifted, &addition, compliance, effort)?;
+            self.rub(simulation, leg, effort)?;
+            let now = self.opened_by_friction(problem);
+            let change = now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            opened = now;
+            if change <= CONSISTENT * self.state.approach.abs() {
+                return Ok(());
+            }
+        }
+        Err(Error::NotConsistent {
+            measure: problem.kinematics.progress(),
+            progress: leg.progress,
+            passes: PASSES,
+        })
+    }
+
+    /// Gap (m) that the tangential tractions open between unlike bodies.
+    fn opened_by_friction(&self, problem: &ContactProblem) -> Vec<f64> {
+        let pairs = problem.frame.len();
+        let Some(tangential) = &self.state.tangential else { return vec![0.0; pairs] };
+        let [t1, t2] = tangential.traction.clone();
+        let displacement = problem.compliance.apply(&VectorField { t1, t2, n: vec![0.0; pairs] });
+        displacement.n.iter().map(|n| -n).collect()
+    }
+
+    /// Finds the friction under the present pressures.
+    fn rub(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let Some(rolling) = problem.kinematics.rolling() else { return Ok(()) };
+        let frame = &problem.frame;
+        let advance = rolling.advance(frame);
+        let rigid = self.rigid_slip(problem, rolling);
+        let Some(friction) = &problem.friction else {
+            let given = |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
+            self.state.tangential = Some(Tangential {
+                traction: [vec![0.0; frame.len()], vec![0.0; frame.len()]],
+                slip: rigid,
+                creepage: [given(rolling.longitudinal), given(rolling.lateral)],
+            });
+            return Ok(());
+        };
+        let limit: Vec<f64> =
+            self.state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+        let units = [rolling.direction.forward(), rolling.direction.lateral()];
+        let drives = [rolling.longitudinal, rolling.lateral];
+        let held = |(direction, drive): ([f64; 2], Drive)| match drive {
+            Drive::Creepage(_) => None,
+            Drive::Force(force) => Some(Held { direction, force }),
+        };
+        let held: Vec<Held> = units.into_iter().zip(drives).filter_map(held).collect();
+        let map = problem.compliance.rolling(frame, rolling.direction);
+        let step = tangential::Step {
+            map: &*map,
+            elements: frame.elements(),
+            element_area: frame.element_area(),
+            limit: &limit,
+            rigid: [&rigid[0], &rigid[1]],
+            held: &held,
+        };
+        let before = self.state.tangential.take();
+        let found: Vec<f64> = before.iter().flat_map(|before| {
+            let forces = drives.into_iter().zip(before.creepage);
+            forces.filter(|(drive, _)| matches!(drive, Drive::Force(_)))
+        }).map(|(_, creepage)| creepage * advance).collect();
+        let start = before.as_ref().map(|before| tangential::Start {
+            traction: [&before.traction[0], &before.traction[1]],
+            found: &found,
+        });
+        let outcome = simulation.friction_solver.solve(&step, start);
+        effort.iterations += outcome.iterations;
+        effort.applications += outcome.applications;
+        effort.residual = effort.residual.max(outcome.residual);
+        if outcome.status != Status::Converged {
+            return Err(Error::FrictionNotConverged {
+                measure: problem.kinematics.progress(),
+                progress: leg.progress,
+                iterations: outcome.iterations,
+                residual: outcome.residual,
+                tolerance: simulation.friction_solver.settings().tolerance,
+            });
+        }
+        let mut found = outcome.found.iter().map(|slip| slip / advance);
+        let creepage = drives.map(|drive| match drive {
+            Drive::Creepage(creepage) => creepage,
+            Drive::Force(_) => found.next().unwrap_or_default(),
+        });
+        let (traction, slip) = (outcome.traction, outcome.slip);
+        self.state.tangential = Some(Tangential { traction, slip, creepage });
+        Ok(())
+    }
+
+    /// Slip (m) before any traction: of the rigid bodies, of their worn radii where those count, and of
+    /// the strains that pressures make in unlike bodies.
+    fn rigid_slip(&self, problem: &ContactProblem, rolling: &Rolling) -> [Vec<f64>; 2] {
+        let frame = &problem.frame;
+        let mut slip = rolling.rigid_slip(frame);
+        let (axis, advance) = (rolling.direction.axis, rolling.advance(frame));
+        let forward = rolling.direction.forward();
+        if rolling.worn_radius {
+            let curvature = |body: usize| {
+                problem.bodies[body].profile.curvatures().map_or(0.0, |both| both[axis])
+            };
+            let [one, two] = [curvature(0), curvature(1)];
+            let worn = &self.state.worn;
+            vector::update(&mut slip[axis], [&worn[0], &worn[1]], |slip, [first, second]| {
+                slip + advance * forward[axis] * (two * second - one * first)
+            });
+        }
+        if problem.compliance.couples() {
+            let n = self.state.pressure.clone();
+            let zeros = || vec![0.0; n.len()];
+            let strained =
+                problem.compliance.apply(&VectorField { t1: zeros(), t2: zeros(), n: n.clone() });
+            for (slip, strained) in slip.iter_mut().zip([&strained.t1, &strained.t2]) {
+                let gained = rolling.direction.gained(strained, frame.elements());
+                vector::update(slip, [&gained], |slip, [gained]| slip + gained);
+            }
+        }
+        slip
+    }
+
+    /// An implicit step of wear: the pressures and the slip at its end do the wear.
+    ///
+    /// What a plane wears is foreseen from the slip that goes with its pressures, and found anew where
+    /// the slip has changed.
+    pub(super) fn wear_planes(
+        &mut self,
+        simulation: &Simulation,
+        rolling: &Rolling,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let elements = problem.frame.elements();
+        let undeformed = self.undeformed_gap(problem);
+        let mut collected = Collected::of(self, problem, rolling);
+        for _ in 0..PASSES {
+            let slopes: Vec<f64> = collected.slopes.iter().map(|slope| leg.advance * slope).collect();
+            let constant = |plane: usize| {
+                leg.advance * (collected.total(plane) - collected.slopes[plane] * collected.pressures[plane])
+            };
+            let mut gap = undeformed.clone();
+            for (index, plane) in rolling.direction.planes(elements).enumerate() {
+                plane.for_each(|pair| gap[pair] += constant(index));
+            }
+            let pressure = self.state.pressure.clone();
+            let worn = WornPlanes::new(
+                &*problem.compliance,
+                rolling.direction,
+                elements,
+                &slopes,
+                &pressure,
+            );
+            worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
+            self.roll_on(simulation, leg, &gap, &worn, effort)?;
+            worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
+            let now = Collected::of(self, problem, rolling);
+            let foreseen = |plane: usize| {
+                constant(plane) / leg.advance + collected.slopes[plane] * now.pressures[plane]
+            };
+            let (mut error, mut deepest) = (0.0f64, 0.0f64);
+            for plane in 0..slopes.len() {
+                error = error.max((now.total(plane) - foreseen(plane)).abs());
+                deepest = deepest.max(now.total(plane));
+            }
+            collected = now;
+            if error <= FORESEEN * deepest {
+                self.wear_down(&collected, problem, rolling, leg);
+                return Ok(());
+            }
+        }
+        Err(Error::NotConsistent {
+            measure: problem.kinematics.progress(),
+            progress: leg.progress,
+            passes: PASSES,
+        })
+    }
+
+    fn wear_down(
+        &mut self,
+        collected: &Collected,
+        problem: &ContactProblem,
+        rolling: &Rolling,
+        leg: Leg,
+    ) {
+        let planes = rolling.direction.planes(problem.frame.elements());
+        for (plane, depths) in planes.zip(&collected.depths) {
+            for pair in plane {
+                for (worn, depth) in self.state.worn.iter_mut().zip(depths) {
+                    worn[pair] += leg.advance * depth;
+                }
+            }
+        }
+        self.load_distance += leg.advance * self.creep_work(problem, rolling);
+    }
+
+    /// Work of the creepages over the coefficient of friction (N): what is worn a revolution is this
+    /// times k, whatever the contact, if the friction is Coulomb's. Without friction, the load times
+    /// the creepage.
+    fn creep_work(&self, problem: &ContactProblem, rolling: &Rolling) -> f64 {
+        let Some(tangential) = &self.state.tangential else { return 0.0 };
+        let Some(friction) = &problem.friction else {
+            return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
+        };
+        const REFERENCE: f64 = 1e8;
+        let coefficient = friction.limit(REFERENCE) / REFERENCE;
+        if coefficient == 0.0 {
+            return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
+        }
+        tangential.creep_power(problem, rolling) / coefficient
+    }
+
+    /// Deepest wear (m) of a plane over some revolutions under the present contact.
+    pub(super) fn deepest_plane(
+        &self,
+        problem: &ContactProblem,
+        rolling: &Rolling,
+        advance: f64,
+    ) -> f64 {
+        let collected = Collected::of(self, problem, rolling);
+        let depth = |plane: usize| advance * collected.total(plane);
+        (0..collected.depths.len()).map(depth).fold(0.0, f64::max)
+    }
+}
