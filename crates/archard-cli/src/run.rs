@@ -92,7 +92,10 @@ fn failure(error: Error, dir: &Path) -> Failure {
     let message = format!("{error}\nwhat was computed so far is in {}", dir.display());
     match error {
         Error::Observer(cause) if cause.is::<Interrupted>() => Failure::Interrupted(message),
-        Error::NotConverged { .. } | Error::FrictionNotConverged { .. } | Error::NotConsistent { .. } | Error::StepTooSmall { .. } => Failure::NotConverged(message),
+        Error::NotConverged { .. }
+        | Error::FrictionNotConverged { .. }
+        | Error::NotConsistent { .. }
+        | Error::StepTooSmall { .. } => Failure::NotConverged(message),
         Error::FrameFull { .. } | Error::Observer(_) => Failure::Wrong(message),
     }
 }

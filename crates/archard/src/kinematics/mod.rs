@@ -2,6 +2,7 @@
 //!
 //! A new motion is one file here and one line in [`MOTIONS`].
 
+mod creepage_sweep;
 mod indentation;
 mod rolling;
 mod sliding;
@@ -105,7 +106,8 @@ pub struct Motion {
 }
 
 /// The motions a case can name.
-pub const MOTIONS: &[Choice<Motion>] = &[indentation::CHOICE, sliding::CHOICE, rolling::CHOICE];
+pub const MOTIONS: &[Choice<Motion>] =
+    &[indentation::CHOICE, sliding::CHOICE, rolling::CHOICE, creepage_sweep::CHOICE];
 
 /// The load, as most motions take it.
 const LOAD: Parameter = Parameter::optional("load", Quantity::Force, "normal force");

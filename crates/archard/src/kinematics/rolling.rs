@@ -15,32 +15,12 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
     parameters: &[
         LOAD,
         APPROACH,
-        Parameter::optional(
-            "creepage",
-            Quantity::Number,
-            "longitudinal creepage, positive where body 1 is faster; 0 if not given",
-        )
-        .bound(Bound::Any),
-        Parameter::optional(
-            "force",
-            Quantity::Force,
-            "longitudinal force on body 1, forward positive, instead of the creepage",
-        )
-        .bound(Bound::Any),
-        Parameter::optional("lateral_creepage", Quantity::Number, "lateral creepage; 0 if not given")
-            .bound(Bound::Any),
-        Parameter::optional(
-            "lateral_force",
-            Quantity::Force,
-            "lateral force on body 1 instead of the lateral creepage",
-        )
-        .bound(Bound::Any),
-        Parameter::optional("spin", Quantity::Curvature, "spin; 0 if not given").bound(Bound::Any),
-        Parameter::optional(
-            "direction",
-            Quantity::Word(&["x", "-x", "y", "-y"]),
-            "axis of the frame along which the contact rolls; x if not given",
-        ),
+        CREEPAGE,
+        FORCE,
+        LATERAL_CREEPAGE,
+        LATERAL_FORCE,
+        SPIN,
+        DIRECTION,
         Parameter::required("revolutions", Quantity::Number, "revolutions of both discs")
             .bound(Bound::NonNegative),
         Parameter::optional("step", Quantity::Number, "revolutions in one step"),
@@ -53,13 +33,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
     ],
     build: |values| {
         let revolutions = values.require("revolutions")?;
-        let rolling = Rolling {
-            direction: direction(values),
-            longitudinal: drive(values, "creepage", "force")?,
-            lateral: drive(values, "lateral_creepage", "lateral_force")?,
-            spin: values.number("spin").unwrap_or(0.0),
-            worn_radius: values.word("radius") == Some("worn"),
-        };
+        let worn_radius = values.word("radius") == Some("worn");
+        let rolling = Rolling { worn_radius, ..Rolling::read(values)? };
         Ok(Motion {
             kinematics: Box::new(rolling),
             control: control(values)?,
@@ -69,6 +44,41 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         })
     },
 };
+
+/// Longitudinal creepage.
+pub(super) const CREEPAGE: Parameter = Parameter::optional(
+    "creepage",
+    Quantity::Number,
+    "longitudinal creepage, positive where body 1 is faster; 0 if not given",
+)
+.bound(Bound::Any);
+/// Longitudinal force.
+pub(super) const FORCE: Parameter = Parameter::optional(
+    "force",
+    Quantity::Force,
+    "longitudinal force on body 1, forward positive, instead of the creepage",
+)
+.bound(Bound::Any);
+/// Lateral creepage.
+pub(super) const LATERAL_CREEPAGE: Parameter =
+    Parameter::optional("lateral_creepage", Quantity::Number, "lateral creepage; 0 if not given")
+        .bound(Bound::Any);
+/// Lateral force.
+pub(super) const LATERAL_FORCE: Parameter = Parameter::optional(
+    "lateral_force",
+    Quantity::Force,
+    "lateral force on body 1 instead of the lateral creepage",
+)
+.bound(Bound::Any);
+/// Spin.
+pub(super) const SPIN: Parameter =
+    Parameter::optional("spin", Quantity::Curvature, "spin; 0 if not given").bound(Bound::Any);
+/// Direction of rolling.
+pub(super) const DIRECTION: Parameter = Parameter::optional(
+    "direction",
+    Quantity::Word(&["x", "-x", "y", "-y"]),
+    "axis of the frame along which the contact rolls; x if not given",
+);
 
 fn direction(values: &Values) -> Direction {
     let word = values.word("direction").unwrap_or("x");
@@ -109,7 +119,7 @@ pub enum Drive {
     Force(f64),
 }
 
-/// Steady rolling; progress is the number of revolutions.
+/// Steady rolling; progress is the number of revolutions, or the share of the drives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolling {
     /// Where the contact rolls to.
@@ -122,9 +132,37 @@ pub struct Rolling {
     pub spin: f64,
     /// Whether the longitudinal creepage follows the worn radii of the bodies.
     pub worn_radius: bool,
+    /// Whether the drives grow in proportion to the progress, from nothing to what they are here,
+    /// instead of wearing the bodies.
+    pub swept: bool,
 }
 
 impl Rolling {
+    /// What most rolling motions take.
+    pub(super) fn read(values: &Values) -> Result<Self, Invalid> {
+        Ok(Self {
+            direction: direction(values),
+            longitudinal: drive(values, "creepage", "force")?,
+            lateral: drive(values, "lateral_creepage", "lateral_force")?,
+            spin: values.number("spin").unwrap_or(0.0),
+            worn_radius: false,
+            swept: false,
+        })
+    }
+
+    /// The motion at some progress.
+    pub fn at(&self, progress: f64) -> Self {
+        if !self.swept {
+            return *self;
+        }
+        let scaled = |drive: Drive| match drive {
+            Drive::Creepage(creepage) => Drive::Creepage(progress * creepage),
+            Drive::Force(force) => Drive::Force(progress * force),
+        };
+        let (longitudinal, lateral) = (scaled(self.longitudinal), scaled(self.lateral));
+        Self { longitudinal, lateral, spin: progress * self.spin, ..*self }
+    }
+
     /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their way to each
     /// pair from the one ahead, one value a pair; without what drives by force.
     pub fn rigid_slip(&self, frame: &ContactFrame) -> [Vec<f64>; 2] {
@@ -141,7 +179,8 @@ impl Rolling {
             let (x, y) = (along(forward) + 0.5 * advance, along(lateral));
             let longitudinal = given(self.longitudinal) - self.spin * y;
             let lateral_slip = given(self.lateral) + self.spin * x;
-            [0, 1].map(|axis| advance * (longitudinal * forward[axis] + lateral_slip * lateral[axis]))
+            [0, 1]
+                .map(|axis| advance * (longitudinal * forward[axis] + lateral_slip * lateral[axis]))
         };
         let slips: Vec<[f64; 2]> = (0..frame.len()).map(slip).collect();
         [0, 1].map(|axis| slips.iter().map(|slip| slip[axis]).collect())
@@ -163,6 +202,10 @@ impl Kinematics for Rolling {
     }
 
     fn progress(&self) -> Progress {
-        Progress { name: "revolution", column: "revolutions", quantity: Quantity::Number }
+        if self.swept {
+            Progress { name: "share", column: "share", quantity: Quantity::Number }
+        } else {
+            Progress { name: "revolution", column: "revolutions", quantity: Quantity::Number }
+        }
     }
 }

@@ -74,7 +74,11 @@ impl Chain {
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
         if let Some(rolling) = problem.kinematics.rolling() {
-            return self.wear_planes(simulation, rolling, leg, effort);
+            return if rolling.swept || !problem.wears() {
+                self.press(simulation, leg, effort)
+            } else {
+                self.wear_planes(simulation, rolling, leg, effort)
+            };
         }
         let slip = problem.kinematics.slip(leg.advance);
         if slip == 0.0 || !problem.wears() {

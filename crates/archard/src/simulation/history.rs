@@ -22,9 +22,11 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
     ];
     let bodies = || problem.bodies.iter().zip(&state.worn);
     match problem.kinematics.rolling() {
-        None => row.extend(bodies().map(|(body, worn)| {
-            (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))
-        })),
+        None => {
+            row.extend(bodies().map(|(body, worn)| {
+                (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))
+            }))
+        }
         Some(rolling) => row.extend(bodies().map(|(body, worn)| {
             (format!("worn_section_{}_m2", body.name), section(problem, rolling, worn))
         })),
@@ -32,7 +34,8 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
     row.extend(bodies().map(|(body, worn)| (format!("wear_depth_{}_m", body.name), maximum(worn))));
     row.push(("wear_depth_m".to_owned(), deepest(state)));
     if let (Some(rolling), Some(tangential)) = (problem.kinematics.rolling(), &state.tangential) {
-        row.extend(rolling_columns(problem, rolling, tangential, &state.pressure));
+        let rolling = rolling.at(state.progress);
+        row.extend(rolling_columns(problem, &rolling, tangential, &state.pressure));
     }
     row.push(("iterations".to_owned(), effort.iterations as f64));
     row.push(("residual".to_owned(), effort.residual));

@@ -99,7 +99,8 @@ impl Chain {
             self.meet(simulation, leg, &lifted, &addition, compliance, effort)?;
             self.rub(simulation, leg, effort)?;
             let now = self.opened_by_friction(problem);
-            let change = now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            let change =
+                now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
             opened = now;
             if change <= CONSISTENT * self.state.approach.abs() {
                 return Ok(());
@@ -122,19 +123,16 @@ impl Chain {
     }
 
     /// Finds the friction under the present pressures.
-    fn rub(
-        &mut self,
-        simulation: &Simulation,
-        leg: Leg,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
+    fn rub(&mut self, simulation: &Simulation, leg: Leg, effort: &mut Effort) -> Result<(), Error> {
         let problem = &simulation.problem;
         let Some(rolling) = problem.kinematics.rolling() else { return Ok(()) };
+        let rolling = &rolling.at(leg.progress);
         let frame = &problem.frame;
         let advance = rolling.advance(frame);
         let rigid = self.rigid_slip(problem, rolling);
         let Some(friction) = &problem.friction else {
-            let given = |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
+            let given =
+                |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
             self.state.tangential = Some(Tangential {
                 traction: [vec![0.0; frame.len()], vec![0.0; frame.len()]],
                 slip: rigid,
@@ -161,10 +159,14 @@ impl Chain {
             held: &held,
         };
         let before = self.state.tangential.take();
-        let found: Vec<f64> = before.iter().flat_map(|before| {
-            let forces = drives.into_iter().zip(before.creepage);
-            forces.filter(|(drive, _)| matches!(drive, Drive::Force(_)))
-        }).map(|(_, creepage)| creepage * advance).collect();
+        let found: Vec<f64> = before
+            .iter()
+            .flat_map(|before| {
+                let forces = drives.into_iter().zip(before.creepage);
+                forces.filter(|(drive, _)| matches!(drive, Drive::Force(_)))
+            })
+            .map(|(_, creepage)| creepage * advance)
+            .collect();
         let start = before.as_ref().map(|before| tangential::Start {
             traction: [&before.traction[0], &before.traction[1]],
             found: &found,
@@ -238,9 +240,12 @@ impl Chain {
         let undeformed = self.undeformed_gap(problem);
         let mut collected = Collected::of(self, problem, rolling);
         for _ in 0..PASSES {
-            let slopes: Vec<f64> = collected.slopes.iter().map(|slope| leg.advance * slope).collect();
+            let slopes: Vec<f64> =
+                collected.slopes.iter().map(|slope| leg.advance * slope).collect();
             let constant = |plane: usize| {
-                leg.advance * (collected.total(plane) - collected.slopes[plane] * collected.pressures[plane])
+                leg.advance
+                    * (collected.total(plane)
+                        - collected.slopes[plane] * collected.pressures[plane])
             };
             let mut gap = undeformed.clone();
             for (index, plane) in rolling.direction.planes(elements).enumerate() {
