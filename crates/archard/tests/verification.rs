@@ -7,6 +7,7 @@ mod verification {
     mod hertz;
     mod own_wear_law;
     mod pin_on_disc;
+    mod rolling;
     mod rough;
     mod similarity;
     mod step_by_error;

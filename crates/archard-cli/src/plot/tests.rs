@@ -59,6 +59,7 @@ fn problem(
         bodies: [body("pin", sphere, coefficients[0]), body("disc", flat, coefficients[1])],
         frame,
         compliance: Box::new(Stiff),
+        friction: None,
         kinematics: build(MOTIONS, motion, numbers).kinematics,
     }
 }

@@ -62,6 +62,7 @@ impl Run {
                 bodies: [body("pin", sphere, COEFFICIENTS[0]), body("disc", flat, COEFFICIENTS[1])],
                 frame: frame.expect("the sphere reaches"),
                 compliance: Box::new(Stiff),
+                friction: None,
                 kinematics: build(MOTIONS, "sliding", &motion).kinematics,
             },
         }
@@ -91,6 +92,7 @@ impl Run {
                 .map(|(b, gap)| if *b > 0.0 { 0.0 } else { *gap })
                 .collect(),
             worn: COEFFICIENTS.map(|k| scaled(k * LOAD * distance)),
+            tangential: None,
         }
     }
 

@@ -4,12 +4,14 @@
 
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Material};
+use archard::case::CaseFile;
 use archard::compliance::HalfSpace;
 use archard::frame::ContactFrame;
 use archard::kinematics::{Control, MOTIONS, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation, row};
+use archard::solve::tangential::FRICTION_SOLVERS;
 use archard::solve::{SOLVERS, Solver, Step};
 use archard::wear::WEAR_LAWS;
 
@@ -85,7 +87,8 @@ impl Ball {
         let kinematics =
             choose(MOTIONS, "sliding", &[("load", 1.0), ("distance", 1.0), ("step", 1.0)])
                 .kinematics;
-        ContactProblem { bodies, frame, compliance: Box::new(compliance), kinematics }
+        let compliance = Box::new(compliance);
+        ContactProblem { bodies, frame, compliance, friction: None, kinematics }
     }
 
     /// Its sliding over an extent (m) with outputs there (m).
@@ -93,6 +96,7 @@ impl Ball {
         Simulation {
             problem: self.problem(),
             solver: solver("conjugate_gradient", self.solver_tolerance),
+            friction_solver: choose(FRICTION_SOLVERS, "newton", &[]),
             schedule: Schedule {
                 control: self.control,
                 ramped: false,
@@ -110,6 +114,18 @@ impl Ball {
         simulation.run(&mut [&mut states]).expect("a contact that converges");
         states.0.swap_remove(0).0
     }
+}
+
+/// The simulation of a case file with that text and these options.
+pub fn case(text: &str, options: &[&str]) -> Simulation {
+    let file = CaseFile::from_text("case", text, ".");
+    let file = options.iter().fold(file, |file, option| file.set(*option));
+    let resolved = file.resolve().unwrap_or_else(|problems| {
+        let described: Vec<String> =
+            problems.iter().map(|problem| file.describe(problem)).collect();
+        panic!("{}", described.join("\n"))
+    });
+    resolved.case.build().expect("a checked case")
 }
 
 /// A step of a problem at rest, under its control.

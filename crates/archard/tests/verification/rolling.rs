@@ -1,0 +1,344 @@
+//! Steady rolling against closed forms and independent values.
+
+use approx::assert_relative_eq;
+use archard::body::Material;
+use archard::closed_form::kalker::Coefficients;
+use archard::closed_form::{carter, free_rolling};
+use archard::problem::{ContactProblem, ContactState};
+
+use crate::common::{Rows, case, states};
+
+/// A paraboloid that rolls on a flat of the same material, its patch of the axis ratio a/b = `ratio` (a
+/// along x) covered by `cells` elements along each axis.
+struct Patch {
+    ratio: f64,
+    poisson: f64,
+    cells: usize,
+    friction: f64,
+    motion: &'static str,
+}
+
+impl Patch {
+    /// G a b and the semi-axes, in SI, and the state of the contact under 100 N.
+    fn roll(&self) -> (f64, [f64; 2], ContactProblem, ContactState) {
+        let Self { poisson, friction, motion, cells, .. } = *self;
+        let [radius_x, radius_y] = self.radii();
+        let shear = 80e9;
+        let young = 2.0 * (1.0 + poisson) * shear;
+        let hertz = archard::closed_form::Hertz::from_load(
+            [1.0 / radius_x, 1.0 / radius_y],
+            archard::body::contact_modulus([
+                Some(&Material { young, poisson }),
+                Some(&Material { young, poisson }),
+            ]),
+            100.0,
+        )
+        .expect("a contact");
+        let [a, b] = hertz.semi_axes;
+        let elements = cells + 4;
+        let size = |semi: f64| 2.0 * semi * elements as f64 / cells as f64 * 1e3;
+        let text = format!(
+            r#"
+            [body.wheel]
+            material = {{ young = "{young} Pa", poisson = {poisson} }}
+            profile.paraboloid = {{ radius_x = "{radius_x} m", radius_y = "{radius_y} m" }}
+            [body.rail]
+            material = {{ young = "{young} Pa", poisson = {poisson} }}
+            profile.flat = {{}}
+            [frame]
+            size = ["{} mm", "{} mm"]
+            elements = [{elements}, {elements}]
+            [friction.coulomb]
+            coefficient = {friction}
+            [friction_solver.newton]
+            tolerance = 1e-9
+            [motion.rolling]
+            load = "100 N"
+            revolutions = 0
+            {motion}
+            "#,
+            size(a),
+            size(b),
+        );
+        let simulation = case(&text, &[]);
+        let (state, _, _) = states(&simulation).expect("it converges").swap_remove(0);
+        (shear * a * b, [a, b], simulation.problem, state)
+    }
+
+    /// Radii (m) of a patch of that axis ratio.
+    fn radii(&self) -> [f64; 2] {
+        // Bisection on the ratio of the radii: the longer axis lies along the larger radius.
+        let ratio_of = |radius_x: f64| {
+            let hertz = archard::closed_form::Hertz::from_load([1.0 / radius_x, 50.0], 1e11, 100.0);
+            let [a, b] = hertz.expect("a contact").semi_axes;
+            a / b
+        };
+        let (mut low, mut high) = (2e-4f64, 2.0f64);
+        for _ in 0..80 {
+            let middle = (low * high).sqrt();
+            if ratio_of(middle) < self.ratio { low = middle } else { high = middle }
+        }
+        [low, 0.02]
+    }
+}
+
+/// C11, C22 or C23 of a patch that sticks all over.
+fn coefficient(ratio: f64, poisson: f64, cells: usize, which: usize) -> f64 {
+    // So little slides, and so much is borne, that everything sticks.
+    let motion = ["creepage = 0.01", "lateral_creepage = 0.01", "spin = \"10 1/m\""][which];
+    let patch = Patch { ratio, poisson, cells, friction: 100.0, motion };
+    let (scale, [a, b], problem, state) = patch.roll();
+    let [x, y] = state.tangential.expect("friction").force(&problem.frame);
+    match which {
+        0 => x / (scale * 1e-2),
+        1 => y / (scale * 1e-2),
+        _ => y / (scale * (a * b).sqrt() * 10.0),
+    }
+}
+
+/// Kalker's table, to the three digits it has, between its columns by interpolation; nu = 1/2 from below.
+#[test]
+fn linear_theory_is_kalkers() {
+    for poisson in [0.0, 0.25, 0.3, 0.5 - 1e-7] {
+        for ratio in [0.5, 1.0, 2.0] {
+            let known = Coefficients::at(ratio, poisson).expect("in the table");
+            let found = [0, 1, 2].map(|which| coefficient(ratio, poisson, 80, which));
+            assert_relative_eq!(found[0], known.longitudinal, max_relative = 0.015);
+            assert_relative_eq!(found[1], known.lateral, max_relative = 0.015);
+            assert_relative_eq!(found[2], known.lateral_spin, max_relative = 0.04);
+        }
+    }
+}
+
+/// The upwind difference and the staircase at the edge of the contact are of first order in the size of the
+/// elements; the staircase makes single steps uneven, so the order is taken over three halvings.
+#[test]
+fn linear_theory_converges_at_first_order() {
+    for which in 0..3 {
+        let [coarse, fine, finest] =
+            [10, 80, 160].map(|cells| coefficient(1.0, 0.25, cells, which));
+        let limit = 2.0 * finest - fine;
+        let order = ((coarse - limit) / (fine - limit)).log2() / 3.0;
+        assert!((0.8..1.3).contains(&order), "coefficient {which}: order {order:.2}");
+    }
+}
+
+/// Total forces relative to mu F on a circle, nu = 0.3, at chi = xi G a b/(mu F) (Kalker's simplified
+/// exact results, known to 1 %).
+#[test]
+fn creep_forces_on_a_circle() {
+    for (chi, along, across) in [(0.2, 0.664, 0.598), (0.4, 0.955, 0.903)] {
+        for (name, expected, axis) in [("creepage", along, 0), ("lateral_creepage", across, 1)] {
+            // G a b / F from the contact itself.
+            let patch = |motion: String| Patch {
+                ratio: 1.0,
+                poisson: 0.3,
+                cells: 60,
+                friction: 0.3,
+                motion: Box::leak(motion.into_boxed_str()),
+            };
+            let (scale, ..) = patch("creepage = 1e-3".to_owned()).roll();
+            let creepage = chi * 0.3 * 100.0 / scale;
+            let (_, _, problem, state) = patch(format!("{name} = {creepage}")).roll();
+            let force = state.tangential.expect("friction").force(&problem.frame)[axis];
+            assert_relative_eq!(force / 30.0, expected, max_relative = 0.012);
+        }
+    }
+}
+
+/// Cylinders of a given half width (m) in contact over a length so great beside it that the strain is plane
+/// but at the ends, on one row of elements: the frame 2.2 half widths wide.
+fn strip(elements: usize, half_width: f64, bodies: [(f64, f64, f64); 2], options: &str) -> String {
+    let length = 200.0 * half_width;
+    let materials = bodies.map(|(young, poisson, _)| Material { young, poisson });
+    let modulus = archard::body::contact_modulus([Some(&materials[0]), Some(&materials[1])]);
+    let curvature: f64 = bodies.iter().map(|body| 1.0 / body.2).sum();
+    let load = std::f64::consts::PI * modulus * half_width * half_width * curvature / 4.0 * length;
+    let body = |name: &str, (young, poisson, radius): (f64, f64, f64)| {
+        format!(
+            r#"
+            [body.{name}]
+            material = {{ young = "{young} Pa", poisson = {poisson} }}
+            profile.cylinder = {{ radius = "{radius} m" }}
+            "#
+        )
+    };
+    format!(
+        r#"{}{}
+        [frame]
+        size = ["{} m", "{length} m"]
+        elements = [{elements}, 1]
+        [motion.rolling]
+        load = "{load} N"
+        revolutions = 0
+        {options}
+        "#,
+        body("roller", bodies[0]),
+        body("counter", bodies[1]),
+        2.2 * half_width,
+    )
+}
+
+/// The first row of a case.
+fn row(text: &str) -> Rows {
+    let mut rows = Rows::default();
+    case(text, &[]).run(&mut [&mut rows]).expect("it converges");
+    rows
+}
+
+#[test]
+fn rolling_cylinders_are_carters() {
+    let steel = (208e9, 0.3, 0.0324);
+    let (half_width, friction) = (0.2e-3, 0.3);
+    for relative in [0.25, 0.5, 0.75] {
+        let creepage = relative * carter::saturation_creepage(friction, half_width, 0.0162);
+        let options =
+            format!("creepage = {creepage}\n[friction.coulomb]\ncoefficient = {friction}");
+        let rows = row(&strip(80, half_width, [steel; 2], &options));
+        let force = rows.last("force_x_N") / (friction * rows.last("load_N"));
+        assert_relative_eq!(force, carter::relative_force(relative), max_relative = 6e-3);
+        let stick = rows.last("stick_area_m2") / rows.last("contact_area_m2");
+        assert_relative_eq!(stick, 1.0 - relative, epsilon = 2.0 / 73.0);
+    }
+}
+
+/// Bentall and Johnson: unlike rollers free of traction creep, by 5.26e-4 here in the limit of small
+/// friction; the surface of the softer one runs faster.
+#[test]
+fn unlike_rollers_creep_when_they_roll_freely() {
+    let soft = (2.0 * 1.31 * 23e9, 0.31, 0.05);
+    let hard = (2.0 * 1.28 * 82e9, 0.28, 0.05);
+    let creep = |bodies| {
+        let options = "force = \"0 N\"\n[friction.coulomb]\ncoefficient = 0.001";
+        row(&strip(80, 0.1e-3, bodies, options)).last("creepage")
+    };
+    let creepage = creep([soft, hard]);
+    assert_relative_eq!(creepage, 5.26e-4, max_relative = 0.02);
+    let beta = free_rolling::dundurs_beta([23e9, 82e9], [0.31, 0.28]);
+    let closed = free_rolling::creepage(beta, 0.1e-3, 0.025);
+    assert_relative_eq!(creepage, closed, max_relative = 0.02);
+    assert_relative_eq!(creep([hard, soft]), -creepage, max_relative = 1e-6);
+}
+
+/// Twin discs as in the paper's section 6.3.
+fn twin_discs(size: [f64; 2], elements: [usize; 2], motion: &str) -> String {
+    let [x, y] = size;
+    let [nx, ny] = elements;
+    format!(
+        r#"
+        [body.disc1]
+        material = {{ young = "208 GPa", poisson = 0.3 }}
+        profile.disc = {{ radius = "32.5 mm", crown = "125 mm" }}
+        wear.archard = {{ coefficient = "1.333333e-6 1/MPa" }}
+        [body.disc2]
+        material = {{ young = "208 GPa", poisson = 0.3 }}
+        profile.disc = {{ radius = "32.3 mm" }}
+        wear.archard = {{ coefficient = "0.666667e-6 1/MPa" }}
+        [frame]
+        size = ["{x} mm", "{y} mm"]
+        elements = [{nx}, {ny}]
+        [friction.coulomb]
+        coefficient = 0.6
+        [motion.rolling]
+        load = "300 N"
+        {motion}
+        "#
+    )
+}
+
+/// k_w of both discs together (1/Pa).
+const WEAR: f64 = 2e-12;
+
+/// Deepest wear a revolution at 24 elements across the contact, against the limit of fine grids: 1.1495
+/// MPa mm times k_w at 0.5 %, 4.078 at 1.5 %.
+#[test]
+fn wear_of_a_revolution_on_coarse_elements() {
+    let spacing = [2.0 * 0.2165120 / 24.0, 2.0 * 0.8265901 / 24.0];
+    let elements = [27, 27];
+    let size = [0, 1].map(|axis| spacing[axis] * elements[axis] as f64);
+    for (creepage, expected, within) in [(0.005, 1.1495e3, 0.02), (0.015, 4.078e3, 0.003)] {
+        let motion = format!("creepage = {creepage}\nrevolutions = 1e-3\nstep = 1e-3");
+        let depth = row(&twin_discs(size, elements, &motion)).last("wear_depth_m") / 1e-3;
+        assert_relative_eq!(depth / WEAR, expected, max_relative = within);
+    }
+}
+
+/// The same discs rolling along either axis, in either sense: one and the same contact, turned.
+#[test]
+fn the_direction_of_rolling_makes_no_difference() {
+    let motion = "creepage = 0.004\nlateral_creepage = 0.001\nspin = \"0.5 1/m\"\nrevolutions = 20\nstep = 10";
+    let along_x = twin_discs([0.52, 2.2], [20, 17], motion);
+    let turned = along_x
+        .replace(
+            "profile.disc = { radius = \"32.5 mm\", crown = \"125 mm\" }",
+            "profile.paraboloid = { radius_x = \"125 mm\", radius_y = \"32.5 mm\" }",
+        )
+        .replace(
+            "profile.disc = { radius = \"32.3 mm\" }",
+            "profile.paraboloid = { radius_x = \"1e9 m\", radius_y = \"32.3 mm\" }",
+        )
+        .replace("[\"0.52 mm\", \"2.2 mm\"]", "[\"2.2 mm\", \"0.52 mm\"]")
+        .replace("[20, 17]", "[17, 20]");
+    let straight = along_x
+        .replace(
+            "profile.disc = { radius = \"32.5 mm\", crown = \"125 mm\" }",
+            "profile.paraboloid = { radius_x = \"32.5 mm\", radius_y = \"125 mm\" }",
+        )
+        .replace(
+            "profile.disc = { radius = \"32.3 mm\" }",
+            "profile.paraboloid = { radius_x = \"32.3 mm\", radius_y = \"1e9 m\" }",
+        );
+    let first = row(&straight);
+    let force = |rows: &Rows| [rows.last("force_x_N"), rows.last("force_y_N")];
+    let [forward, lateral] = force(&first);
+    for (text, direction, [x, y]) in [
+        (&straight, "-x", [-forward, -lateral]),
+        (&turned, "y", [-lateral, forward]),
+        (&turned, "-y", [lateral, -forward]),
+    ] {
+        let rows = row(&format!("{text}\ndirection = \"{direction}\""));
+        let found = force(&rows);
+        for (found, expected) in found.into_iter().zip([x, y]) {
+            assert_relative_eq!(found, expected, epsilon = 2e-5 * 180.0);
+        }
+        for column in
+            ["moment_z_Nm", "stick_area_m2", "wear_depth_m", "frictional_power_per_speed_N"]
+        {
+            assert_relative_eq!(rows.last(column), first.last(column), max_relative = 1e-4);
+        }
+    }
+}
+
+/// Worn section of a revolution against the work of the creepage, (k_w/mu) xi T, step by step.
+#[test]
+fn what_is_worn_is_the_work_of_the_creepage() {
+    let size = ([0.52, 6.4], [41, 81]);
+    for (creepage, step, revolutions, within) in
+        [(0.005, 50.0, 300.0, 1e-3), (0.005, 500.0, 6000.0, 1e-3), (0.015, 200.0, 1000.0, 1e-5)]
+    {
+        let motion = format!("creepage = {creepage}\nrevolutions = {revolutions}\nstep = {step}");
+        let rows = row(&twin_discs(size.0, size.1, &motion));
+        let sections: Vec<f64> = ["worn_section_disc1_m2", "worn_section_disc2_m2"]
+            .map(|column| rows.column(column))
+            .into_iter()
+            .reduce(|one, two| one.iter().zip(two).map(|(a, b)| a + b).collect())
+            .expect("two discs");
+        let forces = rows.column("force_x_N");
+        for (section, force) in sections.windows(2).zip(&forces[1..]) {
+            let worn = (section[1] - section[0]) / step;
+            assert_relative_eq!(worn, WEAR / 0.6 * creepage * force, max_relative = within);
+        }
+    }
+}
+
+/// Where everything slips, only the product of coefficient, creepage and revolutions counts.
+#[test]
+fn creepage_times_revolutions_is_what_counts() {
+    let size = ([0.52, 6.4], [31, 61]);
+    let depth = |creepage: f64, revolutions: f64| {
+        let motion =
+            format!("creepage = {creepage}\nrevolutions = {revolutions}\ntolerance = 0.003");
+        row(&twin_discs(size.0, size.1, &motion)).last("wear_depth_m")
+    };
+    assert_relative_eq!(depth(0.015, 10_000.0), depth(0.005, 30_000.0), max_relative = 5e-3);
+}
