@@ -10,7 +10,7 @@ use std::fmt::Debug;
 use crate::frame::{ContactFrame, Direction, VectorField};
 
 pub use half_space::HalfSpace;
-pub use slip::SlipMap;
+pub use slip::{Rub, SlipMap};
 pub use worn_planes::WornPlanes;
 
 use slip::Differenced;

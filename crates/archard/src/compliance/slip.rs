@@ -16,14 +16,20 @@ pub trait SlipMap: Debug + Send + Sync {
     /// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
     fn own(&self) -> f64;
 
-    /// Tractions (Pa) that nearly take a slip (m) away from the sticking pairs (ones in `stick`, zeros
-    /// elsewhere) while the others bear none. By default a division by `own`.
-    fn undo(&self, slip: [&[f64]; 2], stick: &[f64], tractions: [&mut [f64]; 2]) {
+    /// Tractions (Pa) that nearly take a slip (m) away, pair by pair as `rub` says. By default a division
+    /// by the diagonal.
+    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
         for (tractions, slip) in tractions.into_iter().zip(slip) {
-            for ((traction, slip), stick) in tractions.iter_mut().zip(slip).zip(stick) {
-                *traction = stick * slip / self.own();
+            for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
+                let slipping = rub.slip[pair] / (rub.diagonal[pair] + SLIPPING * self.own());
+                *traction = slip * (rub.stick[pair] / self.own() + slipping);
             }
         }
+    }
+
+    /// The same map on a frame of fewer elements; `None` where that is not possible.
+    fn within(&self, _elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
+        None
     }
 
     /// The same map on elements of twice the size, the first of which begins where these do, and their
@@ -32,6 +38,20 @@ pub trait SlipMap: Debug + Send + Sync {
         None
     }
 }
+
+/// Which pairs stick and which slip, one value a pair of the frame.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Rub {
+    /// One where a pair sticks, zero elsewhere.
+    pub stick: Vec<f64>,
+    /// One where a pair slips, zero elsewhere.
+    pub slip: Vec<f64>,
+    /// What slipping pairs have beside the map on the diagonal (m/Pa).
+    pub diagonal: Vec<f64>,
+}
+
+/// Self terms beside the diagonal of slipping pairs.
+const SLIPPING: f64 = 2.0;
 
 /// Steady rolling on any compliance of a uniform frame.
 #[derive(Debug)]

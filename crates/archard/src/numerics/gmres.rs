@@ -19,8 +19,8 @@ pub trait System {
 pub struct Solution {
     /// The vector.
     pub vector: Vec<f64>,
-    /// Applications of the map it took.
-    pub iterations: usize,
+    /// How much of each vector the map was applied to there is in it, in their order.
+    pub weights: Vec<f64>,
 }
 
 /// Solves until the residual is that small beside the right-hand side (2-norms), or until the given
@@ -47,7 +47,7 @@ pub fn solve(
         }
         residual = space.projected[space.directions.len()].abs();
     }
-    Solution { vector: space.combine(right.len()), iterations: space.directions.len() }
+    space.combine(right.len())
 }
 
 /// An orthonormal basis of the images, and the small triangular system they amount to.
@@ -99,9 +99,9 @@ impl Space {
     }
 
     /// The combination of the directions with the smallest residual.
-    fn combine(&self, length: usize) -> Vec<f64> {
-        let mut weights = self.projected.clone();
+    fn combine(&self, length: usize) -> Solution {
         let count = self.directions.len();
+        let mut weights = self.projected[..count].to_vec();
         for row in (0..count).rev() {
             for column in row + 1..count {
                 weights[row] -= self.columns[column][row] * weights[column];
@@ -112,7 +112,7 @@ impl Space {
         for (direction, &weight) in self.directions.iter().zip(&weights) {
             update(&mut vector, [direction], |value, [direction]| value + weight * direction);
         }
-        vector
+        Solution { vector, weights }
     }
 }
 
@@ -165,8 +165,8 @@ mod tests {
             let mut matrix = skew(diagonal);
             let expected: Vec<f64> = (0..9).map(|i| f64::from(i).sin()).collect();
             let right = matrix.apply(&expected);
-            let Solution { vector, iterations } = solve(&mut matrix, &right, 1e-13, 50);
-            assert!(iterations <= 9, "{iterations}");
+            let Solution { vector, weights } = solve(&mut matrix, &right, 1e-13, 50);
+            assert!(weights.len() <= 9, "{}", weights.len());
             for (found, expected) in vector.iter().zip(&expected) {
                 assert_relative_eq!(found, expected, epsilon = 1e-11);
             }
@@ -184,6 +184,6 @@ mod tests {
         };
         let residuals: Vec<f64> = (0..6).map(|count| residual(&mut matrix, count)).collect();
         assert!(residuals.windows(2).all(|pair| pair[1] < pair[0]), "{residuals:?}");
-        assert_eq!(solve(&mut matrix, &[0.0; 9], 1e-6, 5).iterations, 0);
+        assert!(solve(&mut matrix, &[0.0; 9], 1e-6, 5).weights.is_empty());
     }
 }

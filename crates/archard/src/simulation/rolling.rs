@@ -90,14 +90,16 @@ impl Chain {
         let addition = vec![0.0; gap.len()];
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
+            let before = self.state.pressure.clone();
             self.meet(simulation, leg, gap, &addition, compliance, effort)?;
-            return self.rub(simulation, leg, effort);
+            return self.rub(simulation, leg, &before, effort);
         }
         let mut opened = self.opened_by_friction(problem);
         for _ in 0..PASSES {
             let lifted = vector::map([gap, &opened], |[gap, opened]| gap + opened);
+            let before = self.state.pressure.clone();
             self.meet(simulation, leg, &lifted, &addition, compliance, effort)?;
-            self.rub(simulation, leg, effort)?;
+            self.rub(simulation, leg, &before, effort)?;
             let now = self.opened_by_friction(problem);
             let change =
                 now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
@@ -122,8 +124,14 @@ impl Chain {
         displacement.n.iter().map(|n| -n).collect()
     }
 
-    /// Finds the friction under the present pressures.
-    fn rub(&mut self, simulation: &Simulation, leg: Leg, effort: &mut Effort) -> Result<(), Error> {
+    /// Finds the friction under the present pressures, from that under earlier ones (Pa).
+    fn rub(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        before_pressure: &[f64],
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
         let problem = &simulation.problem;
         let Some(rolling) = problem.kinematics.rolling() else { return Ok(()) };
         let rolling = &rolling.at(leg.progress);
@@ -142,6 +150,8 @@ impl Chain {
         };
         let limit: Vec<f64> =
             self.state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+        let before_limit: Vec<f64> =
+            before_pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
         let drives = [rolling.longitudinal, rolling.lateral];
         let held = |(direction, drive): ([f64; 2], Drive)| match drive {
@@ -169,9 +179,10 @@ impl Chain {
             .collect();
         let start = before.as_ref().map(|before| tangential::Start {
             traction: [&before.traction[0], &before.traction[1]],
+            limit: &before_limit,
             found: &found,
         });
-        let outcome = simulation.friction_solver.solve(&step, start);
+        let outcome = tangential::solve(&*simulation.friction_solver, &step, start);
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;
         effort.residual = effort.residual.max(outcome.residual);

@@ -5,7 +5,7 @@ mod influence;
 mod rolling;
 
 use std::fmt;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::body::Material;
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
@@ -22,7 +22,7 @@ use rolling::Rolling;
 pub struct HalfSpace {
     influence: Influence,
     convolution: Convolution,
-    normal: Spectrum,
+    normal: OnceLock<Spectrum>,
     /// xx, xy and yy.
     tangential: OnceLock<[Spectrum; 3]>,
     /// xn and yn.
@@ -30,8 +30,9 @@ pub struct HalfSpace {
     periodic: OnceLock<(Convolution, Spectrum)>,
     /// The inverse of the tangential compliance of a frame that repeats itself: xx, xy and yy.
     tangential_inverse: OnceLock<(Convolution, [Spectrum; 3])>,
-    /// The same half-spaces under elements of twice the size.
+    /// The same half-spaces under elements of twice the size, and under a part of the elements.
     coarser: OnceLock<Box<HalfSpace>>,
+    part: Mutex<Option<Arc<HalfSpace>>>,
 }
 
 impl fmt::Debug for HalfSpace {
@@ -47,19 +48,26 @@ impl HalfSpace {
     }
 
     fn on(influence: Influence) -> Self {
-        let elements = influence.elements();
-        let convolution = Convolution::padded(elements);
-        let normal = convolution.spectrum(&influence.nn(), elements[0], [Parity::Even; 2]);
+        let convolution = Convolution::padded(influence.elements());
         Self {
             influence,
             convolution,
-            normal,
+            normal: OnceLock::new(),
             tangential: OnceLock::new(),
             coupling: OnceLock::new(),
             periodic: OnceLock::new(),
             tangential_inverse: OnceLock::new(),
             coarser: OnceLock::new(),
+            part: Mutex::new(None),
         }
+    }
+
+    /// Kernel nn.
+    fn normal(&self) -> &Spectrum {
+        self.normal.get_or_init(|| {
+            let width = self.influence.elements()[0];
+            self.convolution.spectrum(&self.influence.nn(), width, [Parity::Even; 2])
+        })
     }
 
     /// Kernels xx, xy and yy.
@@ -108,6 +116,19 @@ impl HalfSpace {
         self.coarser.get_or_init(|| Box::new(Self::on(self.influence.coarser())))
     }
 
+    /// The same half-spaces under that many elements, made anew where the last part asked for differed.
+    fn part(&self, elements: [usize; 2]) -> Arc<HalfSpace> {
+        let mut kept = self.part.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*kept {
+            Some(part) if part.influence.elements() == elements => Arc::clone(part),
+            _ => {
+                let part = Arc::new(Self::on(self.influence.within(elements)));
+                *kept = Some(Arc::clone(&part));
+                part
+            }
+        }
+    }
+
     /// The most offsets along each axis of a kernel on a grid that repeats itself.
     fn reach(&self, convolution: &Convolution) -> [usize; 2] {
         let elements = self.influence.elements();
@@ -134,7 +155,7 @@ impl Compliance for HalfSpace {
         let kernels = [
             [(xx, 1.0), (xy, 1.0), (xn, 1.0)],
             [(xy, 1.0), (yy, 1.0), (yn, 1.0)],
-            [(xn, -1.0), (yn, -1.0), (&self.normal, 1.0)],
+            [(xn, -1.0), (yn, -1.0), (self.normal(), 1.0)],
         ];
         let mut displacements = VectorField::zeros(tractions.n.len());
         let VectorField { t1, t2, n } = &mut displacements;
@@ -143,7 +164,7 @@ impl Compliance for HalfSpace {
     }
 
     fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
-        self.convolution.apply(&self.normal, pressure, displacement);
+        self.convolution.apply(self.normal(), pressure, displacement);
     }
 
     fn normal_self_term(&self) -> f64 {

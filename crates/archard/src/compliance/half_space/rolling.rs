@@ -1,24 +1,56 @@
 //! Steady rolling on half-spaces: the upwind difference taken in the transforms.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use super::HalfSpace;
-use crate::compliance::SlipMap;
+use crate::compliance::{Rub, SlipMap};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
+
+/// What stands for the map on slipping pairs, in self terms: on the diagonal, and what is passed on from the
+/// pair ahead.
+const SLIPPING: f64 = 5.0;
+const PASSED_ON: f64 = 4.0;
 
 /// The tangential compliance of half-spaces, differenced along the direction of rolling.
 #[derive(Debug)]
 pub(super) struct Rolling<'a> {
-    half_space: &'a HalfSpace,
+    half_space: Held<'a>,
     direction: Direction,
     difference: Difference,
+    own: f64,
+}
+
+/// Half-spaces of the whole frame, or of a part of it.
+#[derive(Debug)]
+enum Held<'a> {
+    Whole(&'a HalfSpace),
+    Part(Arc<HalfSpace>),
+}
+
+impl Deref for Held<'_> {
+    type Target = HalfSpace;
+
+    fn deref(&self) -> &HalfSpace {
+        match self {
+            Held::Whole(half_space) => half_space,
+            Held::Part(half_space) => half_space,
+        }
+    }
 }
 
 impl<'a> Rolling<'a> {
     pub fn new(half_space: &'a HalfSpace, direction: Direction) -> Self {
+        Self::on(Held::Whole(half_space), direction)
+    }
+
+    fn on(half_space: Held<'a>, direction: Direction) -> Self {
         // The pair ahead is the one of higher index.
         let Direction { axis, reversed } = direction;
         let difference = Difference::new(&half_space.convolution, axis, !reversed);
-        Self { half_space, direction, difference }
+        let own = half_space.influence.rolling_self_term(axis);
+        Self { half_space, direction, difference, own }
     }
 }
 
@@ -29,24 +61,36 @@ impl SlipMap for Rolling<'_> {
     }
 
     fn own(&self) -> f64 {
-        self.half_space.influence.rolling_self_term(self.direction.axis)
+        self.own
     }
 
-    /// Steps of the traction from pair to pair, found as in the normal problem by dividing by the
-    /// spectrum of a frame that repeats itself, are summed up from the leading edge on.
-    fn undo(&self, slip: [&[f64]; 2], stick: &[f64], tractions: [&mut [f64]; 2]) {
+    /// Where pairs stick, steps of the traction from pair to pair, found as in the normal problem by
+    /// dividing by the spectrum of a frame that repeats itself, are summed up from the leading edge on.
+    /// Where they slip, a recursion along the plane stands for the map.
+    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
         let (convolution, inverse) = self.half_space.tangential_inverse();
+        let sticking = slip.map(|slip| -> Vec<f64> {
+            slip.iter().zip(&rub.stick).map(|(slip, stick)| slip * stick).collect()
+        });
         let [one, two] = tractions;
-        convolution.apply_pair(inverse.each_ref(), slip, [one, two]);
-        for tractions in [one, two] {
-            for plane in self.direction.planes(self.half_space.influence.elements()) {
-                let mut sum = 0.0;
+        convolution.apply_pair(inverse.each_ref(), [&sticking[0], &sticking[1]], [one, two]);
+        let elements = self.half_space.influence.elements();
+        for (tractions, slip) in [one, two].into_iter().zip(slip) {
+            for plane in self.direction.planes(elements) {
+                let (mut sum, mut passed) = (0.0, 0.0);
                 for pair in plane {
-                    sum += stick[pair] * tractions[pair];
-                    tractions[pair] = stick[pair] * sum;
+                    sum += rub.stick[pair] * tractions[pair];
+                    passed = rub.slip[pair] * (slip[pair] + PASSED_ON * self.own * passed)
+                        / (rub.diagonal[pair] + SLIPPING * self.own);
+                    tractions[pair] = rub.stick[pair] * sum + passed;
                 }
             }
         }
+    }
+
+    fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
+        let part = Held::Part(self.half_space.part(elements));
+        Some(Box::new(Rolling::on(part, self.direction)))
     }
 
     fn coarser(&self) -> Option<(Box<dyn SlipMap + '_>, [usize; 2])> {

@@ -8,11 +8,14 @@
 //! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
 
 mod contraction;
+mod crop;
 mod newton;
 mod pairs;
 mod uzawa;
 
 use std::fmt::Debug;
+
+pub use crop::solve;
 
 use super::{Settings, Status};
 use crate::compliance::SlipMap;
@@ -49,6 +52,8 @@ pub struct Held {
 pub struct Start<'a> {
     /// Tractions (Pa), along t1 and t2, one value a pair.
     pub traction: [&'a [f64]; 2],
+    /// Largest tractions (Pa) they had to keep to, one value a pair.
+    pub limit: &'a [f64],
     /// Uniform slip (m) along each direction whose force is given.
     pub found: &'a [f64],
 }

@@ -9,15 +9,15 @@
 //! B dt + (|q| - limit) / (r limit) dt = s |q| / limit
 //! ```
 //!
-//! What sticks is preconditioned by [`SlipMap::undo`](crate::compliance::SlipMap::undo), what slips by
-//! the diagonal. A step that does not lower the residual is shortened; where that does not help, steps
+//! The linear systems are preconditioned by [`SlipMap::undo`](crate::compliance::SlipMap::undo). A step that does not lower the residual is shortened; where that does not help, steps
 //! of projection and contraction come between. Without a solution to start from, the problem is solved
 //! on elements of twice the size first, so that few steps remain on the finest whatever their number.
 
 use super::contraction::Contraction;
 use super::pairs::{Pairs, State};
 use super::{FrictionSolver, Held, Outcome, Start, Step, TOLERANCE};
-use crate::numerics::gmres::{self, System};
+use crate::compliance::Rub;
+use crate::numerics::gmres::{self, Solution, System};
 use crate::numerics::vector::{in_pool, sum, sweep, update};
 use crate::parameters::Choice;
 use crate::solve::{PARAMETERS, Settings, Status};
@@ -29,13 +29,12 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     build: |values| Ok(Box::new(Newton { settings: Settings::read(values, TOLERANCE, 200) })),
 };
 
-/// Self terms beside the diagonal of the slipping pairs.
-const SLIPPING: f64 = 2.0;
-/// Residual of the linear system, relative to its right-hand side, while the sticking pairs still change
-/// by more than `SETTLED` of them, and the largest after that.
+/// Residual of the linear system, relative to its right-hand side, while the sticking pairs change by more
+/// than `SETTLED` of them, and by more than `FINAL`; after that what the aim needs.
 const LOOSE: f64 = 0.5;
-const TIGHT: f64 = 0.1;
+const TIGHT: f64 = 0.05;
 const SETTLED: f64 = 0.03;
+const FINAL: f64 = 0.005;
 /// Krylov iterations of one step.
 const KRYLOV: usize = 120;
 /// Shortest step tried before others come between.
@@ -93,7 +92,9 @@ impl Newton {
         let first = Newton { settings }.descend(&coarse);
         let [one, two] = first.traction.each_ref().map(|traction| blocks.interpolate(traction));
         let found: Vec<f64> = first.found.iter().map(|found| 0.5 * found).collect();
-        let outcome = self.iterate(step, Some(Start { traction: [&one, &two], found: &found }));
+        let limit = blocks.interpolate(&limit);
+        let start = Start { traction: [&one, &two], limit: &limit, found: &found };
+        let outcome = self.iterate(step, Some(start));
         let applications = outcome.applications + first.applications.div_ceil(4);
         Outcome { applications, ..outcome }
     }
@@ -108,7 +109,8 @@ impl Newton {
             count += 1;
             let mut linear = Linear::about(&state, &mut pairs);
             let tolerance = linear.tolerance(&last_stick, residual, self.settings.tolerance);
-            last_stick.clone_from(&linear.stick);
+            last_stick.clone_from(&linear.rub.stick);
+
             let change = linear.solve(tolerance);
             match shorten(&state, &change, residual, &pairs) {
                 Some(next) => (state, residual) = next,
@@ -156,15 +158,14 @@ fn shorten(
 /// the slips that are found, in the unit that makes them count like tractions.
 struct Linear<'p, 'a> {
     pairs: &'p mut Pairs<'a>,
-    /// Ones where pairs stick, zeros elsewhere: on the whole frame, and on the pairs in contact.
-    stick: Vec<f64>,
+    /// What each pair of the frame does.
+    rub: Rub,
+    /// Ones where pairs in contact stick, zeros elsewhere.
     sticking: Vec<f64>,
     /// Components of the unit vector across the augmented traction of slipping pairs; zeros elsewhere.
     across: [Vec<f64>; 2],
     /// The diagonal beside B of slipping pairs (m/Pa), zeros elsewhere.
     diagonal: Vec<f64>,
-    /// What stands for the inverse on slipping pairs (Pa/m), zeros elsewhere.
-    inverse: Vec<f64>,
     /// Change that puts slipping pairs on their limit (Pa).
     fixed: Vec<f64>,
     /// Slip that what is unknown has to take away, and forces that are missing, in its unit (m).
@@ -172,6 +173,9 @@ struct Linear<'p, 'a> {
     /// Slip (m) of a found slip of one unit.
     unit: f64,
     border: Border,
+    /// Slip (m) that the fixed change takes away, and that each change tried does.
+    fixed_slip: Vec<f64>,
+    tried: Vec<Vec<f64>>,
 }
 
 /// What a unit of each slip that is found does by the preconditioner: the tractions that take it away
@@ -186,8 +190,9 @@ impl<'p, 'a> Linear<'p, 'a> {
     fn about(state: &State, pairs: &'p mut Pairs<'a>) -> Self {
         let count = pairs.len();
         let zeros = || vec![0.0; count];
-        let (mut stick, mut sticking) = (vec![0.0; pairs.step.limit.len()], zeros());
-        let (mut across, mut diagonal, mut inverse) = ([zeros(), zeros()], zeros(), zeros());
+        let frame = || vec![0.0; pairs.step.limit.len()];
+        let mut rub = Rub { stick: frame(), slip: frame(), diagonal: frame() };
+        let (mut sticking, mut across, mut diagonal) = (zeros(), [zeros(), zeros()], zeros());
         let (mut fixed, mut right) = (vec![0.0; 2 * count], vec![0.0; 2 * count]);
         for pair in 0..count {
             let at = |vector: &[f64]| [vector[pair], vector[count + pair]];
@@ -195,7 +200,7 @@ impl<'p, 'a> Linear<'p, 'a> {
             let q = [0, 1].map(|axis| t[axis] + s[axis] / pairs.own);
             let length = q[0].hypot(q[1]);
             if length <= limit {
-                stick[pairs.places[pair]] = 1.0;
+                rub.stick[pairs.places[pair]] = 1.0;
                 sticking[pair] = 1.0;
                 [right[pair], right[count + pair]] = s;
                 continue;
@@ -203,7 +208,8 @@ impl<'p, 'a> Linear<'p, 'a> {
             let unit = q.map(|value| value / length);
             let normal = [-unit[1], unit[0]];
             diagonal[pair] = pairs.own * (length - limit) / limit;
-            inverse[pair] = 1.0 / (diagonal[pair] + SLIPPING * pairs.own);
+            rub.slip[pairs.places[pair]] = 1.0;
+            rub.diagonal[pairs.places[pair]] = diagonal[pair];
             let short = limit - (t[0] * unit[0] + t[1] * unit[1]);
             let slip = (s[0] * normal[0] + s[1] * normal[1]) * length / limit;
             for axis in 0..2 {
@@ -214,10 +220,22 @@ impl<'p, 'a> Linear<'p, 'a> {
         }
         let unit = pairs.own / (count.max(1) as f64).sqrt();
         let border = Border::default();
-        let mut linear =
-            Self { pairs, stick, sticking, across, diagonal, inverse, fixed, right, unit, border };
+        let mut linear = Self {
+            pairs,
+            rub,
+            sticking,
+            across,
+            diagonal,
+            fixed,
+            right,
+            unit,
+            border,
+            fixed_slip: vec![0.0; 2 * count],
+            tried: vec![],
+        };
         if linear.fixed.iter().any(|&change| change != 0.0) {
-            let mut taken = linear.pairs.apply(&linear.fixed);
+            linear.fixed_slip = linear.pairs.apply(&linear.fixed);
+            let mut taken = linear.fixed_slip.clone();
             linear.keep_unknown(&mut taken);
             update(&mut linear.right, [&taken], |right, [taken]| right - taken);
         }
@@ -260,16 +278,24 @@ impl<'p, 'a> Linear<'p, 'a> {
 
     /// How well to solve: roughly while the sticking pairs still change much.
     fn tolerance(&self, last_stick: &[f64], residual: f64, aim: f64) -> f64 {
-        let [sticking] = sum([&self.stick], |[stick]| [stick]);
+        let [sticking] = sum([&self.rub.stick], |[stick]| [stick]);
         let changed = if last_stick.is_empty() {
             sticking
         } else {
-            let [changed] = sum([&self.stick, last_stick], |[now, before]| [(now - before).abs()]);
+            let [changed] =
+                sum([&self.rub.stick, last_stick], |[now, before]| [(now - before).abs()]);
             changed
         };
         let enough = 0.3 * aim / residual;
-        let settled = changed <= SETTLED * sticking.max(1.0);
-        (if settled { TIGHT.min(residual) } else { LOOSE }).max(enough).min(LOOSE)
+        let within = |share: f64| changed <= (share * sticking).max(1.0);
+        let tolerance = if within(FINAL) {
+            TIGHT.min(residual)
+        } else if within(SETTLED) {
+            TIGHT
+        } else {
+            LOOSE
+        };
+        tolerance.max(enough).min(LOOSE)
     }
 
     /// Keeps the part of a vector along what is unknown: all of it where pairs stick, that across the
@@ -289,12 +315,16 @@ impl<'p, 'a> Linear<'p, 'a> {
     /// The change of tractions, slip and found slips.
     fn solve(&mut self, tolerance: f64) -> State {
         let right = std::mem::take(&mut self.right);
-        let mut traction = gmres::solve(self, &right, tolerance, KRYLOV).vector;
+        let Solution { vector: mut traction, weights } =
+            gmres::solve(self, &right, tolerance, KRYLOV);
         let held = self.pairs.step.held;
         let found = traction.split_off(2 * self.sticking.len());
         let found: Vec<f64> = found.iter().map(|found| self.unit * found).collect();
         update(&mut traction, [&self.fixed], |change, [fixed]| change + fixed);
-        let mut slip: Vec<f64> = self.pairs.apply(&traction).iter().map(|taken| -taken).collect();
+        let mut slip: Vec<f64> = self.fixed_slip.iter().map(|taken| -taken).collect();
+        for (taken, &weight) in self.tried.iter().zip(&weights) {
+            update(&mut slip, [taken], |slip, [taken]| slip - weight * taken);
+        }
         for (held, &found) in held.iter().zip(&found) {
             update(&mut slip, [&self.uniform(held)], |slip, [unit]| slip + found * unit);
         }
@@ -309,19 +339,8 @@ impl<'p, 'a> Linear<'p, 'a> {
 
     /// Nearly the tractions that take a slip away, of what is unknown.
     fn precondition_tractions(&mut self, slip: &[f64]) -> Vec<f64> {
-        let count = self.sticking.len();
-        let mut sticking = slip.to_vec();
-        for values in sticking.chunks_mut(count) {
-            update(values, [&self.sticking], |value, [stick]| stick * value);
-        }
-        let mut traction = self.pairs.undo(&sticking, &self.stick);
-        for (traction, slip) in traction.chunks_mut(count).zip(slip.chunks(count)) {
-            update(
-                traction,
-                [slip, &self.inverse, &self.sticking],
-                |traction, [slip, inverse, stick]| stick * traction + inverse * slip,
-            );
-        }
+        let mut traction = self.pairs.undo(slip, &self.rub);
+        self.keep_unknown(&mut traction);
         traction
     }
 }
@@ -331,6 +350,7 @@ impl System for Linear<'_, '_> {
         let count = self.sticking.len();
         let (traction, found) = vector.split_at(2 * count);
         let mut image = self.pairs.apply(traction);
+        self.tried.push(image.clone());
         for (held, found) in self.pairs.step.held.iter().zip(found) {
             let slip = self.unit * found;
             for (image, unit) in image.chunks_mut(count).zip(held.direction) {

@@ -1,8 +1,12 @@
 //! The pairs in contact alone: what iterations of friction work on.
 
 use super::{Outcome, Start, Status, Step};
+use crate::compliance::Rub;
 use crate::friction::onto_disc;
 use crate::numerics::vector::sum;
+
+/// How near its limit a traction of an earlier solution is where pairs slip, relative to it.
+const SLIPS: f64 = 1e-3;
 
 /// The pairs in contact of a step. Vectors on them hold all values along t1, then all along t2.
 pub(super) struct Pairs<'a> {
@@ -77,19 +81,20 @@ impl<'a> Pairs<'a> {
         self.gather()
     }
 
-    /// Tractions (Pa) that nearly take a slip (m) away from the sticking pairs.
-    pub fn undo(&mut self, slip: &[f64], stick: &[f64]) -> Vec<f64> {
+    /// Tractions (Pa) that nearly take a slip (m) away.
+    pub fn undo(&mut self, slip: &[f64], rub: &Rub) -> Vec<f64> {
         self.scatter(slip);
         let [one, two] = &mut self.images;
-        self.step.map.undo([&self.fields[0], &self.fields[1]], stick, [one, two]);
+        self.step.map.undo([&self.fields[0], &self.fields[1]], rub, [one, two]);
         self.gather()
     }
 
     fn gather(&self) -> Vec<f64> {
-        let values = |image: &'_ Vec<f64>| -> Vec<f64> {
-            self.places.iter().map(|&place| image[place]).collect()
-        };
-        self.images.iter().flat_map(values).collect()
+        let mut vector = Vec::with_capacity(2 * self.places.len());
+        for image in &self.images {
+            vector.extend(self.places.iter().map(|&place| image[place]));
+        }
+        vector
     }
 
     /// Tractions at rest, or those of an earlier solution brought within the limits.
@@ -97,8 +102,15 @@ impl<'a> Pairs<'a> {
         let mut traction = vec![0.0; 2 * self.len()];
         let mut found = vec![0.0; self.step.held.len()];
         if let Some(start) = start {
-            for (values, field) in traction.chunks_mut(self.places.len()).zip(start.traction) {
-                values.iter_mut().zip(&self.places).for_each(|(to, &place)| *to = field[place]);
+            let [one, two] = start.traction;
+            let (first, second) = traction.split_at_mut(self.places.len());
+            let limits = self.places.iter().zip(&self.limit);
+            for ((x, y), (&place, limit)) in first.iter_mut().zip(second).zip(limits) {
+                // Where the pair slips, it keeps to its limit.
+                let slips = one[place].hypot(two[place]) >= (1.0 - SLIPS) * start.limit[place];
+                let slips = slips && start.limit[place] > 0.0;
+                let factor = if slips { limit / start.limit[place] } else { 1.0 };
+                (*x, *y) = (factor * one[place], factor * two[place]);
             }
             found.copy_from_slice(start.found);
             self.project(&mut traction);
