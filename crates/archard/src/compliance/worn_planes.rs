@@ -8,6 +8,11 @@ use super::{Compliance, Preconditioner};
 use crate::frame::{Direction, VectorField};
 use crate::numerics::dense::Cholesky;
 
+/// Sets of touching planes tried.
+const SETS: usize = 50;
+/// Share of the load that has to move from plane to plane for pressures worth foreseeing.
+const HARDLY: f64 = 0.03;
+
 /// A compliance with the wear of its planes.
 #[derive(Debug)]
 pub struct WornPlanes<'a> {
@@ -39,15 +44,48 @@ impl<'a> WornPlanes<'a> {
         pressure: &[f64],
     ) -> Self {
         let planes = direction.planes(elements).zip(slopes);
-        let planes: Vec<Plane> = planes
+        let mut planes: Vec<Plane> = planes
             .map(|(pairs, &slope)| Plane {
                 contact: pairs.clone().filter(|&pair| pressure[pair] > 0.0).collect(),
                 pairs: pairs.collect(),
                 slope,
             })
             .collect();
+        spread_contact(&mut planes);
         let between = between(elastic, &planes, pressure.len());
         Self { elastic, planes, between }
+    }
+
+    /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each plane those
+    /// that were there, or in the nearest plane that touched, scaled to what the plane takes of the
+    /// load as the wear goes on. `None` where they are hardly others, or not found.
+    pub fn foresee(&self, gap: &[f64], total: f64, pressure: &[f64]) -> Option<Vec<f64>> {
+        let mean = |plane: &Plane| {
+            plane.contact.iter().map(|&pair| gap[pair]).sum::<f64>() / plane.contact.len() as f64
+        };
+        let sum = |plane: &Plane| plane.pairs.iter().map(|&pair| pressure[pair]).sum::<f64>();
+        let before: Vec<f64> = self.planes.iter().map(sum).collect();
+        let touching: Vec<bool> = before.iter().map(|&sum| sum > 0.0).collect();
+        let first = touching.iter().position(|&touches| touches)?;
+        let last = touching.iter().rposition(|&touches| touches)?;
+        let gap = self.planes.iter().map(mean).collect();
+        let across = Across { planes: &self.planes, between: &self.between, gap };
+        let sums = across.share(total, touching)?;
+        let change: f64 = sums.iter().zip(&before).map(|(now, then)| (now - then).abs()).sum();
+        if change < HARDLY * total {
+            return None;
+        }
+        let mut foreseen = vec![0.0; pressure.len()];
+        for (index, (plane, sum)) in self.planes.iter().zip(&sums).enumerate() {
+            let nearest = index.clamp(first, last);
+            let source = &self.planes[nearest];
+            if before[nearest] > 0.0 {
+                let along: Vec<f64> = source.pairs.iter().map(|&pair| pressure[pair]).collect();
+                let scaled = as_a_line(&along, sum / before[nearest]);
+                plane.pairs.iter().zip(scaled).for_each(|(&pair, value)| foreseen[pair] = value);
+            }
+        }
+        Some(foreseen)
     }
 
     /// Adds to displacements (m) what pressures (Pa) wear, times a factor.
@@ -58,6 +96,95 @@ impl<'a> WornPlanes<'a> {
                 let depth = factor * plane.slope * sum;
                 plane.pairs.iter().for_each(|&pair| displacement[pair] += depth);
             }
+        }
+    }
+}
+
+/// How the sums of the pressures of planes share a load, each plane taken as one: the contact problem
+/// across the planes.
+struct Across<'a> {
+    planes: &'a [Plane],
+    between: &'a [f64],
+    /// Mean gap (m) over the contact of each plane.
+    gap: Vec<f64>,
+}
+
+impl Across<'_> {
+    /// Mean displacement (m) of a plane under a unit sum (Pa) of another's pressures.
+    fn element(&self, row: usize, column: usize) -> f64 {
+        let own = if row == column { self.planes[row].slope } else { 0.0 };
+        self.between[row.abs_diff(column)] + own
+    }
+
+    /// The sums (Pa) that add up to a total; `None` if they are not found.
+    fn share(&self, total: f64, first: Vec<bool>) -> Option<Vec<f64>> {
+        let mut touching = first;
+        for _ in 0..SETS {
+            let set: Vec<usize> = (0..self.planes.len()).filter(|&plane| touching[plane]).collect();
+            let factors = Cholesky::new(set.len(), |i, j| self.element(set[i], set[j]))?;
+            let ones = factors.solve(&vec![1.0; set.len()]);
+            let opposed =
+                factors.solve(&set.iter().map(|&plane| self.gap[plane]).collect::<Vec<_>>());
+            let (lift, drop) = (ones.iter().sum::<f64>(), opposed.iter().sum::<f64>());
+            let approach = (total + drop) / lift;
+            let mut sums = vec![0.0; self.planes.len()];
+            for ((&plane, one), opposed) in set.iter().zip(&ones).zip(&opposed) {
+                sums[plane] = approach * one - opposed;
+            }
+            let mut changed = false;
+            for plane in 0..self.planes.len() {
+                let touches = if touching[plane] {
+                    sums[plane] > 0.0
+                } else {
+                    let lifted: f64 =
+                        set.iter().map(|&other| self.element(plane, other) * sums[other]).sum();
+                    self.gap[plane] + lifted < approach
+                };
+                changed |= touches != touching[plane];
+                touching[plane] = touches;
+            }
+            if !changed {
+                return Some(sums);
+            }
+        }
+        None
+    }
+}
+
+/// The pressures along a plane when what it bears changes by a factor: as in a line contact of Hertz, peak
+/// and width both change with its root.
+fn as_a_line(pressure: &[f64], factor: f64) -> Vec<f64> {
+    let root = factor.max(0.0).sqrt();
+    let total: f64 = pressure.iter().sum();
+    let centre = pressure.iter().enumerate().map(|(i, p)| i as f64 * p).sum::<f64>() / total;
+    let at = |place: f64| {
+        let low = place.floor();
+        let value = |index: f64| {
+            if index < 0.0 { 0.0 } else { pressure.get(index as usize).copied().unwrap_or(0.0) }
+        };
+        let share = place - low;
+        (1.0 - share) * value(low) + share * value(low + 1.0)
+    };
+    if root == 0.0 {
+        return vec![0.0; pressure.len()];
+    }
+    (0..pressure.len()).map(|i| root * at(centre + (i as f64 - centre) / root)).collect()
+}
+
+/// Gives planes that do not touch yet the contact of the nearest that do: some of them will touch.
+fn spread_contact(planes: &mut [Plane]) {
+    let touching = |plane: &Plane| !plane.contact.is_empty();
+    let (Some(first), Some(last)) =
+        (planes.iter().position(touching), planes.iter().rposition(touching))
+    else {
+        return;
+    };
+    for (from, to) in [(first, 0..first), (last, last + 1..planes.len())] {
+        let source = &planes[from];
+        let number = |pair: &usize| source.pairs.iter().position(|other| other == pair);
+        let numbers: Vec<usize> = source.contact.iter().filter_map(number).collect();
+        for plane in &mut planes[to] {
+            plane.contact = numbers.iter().map(|&number| plane.pairs[number]).collect();
         }
     }
 }

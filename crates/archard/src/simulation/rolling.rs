@@ -263,6 +263,7 @@ impl Chain {
                 plane.for_each(|pair| gap[pair] += constant(index));
             }
             let pressure = self.state.pressure.clone();
+            let total: f64 = pressure.iter().sum();
             let worn = WornPlanes::new(
                 &*problem.compliance,
                 rolling.direction,
@@ -270,6 +271,7 @@ impl Chain {
                 &slopes,
                 &pressure,
             );
+            self.start_from(worn.foresee(&gap, total, &pressure), problem);
             worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
             self.roll_on(simulation, leg, &gap, &worn, effort)?;
             worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
@@ -293,6 +295,14 @@ impl Chain {
             progress: leg.progress,
             passes: PASSES,
         })
+    }
+
+    /// Takes pressures (Pa) to start the next solve from, if there are any.
+    fn start_from(&mut self, foreseen: Option<Vec<f64>>, problem: &ContactProblem) {
+        if let Some(foreseen) = foreseen {
+            problem.compliance.apply_normal(&foreseen, &mut self.displacement);
+            self.state.pressure = foreseen;
+        }
     }
 
     fn wear_down(
