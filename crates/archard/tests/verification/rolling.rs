@@ -342,3 +342,42 @@ fn creepage_times_revolutions_is_what_counts() {
     };
     assert_relative_eq!(depth(0.015, 10_000.0), depth(0.005, 30_000.0), max_relative = 5e-3);
 }
+
+/// Steps chosen by error against steps of 10 revolutions, at every output of the first sixth of the run; and
+/// over the whole run the independent table: depth (um), and peak pressure (MPa), which no spike exceeds.
+#[test]
+fn steps_by_error_meet_the_run_without_acceleration() {
+    let outputs = [1.0, 100.0, 1000.0, 5000.0, 10_000.0, 20_000.0];
+    let run = |motion: &str| {
+        let text = twin_discs([0.52, 6.4], [41, 81], &format!("creepage = 0.005\n{motion}"));
+        let outputs = if motion.contains("step") { "" } else { &*format!("at = {outputs:?}") };
+        row(&format!("{text}\n[output]\n{outputs}"))
+    };
+    let at = |rows: &Rows, column: &str, revolutions: f64| {
+        let places = rows.column("revolutions");
+        let near = |place: &f64| (place - revolutions).abs() <= 1e-9 * revolutions;
+        rows.column(column)[places.iter().position(near).expect("an output")]
+    };
+    let adaptive = run("revolutions = 30000\ntolerance = 0.003");
+    assert!(adaptive.last("solves") <= 60.0, "{} solves", adaptive.last("solves"));
+    let fixed = run("revolutions = 5000\nstep = 10");
+    for revolutions in [100.0, 1000.0, 5000.0] {
+        let [one, other] = [&adaptive, &fixed].map(|rows| at(rows, "wear_depth_m", revolutions));
+        assert_relative_eq!(one, other, max_relative = 0.01);
+    }
+    let table = [
+        (100.0, 0.2288, 787.0),
+        (1000.0, 2.06, 684.0),
+        (5000.0, 7.59, 502.0),
+        (10_000.0, 12.38, 440.0),
+        (20_000.0, 19.87, 391.0),
+        (30_000.0, 26.13, 364.0),
+    ];
+    for (revolutions, depth, peak) in table {
+        let within = if revolutions == 30_000.0 { 1e-3 } else { 0.01 };
+        let found = at(&adaptive, "wear_depth_m", revolutions);
+        assert_relative_eq!(found, depth * 1e-6, max_relative = within);
+        let found = at(&adaptive, "peak_pressure_Pa", revolutions);
+        assert!(found < 1.05 * peak * 1e6, "{found:e} Pa after {revolutions} revolutions");
+    }
+}
