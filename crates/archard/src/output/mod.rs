@@ -10,6 +10,8 @@
 //!
 //! All of them are complete on the disk after every step, so an interrupted run can be read.
 
+mod closed_forms;
+mod coefficients;
 mod fields;
 mod file;
 mod folder;
