@@ -1,5 +1,7 @@
 //! Pictures of a made-up run: no solver, Hertz's pressure on a growing scar.
 
+mod rolling;
+
 use std::fs;
 use std::path::Path;
 
@@ -89,9 +91,15 @@ fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> 
     }
 }
 
-/// Writes the result folder of a made-up run.
-fn write(dir: &Path, problem: &ContactProblem, states: &[ContactState], finished: bool) {
-    let mut folder = ResultFolder::create(dir, "").unwrap();
+/// Writes the result folder of a made-up run of a case, which need not be one.
+fn write(
+    dir: &Path,
+    case: &str,
+    problem: &ContactProblem,
+    states: &[ContactState],
+    finished: bool,
+) {
+    let mut folder = ResultFolder::create(dir, case).unwrap();
     let last = states.len() - 1;
     for (step, state) in states.iter().enumerate() {
         let load_distance = 10.2 * state.progress;
@@ -115,7 +123,7 @@ fn slide(dir: &Path, coefficients: [f64; 2], finished: bool) {
         .map(|step| 5e-3 * f64::from(step))
         .map(|s| ContactState { progress: s, ..state(&problem, 10.2, 10.2 * total * s, shares) })
         .collect();
-    write(dir, &problem, &states, finished);
+    write(dir, "", &problem, &states, finished);
 }
 
 /// The names of the files that were drawn, checked to be there.
@@ -163,7 +171,7 @@ fn an_indentation_is_drawn_beside_hertz() {
             ..state(&problem, 10.2 * share, 0.0, [0.0; 2])
         })
         .collect();
-    write(dir.path(), &problem, &states, true);
+    write(dir.path(), "", &problem, &states, true);
     assert_eq!(drawn(dir.path())[0], "load.svg");
     let svg = fs::read_to_string(dir.path().join("plots/load.svg")).unwrap();
     assert!(svg.contains("Hertz") && svg.contains("Approach (µm)"));
@@ -173,7 +181,7 @@ fn an_indentation_is_drawn_beside_hertz() {
 fn a_run_that_has_only_begun_is_drawn() {
     let dir = tempdir().unwrap();
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
-    write(dir.path(), &problem, &[ContactState::untouched(problem.frame.gap())], false);
+    write(dir.path(), "", &problem, &[ContactState::untouched(problem.frame.gap())], false);
     assert_eq!(drawn(dir.path()).len(), 8);
 }
 
