@@ -4,6 +4,7 @@
 //! plotted while its run goes on and long after.
 
 mod cells;
+mod comparison;
 mod creep_force;
 mod figure;
 mod heights;
@@ -59,14 +60,18 @@ impl Picture {
     }
 }
 
-/// Draws the pictures that make sense for the results in `dir` into `dir/plots` and returns their
-/// files.
+/// Draws the pictures that make sense for the results in `dir` into `dir/plots`, and one that compares
+/// their wear with that of the runs in `others`, if there are any; returns their files.
 ///
 /// # Errors
-/// If `dir` is not a result folder, has no results yet or cannot be written.
-pub fn run(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+/// If a folder is not a result folder, has no results yet, cannot be compared or cannot be written.
+pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
     let results = Results::read(dir)?;
-    let pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
+    let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
+    if !others.is_empty() {
+        let compared = comparison::panel(dir, &results, others)?;
+        pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
+    }
     let plots = dir.join("plots");
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();

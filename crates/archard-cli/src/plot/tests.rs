@@ -3,7 +3,7 @@
 mod rolling;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use archard::body::{Body, Material, profile::PROFILES};
 use archard::closed_form::pin_on_disc;
@@ -128,7 +128,12 @@ fn slide(dir: &Path, coefficients: [f64; 2], finished: bool) {
 
 /// The names of the files that were drawn, checked to be there.
 fn drawn(dir: &Path) -> Vec<String> {
-    let files = run(dir).unwrap();
+    drawn_with(dir, &[])
+}
+
+/// The same, with other runs beside it.
+fn drawn_with(dir: &Path, others: &[PathBuf]) -> Vec<String> {
+    let files = run(dir, others).unwrap();
     for file in &files {
         let bytes = fs::read(file).unwrap();
         let start: &[u8] = if file.extension().unwrap() == "png" { b"\x89PNG" } else { b"<" };
@@ -188,9 +193,55 @@ fn a_run_that_has_only_begun_is_drawn() {
 #[test]
 fn other_folders_are_refused_in_words() {
     let dir = tempdir().unwrap();
-    let error = run(dir.path()).unwrap_err().to_string();
+    let error = run(dir.path(), &[]).unwrap_err().to_string();
     assert!(error.contains("is not a result folder"), "{error}");
     ResultFolder::create(dir.path(), "").unwrap();
-    let error = run(dir.path()).unwrap_err().to_string();
+    let error = run(dir.path(), &[]).unwrap_err().to_string();
     assert!(error.contains("no rows"), "{error}");
+}
+
+#[test]
+fn runs_are_compared_under_the_names_of_their_folders() {
+    let dir = tempdir().unwrap();
+    let [fine, coarse] = ["fine", "coarse"].map(|name| dir.path().join(name));
+    slide(&fine, [0.887e-13, 0.443e-13], true);
+    slide(&coarse, [0.9e-13, 0.45e-13], false);
+    let files = drawn_with(&fine, std::slice::from_ref(&coarse));
+    assert_eq!(files[files.len() - 2..], ["comparison.svg", "comparison.png"]);
+    let svg = fs::read_to_string(fine.join("plots/comparison.svg")).unwrap();
+    for text in ["fine", "coarse", "pin", "disc", "both", "Distance (mm)", "Wear depth (µm)"] {
+        assert!(svg.contains(&format!(">{text}<")), "{text}");
+    }
+    assert!(!coarse.join("plots").exists());
+}
+
+#[test]
+fn runs_in_folders_of_one_name_are_told_apart_by_their_paths() {
+    let dir = tempdir().unwrap();
+    let [one, other] = ["one/run", "other/run"].map(|name| dir.path().join(name));
+    slide(&one, [1.33e-13, 0.0], true);
+    slide(&other, [1.33e-13, 0.0], true);
+    drawn_with(&one, std::slice::from_ref(&other));
+    let svg = fs::read_to_string(one.join("plots/comparison.svg")).unwrap();
+    assert!(svg.contains(&other.display().to_string()));
+    // What is worn of one body is worn in all.
+    assert!(!svg.contains(">both<"));
+}
+
+#[test]
+fn runs_that_cannot_be_compared_are_refused_in_words() {
+    let dir = tempdir().unwrap();
+    let [slid, pressed] = ["slid", "pressed"].map(|name| dir.path().join(name));
+    slide(&slid, [1.33e-13, 0.0], true);
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    write(&pressed, "", &problem, &[ContactState::untouched(problem.frame.gap())], true);
+    let refused = |dir: &PathBuf, other: &PathBuf| {
+        run(dir, std::slice::from_ref(other)).unwrap_err().to_string()
+    };
+    let error = refused(&slid, &pressed);
+    assert!(error.contains("its progress is `share`") && error.contains("`distance_m`"), "{error}");
+    let error = refused(&pressed, &pressed);
+    assert!(error.contains("nothing has worn"), "{error}");
+    let error = refused(&slid, &dir.path().to_owned());
+    assert!(error.contains("is not a result folder"), "{error}");
 }
