@@ -24,10 +24,7 @@ pub enum Command {
     /// List the built-in cases, or write one out to start from
     New(New),
     /// Draw the pictures of a result folder
-    Plot {
-        /// A folder written by `run`
-        dir: PathBuf,
-    },
+    Plot(Plot),
 }
 
 /// A case with options laid over it.
@@ -67,4 +64,14 @@ pub struct New {
     /// The folder to write it into; the case's name if not given
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+}
+
+/// The arguments of `plot`.
+#[derive(Debug, Args)]
+pub struct Plot {
+    /// A folder written by `run`; the pictures go into its folder `plots`
+    pub dir: PathBuf,
+    /// Folders of other runs, whose wear is compared with that of the first
+    #[arg(long, value_name = "DIR", num_args = 1..)]
+    pub with: Vec<PathBuf>,
 }

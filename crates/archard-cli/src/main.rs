@@ -27,11 +27,11 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Plot { dir } => {
-            plot::run(&dir).map_err(|error| Failure::wrong(format!("{error:#}"))).and_then(
-                |files| files.iter().try_for_each(|file| say::say(&file.display().to_string())),
-            )
-        }
+        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
+            .map_err(|error| Failure::wrong(format!("{error:#}")))
+            .and_then(|files| {
+                files.iter().try_for_each(|file| say::say(&file.display().to_string()))
+            }),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -100,14 +100,17 @@ impl Tangential {
             + spin * self.moment(frame)
     }
 
-    /// Area (m^2) of the pairs in contact that stick: those that bear less than the limit.
-    pub fn stick_area(&self, problem: &ContactProblem, pressure: &[f64]) -> f64 {
-        let Some(friction) = &problem.friction else { return 0.0 };
+    /// Whether a pair is in contact and sticks: it bears less than the limit.
+    pub fn sticks(&self, problem: &ContactProblem, pressure: &[f64], pair: usize) -> bool {
+        let Some(friction) = &problem.friction else { return false };
         let [t1, t2] = &self.traction;
-        let sticks = |&pair: &usize| {
-            let limit = friction.limit(pressure[pair]);
-            limit > 0.0 && t1[pair].hypot(t2[pair]) < (1.0 - STICKS) * limit
-        };
+        let limit = friction.limit(pressure[pair]);
+        limit > 0.0 && t1[pair].hypot(t2[pair]) < (1.0 - STICKS) * limit
+    }
+
+    /// Area (m^2) of the pairs in contact that stick.
+    pub fn stick_area(&self, problem: &ContactProblem, pressure: &[f64]) -> f64 {
+        let sticks = |&pair: &usize| self.sticks(problem, pressure, pair);
         (0..pressure.len()).filter(sticks).count() as f64 * problem.frame.element_area()
     }
 }

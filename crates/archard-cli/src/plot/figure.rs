@@ -20,6 +20,8 @@ const PNG_WIDTH: f64 = 1600.0;
 /// Black, blue and vermilion of M. Okabe and K. Ito, *Color Universal Design* (2008): told apart
 /// with any colour vision.
 pub(super) const COLOURS: [&str; 3] = ["#000000", "#0072b2", "#d55e00"];
+/// The same, pale: for what lies below.
+pub(super) const PALE: [&str; 3] = ["#bdbdbd", "#9ad0f5", "#f5c19a"];
 
 /// Curves or a map between two axes.
 pub(super) struct Panel {
@@ -52,9 +54,14 @@ impl Pen {
         Self { colour: colour.into(), width: 5.0 }
     }
 
+    /// A band under everything else.
+    pub(super) fn under(colour: impl Into<String>) -> Self {
+        Self { colour: colour.into(), width: 7.0 }
+    }
+
     /// The pale band of a closed form, under whatever was computed.
     pub(super) fn closed_form() -> Self {
-        Self { colour: "#bdbdbd".to_owned(), width: 7.0 }
+        Self::under(PALE[0])
     }
 }
 
@@ -87,16 +94,19 @@ impl Curves {
         self.plots.push(line.into());
     }
 
-    /// Adds points without a line between them.
+    /// Adds points without a line between them; only some with a legend appear there.
     pub(super) fn mark(
         &mut self,
         points: impl IntoIterator<Item = (f64, f64)>,
         colour: &str,
-        legend: &str,
+        legend: Option<&str>,
     ) {
         let points: Vec<(f64, f64)> = points.into_iter().collect();
-        let marks = ScatterPlot::new().with_data(points).with_color(colour).with_size(5.0);
-        self.plots.push(marks.with_legend(legend).into());
+        let mut marks = ScatterPlot::new().with_data(points).with_color(colour).with_size(5.0);
+        if let Some(legend) = legend {
+            marks = marks.with_legend(legend);
+        }
+        self.plots.push(marks.into());
     }
 
     /// The panel with these curves; `adapt` changes what is particular to it.

@@ -4,8 +4,9 @@ use anyhow::Result;
 
 use super::figure::{Curves, Panel, Pen, moment};
 use super::pressure::{MOMENTS, along_axis};
-use super::results::{Axis, Profile, Results};
+use super::results::Results;
 use super::scale::Unit;
+use super::tables::{Axis, Profile};
 
 /// The sections of both bodies along an axis at several outputs.
 ///

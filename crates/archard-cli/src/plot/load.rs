@@ -4,8 +4,9 @@ use anyhow::Result;
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
-use super::results::{Results, largest};
+use super::results::Results;
 use super::scale::Unit;
+use super::tables::largest;
 
 /// Points of the curve of the closed form.
 const POINTS: usize = 100;
@@ -25,7 +26,7 @@ pub(super) fn panel(results: &Results) -> Result<Panel> {
         curves.add(hertz, Pen::closed_form(), Some("Hertz"));
     }
     let points = approach.iter().zip(load).map(|(d, f)| (d * unit.factor, *f));
-    curves.mark(points, COLOURS[1], "computed");
+    curves.mark(points, COLOURS[1], Some("computed"));
     Ok(curves.panel(["Load", &unit.label("Approach"), "Load (N)"], |layout| {
         layout.with_legend_position(LegendPosition::InsideTopLeft)
     }))

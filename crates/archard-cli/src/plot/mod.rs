@@ -4,6 +4,8 @@
 //! plotted while its run goes on and long after.
 
 mod cells;
+mod comparison;
+mod creep_force;
 mod figure;
 mod heights;
 mod load;
@@ -11,6 +13,9 @@ mod pressure;
 mod raster;
 mod results;
 mod scale;
+mod tables;
+mod traction;
+mod transverse;
 mod wear;
 
 #[cfg(test)]
@@ -22,59 +27,144 @@ use std::path::{Path, PathBuf};
 use anyhow::Context;
 
 use figure::{Panel, save};
-use results::{Axis, Results};
+use pressure::MOMENTS;
+use results::Results;
+use tables::Axis;
 
 /// Size (px) of a panel of the figures with few panels.
 const PANEL: [f64; 2] = [640.0, 460.0];
+/// Size (px) of a map.
+const MAP: [f64; 2] = [680.0, 600.0];
+/// Size (px) of a panel of an overview.
+const OVERVIEW: [f64; 2] = [700.0, 500.0];
 
-/// Draws the pictures that make sense for the results in `dir` into `dir/plots` and returns their
-/// files.
+/// A picture under its name.
+struct Picture {
+    name: &'static str,
+    /// Panels side by side.
+    columns: usize,
+    /// Size (px) of a panel.
+    size: [f64; 2],
+    panels: Vec<Panel>,
+}
+
+impl Picture {
+    /// A picture of panels of the usual size, two side by side.
+    fn new(name: &'static str, panels: Vec<Panel>) -> Self {
+        Self { name, columns: panels.len().min(2), size: PANEL, panels }
+    }
+
+    /// The same picture with panels of that size (px).
+    fn sized(self, size: [f64; 2]) -> Self {
+        Self { size, ..self }
+    }
+}
+
+/// Draws the pictures that make sense for the results in `dir` into `dir/plots`, and one that compares
+/// their wear with that of the runs in `others`, if there are any; returns their files.
 ///
 /// # Errors
-/// If `dir` is not a result folder, has no results yet or cannot be written.
-pub fn run(dir: &Path) -> anyhow::Result<Vec<PathBuf>> {
+/// If a folder is not a result folder, has no results yet, cannot be compared or cannot be written.
+pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
     let results = Results::read(dir)?;
+    let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
+    if !others.is_empty() {
+        let compared = comparison::panel(dir, &results, others)?;
+        pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
+    }
     let plots = dir.join("plots");
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();
-    let mut draw = |name: &str, columns: usize, size: [f64; 2], panels: Vec<Panel>| {
+    for Picture { name, columns, size, panels } in pictures {
         files.extend(save(&plots.join(name), columns, size, panels)?);
-        anyhow::Ok(())
-    };
-    if results.wears() {
-        draw("wear", 2, PANEL, vec![wear::depth(&results)?, wear::volume(&results)?])?;
-    } else {
-        draw("load", 1, PANEL, vec![load::panel(&results)?])?;
-    }
-    if !results.profiles.is_empty() {
-        draw("profiles", 2, PANEL, profiles(&results)?)?;
-    }
-    if results.image.is_some() {
-        draw("pressure_map", 1, [680.0, 600.0], vec![pressure::map(&results)?])?;
-        draw("overview", 2, [700.0, 500.0], overview(&results)?)?;
     }
     Ok(files)
 }
 
-/// Worn profiles above pressures, along x and along y.
-fn profiles(results: &Results) -> anyhow::Result<Vec<Panel>> {
-    let mut panels = Vec::new();
-    if results.wears() {
-        panels.push(heights::section(results, Axis::X)?);
-        panels.push(heights::section(results, Axis::Y)?);
+/// The pictures of bodies that slide or are pressed together.
+fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
+    let mut pictures = vec![if results.wears() {
+        Picture::new("wear", vec![wear::depth(results)?, wear::worn_off(results)?])
+    } else {
+        Picture::new("load", vec![load::panel(results)?])
+    }];
+    if !results.profiles.is_empty() {
+        let mut panels = Vec::new();
+        if results.wears() {
+            panels.push(heights::section(results, Axis::X)?);
+            panels.push(heights::section(results, Axis::Y)?);
+        }
+        panels.push(pressure::section(results, Axis::X, MOMENTS)?);
+        panels.push(pressure::section(results, Axis::Y, MOMENTS)?);
+        pictures.push(Picture::new("profiles", panels));
     }
-    panels.push(pressure::section(results, Axis::X)?);
-    panels.push(pressure::section(results, Axis::Y)?);
-    Ok(panels)
+    if results.image.is_some() {
+        pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        let map = pressure::map(results)?;
+        let along_x = pressure::section(results, Axis::X, MOMENTS)?;
+        let panels = if results.wears() {
+            vec![wear::depth(results)?, map, heights::section(results, Axis::X)?, along_x]
+        } else {
+            let along_y = pressure::section(results, Axis::Y, MOMENTS)?;
+            vec![load::panel(results)?, map, along_x, along_y]
+        };
+        pictures.push(Picture::new("overview", panels).sized(OVERVIEW));
+    }
+    Ok(pictures)
 }
 
-/// Four panels that say what a run was about.
-fn overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
-    let map = pressure::map(results)?;
-    let along_x = pressure::section(results, Axis::X)?;
+/// The pictures of bodies that roll.
+fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
+    let [along, across] = results.rolling_axes();
+    let swept = results.sweeps();
+    let mut pictures = Vec::new();
     if results.wears() {
-        Ok(vec![wear::depth(results)?, map, heights::section(results, Axis::X)?, along_x])
-    } else {
-        Ok(vec![load::panel(results)?, map, along_x, pressure::section(results, Axis::Y)?])
+        let panels = vec![wear::depth(results)?, wear::worn_off(results)?];
+        pictures.push(Picture::new("wear", panels));
     }
+    if swept {
+        pictures.push(Picture::new("creep_force", vec![creep_force::panel(results)?]));
+    }
+    if let Some(profile) = results.worn_profile.as_ref().filter(|_| results.wears()) {
+        let panels = vec![transverse::panel(results, profile)?];
+        pictures.push(Picture::new("worn_profiles", panels).sized([860.0, 520.0]));
+    }
+    if results.profiles.is_empty() {
+        return Ok(pictures);
+    }
+    // What is swept does not change the pressure, but everything in between matters.
+    let moments = if swept { MOMENTS } else { 2 };
+    let mut panels = vec![pressure::section(results, along, 2)?];
+    panels.extend(traction::sections(results, moments)?);
+    pictures.push(Picture::new("traction", panels));
+    let mut panels = vec![pressure::section(results, along, MOMENTS)?];
+    panels.push(pressure::section(results, across, MOMENTS)?);
+    if results.wears() {
+        panels.push(heights::section(results, across)?);
+        panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
+    }
+    pictures.push(Picture::new("profiles", panels));
+    if results.image.is_some() {
+        pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        pictures.push(Picture::new("overview", rolling_overview(results)?).sized(OVERVIEW));
+    }
+    Ok(pictures)
+}
+
+/// Four panels that say what a run of bodies that roll was about.
+fn rolling_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
+    let [along, across] = results.rolling_axes();
+    let swept = results.sweeps();
+    let first = match (results.wears(), swept) {
+        (true, _) => wear::depth(results)?,
+        (false, true) => creep_force::panel(results)?,
+        (false, false) => pressure::section(results, across, MOMENTS)?,
+    };
+    let third = match results.worn_profile.as_ref().filter(|_| results.wears()) {
+        Some(profile) => transverse::panel(results, profile)?,
+        None => pressure::section(results, along, MOMENTS)?,
+    };
+    let mut panels = vec![first, pressure::map(results)?, third];
+    panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
+    Ok(panels)
 }

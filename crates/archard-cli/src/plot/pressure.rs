@@ -9,17 +9,20 @@ use kuva::render::layout::Layout;
 
 use super::cells::Cells;
 use super::figure::{Curves, Panel, Pen, moment};
-use super::results::{Axis, Results};
+use super::results::Results;
 use super::scale::{Unit, phrase};
+use super::tables::Axis;
 
 /// Most outputs shown in one panel.
 pub(super) const MOMENTS: usize = 6;
+/// Length over width from which a map is stretched across: to scale it would be a mere stroke.
+const SLENDER: f64 = 4.0;
 /// Points of the curve of the closed form.
 const POINTS: usize = 200;
 
-/// The pressure along an axis at several outputs, and Hertz's for the unworn bodies.
-pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
-    let sections = results.sections(axis, MOMENTS);
+/// The pressure along an axis at that many outputs, and Hertz's for the unworn bodies.
+pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Panel> {
+    let sections = results.sections(axis, count);
     let progress = Unit::of_column(results.progress().0);
     let window = results.window(axis)?;
     let (across, unit) = (Unit::across(window), Unit::pressure());
@@ -92,8 +95,10 @@ pub(super) fn map(results: &Results) -> Result<Panel> {
         None => name,
     };
     let labels = [&*title, &across.label("x"), &across.label("y")];
+    let slender = windows[0].max(windows[1]) > SLENDER * windows[0].min(windows[1]);
     Ok(Panel::new(vec![plot.into()], labels, |layout| {
-        layout.with_equal_aspect().with_show_grid(false)
+        let layout = layout.with_show_grid(false);
+        if slender { layout } else { layout.with_equal_aspect() }
     }))
 }
 

@@ -4,9 +4,13 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, bail, ensure};
+use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
+use archard::kinematics::Rolling;
 use archard::output::Image;
 use serde_json::Value;
+
+use super::tables::{Axis, Profile, Table, largest, last_profile, read_history, read_profiles};
 
 /// What a result folder holds.
 pub(super) struct Results {
@@ -14,56 +18,16 @@ pub(super) struct Results {
     pub(super) history: Table,
     /// The sections of all outputs, in the order of time.
     pub(super) profiles: Vec<Profile>,
+    /// The transverse profiles of bodies that roll, at the last output.
+    pub(super) worn_profile: Option<Profile>,
     /// The fields of the last output, if there is one.
     pub(super) image: Option<Image>,
     /// The names of the bodies; body 1 first.
     pub(super) bodies: Vec<String>,
+    /// The case, where it can still be read.
+    pub(super) case: Option<Case>,
     /// What closed forms start from; null until a run has ended.
     closed_form: Value,
-}
-
-/// An axis of the frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Axis {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-}
-
-impl Axis {
-    /// As the files and the pictures call it.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Axis::X => "x",
-            Axis::Y => "y",
-        }
-    }
-
-    /// Its place in arrays.
-    pub(super) fn index(self) -> usize {
-        match self {
-            Axis::X => 0,
-            Axis::Y => 1,
-        }
-    }
-}
-
-/// Numbers by column.
-#[derive(Debug, Default)]
-pub(super) struct Table {
-    columns: Vec<(String, Vec<f64>)>,
-}
-
-/// The sections of one output along one axis.
-#[derive(Debug)]
-pub(super) struct Profile {
-    /// Progress of the output (SI).
-    pub(super) progress: f64,
-    /// Along which axis.
-    pub(super) axis: Axis,
-    /// `coordinate_m` and the fields.
-    pub(super) table: Table,
 }
 
 /// A sphere worn on a flat, as eq. 55 takes it.
@@ -72,6 +36,18 @@ pub(super) struct WornSphere {
     pub(super) radius: f64,
     /// Wear coefficient of both bodies together (1/Pa).
     pub(super) coefficient: f64,
+}
+
+/// Crowned discs that slip all over, as the incremental model takes them.
+pub(super) struct WornDiscs {
+    /// Wear coefficient of both together (1/Pa).
+    pub(super) coefficient: f64,
+    /// Creepage.
+    pub(super) creepage: f64,
+    /// Combined radius across the direction of rolling (m).
+    pub(super) crown: f64,
+    /// Half width of the unworn contact across it (m).
+    pub(super) half_width: f64,
 }
 
 impl Results {
@@ -88,10 +64,17 @@ impl Results {
             bail!("`{}` has no results yet: its history.csv has no rows", dir.display());
         }
         let profiles = dir.join("profiles.csv");
+        let worn_profiles = dir.join("worn_profiles.csv");
         let summary = dir.join("summary.json");
         Ok(Self {
             bodies: history.bodies(),
             profiles: if profiles.is_file() { read_profiles(&profiles)? } else { Vec::new() },
+            worn_profile: if worn_profiles.is_file() {
+                last_profile(&worn_profiles)?
+            } else {
+                None
+            },
+            case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
             closed_form: if summary.is_file() { closed_form(&summary)? } else { Value::Null },
             history,
@@ -105,7 +88,37 @@ impl Results {
 
     /// The column that measures how far the motion has gone.
     pub(super) fn progress(&self) -> (&str, &[f64]) {
-        self.history.columns.first().map_or(("", &[]), |(name, values)| (name, values))
+        self.history.first()
+    }
+
+    /// Whether the bodies roll.
+    pub(super) fn rolls(&self) -> bool {
+        self.history.column("force_x_N").is_ok()
+    }
+
+    /// Whether they roll at creepages raised step by step.
+    pub(super) fn sweeps(&self) -> bool {
+        self.rolls() && self.progress().0 == "share"
+    }
+
+    /// How they roll.
+    pub(super) fn rolling(&self) -> Option<Rolling> {
+        let motion = self.case.as_ref()?.motion.build().ok()?;
+        motion.kinematics.rolling().copied()
+    }
+
+    /// The axis along which they roll and the one across.
+    pub(super) fn rolling_axes(&self) -> [Axis; 2] {
+        match self.rolling() {
+            Some(rolling) if rolling.direction.axis == 1 => [Axis::Y, Axis::X],
+            _ => [Axis::X, Axis::Y],
+        }
+    }
+
+    /// The largest tractions (Pa) under these pressures (Pa), where the law of friction is known.
+    pub(super) fn friction_limits(&self, pressures: &[f64]) -> Option<Vec<f64>> {
+        let law = self.case.as_ref()?.friction.as_ref()?.build().ok()?;
+        Some(pressures.iter().map(|pressure| law.limit(*pressure)).collect())
     }
 
     /// Whether body 2 has worn.
@@ -163,101 +176,17 @@ impl Results {
             coefficient: block["coefficient_per_Pa"].as_f64()?,
         })
     }
-}
 
-impl Table {
-    /// The values of a column.
-    pub(super) fn column(&self, name: &str) -> anyhow::Result<&[f64]> {
-        let column = self.columns.iter().find(|(known, _)| known == name);
-        column.map(|(_, values)| &**values).with_context(|| format!("there is no column `{name}`"))
+    /// The worn discs of the incremental model, where the run was one of those.
+    pub(super) fn worn_discs(&self) -> Option<WornDiscs> {
+        let number = |key: &str| self.closed_form["twin_discs"][key].as_f64();
+        Some(WornDiscs {
+            coefficient: number("coefficient_per_Pa")?,
+            creepage: number("creepage")?,
+            crown: number("crown_m")?,
+            half_width: number("half_width_m")?,
+        })
     }
-
-    /// Number of rows.
-    fn rows(&self) -> usize {
-        self.columns.first().map_or(0, |(_, values)| values.len())
-    }
-
-    /// The names of the bodies, out of the columns named after them.
-    fn bodies(&self) -> Vec<String> {
-        self.columns
-            .iter()
-            .filter_map(|(name, _)| name.strip_prefix("worn_volume_")?.strip_suffix("_m3"))
-            .map(str::to_owned)
-            .collect()
-    }
-
-    /// Adds a row below columns of the same names.
-    fn push<'a>(&mut self, cells: impl Iterator<Item = (&'a str, f64)>) {
-        for (place, (name, value)) in cells.enumerate() {
-            if place == self.columns.len() {
-                self.columns.push((name.to_owned(), Vec::new()));
-            }
-            self.columns[place].1.push(value);
-        }
-    }
-}
-
-/// Largest value that is a number.
-pub(super) fn largest(values: &[f64]) -> f64 {
-    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-}
-
-/// Reads a CSV file row by row, as cells under their columns' names.
-fn read_rows(
-    path: &Path,
-    mut take: impl FnMut(&[(&str, &str)]) -> anyhow::Result<()>,
-) -> anyhow::Result<()> {
-    let context = || format!("cannot read `{}`", path.display());
-    let mut reader = csv::Reader::from_path(path).with_context(context)?;
-    let header = reader.headers().with_context(context)?.clone();
-    for record in reader.records() {
-        let record = record.with_context(context)?;
-        let cells: Vec<_> = header.iter().zip(record.iter()).collect();
-        take(&cells).with_context(context)?;
-    }
-    Ok(())
-}
-
-/// A cell as a number; an empty one is none.
-fn number(cell: &str) -> anyhow::Result<f64> {
-    if cell.is_empty() {
-        return Ok(f64::NAN);
-    }
-    cell.parse().with_context(|| format!("`{cell}` is not a number"))
-}
-
-/// Numbers out of cells.
-fn numbers<'a>(cells: &[(&'a str, &str)]) -> anyhow::Result<Vec<(&'a str, f64)>> {
-    cells.iter().map(|(name, cell)| Ok((*name, number(cell)?))).collect()
-}
-
-/// The history of a run.
-fn read_history(path: &Path) -> anyhow::Result<Table> {
-    let mut table = Table::default();
-    read_rows(path, |cells| {
-        table.push(numbers(cells)?.into_iter());
-        Ok(())
-    })?;
-    Ok(table)
-}
-
-/// The sections of a run: rows of the same progress and axis belong together.
-fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
-    let mut profiles: Vec<Profile> = Vec::new();
-    read_rows(path, |cells| {
-        let [(_, progress), (_, axis), fields @ ..] = cells else {
-            bail!("a row has fewer than two cells");
-        };
-        let (progress, axis) = (number(progress)?, if *axis == "x" { Axis::X } else { Axis::Y });
-        if profiles.last().is_none_or(|last| last.progress != progress || last.axis != axis) {
-            profiles.push(Profile { progress, axis, table: Table::default() });
-        }
-        if let Some(profile) = profiles.last_mut() {
-            profile.table.push(numbers(fields)?.into_iter());
-        }
-        Ok(())
-    })?;
-    Ok(profiles)
 }
 
 /// The last output that the collection lists.

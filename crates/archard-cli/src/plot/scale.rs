@@ -34,19 +34,33 @@ impl Unit {
         }
     }
 
-    /// For volumes up to `largest` (m^3): mm³ by the power of a thousand that leaves readable
-    /// numbers.
+    /// For volumes up to `largest` (m^3).
     pub(super) fn volume(largest: f64) -> Self {
+        Self::by_thousands("mm³", 1e9, largest)
+    }
+
+    /// For worn sections up to `largest` (m^2).
+    pub(super) fn section(largest: f64) -> Self {
+        Self::by_thousands("mm²", 1e6, largest)
+    }
+
+    /// A unit by the power of a thousand that leaves readable numbers.
+    fn by_thousands(name: &str, factor: f64, largest: f64) -> Self {
         if largest <= 0.0 {
-            return Self::new("mm³", 1e9);
+            return Self::new(name, factor);
         }
         // Between a tenth and a hundred of the unit.
-        let digits = (largest * 1e9).log10() + 1.0;
+        let digits = (largest * factor).log10() + 1.0;
         let thousands = digits.div_euclid(3.0).min(0.0);
         let power = 3 * thousands as i32;
         let name =
-            if power == 0 { "mm³".to_owned() } else { format!("10{} mm³", superscript(power)) };
-        Self::new(name, 1e9 * 10f64.powi(-power))
+            if power == 0 { name.to_owned() } else { format!("10{} {name}", superscript(power)) };
+        Self::new(name, factor * 10f64.powi(-power))
+    }
+
+    /// Per cent.
+    pub(super) fn share() -> Self {
+        Self::new("%", 100.0)
     }
 
     /// For a column whose name ends in its SI unit.
@@ -54,7 +68,7 @@ impl Unit {
         if column.ends_with("_m") {
             Self::new("mm", 1e3)
         } else if column == "share" {
-            Self::new("%", 100.0)
+            Self::share()
         } else {
             Self::new("", 1.0)
         }
@@ -120,6 +134,7 @@ mod tests {
         assert!((small.factor * 6.8e-13 - 0.68).abs() < 1e-12);
         assert_eq!(Unit::volume(2e-9).name, "mm³");
         assert_eq!(Unit::volume(2e-3).name, "mm³");
+        assert_eq!(Unit::section(9e-8).name, "10⁻³ mm²");
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! Pictures of a made-up run: no solver, Hertz's pressure on a growing scar.
 
+mod rolling;
+
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use archard::body::{Body, Material, profile::PROFILES};
 use archard::closed_form::pin_on_disc;
@@ -89,9 +91,15 @@ fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> 
     }
 }
 
-/// Writes the result folder of a made-up run.
-fn write(dir: &Path, problem: &ContactProblem, states: &[ContactState], finished: bool) {
-    let mut folder = ResultFolder::create(dir, "").unwrap();
+/// Writes the result folder of a made-up run of a case, which need not be one.
+fn write(
+    dir: &Path,
+    case: &str,
+    problem: &ContactProblem,
+    states: &[ContactState],
+    finished: bool,
+) {
+    let mut folder = ResultFolder::create(dir, case).unwrap();
     let last = states.len() - 1;
     for (step, state) in states.iter().enumerate() {
         let load_distance = 10.2 * state.progress;
@@ -115,12 +123,17 @@ fn slide(dir: &Path, coefficients: [f64; 2], finished: bool) {
         .map(|step| 5e-3 * f64::from(step))
         .map(|s| ContactState { progress: s, ..state(&problem, 10.2, 10.2 * total * s, shares) })
         .collect();
-    write(dir, &problem, &states, finished);
+    write(dir, "", &problem, &states, finished);
 }
 
 /// The names of the files that were drawn, checked to be there.
 fn drawn(dir: &Path) -> Vec<String> {
-    let files = run(dir).unwrap();
+    drawn_with(dir, &[])
+}
+
+/// The same, with other runs beside it.
+fn drawn_with(dir: &Path, others: &[PathBuf]) -> Vec<String> {
+    let files = run(dir, others).unwrap();
     for file in &files {
         let bytes = fs::read(file).unwrap();
         let start: &[u8] = if file.extension().unwrap() == "png" { b"\x89PNG" } else { b"<" };
@@ -163,7 +176,7 @@ fn an_indentation_is_drawn_beside_hertz() {
             ..state(&problem, 10.2 * share, 0.0, [0.0; 2])
         })
         .collect();
-    write(dir.path(), &problem, &states, true);
+    write(dir.path(), "", &problem, &states, true);
     assert_eq!(drawn(dir.path())[0], "load.svg");
     let svg = fs::read_to_string(dir.path().join("plots/load.svg")).unwrap();
     assert!(svg.contains("Hertz") && svg.contains("Approach (µm)"));
@@ -173,16 +186,62 @@ fn an_indentation_is_drawn_beside_hertz() {
 fn a_run_that_has_only_begun_is_drawn() {
     let dir = tempdir().unwrap();
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
-    write(dir.path(), &problem, &[ContactState::untouched(problem.frame.gap())], false);
+    write(dir.path(), "", &problem, &[ContactState::untouched(problem.frame.gap())], false);
     assert_eq!(drawn(dir.path()).len(), 8);
 }
 
 #[test]
 fn other_folders_are_refused_in_words() {
     let dir = tempdir().unwrap();
-    let error = run(dir.path()).unwrap_err().to_string();
+    let error = run(dir.path(), &[]).unwrap_err().to_string();
     assert!(error.contains("is not a result folder"), "{error}");
     ResultFolder::create(dir.path(), "").unwrap();
-    let error = run(dir.path()).unwrap_err().to_string();
+    let error = run(dir.path(), &[]).unwrap_err().to_string();
     assert!(error.contains("no rows"), "{error}");
+}
+
+#[test]
+fn runs_are_compared_under_the_names_of_their_folders() {
+    let dir = tempdir().unwrap();
+    let [fine, coarse] = ["fine", "coarse"].map(|name| dir.path().join(name));
+    slide(&fine, [0.887e-13, 0.443e-13], true);
+    slide(&coarse, [0.9e-13, 0.45e-13], false);
+    let files = drawn_with(&fine, std::slice::from_ref(&coarse));
+    assert_eq!(files[files.len() - 2..], ["comparison.svg", "comparison.png"]);
+    let svg = fs::read_to_string(fine.join("plots/comparison.svg")).unwrap();
+    for text in ["fine", "coarse", "pin", "disc", "both", "Distance (mm)", "Wear depth (µm)"] {
+        assert!(svg.contains(&format!(">{text}<")), "{text}");
+    }
+    assert!(!coarse.join("plots").exists());
+}
+
+#[test]
+fn runs_in_folders_of_one_name_are_told_apart_by_their_paths() {
+    let dir = tempdir().unwrap();
+    let [one, other] = ["one/run", "other/run"].map(|name| dir.path().join(name));
+    slide(&one, [1.33e-13, 0.0], true);
+    slide(&other, [1.33e-13, 0.0], true);
+    drawn_with(&one, std::slice::from_ref(&other));
+    let svg = fs::read_to_string(one.join("plots/comparison.svg")).unwrap();
+    assert!(svg.contains(&other.display().to_string()));
+    // What is worn of one body is worn in all.
+    assert!(!svg.contains(">both<"));
+}
+
+#[test]
+fn runs_that_cannot_be_compared_are_refused_in_words() {
+    let dir = tempdir().unwrap();
+    let [slid, pressed] = ["slid", "pressed"].map(|name| dir.path().join(name));
+    slide(&slid, [1.33e-13, 0.0], true);
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    write(&pressed, "", &problem, &[ContactState::untouched(problem.frame.gap())], true);
+    let refused = |dir: &PathBuf, other: &PathBuf| {
+        run(dir, std::slice::from_ref(other)).unwrap_err().to_string()
+    };
+    let error = refused(&slid, &pressed);
+    assert!(error.contains("its progress is `share`") && error.contains("`distance_m`"), "{error}");
+    let error = refused(&pressed, &pressed);
+    assert!(error.contains("nothing has worn"), "{error}");
+    let error = refused(&slid, &dir.path().to_owned());
+    assert!(error.contains("is not a result folder"), "{error}");
 }

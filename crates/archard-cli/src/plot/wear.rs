@@ -1,12 +1,14 @@
-//! Depth and volume of wear over the progress of the motion, with the closed form beside them.
+//! Depth and volume of wear, in rolling its depth and section, over the progress of the motion, with
+//! the closed form beside them.
 
 use anyhow::Result;
-use archard::closed_form::pin_on_disc;
+use archard::closed_form::{pin_on_disc, twin_discs};
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
-use super::results::{Results, largest};
+use super::results::{Results, WornDiscs, WornSphere};
 use super::scale::{Unit, phrase};
+use super::tables::largest;
 
 /// Points of the curve of the closed form.
 const POINTS: usize = 200;
@@ -16,21 +18,60 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
     let total = results.history.column("wear_depth_m")?;
     let unit = Unit::depth(largest(total));
     let column = |body: &str| format!("wear_depth_{body}_m");
-    let closed = |radius: f64, volume: f64| pin_on_disc::depth(radius, volume);
-    panel(results, &Quantity { name: "Wear depth", unit, total, column: &column, closed: &closed })
+    let closed = closed_form(
+        results,
+        |sphere, work| pin_on_disc::depth(sphere.radius, sphere.coefficient * work),
+        "incremental model",
+        |discs, work| {
+            let WornDiscs { coefficient, creepage, crown, half_width } = *discs;
+            let model = twin_discs::depth_of_incremental_model;
+            model(coefficient, creepage, 1.0, crown, half_width, work)
+        },
+    );
+    panel(results, &Quantity { name: "Wear depth", unit, total, column: &column, closed })
 }
 
-/// Worn volume, in all and of each body that wears.
-pub(super) fn volume(results: &Results) -> Result<Panel> {
-    let column = |body: &str| format!("worn_volume_{body}_m3");
+/// Worn volume, in rolling worn section, in all and of each body that wears.
+pub(super) fn worn_off(results: &Results) -> Result<Panel> {
+    let rolls = results.rolls();
+    let column = |body: &str| match rolls {
+        true => format!("worn_section_{body}_m2"),
+        false => format!("worn_volume_{body}_m3"),
+    };
     let mut total = vec![0.0; results.progress().1.len()];
     for body in &results.bodies {
-        let volumes = results.history.column(&column(body))?;
-        total.iter_mut().zip(volumes).for_each(|(sum, volume)| *sum += volume);
+        let worn = results.history.column(&column(body))?;
+        total.iter_mut().zip(worn).for_each(|(sum, worn)| *sum += worn);
     }
-    let (unit, closed) = (Unit::volume(largest(&total)), |_: f64, volume: f64| volume);
-    let name = "Worn volume";
-    panel(results, &Quantity { name, unit, total: &total, column: &column, closed: &closed })
+    let (name, unit) = match rolls {
+        true => ("Worn section", Unit::section(largest(&total))),
+        false => ("Worn volume", Unit::volume(largest(&total))),
+    };
+    let closed = closed_form(
+        results,
+        |sphere, work| sphere.coefficient * work,
+        "if all slips",
+        |discs, work| discs.coefficient * discs.creepage * work,
+    );
+    panel(results, &Quantity { name, unit, total: &total, column: &column, closed })
+}
+
+/// Name of a closed form, and its value at an integral of the load over the progress.
+type ClosedForm<'a> = (&'static str, Box<dyn Fn(f64) -> f64 + 'a>);
+
+/// The closed form of a run: of a sphere, or of discs under its own name.
+fn closed_form<'a>(
+    results: &Results,
+    sphere: impl Fn(&WornSphere, f64) -> f64 + 'a,
+    of_discs: &'static str,
+    discs: impl Fn(&WornDiscs, f64) -> f64 + 'a,
+) -> Option<ClosedForm<'a>> {
+    if let Some(known) = results.worn_sphere() {
+        let value = move |work: f64| sphere(&known, work);
+        return Some(("sphere worn flat, no elasticity", Box::new(value)));
+    }
+    let known = results.worn_discs()?;
+    Some((of_discs, Box::new(move |work: f64| discs(&known, work))))
 }
 
 /// A measure of wear.
@@ -41,11 +82,11 @@ struct Quantity<'a> {
     total: &'a [f64],
     /// The column of a body.
     column: &'a dyn Fn(&str) -> String,
-    /// Its value for a sphere of that radius (m) that has lost that volume (m^3).
-    closed: &'a dyn Fn(f64, f64) -> f64,
+    /// What a closed form says of it.
+    closed: Option<ClosedForm<'a>>,
 }
 
-/// Curves of a quantity, and its closed form for a worn sphere.
+/// Curves of a quantity, and its closed form.
 fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     let (name, progress) = results.progress();
     let (along, unit) = (Unit::of_column(name), &quantity.unit);
@@ -54,13 +95,12 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
         pairs.map(|(s, value)| (s * along.factor, value * unit.factor)).collect()
     };
     let mut curves = Curves::new();
-    if let Some(sphere) = results.worn_sphere() {
+    if let Some((name, closed)) = &quantity.closed {
         let load_distance = load_distance(progress, results.history.column("load_N")?);
-        let curve = load_distance.into_iter().map(|(s, integral)| {
-            let value = (quantity.closed)(sphere.radius, sphere.coefficient * integral);
-            (s * along.factor, value * unit.factor)
-        });
-        curves.add(curve, Pen::closed_form(), Some("sphere worn flat, no elasticity"));
+        let curve = load_distance
+            .into_iter()
+            .map(|(s, integral)| (s * along.factor, closed(integral) * unit.factor));
+        curves.add(curve, Pen::closed_form(), Some(name));
     }
     let mut worn = Vec::new();
     for body in &results.bodies {
@@ -91,7 +131,7 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     }))
 }
 
-/// Distances (m), dense where a sphere wears fast, and the integral of the load (N m) up to them.
+/// Places, dense at the start, where bodies wear fast, and the integral of the load up to them.
 fn load_distance(distance: &[f64], load: &[f64]) -> Vec<(f64, f64)> {
     let mut integral = vec![0.0];
     for step in 1..distance.len() {

@@ -1,6 +1,6 @@
 //! The fields of a state as a user sees them.
 
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Tangential};
 
 /// A field on the pairs of the frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +18,17 @@ impl Field {
     }
 }
 
-/// Pressure, gap, wear of each body and of both, and the worn height of each body.
+/// Pressure, gap, wear of each body and of both, and the worn height of each body; in rolling also the
+/// tangential traction on body 1, the slip and where the contact sticks.
 ///
 /// Heights are measured from the plane of contact along the outward normal of body 1, without
 /// elastic deformation. Body 1 lies below that plane and body 2 above it, so wear lowers the height
 /// of body 1 and raises that of body 2, and the height of body 2 less that of body 1 is the gap of
 /// the worn, undeformed surfaces.
+///
+/// Slip is that of body 2 over body 1 while the contact rolls on by one element, of the particles that
+/// come from the element ahead, and zero where neither element touches. `stick` is 1 where the contact
+/// sticks and 0 where it slips or is open.
 pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     let mut fields = vec![
         Field::new("pressure_Pa", state.pressure.clone()),
@@ -36,19 +41,50 @@ pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     for (index, body) in problem.bodies.iter().enumerate() {
         fields.push(Field::new(format!("height_{}_m", body.name), heights(problem, state, index)));
     }
+    if let Some(tangential) = &state.tangential {
+        fields.extend(friction(problem, state, tangential));
+    }
     fields
+}
+
+/// Tangential traction on body 1, slip and stick.
+fn friction(problem: &ContactProblem, state: &ContactState, tangential: &Tangential) -> [Field; 5] {
+    let Tangential { traction: [traction_x, traction_y], slip: [slip_x, slip_y], .. } = tangential;
+    let rubs = rubbing(problem, state);
+    let rubbed = |slip: &[f64]| -> Vec<f64> {
+        slip.iter().zip(&rubs).map(|(slip, rubs)| if *rubs { *slip } else { 0.0 }).collect()
+    };
+    let sticks = |pair: usize| f64::from(tangential.sticks(problem, &state.pressure, pair));
+    [
+        Field::new("traction_x_Pa", traction_x.clone()),
+        Field::new("traction_y_Pa", traction_y.clone()),
+        Field::new("slip_x_m", rubbed(slip_x)),
+        Field::new("slip_y_m", rubbed(slip_y)),
+        Field::new("stick", (0..rubs.len()).map(sticks).collect()),
+    ]
+}
+
+/// Whether particles on their way to a pair are under pressure at either end of it.
+fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
+    let touches = |pair: usize| state.pressure[pair] > 0.0;
+    let elements = problem.frame.elements();
+    let ahead = |pair: usize| problem.kinematics.rolling()?.direction.ahead(pair, elements);
+    (0..state.pressure.len())
+        .map(|pair| touches(pair) || ahead(pair).is_some_and(touches))
+        .collect()
 }
 
 /// Worn height (m) of a body, one value a pair.
 fn heights(problem: &ContactProblem, state: &ContactState, body: usize) -> Vec<f64> {
+    let worn = state.worn[body].iter().enumerate();
+    worn.map(|(pair, worn)| height(problem, body, problem.frame.place(pair), *worn)).collect()
+}
+
+/// Height (m) of a body at a place (m) where that depth (m) is worn off.
+pub(super) fn height(problem: &ContactProblem, body: usize, [x, y]: [f64; 2], worn: f64) -> f64 {
     let side = if body == 0 { -1.0 } else { 1.0 };
-    let profile = &problem.bodies[body].profile;
-    let height = |(pair, worn): (usize, &f64)| {
-        let [x, y] = problem.frame.place(pair);
-        // The zero turns -0, which would be shown, into 0.
-        side * (profile.recess(x, y) + worn) + 0.0
-    };
-    state.worn[body].iter().enumerate().map(height).collect()
+    // The zero turns -0, which would be shown, into 0.
+    side * (problem.bodies[body].profile.recess(x, y) + worn) + 0.0
 }
 
 #[cfg(test)]
@@ -56,7 +92,8 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::fields;
-    use crate::output::fixture::Run;
+    use crate::frame::Direction;
+    use crate::output::fixture::{CREEPAGE, FRICTION, Run};
 
     #[test]
     fn heights_leave_the_gap_between_them() {
@@ -73,5 +110,54 @@ mod tests {
         }
         let middle = 2 + 6 * 2;
         assert!(pin[middle] < 0.0 && disc[middle] > 0.0);
+    }
+
+    #[test]
+    fn without_friction_there_are_no_tractions() {
+        let run = Run::pin_on_disc([6, 5]);
+        let names = fields(&run.problem, &run.state(0.3)).into_iter().map(|field| field.name);
+        let known = "pressure_Pa gap_m wear_pin_m wear_disc_m wear_m height_pin_m height_disc_m";
+        assert_eq!(names.collect::<Vec<_>>().join(" "), known);
+    }
+
+    /// A particle slips from the last element before the contact, one ahead of it, to the last in it
+    /// and out of it: one element more than touch, on the trailing side.
+    #[test]
+    fn slip_ends_one_element_behind_the_contact() {
+        for reversed in [false, true] {
+            let run = Run::twin_discs([13, 9], Direction { axis: 0, reversed });
+            let state = run.state(100.0);
+            let fields = fields(&run.problem, &state);
+            let named =
+                |name: &str| &fields.iter().find(|field| field.name == name).unwrap().values;
+            let middle = 13 * 4..13 * 5;
+            let of_plane = |name: &str| named(name)[middle.clone()].to_vec();
+            let (pressure, slip) = (of_plane("pressure_Pa"), of_plane("slip_x_m"));
+            let touching: Vec<usize> = (0..13).filter(|&x| pressure[x] > 0.0).collect();
+            let slipping: Vec<usize> = (0..13).filter(|&x| slip[x] != 0.0).collect();
+            let (first, last) = (touching[0], touching[touching.len() - 1]);
+            let expected = if reversed { first..=last + 1 } else { first - 1..=last };
+            assert_eq!(slipping, expected.collect::<Vec<_>>());
+            let advance = run.problem.frame.spacing()[0];
+            assert_relative_eq!(slip[first].abs(), CREEPAGE * advance, max_relative = 1e-14);
+        }
+    }
+
+    /// The area of the elements marked is the one in the history, and they bear less than mu p.
+    #[test]
+    fn stick_is_where_the_limit_is_not_reached() {
+        let run = Run::twin_discs([13, 9], Direction { axis: 0, reversed: false });
+        let state = run.state(100.0);
+        let fields = fields(&run.problem, &state);
+        let named = |name: &str| &fields.iter().find(|field| field.name == name).unwrap().values;
+        let (stick, traction) = (named("stick"), named("traction_x_Pa"));
+        for pair in 0..stick.len() {
+            let below = traction[pair].abs() < 0.9 * FRICTION * state.pressure[pair];
+            assert_eq!(stick[pair], f64::from(below), "{pair}");
+        }
+        let area = stick.iter().sum::<f64>() * run.problem.frame.element_area();
+        let known = state.tangential.as_ref().unwrap().stick_area(&run.problem, &state.pressure);
+        assert!(area > 0.0);
+        assert_relative_eq!(area, known, max_relative = 1e-14);
     }
 }

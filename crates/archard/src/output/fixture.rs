@@ -1,13 +1,14 @@
-//! A pin on a disc without a solver, for tests of the writers: Hertz's pressure on a growing scar
-//! whose worn volumes close by construction.
+//! A pin on a disc and twin discs without a solver, for tests of the writers: bowls of pressure on
+//! growing scars whose worn volumes or sections close by construction.
 
-use crate::body::{Body, Material, profile::PROFILES};
+use crate::body::{Body, Material, Profile, profile::PROFILES};
 use crate::closed_form::pin_on_disc;
 use crate::compliance::Compliance;
-use crate::frame::{ContactFrame, VectorField};
-use crate::kinematics::MOTIONS;
+use crate::frame::{ContactFrame, Direction, VectorField};
+use crate::friction::FRICTION as FRICTION_LAWS;
+use crate::kinematics::{Drive, MOTIONS, Rolling};
 use crate::parameters::{Choice, Value, Values};
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::{Effort, Observer, Report};
 use crate::wear::WEAR_LAWS;
 
@@ -35,24 +36,34 @@ fn build<T>(choices: &[Choice<T>], name: &str, numbers: &[(&'static str, f64)]) 
 
 /// Load (N).
 pub(super) const LOAD: f64 = 10.2;
-/// Wear coefficients of pin and disc (1/Pa).
+/// Wear coefficients of body 1 and body 2 (1/Pa).
 pub(super) const COEFFICIENTS: [f64; 2] = [1e-13, 0.33e-13];
+/// Creepage of the twin discs.
+pub(super) const CREEPAGE: f64 = 0.005;
+/// Coefficient of friction of the twin discs.
+pub(super) const FRICTION: f64 = 0.6;
+/// Crown of the first disc (m).
+pub(super) const CROWN: f64 = 125e-3;
 
-/// A made-up run of a pin on a disc.
+/// A steel body that wears.
+fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
+    Body {
+        name: name.to_owned(),
+        profile,
+        material: Some(Material { young: 210e9, poisson: 0.3 }),
+        wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
+    }
+}
+
+/// A made-up run.
 pub(super) struct Run {
-    /// A sphere of 50 mm on a flat, both of steel and both wearing.
+    /// Two bodies of steel, both wearing.
     pub(super) problem: ContactProblem,
 }
 
 impl Run {
-    /// The run on a frame of 1.2 mm with that many elements.
+    /// A sphere of 50 mm on a flat, on a frame of 1.2 mm with that many elements.
     pub(super) fn pin_on_disc(elements: [usize; 2]) -> Self {
-        let body = |name: &str, profile, k| Body {
-            name: name.to_owned(),
-            profile,
-            material: Some(Material { young: 210e9, poisson: 0.3 }),
-            wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", k)])),
-        };
         let sphere = build(PROFILES, "sphere", &[("radius", 50e-3)]);
         let flat = build(PROFILES, "flat", &[]);
         let motion = [("load", LOAD), ("distance", 0.5), ("step", 5e-3)];
@@ -68,8 +79,99 @@ impl Run {
         }
     }
 
-    /// The state after that distance (m).
-    pub(super) fn state(&self, distance: f64) -> ContactState {
+    /// Discs of 30 mm, the first crowned, on a frame of 0.5 mm by 2 mm with that many elements.
+    pub(super) fn twin_discs(elements: [usize; 2], direction: Direction) -> Self {
+        let crowned = build(PROFILES, "disc", &[("radius", 30e-3), ("crown", CROWN)]);
+        let plain = build(PROFILES, "disc", &[("radius", 30e-3)]);
+        let frame = ContactFrame::uniform([0.5e-3, 2e-3], elements, [&*crowned, &*plain]);
+        let rolling = Rolling {
+            direction,
+            longitudinal: Drive::Creepage(CREEPAGE),
+            lateral: Drive::Creepage(0.0),
+            spin: 0.0,
+            worn_radius: false,
+            swept: false,
+        };
+        Self {
+            problem: ContactProblem {
+                bodies: [
+                    body("one", crowned, COEFFICIENTS[0]),
+                    body("two", plain, COEFFICIENTS[1]),
+                ],
+                frame: frame.expect("the discs reach"),
+                compliance: Box::new(Stiff),
+                friction: Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)])),
+                kinematics: Box::new(rolling),
+            },
+        }
+    }
+
+    /// The state at that progress (m or revolutions).
+    pub(super) fn state(&self, progress: f64) -> ContactState {
+        match self.problem.kinematics.rolling() {
+            Some(rolling) => self.rolled(rolling, progress),
+            None => self.slid(progress),
+        }
+    }
+
+    /// Load times distance (N m), or work of the creepage over friction (N).
+    pub(super) fn load_distance(&self, progress: f64) -> f64 {
+        match &self.state(progress).tangential {
+            Some(tangential) => {
+                let [along_x, along_y] = tangential.force(&self.problem.frame);
+                CREEPAGE * along_x.hypot(along_y) / FRICTION * progress
+            }
+            None => LOAD * progress,
+        }
+    }
+
+    /// Discs after some revolutions: the leading half of the contact bears half of what friction allows,
+    /// and every plane wears as its tractions have it.
+    fn rolled(&self, rolling: &Rolling, revolutions: f64) -> ContactState {
+        let frame = &self.problem.frame;
+        let (forward, elements) = (rolling.direction.forward(), frame.elements());
+        let bowl = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            (1.0 - (x / 0.15e-3).powi(2) - (y / 0.6e-3).powi(2)).max(0.0).sqrt()
+        };
+        let bowl: Vec<f64> = (0..frame.len()).map(bowl).collect();
+        let peak = LOAD / frame.integrate(&bowl);
+        let pressure: Vec<f64> = bowl.iter().map(|bowl| peak * bowl).collect();
+        let traction = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            let leads = x * forward[0] + y * forward[1] > 0.0;
+            FRICTION * pressure[pair] * if leads { 0.5 } else { 1.0 }
+        };
+        let traction: Vec<f64> = (0..frame.len()).map(traction).collect();
+        let advance = rolling.advance(frame);
+        let mut worn = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+        for plane in rolling.direction.planes(elements) {
+            let sum: f64 = plane.clone().map(|pair| traction[pair]).sum();
+            let work = revolutions * CREEPAGE * sum * advance / FRICTION;
+            for pair in plane {
+                worn.iter_mut().zip(COEFFICIENTS).for_each(|(worn, k)| worn[pair] = k * work);
+            }
+        }
+        let along = |values: &[f64], factor: f64| {
+            forward.map(|unit| values.iter().map(|value| factor * unit * value).collect())
+        };
+        let slip = along(&vec![1.0; frame.len()], CREEPAGE * advance);
+        ContactState {
+            progress: revolutions,
+            load: LOAD,
+            tangential: Some(Tangential {
+                traction: along(&traction, 1.0),
+                slip,
+                creepage: [CREEPAGE, 0.0],
+            }),
+            pressure,
+            worn,
+            ..ContactState::untouched(frame.gap())
+        }
+    }
+
+    /// The pin after that distance (m).
+    fn slid(&self, distance: f64) -> ContactState {
         let frame = &self.problem.frame;
         let depth = pin_on_disc::depth(50e-3, COEFFICIENTS[0] * LOAD * distance);
         let radius = (0.15e-3_f64.powi(2) + 2.0 * 50e-3 * depth).sqrt();
@@ -96,30 +198,30 @@ impl Run {
         }
     }
 
-    /// Shows an observer the states at these distances (m), each an output where `output` says so.
+    /// Shows an observer the states at this progress, each an output where `output` says so.
     pub(super) fn show(
         &self,
         observer: &mut dyn Observer,
-        distances: &[f64],
+        places: &[f64],
         output: impl Fn(f64) -> bool,
     ) {
-        for (step, &distance) in distances.iter().enumerate() {
-            let state = self.state(distance);
+        for (step, &progress) in places.iter().enumerate() {
+            let state = self.state(progress);
             let effort = Effort {
                 steps: step,
                 solves: step + 1,
                 iterations: 10,
                 applications: 11 * (step + 1),
                 residual: 1e-9,
-                load_distance: LOAD * distance,
+                load_distance: self.load_distance(progress),
                 ..Effort::default()
             };
             let report = Report {
                 problem: &self.problem,
                 state: &state,
                 effort,
-                output: output(distance),
-                extent: 0.5,
+                output: output(progress),
+                extent: places.last().copied().unwrap_or_default(),
             };
             observer.observe(&report).expect("the temporary folder takes files");
         }

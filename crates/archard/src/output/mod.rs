@@ -5,11 +5,14 @@
 //! - `case.toml`: the case as resolved;
 //! - `history.csv`: a row a step, units in the names of the columns;
 //! - `profiles.csv`: at each output the sections through the centre of the frame;
+//! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView;
 //! - `summary.json`: the last row, checks and totals.
 //!
 //! All of them are complete on the disk after every step, so an interrupted run can be read.
 
+mod closed_forms;
+mod coefficients;
 mod fields;
 mod file;
 mod folder;
@@ -19,6 +22,7 @@ mod sections;
 mod summary;
 mod table;
 mod vti;
+mod worn_profiles;
 
 #[cfg(test)]
 mod fixture;

@@ -2,11 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::body::contact_modulus;
-use crate::closed_form::{Hertz, pin_on_disc};
-use crate::problem::ContactProblem;
+use super::{closed_forms, coefficients};
 use crate::simulation::{Effort, Report};
-use crate::wear::Rubbing;
 
 /// What only the caller of a run knows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,8 +35,8 @@ impl Standing {
             row.iter().map(|(column, value)| (column.clone(), json!(value))).collect();
         Self {
             last: last.into(),
-            wear: wear(report),
-            closed_form: closed_form(report),
+            wear: wear(report, row),
+            closed_form: closed_forms::of(report),
             effort: report.effort,
             extent: report.extent,
         }
@@ -70,67 +67,26 @@ pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Tota
     format!("{summary:#}\n")
 }
 
-/// For each body, the volume by the integral of its depth (the paper's eq. 56) and, where its law
-/// says what that must be, k F s and how far the two are apart.
-fn wear(report: &Report<'_>) -> Value {
-    let Report { problem, state, effort, .. } = report;
-    let bodies = problem.bodies.iter().zip(&state.worn).enumerate();
-    let entries = bodies.map(|(index, (body, worn))| {
-        let volume = problem.frame.integrate(worn);
-        let mut entry = json!({ "worn_volume_m3": volume });
-        if let Some(k) = coefficient(problem, index) {
+/// For each body, the volume by the integral of its depth (the paper's eq. 56), in rolling the section
+/// across the direction; and, where its law says what that must be, k F s and how far the two are apart.
+fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
+    let Report { problem, effort, .. } = report;
+    let (measure, unit) = match problem.kinematics.rolling() {
+        Some(_) => ("section", "m2"),
+        None => ("volume", "m3"),
+    };
+    let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
+        let column = format!("worn_{measure}_{}_{unit}", body.name);
+        let worn = row.iter().find(|(known, _)| *known == column).map_or(0.0, |(_, worn)| *worn);
+        let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
+        if let Some(k) = coefficients::of_wear(problem, index) {
             let expected = k * effort.load_distance;
-            let difference = (expected > 0.0).then(|| volume / expected - 1.0);
+            let difference = (expected > 0.0).then(|| worn / expected - 1.0);
             entry["coefficient_per_Pa"] = json!(k);
-            entry["expected_volume_m3"] = json!(expected);
+            entry[format!("expected_{measure}_{unit}")] = json!(expected);
             entry["relative_difference"] = json!(difference);
         }
         (body.name.clone(), entry)
     });
     Value::Object(entries.collect())
-}
-
-/// The k (1/Pa) of a body whose depth of wear is k p s; `None` for one that does not wear or wears
-/// by another law.
-fn coefficient(problem: &ContactProblem, body: usize) -> Option<f64> {
-    let law = problem.bodies[body].wear.as_ref()?;
-    let ratio =
-        |pressure: f64, slip: f64| law.depth(Rubbing { pressure, slip }) / (pressure * slip);
-    // From far below to far above what contacts bear, so that no law with a threshold passes.
-    let [k, others @ ..] =
-        [(1e8, 1.0), (1e4, 1.0), (3e9, 1.0), (1e8, 1e-6)].map(|(p, s)| ratio(p, s));
-    others.iter().all(|other| (other - k).abs() <= 1e-12 * k).then_some(k)
-}
-
-/// What closed forms say of bodies with curvatures: Hertz at the last load and, for a sphere rubbed
-/// flat, the paper's eq. 55; with the numbers they start from.
-fn closed_form(report: &Report<'_>) -> Value {
-    let Report { problem, state, effort, .. } = report;
-    let [Some(one), Some(other)] = problem.bodies.each_ref().map(|body| body.profile.curvatures())
-    else {
-        return Value::Null;
-    };
-    let curvatures = [one[0] + other[0], one[1] + other[1]];
-    let modulus = contact_modulus(problem.bodies.each_ref().map(|body| body.material.as_ref()));
-    let mut block = json!({ "curvatures_per_m": curvatures, "contact_modulus_Pa": modulus });
-    if let Some(hertz) = Hertz::from_load(curvatures, modulus, state.load) {
-        block["hertz"] = json!({
-            "load_N": hertz.load,
-            "semi_axes_m": hertz.semi_axes,
-            "peak_pressure_Pa": hertz.peak_pressure,
-            "approach_m": hertz.approach,
-        });
-    }
-    let worn: f64 = [0, 1].into_iter().filter_map(|body| coefficient(problem, body)).sum();
-    let spherical = (curvatures[0] - curvatures[1]).abs() <= 1e-9 * curvatures[0];
-    if spherical && worn > 0.0 && problem.kinematics.slip(1.0) > 0.0 {
-        let (radius, volume) = (1.0 / curvatures[0], worn * effort.load_distance);
-        block["pin_on_disc"] = json!({
-            "radius_m": radius,
-            "coefficient_per_Pa": worn,
-            "volume_m3": volume,
-            "depth_m": pin_on_disc::depth(radius, volume),
-        });
-    }
-    block
 }

@@ -1,0 +1,170 @@
+//! The tables of a result folder, read back.
+
+use std::path::Path;
+
+use anyhow::{Context, bail};
+
+/// An axis of the frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Axis {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+}
+
+impl Axis {
+    /// As the files and the pictures call it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Axis::X => "x",
+            Axis::Y => "y",
+        }
+    }
+
+    /// Its place in arrays.
+    pub(super) fn index(self) -> usize {
+        match self {
+            Axis::X => 0,
+            Axis::Y => 1,
+        }
+    }
+}
+
+/// Numbers by column.
+#[derive(Debug, Default)]
+pub(super) struct Table {
+    columns: Vec<(String, Vec<f64>)>,
+}
+
+/// The sections of one output along one axis.
+#[derive(Debug)]
+pub(super) struct Profile {
+    /// Progress of the output (SI).
+    pub(super) progress: f64,
+    /// Along which axis.
+    pub(super) axis: Axis,
+    /// `coordinate_m` and the fields.
+    pub(super) table: Table,
+}
+
+impl Table {
+    /// The values of a column.
+    pub(super) fn column(&self, name: &str) -> anyhow::Result<&[f64]> {
+        let column = self.columns.iter().find(|(known, _)| known == name);
+        column.map(|(_, values)| &**values).with_context(|| format!("there is no column `{name}`"))
+    }
+
+    /// The first column with its name.
+    pub(super) fn first(&self) -> (&str, &[f64]) {
+        self.columns.first().map_or(("", &[]), |(name, values)| (name, values))
+    }
+
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.columns.first().map_or(0, |(_, values)| values.len())
+    }
+
+    /// The names of the bodies, out of the columns named after them.
+    pub(super) fn bodies(&self) -> Vec<String> {
+        self.columns
+            .iter()
+            .filter_map(|(name, _)| name.strip_prefix("wear_depth_")?.strip_suffix("_m"))
+            .map(str::to_owned)
+            .collect()
+    }
+
+    /// Adds a row below columns of the same names.
+    fn push<'a>(&mut self, cells: impl Iterator<Item = (&'a str, f64)>) {
+        for (place, (name, value)) in cells.enumerate() {
+            if place == self.columns.len() {
+                self.columns.push((name.to_owned(), Vec::new()));
+            }
+            self.columns[place].1.push(value);
+        }
+    }
+}
+
+/// Largest value that is a number.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Reads a CSV file row by row, as cells under their columns' names.
+fn read_rows(
+    path: &Path,
+    mut take: impl FnMut(&[(&str, &str)]) -> anyhow::Result<()>,
+) -> anyhow::Result<()> {
+    let context = || format!("cannot read `{}`", path.display());
+    let mut reader = csv::Reader::from_path(path).with_context(context)?;
+    let header = reader.headers().with_context(context)?.clone();
+    for record in reader.records() {
+        let record = record.with_context(context)?;
+        let cells: Vec<_> = header.iter().zip(record.iter()).collect();
+        take(&cells).with_context(context)?;
+    }
+    Ok(())
+}
+
+/// A cell as a number; an empty one is none.
+fn number(cell: &str) -> anyhow::Result<f64> {
+    if cell.is_empty() {
+        return Ok(f64::NAN);
+    }
+    cell.parse().with_context(|| format!("`{cell}` is not a number"))
+}
+
+/// Numbers out of cells.
+fn numbers<'a>(cells: &[(&'a str, &str)]) -> anyhow::Result<Vec<(&'a str, f64)>> {
+    cells.iter().map(|(name, cell)| Ok((*name, number(cell)?))).collect()
+}
+
+/// The history of a run.
+pub(super) fn read_history(path: &Path) -> anyhow::Result<Table> {
+    let mut table = Table::default();
+    read_rows(path, |cells| {
+        table.push(numbers(cells)?.into_iter());
+        Ok(())
+    })?;
+    Ok(table)
+}
+
+/// The sections of a run: rows of the same progress and axis belong together.
+pub(super) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
+    let mut profiles: Vec<Profile> = Vec::new();
+    read_rows(path, |cells| {
+        let [(_, progress), (_, axis), fields @ ..] = cells else {
+            bail!("a row has fewer than two cells");
+        };
+        let (progress, axis) = (number(progress)?, if *axis == "x" { Axis::X } else { Axis::Y });
+        if profiles.last().is_none_or(|last| last.progress != progress || last.axis != axis) {
+            profiles.push(Profile { progress, axis, table: Table::default() });
+        }
+        if let Some(profile) = profiles.last_mut() {
+            profile.table.push(numbers(fields)?.into_iter());
+        }
+        Ok(())
+    })?;
+    Ok(profiles)
+}
+
+/// The last of the transverse profiles of a run.
+pub(super) fn last_profile(path: &Path) -> anyhow::Result<Option<Profile>> {
+    let mut last: Option<Profile> = None;
+    read_rows(path, |cells| {
+        let [(_, progress), (across, place), heights @ ..] = cells else {
+            bail!("a row has fewer than two cells");
+        };
+        let (progress, axis) =
+            (number(progress)?, if *across == "x_m" { Axis::X } else { Axis::Y });
+        if last.as_ref().is_none_or(|last| last.progress != progress) {
+            last = Some(Profile { progress, axis, table: Table::default() });
+        }
+        if let Some(profile) = &mut last {
+            let place = ("coordinate_m", number(place)?);
+            profile.table.push([place].into_iter().chain(numbers(heights)?));
+        }
+        Ok(())
+    })?;
+    Ok(last)
+}

@@ -1,0 +1,98 @@
+//! The tangential traction along the direction of rolling, below the limit that friction sets.
+
+use anyhow::Result;
+
+use super::figure::{Curves, Panel, Pen, moment};
+use super::pressure::along_axis;
+use super::results::Results;
+use super::scale::Unit;
+use super::tables::{Axis, Profile, largest};
+
+/// Share of the largest traction below which one along an axis is not worth a panel.
+const NEGLIGIBLE: f64 = 0.01;
+
+/// The traction on body 1 along the direction of rolling at that many outputs: a panel for each of
+/// its components, but for one that is next to nothing.
+pub(super) fn sections(results: &Results, count: usize) -> Result<Vec<Panel>> {
+    let [along, across] = results.rolling_axes();
+    let sections = results.sections(along, count);
+    let largest = |axis: Axis| -> Result<f64> {
+        sections.iter().try_fold(0.0_f64, |most, section| {
+            Ok(traction(section, axis)?.iter().fold(most, |most, t| most.max(t.abs())))
+        })
+    };
+    let sizes = [largest(along)?, largest(across)?];
+    let most = sizes[0].max(sizes[1]);
+    let worth = |size: f64| most > 0.0 && size >= NEGLIGIBLE * most;
+    let mut axes: Vec<Axis> =
+        [along, across].into_iter().zip(sizes).filter(|(_, s)| worth(*s)).map(|(a, _)| a).collect();
+    if axes.is_empty() {
+        axes.push(along);
+    }
+    axes.into_iter().map(|axis| panel(results, &sections, axis)).collect()
+}
+
+/// The traction (Pa) along an axis on a section.
+fn traction(section: &Profile, axis: Axis) -> Result<&[f64]> {
+    section.table.column(&format!("traction_{}_Pa", axis.name()))
+}
+
+/// One component of the traction.
+fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Panel> {
+    let [along, _] = results.rolling_axes();
+    let window = results.window(along)?;
+    let (across, unit) = (Unit::across(window), Unit::pressure());
+    let progress = Unit::of_column(results.progress().0);
+    let mut curves = Curves::new();
+    let mut named = false;
+    for section in sections {
+        for limit in limits(results, section, component)? {
+            let points = points(section, &limit, window)?;
+            let points = points.into_iter().map(|(x, t)| (x * across.factor, t * unit.factor));
+            curves.add(points, Pen::closed_form(), (!named).then_some("limit"));
+            named = true;
+        }
+    }
+    for (index, section) in sections.iter().enumerate() {
+        let points = points(section, traction(section, component)?, window)?;
+        let points = points.into_iter().map(|(x, t)| (x * across.factor, t * unit.factor));
+        let legend = progress.show(section.progress);
+        curves.add(points, Pen::line(moment(index, sections.len())), Some(&legend));
+    }
+    let body = results.bodies.first().map_or("body 1", |body| body);
+    let title = format!("Traction along {} on {body}{}", component.name(), towards(results, along));
+    let labels = [&*title, &across.label(along.name()), &unit.label("Traction")];
+    Ok(curves.panel(labels, |layout| along_axis(layout, results, window * across.factor)))
+}
+
+/// What friction bears (Pa) on a section, on the sides to which the traction points.
+fn limits(results: &Results, section: &Profile, component: Axis) -> Result<Vec<Vec<f64>>> {
+    let Some(limit) = results.friction_limits(section.table.column("pressure_Pa")?) else {
+        return Ok(Vec::new());
+    };
+    let traction = traction(section, component)?;
+    let least = NEGLIGIBLE * largest(&limit);
+    let mut limits = Vec::new();
+    if traction.iter().any(|traction| *traction > least) {
+        limits.push(limit.clone());
+    }
+    if traction.iter().any(|traction| *traction < -least) {
+        limits.push(limit.iter().map(|limit| -limit).collect());
+    }
+    Ok(limits)
+}
+
+/// Values over places (m) within the window.
+fn points(section: &Profile, values: &[f64], window: f64) -> Result<Vec<(f64, f64)>> {
+    let places = section.table.column("coordinate_m")?.iter();
+    let points = places.zip(values).map(|(x, value)| (*x, *value));
+    Ok(points.filter(|(x, _)| x.abs() <= window).collect())
+}
+
+/// Where the contact rolls to, as the end of a title.
+fn towards(results: &Results, along: Axis) -> String {
+    results.rolling().map_or_else(String::new, |rolling| {
+        let sense = if rolling.direction.reversed { "\u{2212}" } else { "+" };
+        format!(", rolling towards {sense}{}", along.name())
+    })
+}

@@ -1,0 +1,46 @@
+//! The transverse profiles of bodies that roll, before and after wear.
+
+use super::Error;
+use super::fields::height;
+use super::table::{Table, number};
+use crate::frame::Direction;
+use crate::problem::{ContactProblem, ContactState};
+
+/// The bodies across the direction of rolling, on the plane through the middle of the frame.
+pub(super) struct WornProfiles<'a> {
+    problem: &'a ContactProblem,
+    state: &'a ContactState,
+    direction: Direction,
+}
+
+impl<'a> WornProfiles<'a> {
+    /// The profiles of a state; `None` unless the bodies roll and may wear while they do.
+    pub(super) fn of(problem: &'a ContactProblem, state: &'a ContactState) -> Option<Self> {
+        let rolling = problem.kinematics.rolling().filter(|rolling| !rolling.swept)?;
+        Some(Self { problem, state, direction: rolling.direction })
+    }
+
+    /// Adds the profiles to a table, a row a plane of rolling.
+    pub(super) fn write(&self, table: &mut Table) -> Result<(), Error> {
+        let Self { problem, state, direction } = *self;
+        let (axis, frame) = (direction.axis, &problem.frame);
+        let progress = (problem.kinematics.progress().column.to_owned(), state.progress);
+        // Planes wear evenly, so that any of its pairs tells what a plane has lost.
+        for pair in direction.planes(frame.elements()).filter_map(|mut plane| plane.next()) {
+            let mut place = frame.place(pair);
+            place[axis] = 0.0;
+            let mut row = vec![progress.clone()];
+            row.push((["y_m", "x_m"][axis].to_owned(), place[1 - axis]));
+            for (index, body) in problem.bodies.iter().enumerate() {
+                let (name, worn) = (&body.name, state.worn[index][pair]);
+                row.push((format!("height_{name}_before_m"), height(problem, index, place, 0.0)));
+                row.push((format!("height_{name}_m"), height(problem, index, place, worn)));
+                row.push((format!("wear_{name}_m"), worn));
+            }
+            let cells: Vec<_> =
+                row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
+            table.row(&cells)?;
+        }
+        table.flush()
+    }
+}
