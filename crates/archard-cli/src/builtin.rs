@@ -17,6 +17,20 @@ pub const CASES: &[Builtin] = &[
         name: "pin_on_disc_both",
         text: include_str!("../../../cases/pin_on_disc_both/case.toml"),
     },
+    Builtin { name: "carter", text: include_str!("../../../cases/carter/case.toml") },
+    Builtin {
+        name: "kalker_creepage",
+        text: include_str!("../../../cases/kalker_creepage/case.toml"),
+    },
+    Builtin {
+        name: "free_rolling_unlike",
+        text: include_str!("../../../cases/free_rolling_unlike/case.toml"),
+    },
+    Builtin { name: "twin_disc", text: include_str!("../../../cases/twin_disc/case.toml") },
+    Builtin {
+        name: "twin_disc_accelerated",
+        text: include_str!("../../../cases/twin_disc_accelerated/case.toml"),
+    },
 ];
 
 impl Builtin {

@@ -7,7 +7,7 @@
 //! [[expect]]
 //! column = "wear_depth_m"                # a result column
 //! at = "500 mm"                          # progress of its row; the last row if left out
-//! value = "2.059002 um"                  # with a unit of the column's dimension
+//! value = "2.059002 um"                  # with a unit of the column's dimension, if it has one
 //! within = 0.006                         # largest relative difference
 //! source = "..."                         # where the value comes from
 //! set = ["motion.sliding.step=10 mm"]    # more options, if any
@@ -19,7 +19,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use archard::case::CaseFile;
-use archard::units::{self, Measure};
+use archard::units::{self, Dimension, Measure};
 use toml::de::{DeTable, DeValue};
 
 use common::Rows;
@@ -80,15 +80,29 @@ fn expected(file: &str) -> Vec<Expected> {
     entries.map(|table| entry(table.get_ref().as_table().expect("a table"))).collect()
 }
 
-/// What a column holds, by the unit at the end of its name.
-fn measure(column: &str) -> Measure {
-    match column.rsplit('_').next() {
+/// Columns without a unit.
+const PURE: [&str; 4] = ["revolutions", "share", "creepage", "lateral_creepage"];
+
+/// What a column holds, by the unit at the end of its name; `None` for a pure number.
+fn measure(column: &str) -> Option<Measure> {
+    let measure = match column.rsplit('_').next() {
+        _ if PURE.contains(&column) => return None,
         Some("m") => Measure::LENGTH,
         Some("m2") => Measure::length_to_the(2.0),
         Some("m3") => Measure::length_to_the(3.0),
         Some("Pa") => Measure::PRESSURE,
         Some("N") => Measure::FORCE,
+        Some("Nm") => Measure { dimension: Dimension::ENERGY, ..Measure::FORCE },
         _ => panic!("the column `{column}` has no unit known here"),
+    };
+    Some(measure)
+}
+
+/// A value of a column (SI).
+fn read(text: &str, column: &str) -> f64 {
+    match measure(column) {
+        Some(measure) => units::read(text, &measure).expect("a value with its unit"),
+        None => text.parse().expect("a number"),
     }
 }
 
@@ -110,7 +124,7 @@ fn number(rows: &Rows, column: &str, at: Option<&str>) -> Option<f64> {
     let row = match at {
         None => rows.0.last()?,
         Some(at) => {
-            let place = units::read(at, &measure(&rows.0.first()?.first()?.0)).expect("a place");
+            let place = read(at, &rows.0.first()?.first()?.0);
             rows.0.iter().find(|row| (row[0].1 - place).abs() <= 1e-9 * place)?
         }
     };
@@ -138,7 +152,7 @@ fn mismatches(folder: &Path) -> Vec<String> {
             }
             Ok(rows) => number(rows, &one.column, one.at.as_deref()),
         };
-        let value = units::read(&one.value, &measure(&one.column)).expect("a value with its unit");
+        let value = read(&one.value, &one.column);
         match found {
             None => mismatches.push(format!("{name}: no such number")),
             Some(found) if (found - value).abs() <= one.within * value.abs() => {}
