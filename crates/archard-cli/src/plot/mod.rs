@@ -49,9 +49,10 @@ struct Picture {
 }
 
 impl Picture {
-    /// A picture of panels of the usual size, two side by side.
+    /// A picture of panels of the usual size, up to three in a row and four in two rows.
     fn new(name: &'static str, panels: Vec<Panel>) -> Self {
-        Self { name, columns: panels.len().min(2), size: PANEL, panels }
+        let columns = if panels.len() > 3 { 2 } else { panels.len() };
+        Self { name, columns, size: PANEL, panels }
     }
 
     /// The same picture with panels of that size (px).
