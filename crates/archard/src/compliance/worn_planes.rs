@@ -4,6 +4,8 @@
 //! along the whole plane: a matrix of rank one beside the elastic compliance, plane by plane. It is
 //! symmetric and positive, so that an implicit step of wear is one normal contact problem.
 
+use std::cell::RefCell;
+
 use super::{Compliance, Preconditioner};
 use crate::frame::{Direction, VectorField};
 use crate::numerics::dense::Cholesky;
@@ -12,6 +14,10 @@ use crate::numerics::dense::Cholesky;
 const SETS: usize = 50;
 /// Share of the load that has to move from plane to plane for pressures worth foreseeing.
 const HARDLY: f64 = 0.03;
+
+/// Looks after which pairs that were in contact once stay among those whose means are taken: large steps let
+/// the contact swing to and fro.
+const SWINGING: usize = 24;
 
 /// A compliance with the wear of its planes.
 #[derive(Debug)]
@@ -227,19 +233,7 @@ impl Compliance for WornPlanes<'_> {
     /// the deviations, and the means are few enough to be solved for.
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         let elastic = self.elastic.normal_preconditioner(addition);
-        let rows: Vec<&Plane> =
-            self.planes.iter().filter(|plane| !plane.contact.is_empty()).collect();
-        let numbers: Vec<usize> =
-            (0..self.planes.len()).filter(|&n| !self.planes[n].contact.is_empty()).collect();
-        let element = |row: usize, column: usize| {
-            let [one, other] = [row, column].map(|index| rows[index].contact.len() as f64);
-            let own = if row == column { rows[row].slope + addition / one } else { 0.0 };
-            one * other * (self.between[numbers[row].abs_diff(numbers[column])] + own)
-        };
-        match Cholesky::new(rows.len(), element) {
-            Some(means) => Box::new(ByPlanes { elastic, rows, means }),
-            None => elastic,
-        }
+        Box::new(ByPlanes { elastic, worn: self, addition, contact: RefCell::default() })
     }
 }
 
@@ -247,17 +241,63 @@ impl Compliance for WornPlanes<'_> {
 #[derive(Debug)]
 struct ByPlanes<'a> {
     elastic: Box<dyn Preconditioner + 'a>,
-    rows: Vec<&'a Plane>,
-    means: Cholesky,
+    worn: &'a WornPlanes<'a>,
+    addition: f64,
+    contact: RefCell<Contact>,
 }
 
-impl ByPlanes<'_> {
+/// The contact as an iteration finds it: the pairs of its displacements that are not zero.
+#[derive(Debug, Default)]
+struct Contact {
+    /// How often it was looked at.
+    looks: usize,
+    /// Whether each pair of the frame is part of it.
+    pairs: Vec<bool>,
+    rows: Vec<Row>,
+    /// Factors of the matrix between the sums of the rows.
+    means: Option<Cholesky>,
+}
+
+/// The pairs in contact of a plane.
+#[derive(Debug, PartialEq)]
+struct Row {
+    plane: usize,
+    pairs: Vec<usize>,
+}
+
+impl Contact {
+    /// Follows the iteration; after some time without going back.
+    fn follow(&mut self, displacement: &[f64], worn: &WornPlanes<'_>, addition: f64) {
+        self.looks += 1;
+        self.pairs.resize(displacement.len(), false);
+        for (pair, value) in self.pairs.iter_mut().zip(displacement) {
+            *pair = *value != 0.0 || *pair && self.looks > SWINGING;
+        }
+        let row = |(plane, pairs): (usize, &Plane)| Row {
+            plane,
+            pairs: pairs.pairs.iter().copied().filter(|&pair| self.pairs[pair]).collect(),
+        };
+        let rows: Vec<Row> = worn.planes.iter().enumerate().map(row).collect();
+        let rows: Vec<Row> = rows.into_iter().filter(|row| !row.pairs.is_empty()).collect();
+        if rows == self.rows {
+            return;
+        }
+        let element = |i: usize, j: usize| {
+            let [one, other] = [&rows[i], &rows[j]];
+            let [pairs, others] = [one, other].map(|row| row.pairs.len() as f64);
+            let own = if i == j { worn.planes[one.plane].slope + addition / pairs } else { 0.0 };
+            pairs * others * (worn.between[one.plane.abs_diff(other.plane)] + own)
+        };
+        self.means = Cholesky::new(rows.len(), element);
+        self.rows = rows;
+    }
+
     /// Takes the mean over its contact from each plane; returns the sums.
     fn deviate(&self, values: &mut [f64]) -> Vec<f64> {
-        let take = |row: &&Plane| {
-            let sum: f64 = row.contact.iter().map(|&pair| values[pair]).sum();
-            let mean = sum / row.contact.len() as f64;
-            row.contact.iter().for_each(|&pair| values[pair] -= mean);
+        let take = |row: &Row| {
+            let sum: f64 = row.pairs.iter().map(|&pair| values[pair]).sum();
+            let mean = sum / row.pairs.len() as f64;
+            row.pairs.iter().for_each(|&pair| values[pair] -= mean);
             sum
         };
         self.rows.iter().map(take).collect()
@@ -266,12 +306,17 @@ impl ByPlanes<'_> {
 
 impl Preconditioner for ByPlanes<'_> {
     fn apply(&self, displacement: &[f64], pressure: &mut [f64]) {
+        let mut contact = self.contact.borrow_mut();
+        contact.follow(displacement, self.worn, self.addition);
+        let Some(means) = &contact.means else {
+            return self.elastic.apply(displacement, pressure);
+        };
         let mut deviations = displacement.to_vec();
-        let sums = self.deviate(&mut deviations);
+        let sums = contact.deviate(&mut deviations);
         self.elastic.apply(&deviations, pressure);
-        self.deviate(pressure);
-        for (row, mean) in self.rows.iter().zip(self.means.solve(&sums)) {
-            row.contact.iter().for_each(|&pair| pressure[pair] += mean);
+        contact.deviate(pressure);
+        for (row, mean) in contact.rows.iter().zip(means.solve(&sums)) {
+            row.pairs.iter().for_each(|&pair| pressure[pair] += mean);
         }
     }
 }
