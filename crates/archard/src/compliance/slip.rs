@@ -66,7 +66,12 @@ impl<'a, C: Compliance + ?Sized> Differenced<'a, C> {
     pub fn new(compliance: &'a C, frame: &ContactFrame, direction: Direction) -> Self {
         let elements = frame.elements();
         let mut map = Self { compliance, elements, direction, own: 0.0 };
-        let middle = frame.len() / 2;
+        // Never a foremost pair, which has none ahead.
+        let middle = direction
+            .planes(elements)
+            .nth(elements[1 - direction.axis] / 2)
+            .and_then(|mut plane| plane.nth(elements[direction.axis] / 2))
+            .unwrap_or_default();
         for axis in 0..2 {
             let mut unit = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
             let mut slip = unit.clone();
