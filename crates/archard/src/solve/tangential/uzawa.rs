@@ -17,8 +17,10 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, TOLERANCE, 1_000_000) })),
 };
 
-/// Penalty r times the slip of a pair under its own traction, times the number of pairs in a row.
-const PENALTY: f64 = 4.0;
+/// Penalty r times the slip of a pair under its own traction, times the number of pairs in a row. Twice
+/// as much converges too on twin discs of 15 x 15 and 41 x 41 elements, four times as much does not once
+/// there is lateral creepage or spin.
+const PENALTY: f64 = 1.0;
 
 /// See the module.
 #[derive(Debug)]
