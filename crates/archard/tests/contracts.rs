@@ -1,6 +1,9 @@
 //! What every implementation of a trait owes: one suite a trait, one line a newcomer.
 
 mod common;
+mod contracts {
+    mod rolling;
+}
 
 use approx::assert_relative_eq;
 use archard::body::profile::PROFILES;
@@ -34,6 +37,9 @@ const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("step", 0.005)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("tolerance", 1e-3)]),
+    ("rolling", &[("load", 300.0), ("creepage", 5e-3), ("revolutions", 3e4), ("step", 100.0)]),
+    ("rolling", &[("load", 300.0), ("force", -90.0), ("revolutions", 3e4), ("tolerance", 3e-3)]),
+    ("creepage_sweep", &[("load", 300.0), ("spin", 0.2), ("increments", 5.0)]),
 ];
 
 fn all_have_examples<T>(list: &[Choice<T>], examples: Examples, others: &[&str]) {
