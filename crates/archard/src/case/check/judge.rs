@@ -72,7 +72,8 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
 
 /// More contact solves than anyone will wait for.
 fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
-    let (Solves::Exactly(solves) | Solves::About(solves)) = forecast.solves;
+    let (Solves::Exactly(solves) | Solves::AtLeast(solves) | Solves::About(solves)) =
+        forecast.solves;
     (solves > MANY_SOLVES).then(|| {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
@@ -145,8 +146,10 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
 }
 
 fn few_cells(forecast: &Forecast) -> Option<Problem> {
-    let cells = forecast.cells_across?;
-    let fewest = cells[0].min(cells[1]);
+    let (contact, cells) = (forecast.contact?, forecast.cells_across?);
+    // A line contact has no width along the line.
+    let wide = (0..2).filter(|&axis| contact.semi_axes[axis].is_finite());
+    let fewest = wide.map(|axis| cells[axis]).fold(f64::INFINITY, f64::min);
     (fewest < FEW_CELLS).then(|| {
         let message = format!(
             "only {} elements lie across the contact at first: below {FEW_CELLS} its pressures are coarse",

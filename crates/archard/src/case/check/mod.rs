@@ -1,18 +1,22 @@
 //! What can be known of a case before it is run: closed forms, cost, and what is doubtful.
 
 mod contact;
+mod creep;
 mod forecast;
 mod geometry;
 mod judge;
 mod words;
 
 pub use contact::{Contact, Worn};
+pub use creep::{Creep, Track};
 pub(super) use forecast::BYTES_A_PAIR;
 pub use forecast::{Forecast, Solves};
 
 use super::definition::Case;
 use super::problem::Problem;
 use crate::body::{Profile, contact_modulus};
+use crate::closed_form::free_rolling;
+use crate::friction::Friction;
 use crate::kinematics::Motion;
 use crate::parameters::Invalid;
 use crate::wear::WearLaw;
@@ -22,6 +26,7 @@ struct Parts<'a> {
     case: &'a Case,
     profiles: [Box<dyn Profile>; 2],
     wear: [Option<Box<dyn WearLaw>>; 2],
+    friction: Option<Box<dyn Friction>>,
     motion: Motion,
 }
 
@@ -33,6 +38,7 @@ impl<'a> Parts<'a> {
             case,
             profiles: [first.profile.build()?, second.profile.build()?],
             wear: [wear(first)?, wear(second)?],
+            friction: case.friction.as_ref().map(|friction| friction.build()).transpose()?,
             motion: case.motion.build()?,
         })
     }
@@ -42,10 +48,30 @@ impl<'a> Parts<'a> {
         contact_modulus(self.case.bodies.each_ref().map(|body| body.material.as_ref()))
     }
 
+    /// Shear moduli (Pa), infinite for a rigid body, and Poisson ratios.
+    fn elasticity(&self) -> ([f64; 2], [f64; 2]) {
+        let materials = self.case.bodies.each_ref().map(|body| body.material);
+        (
+            materials.map(|material| material.map_or(f64::INFINITY, |one| one.shear_modulus())),
+            materials.map(|material| material.map_or(0.0, |one| one.poisson)),
+        )
+    }
+
+    /// Dundurs' constant beta; zero for bodies of one material.
+    fn dundurs_beta(&self) -> f64 {
+        let (moduli, poissons) = self.elasticity();
+        free_rolling::dundurs_beta(moduli, poissons)
+    }
+
     /// Curvatures of both bodies together along x and y (1/m), where both have them.
     fn curvatures(&self) -> Option<[f64; 2]> {
         let [first, second] = [self.profiles[0].curvatures()?, self.profiles[1].curvatures()?];
         Some([first[0] + second[0], first[1] + second[1]])
+    }
+
+    /// Largest tangential traction over the pressure (Pa); zero without friction.
+    fn friction_coefficient(&self, pressure: f64) -> f64 {
+        self.friction.as_ref().map_or(0.0, |friction| friction.limit(pressure) / pressure)
     }
 
     /// Distance slid in the whole motion (m).
