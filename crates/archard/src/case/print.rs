@@ -53,6 +53,8 @@ impl Case {
             None => number(place),
         };
         match &self.output {
+            // What goes nowhere is put out once, whatever the interval.
+            Output::Every(0.0) => Ok(()),
             Output::Every(interval) => writeln!(f, "output.every = {}", place(*interval)),
             Output::At(places) => {
                 let places: Vec<String> = places.iter().map(|&at| place(at)).collect();

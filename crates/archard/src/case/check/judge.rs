@@ -2,7 +2,7 @@
 
 use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Forecast, Parts, Solves};
+use super::{Forecast, Parts, Solves, rolling};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::Stepping;
@@ -22,6 +22,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 /// All that is wrong or doubtful.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
+    problems.extend(rolling::problems(parts, forecast.contact.as_ref()));
     problems.extend(explicit(parts));
     problems.extend(long(parts, forecast));
     if let Some(contact) = &forecast.contact {
@@ -38,8 +39,11 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems
 }
 
-/// Wear without sliding, sliding without wear.
+/// Wear without sliding, sliding without wear; rolling is another matter.
 fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
+    if parts.motion.kinematics.rolling().is_some() {
+        return vec![];
+    }
     let motion = parts.case.motion.choice.name;
     let slides = parts.slip() > 0.0;
     if slides && parts.wear.iter().all(Option::is_none) {

@@ -5,6 +5,7 @@ mod creep;
 mod forecast;
 mod geometry;
 mod judge;
+mod rolling;
 mod words;
 
 pub use contact::{Contact, Worn};

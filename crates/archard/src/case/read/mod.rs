@@ -13,7 +13,7 @@ use crate::friction::{FRICTION, Friction};
 use crate::kinematics::{MOTIONS, Motion};
 use crate::parameters::{Choice, Values};
 use crate::solve::SOLVERS;
-use crate::solve::tangential::FRICTION_SOLVERS;
+use crate::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
 
 /// The tables of a case.
 const TABLES: &[&str] =
@@ -31,7 +31,7 @@ impl Reader<'_> {
         let motion = self.motion(root);
         let friction = self.friction(root);
         let solver = self.solver(root, "solver", SOLVERS);
-        let friction_solver = self.solver(root, "friction_solver", FRICTION_SOLVERS);
+        let friction_solver = self.friction_solver(root);
         let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
         Some(Case {
             title: title?,
@@ -71,6 +71,18 @@ impl Reader<'_> {
         self.required(&section, "friction law", FRICTION).map(Some)
     }
 
+    /// The solver of friction; the first of the list where there is no friction to be solved for.
+    fn friction_solver(&mut self, root: &Section<'_>) -> Option<Chosen<Box<dyn FrictionSolver>>> {
+        let chosen = self.solver(root, "friction_solver", FRICTION_SOLVERS);
+        let Some((key, _)) = root.get("friction_solver") else { return chosen };
+        if root.get("friction").is_some() {
+            return chosen;
+        }
+        let message = "has no effect without a `friction` table";
+        self.push(Problem::warning(key, message).at_name());
+        chosen.and_then(|_| first(FRICTION_SOLVERS))
+    }
+
     /// The solver chosen, or the first of the list.
     fn solver<T>(
         &mut self,
@@ -78,17 +90,10 @@ impl Reader<'_> {
         table: &str,
         solvers: &'static [Choice<T>],
     ) -> Option<Chosen<T>> {
-        let default = || {
-            solvers.first().map(|choice| Chosen {
-                choice,
-                values: Values::default(),
-                files: vec![],
-            })
-        };
-        let Some((key, entry)) = root.get(table) else { return default() };
+        let Some((key, entry)) = root.get(table) else { return first(solvers) };
         let section = self.as_table(key, &entry.node)?;
         if section.table.0.is_empty() {
-            return default();
+            return first(solvers);
         }
         self.choice(&section, "solver", solvers).map(|(chosen, _)| chosen)
     }
@@ -111,4 +116,9 @@ impl Reader<'_> {
             self.push(problem.help(format!("known here: {}", names.join(", "))));
         }
     }
+}
+
+/// The first of a list with nothing said about it.
+fn first<T>(choices: &'static [Choice<T>]) -> Option<Chosen<T>> {
+    choices.first().map(|choice| Chosen { choice, values: Values::default(), files: vec![] })
 }

@@ -1,0 +1,159 @@
+//! What is doubtful about a rolling case, in words.
+
+use super::Parts;
+use super::contact::Contact;
+use super::words::{length, size_list_up, three};
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::kinematics::{Control, Drive, Rolling};
+
+/// Pressure (Pa) at which a coefficient of friction is read off where no other is known.
+const PRESSURE: f64 = 1e8;
+
+/// All that is wrong or doubtful about rolling, and friction where nothing rolls.
+pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
+    let Some(rolling) = parts.motion.kinematics.rolling() else {
+        return useless_friction(parts).into_iter().collect();
+    };
+    let mut problems = wear(parts, rolling);
+    problems.extend(friction(parts, rolling, contact));
+    problems.extend(narrow(parts, rolling, contact));
+    problems.extend(worn_radius(parts, rolling));
+    problems.extend(over_the_rim(parts, rolling));
+    problems
+}
+
+/// A key of the motion.
+fn key(parts: &Parts<'_>, name: &str) -> Key {
+    motion(parts).child(name)
+}
+
+fn motion(parts: &Parts<'_>) -> Key {
+    Key::of(["motion", parts.case.motion.choice.name])
+}
+
+/// Friction where the motion does not ask for it.
+fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
+    let name = parts.case.motion.choice.name;
+    parts.friction.is_some().then(|| {
+        let message =
+            format!("has no effect in `motion.{name}`: only rolling tells slip from stick");
+        Problem::warning(Key::of(["friction"]), message).at_name()
+    })
+}
+
+/// Wear that cannot come about, or rolling on and on without any.
+fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
+    let goes_on = parts.motion.extent > 0.0 && !rolling.swept;
+    let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wear.is_some()).collect();
+    let mut problems = vec![];
+    if is_still(parts, rolling) {
+        let end = if goes_on { ", and nothing will wear" } else { "" };
+        let message = format!(
+            "no creepage, force or spin is given: nothing slips between bodies of one elasticity{end}"
+        );
+        problems.push(Problem::warning(motion(parts), message).at_name());
+    }
+    if goes_on && worn.is_empty() {
+        let message =
+            "neither body has a `wear` table: nothing will wear, and every step is the same";
+        problems.push(
+            Problem::warning(key(parts, "revolutions"), message)
+                .help("`revolutions = 0` is enough for the contact alone"),
+        );
+    }
+    let reason = match (rolling.swept, goes_on) {
+        (true, _) => "raising the creepage wears nothing",
+        (_, false) => "nothing wears without `revolutions`",
+        _ => return problems,
+    };
+    problems.extend(worn.into_iter().map(|body| {
+        let message = format!("{reason}: this body will not wear");
+        Problem::warning(Key::of(["body", &body.name, "wear"]), message)
+    }));
+    problems
+}
+
+/// Whether nothing drives bodies that roll on each other as one.
+fn is_still(parts: &Parts<'_>, rolling: &Rolling) -> bool {
+    let is_zero = |drive: Drive| matches!(drive, Drive::Creepage(0.0) | Drive::Force(0.0));
+    let alike = parts.dundurs_beta() == 0.0;
+    alike && is_zero(rolling.longitudinal) && is_zero(rolling.lateral) && rolling.spin == 0.0
+}
+
+/// Friction that is missing, or bears less than it has to.
+fn friction(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Option<Problem> {
+    let force = |drive: Drive| if let Drive::Force(force) = drive { force } else { 0.0 };
+    let (along, across) = (force(rolling.longitudinal), force(rolling.lateral));
+    let asked = along.hypot(across);
+    let name = if along == 0.0 { "lateral_force" } else { "force" };
+    if parts.friction.is_none() && asked > 0.0 {
+        let message = "nothing bears a force along the surfaces without a `friction` table";
+        return Some(Problem::error(key(parts, name), message));
+    }
+    if parts.friction.is_none() {
+        let message = "without a `friction` table the bodies slide freely: no traction, and all of the creepage slips";
+        return Some(Problem::warning(motion(parts), message).at_name());
+    }
+    let Control::Load(load) = parts.motion.control else { return None };
+    let pressure = contact.map_or(PRESSURE, |contact| contact.peak_pressure);
+    let bears = parts.friction_coefficient(pressure) * load;
+    (asked > 0.0 && asked >= bears).then(|| {
+        let both =
+            if along != 0.0 && across != 0.0 { " together with `lateral_force`" } else { "" };
+        let message = format!(
+            "{} N{both} is no less than friction bears under this load: {} N",
+            three(asked),
+            three(bears)
+        );
+        Problem::error(key(parts, name), message)
+    })
+}
+
+/// A frame without a free element behind the contact: particles are rubbed until they have left the last
+/// pair under pressure.
+fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Option<Problem> {
+    let axis = rolling.direction.axis;
+    let half_width = contact?.semi_axes[axis];
+    let frame = parts.case.frame;
+    let needed = 2.0 * (half_width + frame.spacing()[axis]);
+    let cut = half_width.is_finite() && 2.0 * half_width <= frame.size[axis];
+    (cut && needed > frame.size[axis]).then(|| {
+        let message = format!(
+            "leaves less than an element free before and behind the contact, which is {} long: slip where particles leave it would be lost",
+            length(2.0 * half_width)
+        );
+        let mut size = frame.size;
+        size[axis] = needed;
+        Problem::warning(Key::of(["frame", "size"]), message)
+            .help(format!("take about `size = {}`", size_list_up(size)))
+    })
+}
+
+/// A creepage that is to follow worn radii of bodies that have none.
+fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
+    let axis = rolling.direction.axis;
+    let without = |body: &usize| {
+        let curvature = parts.profiles[*body].curvatures().map_or(0.0, |both| both[axis]);
+        curvature == 0.0 && parts.wear[*body].is_some()
+    };
+    let body = (0..2).filter(|_| rolling.worn_radius).find(without)?;
+    let message = format!(
+        "the body `{}` has no radius along the direction of rolling: its wear will not change the creepage",
+        parts.case.bodies[body].name
+    );
+    Some(Problem::warning(key(parts, "radius"), message))
+}
+
+/// Discs that roll across their rim.
+fn over_the_rim(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
+    let axis = rolling.direction.axis;
+    let bodies = parts.case.bodies.iter().zip(&parts.profiles);
+    let mut discs = bodies.filter(|(body, _)| body.profile.choice.name == "disc");
+    let (body, _) = discs.find(|(_, profile)| {
+        profile.curvatures().is_some_and(|both| both[1 - axis] > both[axis])
+    })?;
+    let message =
+        format!("discs roll along x: this way the body `{}` rolls across its rim", body.name);
+    (axis == 1).then(|| Problem::warning(key(parts, "direction"), message))
+}
