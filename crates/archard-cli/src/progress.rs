@@ -72,7 +72,8 @@ fn bar() -> ProgressBar {
 impl Observer for Follower {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
         self.last = row(report);
-        let share = report.state.progress / report.extent;
+        // A motion may go nowhere.
+        let share = if report.extent > 0.0 { report.state.progress / report.extent } else { 1.0 };
         let standing = self.standing(report);
         match &mut self.display {
             Display::Bar(bar) => {

@@ -4,7 +4,9 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use archard::case::{Case, Resolved};
+use archard::body::Body;
+use archard::case::Resolved;
+use archard::kinematics::Rolling;
 use archard::output::{ResultFolder, Totals};
 use archard::simulation::{Effort, Error, Simulation};
 
@@ -46,7 +48,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     if arguments.quiet {
         return Ok(());
     }
-    summarize(&case, &simulation, &follower, &totals, effort, &dir)
+    summarize(&simulation, &follower, &totals, effort, &dir)
 }
 
 /// `results/NAME`: the name of the case file, or of its folder where the file is a `case.toml`.
@@ -102,7 +104,6 @@ fn failure(error: Error, dir: &Path) -> Failure {
 
 /// Says what came out and where it is.
 fn summarize(
-    case: &Case,
     simulation: &Simulation,
     follower: &Follower,
     totals: &Totals,
@@ -113,14 +114,53 @@ fn summarize(
     say(&format!("peak pressure     {} MPa", number("peak_pressure_Pa", 1e-6)))?;
     say(&format!("approach          {} um", number("approach_m", 1e6)))?;
     say(&format!("contact area      {} mm^2", number("contact_area_m2", 1e6)))?;
+    if let Some(rolling) = simulation.problem.kinematics.rolling() {
+        summarize_rolling(simulation, rolling, follower)?;
+    }
     if simulation.problem.wears() {
         say(&format!("wear depth        {} um", number("wear_depth_m", 1e6)))?;
-        for body in &case.bodies {
-            let volume = number(&format!("worn_volume_{}_m3", body.name), 1e9);
-            say(&format!("worn volume       {volume} mm^3 off `{}`", body.name))?;
+        for Body { name, .. } in &simulation.problem.bodies {
+            if let Some(volume) = follower.number(&format!("worn_volume_{name}_m3")) {
+                say(&format!("worn volume       {} mm^3 off `{name}`", four(volume * 1e9)))?;
+            }
+            if let Some(section) = follower.number(&format!("worn_section_{name}_m2")) {
+                say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
+            }
         }
     }
     let Effort { steps, solves, .. } = effort;
     say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;
     say(&format!("results           {}", dir.display()))
+}
+
+/// Says how the bodies creep at last and, where there is friction, what they pass on.
+fn summarize_rolling(
+    simulation: &Simulation,
+    rolling: &Rolling,
+    follower: &Follower,
+) -> Result<(), Failure> {
+    let number = |column: &str| follower.number(column).unwrap_or(0.0);
+    let creepage = along_and_across([number("creepage"), number("lateral_creepage")], "");
+    say(&format!("creepage          {creepage}"))?;
+    if simulation.problem.friction.is_none() {
+        return Ok(());
+    }
+    let [x, y] = [number("force_x_N"), number("force_y_N")];
+    let units = [rolling.direction.forward(), rolling.direction.lateral()];
+    let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
+    say(&format!("creep force       {force}, on `{}`", simulation.problem.bodies[0].name))?;
+    say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))
+}
+
+/// Two components by the direction of rolling; one that is nothing but rounding beside the other is
+/// left out.
+fn along_and_across([along, across]: [f64; 2], unit: &str) -> String {
+    const ROUNDING: f64 = 1e-6;
+    if across.abs() <= ROUNDING * along.abs() {
+        format!("{}{unit} along", four(along))
+    } else if along.abs() <= ROUNDING * across.abs() {
+        format!("{}{unit} across", four(across))
+    } else {
+        format!("{}{unit} along, {}{unit} across", four(along), four(across))
+    }
 }

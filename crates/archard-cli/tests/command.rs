@@ -258,3 +258,48 @@ fn threads_are_few_and_many_are_refused() {
     let refused = archard(&dir, &["run", hertz, "-o", "out", "--threads", "100000"]).code(2);
     assert!(said(&refused).contains("processors"), "{}", said(&refused));
 }
+
+#[test]
+fn friction_that_does_not_converge_exits_with_one() {
+    let dir = TempDir::new().unwrap();
+    let case = case("twin_disc");
+    let option = "friction_solver.newton.max_iterations=1";
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", option];
+    let said = said(&archard(&dir, &arguments).code(1));
+    for part in ["friction at revolution 0.0 did not converge", "1 iterations", "`friction_solver`"]
+    {
+        assert!(said.contains(part), "{part} is not in\n{said}");
+    }
+    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
+    assert!(summary.contains("\"complete\": false"), "{summary}");
+}
+
+/// What Carter, Vermeulen and Johnson and the incremental model expect of the twin discs, and their first
+/// contact, which independently passes on 0.895 of 180 N, to 1 %.
+#[test]
+fn rolling_says_what_to_expect_and_what_came_out() {
+    let dir = TempDir::new().unwrap();
+    let case = case("twin_disc");
+    let checked = printed(&archard(&dir, &["check", case.to_str().unwrap()]).success());
+    for line in [
+        "saturation        creepage 0.00802 (all slips, mu a/R)",
+        "stick share       0.261 (strip theory)",
+        "creep force       155 N along (Vermeulen-Johnson)",
+        "wear depth        26.0 um at the end (incremental model)",
+        "contact solves    about 58",
+    ] {
+        assert!(checked.contains(line), "{line} is not in\n{checked}");
+    }
+    let contact = ["motion.rolling.revolutions=0", "motion.rolling.tolerance=", "output="];
+    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", "out"];
+    arguments.extend(contact.iter().flat_map(|option| ["--set", option]));
+    let ran = archard(&dir, &arguments).success();
+    assert!(said(&ran).contains("100 %  revolution 0"), "{}", said(&ran));
+    let printed = printed(&ran);
+    for line in ["creepage          0.005000 along\n", "worn section      0 mm^2 off `disc2`"] {
+        assert!(printed.contains(line), "{line} is not in\n{printed}");
+    }
+    let force = printed.split("creep force").nth(1).unwrap().split_whitespace().next().unwrap();
+    assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
+    assert!(printed.contains("N along, on `disc1`"), "{printed}");
+}
