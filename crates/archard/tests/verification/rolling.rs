@@ -381,3 +381,16 @@ fn steps_by_error_meet_the_run_without_acceleration() {
         assert!(found < 1.05 * peak * 1e6, "{found:e} Pa after {revolutions} revolutions");
     }
 }
+
+/// Ten times the revolutions in a step wear ten times as much and take hardly more iterations a solve.
+#[test]
+fn longer_steps_take_hardly_more_iterations() {
+    let iterations = |step: f64| {
+        let motion = format!("creepage = 0.005\nrevolutions = {step}\nstep = {step}");
+        let rows = row(&twin_discs([0.52, 6.4], [41, 81], &motion));
+        let solves = rows.column("solves");
+        rows.last("iterations") / (solves[1] - solves[0])
+    };
+    let [short, long] = [100.0, 1000.0].map(iterations);
+    assert!(long < 1.5 * short, "{short} and {long} iterations a solve");
+}
