@@ -27,6 +27,8 @@ pub struct WornPlanes<'a> {
     /// Elastic displacement (m/Pa) that uniform unit pressure on the contact of a plane makes, a pair on the
     /// average, of a plane that many planes away.
     between: Vec<f64>,
+    /// Whether preconditioners keep to the contact given instead of following the iteration's.
+    steady: bool,
 }
 
 /// A plane of rolling.
@@ -59,7 +61,13 @@ impl<'a> WornPlanes<'a> {
             .collect();
         spread_contact(&mut planes);
         let between = between(elastic, &planes, pressure.len());
-        Self { elastic, planes, between }
+        Self { elastic, planes, between, steady: false }
+    }
+
+    /// The same with preconditioners that keep to the contact given: slower, but sure where following the
+    /// iteration makes the contact swing.
+    pub fn steady(self) -> Self {
+        Self { steady: true, ..self }
     }
 
     /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each plane those
@@ -270,9 +278,22 @@ impl Contact {
     fn follow(&mut self, displacement: &[f64], worn: &WornPlanes<'_>, addition: f64) {
         self.looks += 1;
         self.pairs.resize(displacement.len(), false);
+        if worn.steady {
+            if self.looks == 1 {
+                let contact = worn.planes.iter().flat_map(|plane| &plane.contact);
+                contact.for_each(|&pair| self.pairs[pair] = true);
+                self.take(worn, addition);
+            }
+            return;
+        }
         for (pair, value) in self.pairs.iter_mut().zip(displacement) {
             *pair = *value != 0.0 || *pair && self.looks > SWINGING;
         }
+        self.take(worn, addition);
+    }
+
+    /// Takes the pairs as rows, and factorises what is between them where they have changed.
+    fn take(&mut self, worn: &WornPlanes<'_>, addition: f64) {
         let row = |(plane, pairs): (usize, &Plane)| Row {
             plane,
             pairs: pairs.pairs.iter().copied().filter(|&pair| self.pairs[pair]).collect(),

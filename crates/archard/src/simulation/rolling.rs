@@ -273,7 +273,14 @@ impl Chain {
             );
             self.start_from(worn.foresee(&gap, total, &pressure), problem);
             worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
-            self.roll_on(simulation, leg, &gap, &worn, effort)?;
+            let worn = match self.roll_on(simulation, leg, &gap, &worn, effort) {
+                Err(Error::NotConverged { .. }) => {
+                    let worn = worn.steady();
+                    self.roll_on(simulation, leg, &gap, &worn, effort)?;
+                    worn
+                }
+                other => other.map(|()| worn)?,
+            };
             worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
             let now = Collected::of(self, problem, rolling);
             let foreseen = |plane: usize| {

@@ -6,11 +6,12 @@ use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornPlanes};
 use archard::frame::{ContactFrame, Direction, VectorField};
 use archard::friction::FRICTION;
-use archard::solve::Status;
+use archard::kinematics::Control;
 use archard::solve::tangential::{self, FRICTION_SOLVERS, Held};
+use archard::solve::{Start, Status, Step};
 use proptest::prelude::*;
 
-use crate::common::{Ball, STEEL, choose};
+use crate::common::{Ball, STEEL, at_rest, choose, solver};
 use crate::{Examples, all_have_examples};
 
 const FRICTION_EXAMPLES: Examples =
@@ -289,14 +290,14 @@ fn slopes(planes: usize, slope: f64) -> Vec<f64> {
 #[test]
 fn planes_that_wear_are_symmetric_and_positive() {
     let frame = small_frame();
-    // Nowhere zero: the preconditioner takes zeros for pairs out of contact.
-    let (a, b): (Vec<f64>, Vec<f64>) =
-        (1..=PAIRS).map(|i| ((i as f64).sin(), ((i * i) as f64).cos())).unzip();
-    // Some planes touch, others do not.
-    let pressure: Vec<f64> = (0..PAIRS)
-        .map(|pair| frame.place(pair))
-        .map(|[x, y]| (1.0 - (x / 0.5e-3).powi(2) - (y / 0.3e-3).powi(2)).max(0.0))
-        .collect();
+    // Some planes touch, others do not, and preconditioners see the contact alone.
+    let bowl = |[x, y]: [f64; 2]| (1.0 - (x / 0.5e-3).powi(2) - (y / 0.3e-3).powi(2)).max(0.0);
+    let pressure: Vec<f64> = (0..PAIRS).map(|pair| bowl(frame.place(pair))).collect();
+    let in_contact = |seed: u32| -> Vec<f64> {
+        let numbers = arbitrary(seed).into_iter().zip(&pressure);
+        numbers.map(|(number, &pressure)| if pressure > 0.0 { number } else { 0.0 }).collect()
+    };
+    let (a, b) = (in_contact(1), in_contact(2));
     for elastic in compliances(&frame) {
         for direction in DIRECTIONS {
             for slope in [0.0, 0.1, 1e6].map(|factor| factor * elastic.normal_self_term()) {
@@ -331,6 +332,42 @@ fn planes_that_wear_are_symmetric_and_positive() {
                     assert!(skew.abs() < 1e-12 * (aa * bb).sqrt());
                 }
             }
+        }
+    }
+}
+
+/// Iterations of a step from unworn twin discs that makes a plane wear by that many self terms under a unit
+/// pressure on one pair.
+fn iterations_of_a_step(direction: Direction, self_terms: f64) -> usize {
+    let turn = |both: [f64; 2]| if direction.axis == 0 { both } else { [both[1], both[0]] };
+    let elements = if direction.axis == 0 { [41, 81] } else { [81, 41] };
+    let (size, radii) = (turn([0.52e-3, 6.4e-3]), turn([16.2e-3, 0.125]));
+    let problem = Ball { size, radii, elements, ..Ball::pin_on_disc(1) }.problem();
+    let (frame, elastic) = (&problem.frame, &*problem.compliance);
+    let addition = vec![0.0; frame.len()];
+    let rest = at_rest(&problem, &addition, Control::Load(300.0));
+    let unworn = solver("conjugate_gradient", 1e-8).solve(&rest, None);
+    let slopes = vec![self_terms * elastic.normal_self_term(); elements[1 - direction.axis]];
+    let worn = WornPlanes::new(elastic, direction, elements, &slopes, &unworn.pressure);
+    let total = unworn.pressure.iter().sum();
+    let foreseen = worn.foresee(frame.gap(), total, &unworn.pressure);
+    let pressure = foreseen.unwrap_or(unworn.pressure);
+    let mut displacement = vec![0.0; frame.len()];
+    worn.apply_normal(&pressure, &mut displacement);
+    let start = Start { pressure: &pressure, displacement: &displacement, approach: 0.0 };
+    let step = Step { compliance: &worn, ..rest };
+    let outcome = solver("conjugate_gradient", 1e-8).solve(&step, Some(start));
+    assert_eq!(outcome.status, Status::Converged, "{self_terms} along {direction:?}");
+    outcome.iterations
+}
+
+/// A thousand revolutions of the twin discs at 0.5 % are half a self term.
+#[test]
+fn longer_steps_of_wear_take_few_more_iterations() {
+    for direction in DIRECTIONS {
+        let short = iterations_of_a_step(direction, 0.01);
+        for self_terms in [0.1, 1.0] {
+            assert!(iterations_of_a_step(direction, self_terms) < 2 * short);
         }
     }
 }
