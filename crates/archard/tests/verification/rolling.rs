@@ -394,3 +394,25 @@ fn longer_steps_take_hardly_more_iterations() {
     let [short, long] = [100.0, 1000.0].map(iterations);
     assert!(long < 1.5 * short, "{short} and {long} iterations a solve");
 }
+
+/// Where everything slips and the creepage follows the worn radii, a plane wears by its load times its own
+/// creepage, xi - w1/R1 + w2/R2.
+#[test]
+fn creepage_follows_the_worn_radii() {
+    let motion = "creepage = 0.005\nradius = \"worn\"\nrevolutions = 8000\nstep = 400";
+    let text = twin_discs([0.52, 4.8], [41, 61], motion);
+    let states = states(&case(&text, &[])).expect("it converges");
+    let problem = case(&text, &[]).problem;
+    let frame = &problem.frame;
+    let [.., (before, ..), (after, ..)] = &states[..] else { panic!("two states") };
+    let section = |state: &ContactState| frame.integrate(&state.total_worn()) / frame.size()[0];
+    let worn = (section(after) - section(before)) / 400.0;
+    let sum = |creepage: &dyn Fn(usize) -> f64| -> f64 {
+        let pairs = after.pressure.iter().enumerate();
+        pairs.map(|(pair, pressure)| pressure * creepage(pair)).sum::<f64>() * frame.element_area()
+    };
+    let follows =
+        sum(&|pair| 0.005 - before.worn[0][pair] / 0.0325 + before.worn[1][pair] / 0.0323);
+    assert_relative_eq!(worn, WEAR * follows, max_relative = 1e-3);
+    assert!(follows < 0.99 * sum(&|_| 0.005), "the radii hardly changed");
+}
