@@ -2,6 +2,7 @@
 
 use super::{FrictionSolver, Outcome, Start, Step};
 use crate::compliance::SlipMap;
+use crate::numerics::convolution::even_smooth;
 
 /// Elements kept free around the contact: material is still rubbed on its way past the trailing edge.
 const MARGIN: usize = 1;
@@ -92,18 +93,9 @@ impl Part {
     }
 }
 
-/// The next number at least `n` without prime factors above 5, so that its double transforms well and few
-/// sizes are met while a contact grows.
+/// The next number at least `n` whose double transforms well; few sizes are met while a contact grows.
 fn roomy(n: usize) -> usize {
-    let rest = |n: usize| {
-        [2, 3, 5].into_iter().fold(n, |mut n, prime| {
-            while n.is_multiple_of(prime) {
-                n /= prime;
-            }
-            n
-        })
-    };
-    (n..).find(|&n| rest(n) == 1).unwrap_or(n)
+    even_smooth(2 * n) / 2
 }
 
 #[cfg(test)]

@@ -7,6 +7,7 @@
 //!
 //! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
 
+mod blocks;
 mod contraction;
 mod crop;
 mod newton;
