@@ -29,10 +29,17 @@ pub enum Quantity {
         /// The name of the parameter that holds the exponent.
         exponent: &'static str,
     },
+    /// An angle (rad).
+    Angle,
+    /// A time (s).
+    Time,
+    /// Two values of one quantity, along x and y.
+    Pair(&'static Quantity),
     /// One of a few words.
     Word(&'static [&'static str]),
-    /// The name of a file of columns, each headed `name_unit`; every column a length.
-    Table,
+    /// The name of a file of columns, each headed `name_unit`, with their names and quantities; a
+    /// column of another name is taken for a length.
+    Table(&'static [(&'static str, Quantity)]),
 }
 
 /// What messages say of two parameters of which only one may be given.
@@ -112,6 +119,8 @@ impl Parameter {
 pub enum Value {
     /// A number (SI).
     Number(f64),
+    /// Two numbers, along x and y (SI).
+    Pair([f64; 2]),
     /// A word.
     Word(String),
     /// Columns of numbers (SI), each with its name, all of one length.
@@ -152,6 +161,14 @@ impl Values {
         self.number(name).ok_or_else(|| Invalid::new(name, format!("`{name}` is missing")))
     }
 
+    /// The two numbers of that name, if they were given.
+    pub fn pair(&self, name: &str) -> Option<[f64; 2]> {
+        match self.get(name) {
+            Some(Value::Pair(pair)) => Some(*pair),
+            _ => None,
+        }
+    }
+
     /// The word of that name, if it was given.
     pub fn word(&self, name: &str) -> Option<&str> {
         match self.get(name) {
@@ -174,16 +191,33 @@ impl Values {
         &self,
         first: &'static str,
         second: &'static str,
-    ) -> Result<(Option<f64>, Option<f64>), Invalid> {
-        match (self.number(first), self.number(second)) {
-            (None, None) => {
-                Err(Invalid::new(first, format!("one of `{first}` and `{second}` is needed")))
-            }
-            (Some(_), Some(_)) => {
-                Err(Invalid::new(second, format!("`{first}` and `{second}` {EXCLUSIVE}: keep one")))
-            }
-            given => Ok(given),
+    ) -> Result<OneOf<f64>, Invalid> {
+        only_one([(first, self.number(first)), (second, self.number(second))])
+    }
+
+    /// [`Self::one_of`] for pairs.
+    pub fn one_pair_of(
+        &self,
+        first: &'static str,
+        second: &'static str,
+    ) -> Result<OneOf<[f64; 2]>, Invalid> {
+        only_one([(first, self.pair(first)), (second, self.pair(second))])
+    }
+}
+
+/// One of two values that exclude each other.
+pub type OneOf<T> = (Option<T>, Option<T>);
+
+fn only_one<T>(values: [(&'static str, Option<T>); 2]) -> Result<OneOf<T>, Invalid> {
+    let [(first, one), (second, other)] = values;
+    match (one, other) {
+        (None, None) => {
+            Err(Invalid::new(first, format!("one of `{first}` and `{second}` is needed")))
         }
+        (Some(_), Some(_)) => {
+            Err(Invalid::new(second, format!("`{first}` and `{second}` {EXCLUSIVE}: keep one")))
+        }
+        given => Ok(given),
     }
 }
 

@@ -69,8 +69,10 @@ pub struct Tangential {
     /// Slip of body 2 over body 1 (m), along t1 and t2, one value a pair; in rolling, on the way from
     /// the pair ahead, and outside the contact what the surfaces slide without touching.
     pub slip: [Vec<f64>; 2],
-    /// Creepage along the direction of rolling and across it, given or found.
+    /// Creepage along the direction of rolling and across it, given or found; zero where nothing rolls.
     pub creepage: [f64; 2],
+    /// Displacement (m) of body 2 over body 1 along t1 and t2, given or found; zero in rolling.
+    pub shift: [f64; 2],
 }
 
 impl Tangential {

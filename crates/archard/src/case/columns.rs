@@ -1,7 +1,9 @@
-//! Columns of lengths out of a CSV file whose header names them with their units.
+//! Columns out of a CSV file whose header names them with their units.
 
 use std::path::{Path, PathBuf};
 
+use super::quantity::measure;
+use crate::parameters::{Quantity, Values};
 use crate::units::{self, Measure, Scale};
 
 /// Why a file of columns cannot be read.
@@ -26,11 +28,11 @@ pub(super) enum Error {
     Empty { file: PathBuf },
 }
 
-/// Named columns (m).
+/// Named columns (SI).
 type Columns = Vec<(String, Vec<f64>)>;
 
-/// Reads the columns of a file (m).
-pub(super) fn read(path: &Path) -> Result<Columns, Error> {
+/// Reads the columns of a file (SI): those of known names as what they are, others as lengths.
+pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, Error> {
     let file = || path.to_owned();
     let unreadable = |cause| Error::Unreadable { file: file(), cause };
     let mut reader = csv::ReaderBuilder::new()
@@ -41,7 +43,7 @@ pub(super) fn read(path: &Path) -> Result<Columns, Error> {
         .map_err(unreadable)?;
     let (mut columns, mut scales): (Columns, Vec<Scale>) = (vec![], vec![]);
     for title in reader.headers().map_err(unreadable)? {
-        let (name, scale) = heading(title, path)?;
+        let (name, scale) = heading(title, path, known)?;
         if columns.iter().any(|(known, _)| *known == name) {
             return Err(Error::Twice { file: file(), column: name });
         }
@@ -70,14 +72,29 @@ pub(super) fn read(path: &Path) -> Result<Columns, Error> {
     }
 }
 
-/// The name and the unit of a column titled `x_mm`, `x (mm)` or `x [mm]`.
-fn heading(title: &str, path: &Path) -> Result<(String, Scale), Error> {
+/// The name and the unit of a column titled `x_mm`, `x (mm)` or `x [mm]`; one without a dimension needs
+/// no unit.
+fn heading(title: &str, path: &Path, known: &[(&str, Quantity)]) -> Result<(String, Scale), Error> {
     let title = title.trim_start_matches('\u{feff}').trim();
-    let bracketed = title.strip_suffix([')', ']']).and_then(|title| title.split_once(['(', '[']));
-    let (name, unit) = bracketed
-        .or_else(|| title.split_once('_'))
-        .ok_or_else(|| Error::NoUnit { file: path.to_owned(), column: title.to_owned() })?;
-    let scale = Scale::read(unit, &Measure::LENGTH).map_err(|cause| Error::WrongUnit {
+    let lower = title.to_lowercase();
+    let named = known.iter().filter(|(name, _)| lower.starts_with(name));
+    let named = named.max_by_key(|(name, _)| name.len());
+    let split = match named {
+        Some((name, _)) => Some((&title[..name.len()], title[name.len()..].trim())),
+        None => title.find(['(', '[']).or_else(|| title.find('_')).map(|at| (&title[..at], &title[at..])),
+    };
+    let measure = match named {
+        Some((_, quantity)) => measure(*quantity, &Values::default()).unwrap_or(Measure::NUMBER),
+        None => Measure::LENGTH,
+    };
+    let (name, unit) = split.unwrap_or((title, ""));
+    let unit = unit.strip_prefix(['(', '[', '_']).unwrap_or(unit);
+    let unit = unit.strip_suffix([')', ']']).unwrap_or(unit);
+    if unit.is_empty() && measure != Measure::NUMBER {
+        return Err(Error::NoUnit { file: path.to_owned(), column: title.to_owned() });
+    }
+    let unit = if unit.is_empty() { "1" } else { unit };
+    let scale = Scale::read(unit, &measure).map_err(|cause| Error::WrongUnit {
         file: path.to_owned(),
         column: title.to_owned(),
         cause: Box::new(cause),
@@ -95,7 +112,7 @@ mod tests {
         let path = folder.path().join("pin.csv");
         std::fs::write(&path, text).unwrap();
         let prefix = format!("{}/", folder.path().display());
-        read(&path).map_err(|error| error.to_string().replace(&prefix, ""))
+        read(&path, &[]).map_err(|error| error.to_string().replace(&prefix, ""))
     }
 
     #[test]

@@ -90,6 +90,13 @@ fn print_value<T>(chosen: &Chosen<T>, parameter: &Parameter, value: &Value) -> S
             None if parameter.quantity == Quantity::Count => format!("{value:.0}"),
             None => number(*value),
         },
+        Value::Pair(pair) => {
+            let one = |value: f64| match measure(parameter.quantity, &chosen.values) {
+                Some(measure) => si(value, &measure.si),
+                None => number(value),
+            };
+            format!("[{}, {}]", one(pair[0]), one(pair[1]))
+        }
         Value::Table(_) => {
             let file = chosen.files.iter().find(|(name, _)| *name == parameter.name);
             quoted(&file.map(|(_, file)| file.display().to_string()).unwrap_or_default())

@@ -39,7 +39,8 @@ pub(super) fn read(
             bounded(value, parameter.bound)
         }
         Quantity::Word(words) => word(node, words).map(|word| (Value::Word(word), None)),
-        Quantity::Table => table(node, folder),
+        Quantity::Table(columns) => table(node, folder, columns),
+        Quantity::Pair(quantity) => pair(node, &Parameter { quantity: *quantity, ..*parameter }),
         quantity => {
             let measure = measure(quantity, before).ok_or_else(|| {
                 Wrong::from(
@@ -59,11 +60,14 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Force => Some(Measure::FORCE),
         Quantity::Pressure => Some(Measure::PRESSURE),
         Quantity::Curvature => Some(Measure::length_to_the(-1.0)),
+        Quantity::Angle => Some(Measure::ANGLE),
+        Quantity::Time => Some(Measure::TIME),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
         Quantity::PowerFactor { exponent } => {
             values.number(exponent).map(|exponent| Measure::length_to_the(1.0 - exponent))
         }
-        Quantity::Number | Quantity::Count | Quantity::Word(_) | Quantity::Table => None,
+        Quantity::Pair(quantity) => measure(*quantity, values),
+        Quantity::Number | Quantity::Count | Quantity::Word(_) | Quantity::Table(_) => None,
     }
 }
 
@@ -118,13 +122,40 @@ fn word(node: &Node, words: &[&str]) -> Result<String, Wrong> {
     }
 }
 
+/// Two values in a list.
+fn pair(node: &Node, parameter: &Parameter) -> Result<(Value, Option<PathBuf>), Wrong> {
+    let expected = || {
+        let example = measure(parameter.quantity, &Values::default())
+            .map_or("1".to_owned(), |measure| format!("\"{}\"", measure.example));
+        format!("expected two values, along x and y, like [{example}, {example}]")
+    };
+    let nodes = match &node.item {
+        Item::Array(nodes) if nodes.len() == 2 => nodes,
+        Item::Array(nodes) => return Err(format!("{}, found {}", expected(), nodes.len()).into()),
+        other => return Err(format!("{}, found {}", expected(), other.kind()).into()),
+    };
+    let mut pair = [0.0; 2];
+    for (value, node) in pair.iter_mut().zip(nodes) {
+        if let (Value::Number(number), _) =
+            read(node, parameter, &Values::default(), Path::new(""))?
+        {
+            *value = number;
+        }
+    }
+    Ok((Value::Pair(pair), None))
+}
+
 /// The columns of the file a node names.
-fn table(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
+fn table(
+    node: &Node,
+    folder: &Path,
+    known: &[(&str, Quantity)],
+) -> Result<(Value, Option<PathBuf>), Wrong> {
     let Item::Text(name) = &node.item else {
         return Err(format!("expected the name of a CSV file, found {}", node.item.kind()).into());
     };
     let path = folder.join(name);
-    let columns = columns::read(&path).map_err(|error| Wrong {
+    let columns = columns::read(&path, known).map_err(|error| Wrong {
         help: (!path.exists()).then(|| {
             "a file is looked for from the folder of the case on, in options too".to_owned()
         }),

@@ -10,10 +10,10 @@ use std::fmt::Debug;
 use crate::frame::{ContactFrame, Direction, VectorField};
 
 pub use half_space::HalfSpace;
-pub use slip::{Rub, SlipMap};
+pub use slip::{Coarser, Rub, SlipMap};
 pub use worn_planes::WornPlanes;
 
-use slip::Differenced;
+use slip::{Differenced, Direct};
 
 /// A linear map from tractions (Pa) to relative displacements (m) of the pairs.
 ///
@@ -46,6 +46,11 @@ pub trait Compliance: Debug + Send + Sync {
         direction: Direction,
     ) -> Box<dyn SlipMap + 'a> {
         Box::new(Differenced::new(self, frame, direction))
+    }
+
+    /// How tangential tractions change the slip of bodies that are shifted against each other.
+    fn shifting<'a>(&'a self, frame: &'a ContactFrame) -> Box<dyn SlipMap + 'a> {
+        Box::new(Direct::new(self, frame))
     }
 
     /// An approximate inverse of `apply_normal` with `addition` (m/Pa) on its diagonal, for

@@ -32,11 +32,22 @@ pub trait SlipMap: Debug + Send + Sync {
         None
     }
 
-    /// The same map on elements of twice the size, the first of which begins where these do, and their
-    /// number; `None` where that is not possible.
-    fn coarser(&self) -> Option<(Box<dyn SlipMap + '_>, [usize; 2])> {
+    /// The same map on elements of twice the size, the first of which begins where these do; `None` where
+    /// that is not possible.
+    fn coarser(&self) -> Option<Coarser<'_>> {
         None
     }
+}
+
+/// A map on elements of twice the size.
+#[derive(Debug)]
+pub struct Coarser<'a> {
+    /// The map.
+    pub map: Box<dyn SlipMap + 'a>,
+    /// Number of elements along x and y.
+    pub elements: [usize; 2],
+    /// Slip of a pair there relative to that of the pairs it stands for.
+    pub slip: f64,
 }
 
 /// Which pairs stick and which slip, one value a pair of the frame.
@@ -72,16 +83,53 @@ impl<'a, C: Compliance + ?Sized> Differenced<'a, C> {
             .nth(elements[1 - direction.axis] / 2)
             .and_then(|mut plane| plane.nth(elements[direction.axis] / 2))
             .unwrap_or_default();
-        for axis in 0..2 {
-            let mut unit = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
-            let mut slip = unit.clone();
-            unit[axis][middle] = 1.0;
-            let [t1, t2] = &mut slip;
-            map.apply([&unit[0], &unit[1]], [t1, t2]);
-            map.own = map.own.max(slip[axis][middle]);
-        }
+        map.own = own(&map, frame.len(), middle);
         map
     }
+}
+
+/// Bodies shifted against each other on any compliance.
+#[derive(Debug)]
+pub(super) struct Direct<'a, C: ?Sized> {
+    compliance: &'a C,
+    own: f64,
+}
+
+impl<'a, C: Compliance + ?Sized> Direct<'a, C> {
+    pub fn new(compliance: &'a C, frame: &ContactFrame) -> Self {
+        let [nx, ny] = frame.elements();
+        let mut map = Self { compliance, own: 0.0 };
+        map.own = own(&map, frame.len(), nx / 2 + nx * (ny / 2));
+        map
+    }
+}
+
+impl<C: Compliance + ?Sized> SlipMap for Direct<'_, C> {
+    fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]) {
+        let [t1, t2] = tractions.map(<[f64]>::to_vec);
+        let n = vec![0.0; t1.len()];
+        let displacement = self.compliance.apply(&VectorField { t1, t2, n });
+        for (slip, displacement) in slip.into_iter().zip([&displacement.t1, &displacement.t2]) {
+            slip.copy_from_slice(displacement);
+        }
+    }
+
+    fn own(&self) -> f64 {
+        self.own
+    }
+}
+
+/// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
+fn own(map: &dyn SlipMap, pairs: usize, pair: usize) -> f64 {
+    let along = |axis: usize| {
+        let mut unit = [vec![0.0; pairs], vec![0.0; pairs]];
+        let mut slip = unit.clone();
+        unit[axis][pair] = 1.0;
+        let [t1, t2] = &mut slip;
+        map.apply([&unit[0], &unit[1]], [t1, t2]);
+        slip[axis][pair]
+    };
+    along(0).max(along(1))
 }
 
 impl<C: Compliance + ?Sized> SlipMap for Differenced<'_, C> {

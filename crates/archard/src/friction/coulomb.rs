@@ -28,4 +28,8 @@ impl Friction for Coulomb {
     fn limit(&self, pressure: f64) -> f64 {
         self.coefficient * pressure
     }
+
+    fn slope(&self, _pressure: f64) -> f64 {
+        self.coefficient
+    }
 }

@@ -14,6 +14,14 @@ pub trait Friction: Debug + Send + Sync {
     /// pressure grows, and be zero without pressure.
     fn limit(&self, pressure: f64) -> f64;
 
+    /// Derivative of the limit with respect to the pressure, zero or greater. By default a central
+    /// difference.
+    fn slope(&self, pressure: f64) -> f64 {
+        let change = 1e-6 * pressure.max(1.0);
+        let (low, high) = ((pressure - change).max(0.0), pressure + change);
+        (self.limit(high) - self.limit(low)) / (high - low)
+    }
+
     /// The admissible traction (Pa) next to a trial one (Pa), under a pressure (Pa): the projection of
     /// the augmented Lagrangian (the paper's eq. 11, with the sign of its eq. 10).
     fn project(&self, trial: [f64; 2], pressure: f64) -> [f64; 2] {

@@ -1,38 +1,51 @@
-//! Two bodies pressed together, without sliding.
+//! Two bodies pressed together, once or again and again.
 
-use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, control};
+use super::shift::{CYCLE_COUNT, CYCLES, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::{APPROACH, LOAD, Motion, Progress, control, jumps};
 use crate::parameters::{Choice, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
     name: "indentation",
-    meaning: "load or approach raised in equal increments",
+    meaning: "load or approach raised in equal increments, once or in cycles",
     parameters: &[
         LOAD,
         APPROACH,
         Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given"),
+        CYCLE_COUNT,
+        Parameter::optional(
+            "release",
+            Quantity::Word(&["free", "rubbing"]),
+            "how a cycle ends: taken apart without rubbing (free, the default) or unloaded in increments",
+        ),
+        JUMP,
+        JUMP_TOLERANCE,
     ],
     build: |values| {
-        let increments = values.number("increments").unwrap_or(1.0);
+        let count = values.number("increments").unwrap_or(1.0) as usize;
+        let control = control(values)?;
+        let share = |index: usize| Station::pressed(control.scaled(index as f64 / count as f64));
+        let mut cycle: Vec<Station> = (1..=count).map(share).collect();
+        if values.word("release") == Some("rubbing") {
+            cycle.extend((0..count).rev().map(share));
+        }
+        let cycles = values.number("cycles");
+        let steps = cycle.len();
+        let shift = Shift {
+            lead: vec![],
+            places: (1..=steps).map(|step| step as f64 / steps as f64).collect(),
+            cycle,
+            released: true,
+            progress: if cycles.is_some() { CYCLES } else { SHARE },
+        };
         Ok(Motion {
-            kinematics: Box::new(Indentation),
-            control: control(values)?,
+            kinematics: Box::new(shift),
+            control,
             ramped: true,
-            extent: 1.0,
-            stepping: Stepping::Implicit(1.0 / increments),
+            extent: cycles.unwrap_or(1.0),
+            stepping: jumps(values, 1.0 / steps as f64)?,
         })
     },
 };
 
-/// Nothing slides; progress is the share of the load or approach applied.
-#[derive(Debug)]
-struct Indentation;
-
-impl Kinematics for Indentation {
-    fn slip(&self, _advance: f64) -> f64 {
-        0.0
-    }
-
-    fn progress(&self) -> Progress {
-        Progress { name: "share", column: "share", quantity: Quantity::Number }
-    }
-}
+/// Progress is the share of the load or approach applied.
+const SHARE: Progress = Progress { name: "share", column: "share", quantity: Quantity::Number };

@@ -3,13 +3,17 @@
 //! A new motion is one file here and one line in [`MOTIONS`].
 
 mod creepage_sweep;
+mod fretting;
 mod indentation;
+mod path;
 mod rolling;
+mod shift;
 mod sliding;
 
 use std::fmt::Debug;
 
 pub use rolling::{Drive, Rolling};
+pub use shift::{Guide, Shift, Station};
 
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
@@ -25,6 +29,12 @@ pub trait Kinematics: Debug + Send + Sync {
     /// How the bodies roll, if they do: the slip then follows from the tractions, and rubbing is
     /// collected along the planes of rolling.
     fn rolling(&self) -> Option<&Rolling> {
+        None
+    }
+
+    /// How the bodies are shifted against each other, if they are: each pair then slips as far as the
+    /// tractions let it.
+    fn shift(&self) -> Option<&Shift> {
         None
     }
 
@@ -55,6 +65,7 @@ impl Progress {
         let rounded: f64 = format!("{value:.6e}").parse().unwrap_or(value);
         match self.quantity {
             Quantity::Length => format!("{rounded:?} m"),
+            Quantity::Time => format!("{rounded:?} s"),
             _ => format!("{rounded:?}"),
         }
     }
@@ -86,8 +97,11 @@ pub enum Stepping {
     Implicit(f64),
     /// Explicit steps of that length (the motion's unit); stable only below a bound.
     Explicit(f64),
-    /// Implicit steps chosen so that the relative error of the depth stays below this.
+    /// Implicit steps chosen so that the relative error of the depth stays below this; of a motion in
+    /// cycles, jumps over cycles chosen likewise.
     Tolerance(f64),
+    /// One cycle computed out of that many, the wear of the others taken from it.
+    Jumps(usize),
 }
 
 /// A motion as a case states it.
@@ -106,8 +120,14 @@ pub struct Motion {
 }
 
 /// The motions a case can name.
-pub const MOTIONS: &[Choice<Motion>] =
-    &[indentation::CHOICE, sliding::CHOICE, rolling::CHOICE, creepage_sweep::CHOICE];
+pub const MOTIONS: &[Choice<Motion>] = &[
+    indentation::CHOICE,
+    fretting::CHOICE,
+    path::CHOICE,
+    sliding::CHOICE,
+    rolling::CHOICE,
+    creepage_sweep::CHOICE,
+];
 
 /// The load, as most motions take it.
 const LOAD: Parameter = Parameter::optional("load", Quantity::Force, "normal force");
@@ -124,5 +144,16 @@ fn control(values: &Values) -> Result<Control, Invalid> {
     match values.one_of("load", "approach")? {
         (Some(load), _) => Ok(Control::Load(load)),
         (None, approach) => Ok(Control::Approach(approach.unwrap_or_default())),
+    }
+}
+
+/// Every increment of that length (the motion's unit), unless `jump` or `tolerance` ask for jumps.
+fn jumps(values: &Values, increment: f64) -> Result<Stepping, Invalid> {
+    match (values.number("jump"), values.number("tolerance")) {
+        (None, None) => Ok(Stepping::Implicit(increment)),
+        _ => match values.one_of("jump", "tolerance")? {
+            (Some(jump), _) => Ok(Stepping::Jumps(jump as usize)),
+            (None, tolerance) => Ok(Stepping::Tolerance(tolerance.unwrap_or_default())),
+        },
     }
 }

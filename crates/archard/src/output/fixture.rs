@@ -163,6 +163,7 @@ impl Run {
                 traction: along(&traction, 1.0),
                 slip,
                 creepage: [CREEPAGE, 0.0],
+                shift: [0.0; 2],
             }),
             pressure,
             worn,

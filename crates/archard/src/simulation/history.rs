@@ -1,7 +1,7 @@
 //! One row of numbers a step.
 
 use super::Report;
-use crate::kinematics::Rolling;
+use crate::kinematics::{Rolling, Shift};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 
 /// The numbers of a step by column, units in the names.
@@ -37,6 +37,11 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
         let rolling = rolling.at(state.progress);
         row.extend(rolling_columns(problem, &rolling, tangential, &state.pressure));
     }
+    if let Some(shift) = problem.kinematics.shift()
+        && (problem.friction.is_some() || state.tangential.is_some())
+    {
+        row.extend(shift_columns(report, shift));
+    }
     row.push(("iterations".to_owned(), effort.iterations as f64));
     row.push(("residual".to_owned(), effort.residual));
     row.push(("solves".to_owned(), effort.solves as f64));
@@ -69,6 +74,30 @@ fn rolling_columns(
         ("frictional_power_per_speed_N", tangential.creep_power(problem, rolling)),
     ];
     columns.map(|(column, value)| (column.to_owned(), value)).to_vec()
+}
+
+/// Displacements, forces on body 1 and what friction dissipated since the cycle began.
+fn shift_columns(report: &Report<'_>, shift: &Shift) -> Vec<(String, f64)> {
+    let Report { problem, state, effort, .. } = report;
+    let tangential = state.tangential.as_ref();
+    let [shift_x, shift_y] = tangential.map_or([0.0; 2], |tangential| tangential.shift);
+    let [force_x, force_y] =
+        tangential.map_or([0.0; 2], |tangential| tangential.force(&problem.frame));
+    let stick = tangential
+        .map_or(0.0, |tangential| tangential.stick_area(problem, &state.pressure));
+    let mut columns = vec![
+        ("shift_x_m", shift_x),
+        ("shift_y_m", shift_y),
+        ("force_x_N", force_x),
+        ("force_y_N", force_y),
+        ("stick_area_m2", stick),
+        ("dissipated_J", effort.dissipated[0]),
+        ("true_cycles", effort.true_cycles as f64),
+    ];
+    if problem.kinematics.progress().column != "cycle" {
+        columns.insert(0, ("cycle", state.progress / shift.period()));
+    }
+    columns.into_iter().map(|(column, value)| (column.to_owned(), value)).collect()
 }
 
 /// Deepest total wear (m).

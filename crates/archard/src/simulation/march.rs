@@ -2,6 +2,7 @@
 
 use super::adaptive::Adaptive;
 use super::chain::{Chain, Leg};
+use super::cycles::Cycles;
 use super::{Effort, Error, Observer, Report, Simulation};
 use crate::kinematics::{Control, Stepping};
 
@@ -14,6 +15,9 @@ impl Simulation {
     /// # Errors
     /// If a contact does not converge, fills the frame, or an observer cannot go on.
     pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
+        if let Some(shift) = self.problem.kinematics.shift() {
+            return Cycles::new(self, shift).run(observers);
+        }
         let mut march = March::begin(self)?;
         march.show(observers)?;
         while march.chain.state.progress < self.schedule.extent {
@@ -58,7 +62,7 @@ impl<'a> March<'a> {
         }
         let adaptive = match schedule.stepping {
             Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &chain, tolerance)),
-            Stepping::Implicit(_) | Stepping::Explicit(_) => None,
+            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => None,
         };
         Ok(Self { simulation, chain, adaptive, effort, due: &schedule.outputs, output: true })
     }
@@ -76,6 +80,8 @@ impl<'a> March<'a> {
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
                 self.fixed(step, Chain::implicit)?;
             }
+            // Cycles are gone through elsewhere.
+            (None, Stepping::Jumps(_)) => self.fixed(schedule.extent, Chain::implicit)?,
         }
         self.effort.steps += 1;
         self.effort.load_distance = self.chain.load_distance;

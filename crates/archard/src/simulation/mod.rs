@@ -2,9 +2,12 @@
 
 mod adaptive;
 mod chain;
+mod cycles;
 mod history;
+mod jump;
 mod march;
 mod rolling;
+mod shift;
 
 use std::error::Error as StdError;
 
@@ -77,6 +80,10 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
+    /// Cycles computed so far, those that were jumped over left out.
+    pub true_cycles: usize,
+    /// Energy (J) that friction has dissipated since the present cycle began, and in all cycles before.
+    pub dissipated: [f64; 2],
     /// Integral of the load over the distance slid (N m), to compare worn volumes with; in rolling, of
     /// the work of the creepages a revolution over the coefficient of friction (N), to compare worn
     /// sections with.

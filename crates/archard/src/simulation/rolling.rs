@@ -145,6 +145,7 @@ impl Chain {
                 traction: [vec![0.0; frame.len()], vec![0.0; frame.len()]],
                 slip: rigid,
                 creepage: [given(rolling.longitudinal), given(rolling.lateral)],
+                shift: [0.0; 2],
             });
             return Ok(());
         };
@@ -201,7 +202,7 @@ impl Chain {
             Drive::Force(_) => found.next().unwrap_or_default(),
         });
         let (traction, slip) = (outcome.traction, outcome.slip);
-        self.state.tangential = Some(Tangential { traction, slip, creepage });
+        self.state.tangential = Some(Tangential { traction, slip, creepage, shift: [0.0; 2] });
         Ok(())
     }
 

@@ -8,6 +8,7 @@
 //! A new solver is one file here and one line in [`SOLVERS`].
 
 mod conjugate_gradient;
+pub mod joint;
 mod residual;
 mod start;
 pub mod tangential;

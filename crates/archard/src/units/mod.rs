@@ -33,6 +33,8 @@ pub struct Measure {
 }
 
 impl Measure {
+    /// A pure number.
+    pub const NUMBER: Self = Self::of(Dimension::NUMBER, "a pure number", "1", ["1", "1"], "1");
     /// A length (m).
     pub const LENGTH: Self = Self::of(Dimension::LENGTH, "a length", "50 mm", ["mm", "m"], "m");
     /// A force (N).
@@ -40,6 +42,10 @@ impl Measure {
     /// A pressure, stress, modulus or hardness (Pa).
     pub const PRESSURE: Self =
         Self::of(Dimension::PRESSURE, "a pressure", "210 GPa", ["GPa", "Pa"], "Pa");
+    /// An angle (rad).
+    pub const ANGLE: Self = Self::of(Dimension::ANGLE, "an angle", "90 deg", ["deg", "rad"], "rad");
+    /// A time (s).
+    pub const TIME: Self = Self::of(Dimension::TIME, "a time", "10 s", ["s", "min"], "s");
     /// A dimensional wear coefficient (1/Pa).
     pub const WEAR_COEFFICIENT: Self = Self::of(
         Dimension::WEAR_COEFFICIENT,

@@ -9,7 +9,7 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     meaning: "measured heights of the surface, positive towards the other body",
     parameters: &[Parameter::required(
         "file",
-        Quantity::Table,
+        Quantity::Table(&[]),
         "CSV with columns x, y and z, or x and z, or y and z, units in the header (x_mm, z_um)",
     )],
     build: |values| {

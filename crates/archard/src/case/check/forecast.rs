@@ -137,6 +137,7 @@ impl Solves {
                 let solves = first + (parts.motion.extent / step - 1e-9).ceil() as u64;
                 if wears || coupled { Self::AtLeast(solves) } else { Self::Exactly(solves) }
             }
+            Stepping::Jumps(_) => Self::AtLeast(first),
             Stepping::Tolerance(tolerance) => {
                 let outputs = parts.case.output.places(parts.motion.extent).len();
                 Self::About(match rolling {

@@ -87,6 +87,12 @@ impl Influence {
         along(near.xx()).max(along(near.yy()))
     }
 
+    /// The larger tangential displacement under a unit traction on the element itself (m/Pa).
+    pub(super) fn tangential_self_term(&self) -> f64 {
+        let itself = self.within([1, 1]);
+        itself.xx()[0].max(itself.yy()[0])
+    }
+
     /// Normal displacement under a unit pressure on the element itself (m/Pa).
     pub(super) fn normal_self_term(&self) -> f64 {
         let [a, b] = self.half;

@@ -3,8 +3,10 @@
 
 mod influence;
 mod rolling;
+mod shifting;
 
 use std::fmt;
+use std::ops::Deref;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::body::Material;
@@ -14,6 +16,7 @@ use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 use influence::{Constants, Influence};
 use rolling::Rolling;
+use shifting::Shifting;
 
 /// The sum of the compliances of two half-spaces on a uniform frame; a rigid body adds nothing.
 ///
@@ -179,9 +182,31 @@ impl Compliance for HalfSpace {
         Box::new(Rolling::new(self, direction))
     }
 
+    fn shifting<'a>(&'a self, _: &'a ContactFrame) -> Box<dyn SlipMap + 'a> {
+        Box::new(Shifting::new(self))
+    }
+
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         let (convolution, spectrum) = self.periodic();
         Box::new(Circulant::new(convolution, spectrum, self.normal_self_term(), addition))
+    }
+}
+
+/// Half-spaces of the whole frame, or of a part of it.
+#[derive(Debug)]
+enum Held<'a> {
+    Whole(&'a HalfSpace),
+    Part(Arc<HalfSpace>),
+}
+
+impl Deref for Held<'_> {
+    type Target = HalfSpace;
+
+    fn deref(&self) -> &HalfSpace {
+        match self {
+            Held::Whole(half_space) => half_space,
+            Held::Part(half_space) => half_space,
+        }
     }
 }
 

@@ -1,10 +1,7 @@
 //! Steady rolling on half-spaces: the upwind difference taken in the transforms.
 
-use std::ops::Deref;
-use std::sync::Arc;
-
-use super::HalfSpace;
-use crate::compliance::{Rub, SlipMap};
+use super::{HalfSpace, Held};
+use crate::compliance::{Coarser, Rub, SlipMap};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
 
@@ -20,24 +17,6 @@ pub(super) struct Rolling<'a> {
     direction: Direction,
     difference: Difference,
     own: f64,
-}
-
-/// Half-spaces of the whole frame, or of a part of it.
-#[derive(Debug)]
-enum Held<'a> {
-    Whole(&'a HalfSpace),
-    Part(Arc<HalfSpace>),
-}
-
-impl Deref for Held<'_> {
-    type Target = HalfSpace;
-
-    fn deref(&self) -> &HalfSpace {
-        match self {
-            Held::Whole(half_space) => half_space,
-            Held::Part(half_space) => half_space,
-        }
-    }
 }
 
 impl<'a> Rolling<'a> {
@@ -93,9 +72,11 @@ impl SlipMap for Rolling<'_> {
         Some(Box::new(Rolling::on(part, self.direction)))
     }
 
-    fn coarser(&self) -> Option<(Box<dyn SlipMap + '_>, [usize; 2])> {
+    fn coarser(&self) -> Option<Coarser<'_>> {
         let coarser = self.half_space.coarser();
         let elements = coarser.influence.elements();
-        Some((Box::new(Rolling::new(coarser, self.direction)), elements))
+        // Passing an element of twice the size takes twice the slip.
+        let map = Box::new(Rolling::new(coarser, self.direction));
+        Some(Coarser { map, elements, slip: 2.0 })
     }
 }

@@ -18,7 +18,7 @@ use std::fmt::Debug;
 
 pub use crop::solve;
 
-use super::{Settings, Status};
+use super::{Settings, Status, joint};
 use crate::compliance::SlipMap;
 use crate::parameters::Choice;
 
@@ -84,6 +84,16 @@ pub struct Outcome {
 pub trait FrictionSolver: Debug + Send + Sync {
     /// Finds the tractions of a step, from those of an earlier one where there is one.
     fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome;
+
+    /// Finds pressures and tractions at once, where the solver can; `None` where they are to be found in
+    /// turn.
+    fn solve_jointly(
+        &self,
+        _step: &joint::Step<'_>,
+        _start: &joint::Solution,
+    ) -> Option<joint::Outcome> {
+        None
+    }
 
     /// What it was told.
     fn settings(&self) -> Settings;

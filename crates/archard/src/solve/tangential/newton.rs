@@ -17,11 +17,11 @@ use super::blocks::Blocks;
 use super::contraction::Contraction;
 use super::pairs::{Pairs, State};
 use super::{FrictionSolver, Held, Outcome, Start, Step, TOLERANCE};
-use crate::compliance::Rub;
+use crate::compliance::{Coarser, Rub};
 use crate::numerics::gmres::{self, Solution, System};
 use crate::numerics::vector::{in_pool, sum, sweep, update};
 use crate::parameters::Choice;
-use crate::solve::{PARAMETERS, Settings, Status};
+use crate::solve::{PARAMETERS, Settings, Status, joint};
 
 pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     name: "newton",
@@ -61,6 +61,14 @@ impl FrictionSolver for Newton {
         })
     }
 
+    fn solve_jointly(
+        &self,
+        step: &joint::Step<'_>,
+        start: &joint::Solution,
+    ) -> Option<joint::Outcome> {
+        Some(joint::solve(step, start, self.settings))
+    }
+
     fn settings(&self) -> Settings {
         self.settings
     }
@@ -74,12 +82,13 @@ impl Newton {
         if pairs < COARSEST.0 || fewest < COARSEST.1 {
             return self.iterate(step, None);
         }
-        let Some((map, elements)) = step.map.coarser() else { return self.iterate(step, None) };
+        let Some(Coarser { map, elements, slip: factor }) = step.map.coarser() else {
+            return self.iterate(step, None);
+        };
         let blocks = Blocks { fine: step.elements, coarse: elements };
         let [limit, one, two] = [step.limit, step.rigid[0], step.rigid[1]].map(|f| blocks.mean(f));
-        // Passing an element of twice the size takes twice the slip.
         let [one, two] =
-            [one, two].map(|slip| slip.iter().map(|slip| 2.0 * slip).collect::<Vec<_>>());
+            [one, two].map(|slip| slip.iter().map(|slip| factor * slip).collect::<Vec<_>>());
         let coarse = Step {
             map: &*map,
             elements,
@@ -92,7 +101,7 @@ impl Newton {
             Settings { tolerance: self.settings.tolerance.max(COARSE_TOLERANCE), ..self.settings };
         let first = Newton { settings }.descend(&coarse);
         let [one, two] = first.traction.each_ref().map(|traction| blocks.interpolate(traction));
-        let found: Vec<f64> = first.found.iter().map(|found| 0.5 * found).collect();
+        let found: Vec<f64> = first.found.iter().map(|found| found / factor).collect();
         let limit = blocks.interpolate(&limit);
         let start = Start { traction: [&one, &two], limit: &limit, found: &found };
         let outcome = self.iterate(step, Some(start));

@@ -1,0 +1,187 @@
+//! Loads and displacements as a table gives them over time.
+
+use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::{Control, Motion, Progress, jumps};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+
+pub(super) const CHOICE: Choice<Motion> = Choice {
+    name: "path",
+    meaning: "load or approach and tangential displacements or forces over time, from a file",
+    parameters: &[
+        Parameter::required(
+            "file",
+            Quantity::Table(COLUMNS),
+            "CSV with columns time_s, load_N or approach_um, and shift_x_um or force_x_N and the same along y where it is not zero",
+        ),
+        Parameter::optional(
+            "increments",
+            Quantity::Count,
+            "increments between two lines of the file; 1 if not given",
+        ),
+        CYCLE_COUNT,
+        JUMP,
+        JUMP_TOLERANCE,
+    ],
+    build: |values| {
+        let columns = values.table("file").unwrap_or_default();
+        let increments = values.number("increments").unwrap_or(1.0) as usize;
+        let cycles = values.number("cycles").unwrap_or(1.0);
+        let path = Path::read(columns).map_err(|message| Invalid::new("file", message))?;
+        let shift = path.shift(increments);
+        let extent = cycles * shift.period();
+        let step = shift.period() / shift.cycle.len() as f64;
+        let control = shift.cycle[shift.peak()].control;
+        let stepping = jumps(values, step)?;
+        Ok(Motion { kinematics: Box::new(shift), control, ramped: true, extent, stepping })
+    },
+};
+
+/// The columns a path may have.
+const COLUMNS: &[(&str, Quantity)] = &[
+    ("time", Quantity::Time),
+    ("load", Quantity::Force),
+    ("approach", Quantity::Length),
+    ("shift_x", Quantity::Length),
+    ("shift_y", Quantity::Length),
+    ("force_x", Quantity::Force),
+    ("force_y", Quantity::Force),
+];
+
+/// Progress in time.
+const TIME: Progress = Progress { name: "time", column: "time_s", quantity: Quantity::Time };
+
+/// The lines of a file.
+struct Path {
+    /// Rising times (s).
+    times: Vec<f64>,
+    stations: Vec<Station>,
+}
+
+impl Path {
+    fn read(columns: &[(String, Vec<f64>)]) -> Result<Self, String> {
+        let known: Vec<&str> = COLUMNS.iter().map(|(name, _)| *name).collect();
+        if let Some((name, _)) = columns.iter().find(|(name, _)| !known.contains(&name.as_str())) {
+            let known = known.join(", ");
+            return Err(format!("the column `{name}` is not known; known here: {known}"));
+        }
+        let column = |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
+        let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
+            (Some(_), Some(_)) => {
+                Err(format!("the columns `{one}` and `{other}` exclude each other: keep one"))
+            }
+            given => Ok(given),
+        };
+        let times = column("time").ok_or("the column `time_s` is missing")?;
+        let pressed = either("load", "approach")?;
+        if pressed == (None, None) {
+            return Err("one of the columns `load_N` and `approach_um` is needed".to_owned());
+        }
+        let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
+        if times.len() < 2 || times[0] != 0.0 || times.windows(2).any(|pair| pair[0] >= pair[1]) {
+            return Err("times must begin with zero and rise from line to line".to_owned());
+        }
+        let control = |line: usize| match pressed {
+            (Some(load), _) => Control::Load(load[line]),
+            (None, approach) => Control::Approach(approach.map_or(0.0, |values| values[line])),
+        };
+        if let (Some(load), _) = pressed
+            && load.iter().any(|&load| load < 0.0)
+        {
+            return Err("a load must be zero or greater".to_owned());
+        }
+        let guide = |line: usize, (shift, force): (Option<&[f64]>, Option<&[f64]>)| match force {
+            Some(force) => Guide::Force(force[line]),
+            None => Guide::Shift(shift.map_or(0.0, |shift| shift[line])),
+        };
+        let station = |line: usize| Station {
+            control: control(line),
+            guides: guided.map(|guided| guide(line, guided)),
+        };
+        Ok(Self { times: times.to_vec(), stations: (0..times.len()).map(station).collect() })
+    }
+
+    /// The lines and as many stations between them as makes that many increments.
+    fn shift(&self, increments: usize) -> Shift {
+        let (mut cycle, mut places) = (vec![], vec![]);
+        for line in 1..self.times.len() {
+            for step in 1..=increments {
+                let share = step as f64 / increments as f64;
+                let between = |before: f64, after: f64| {
+                    if step == increments { after } else { before + share * (after - before) }
+                };
+                cycle.push(blend(self.stations[line - 1], self.stations[line], between));
+                places.push(between(self.times[line - 1], self.times[line]));
+            }
+        }
+        let first = self.stations[0];
+        let rests = first == first.share(0.0);
+        let lead = if rests { vec![] } else { lead(first) };
+        Shift { lead, cycle, places, released: false, progress: TIME }
+    }
+}
+
+/// From rest to the first line.
+fn lead(first: Station) -> Vec<Station> {
+    const INCREMENTS: usize = 20;
+    let share = |index: usize| index as f64 / INCREMENTS as f64;
+    let unmoved = Station { guides: first.share(0.0).guides, ..first };
+    let press = (1..=INCREMENTS).map(|index| unmoved.share(share(index)));
+    let shift =
+        (1..=INCREMENTS).map(|index| Station { guides: first.share(share(index)).guides, ..first });
+    if unmoved == first { press.collect() } else { press.chain(shift).collect() }
+}
+
+/// A station between two of the same kind.
+fn blend(before: Station, after: Station, between: impl Fn(f64, f64) -> f64) -> Station {
+    let control = match (before.control, after.control) {
+        (Control::Load(one), Control::Load(other)) => Control::Load(between(one, other)),
+        (Control::Approach(one), Control::Approach(other)) => {
+            Control::Approach(between(one, other))
+        }
+        (_, other) => other,
+    };
+    let guide = |axis: usize| match (before.guides[axis], after.guides[axis]) {
+        (Guide::Shift(one), Guide::Shift(other)) => Guide::Shift(between(one, other)),
+        (Guide::Force(one), Guide::Force(other)) => Guide::Force(between(one, other)),
+        (_, other) => other,
+    };
+    Station { control, guides: [guide(0), guide(1)] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Control, Guide, Path};
+
+    fn read(columns: &[(&str, &[f64])]) -> Result<Path, String> {
+        let owned: Vec<(String, Vec<f64>)> =
+            columns.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect();
+        Path::read(&owned)
+    }
+
+    #[test]
+    fn increments_lie_between_lines() {
+        let path = read(&[
+            ("time", &[0.0, 1.0, 3.0]),
+            ("load", &[0.0, 10.0, 10.0]),
+            ("force_x", &[0.0, 0.0, 4.0]),
+        ]);
+        let shift = path.unwrap().shift(2);
+        assert_eq!(shift.places, [0.5, 1.0, 2.0, 3.0]);
+        assert_eq!(shift.cycle[0].control, Control::Load(5.0));
+        assert_eq!(shift.cycle[2].guides, [Guide::Force(2.0), Guide::Shift(0.0)]);
+        assert!(shift.lead.is_empty());
+    }
+
+    #[test]
+    fn wrong_columns_are_named() {
+        let error = |columns: &[(&str, &[f64])]| read(columns).err().unwrap_or_default();
+        let rising: (&str, &[f64]) = ("time", &[0.0, 1.0]);
+        let load: (&str, &[f64]) = ("load", &[1.0, 1.0]);
+        assert!(error(&[rising, load, ("speed", &[1.0, 1.0])]).contains("`speed` is not known"));
+        assert!(error(&[rising]).contains("`load_N`"));
+        assert!(error(&[load]).contains("`time_s` is missing"));
+        assert!(error(&[("time", &[0.0, 0.0]), load]).contains("rise"));
+        assert!(error(&[rising, load, ("approach", &[1.0, 1.0])]).contains("exclude"));
+        assert!(error(&[rising, ("load", &[1.0, -1.0])]).contains("zero or greater"));
+    }
+}

@@ -1,0 +1,539 @@
+//! One increment of bodies that are pressed and shifted against each other.
+//!
+//! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
+//! surfaces were strained by. Of the slip of a pair that closes or opens within the increment only the
+//! part under pressure counts; when it closed follows from the gap before and the overlap that its
+//! pressure has pressed away since. Rubbing takes the mean of the pressures before and after, friction
+//! the mean of the tractions, so that what is dissipated equals the work done on the bodies.
+
+use super::chain::{Chain, Leg};
+use super::{Effort, Error, Simulation};
+use crate::frame::VectorField;
+use crate::kinematics::{Control, Guide, Shift, Station};
+use crate::numerics::vector::map;
+use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::solve::tangential::{self, Held};
+use crate::solve::{Status, joint};
+use crate::wear::Rubbing;
+
+/// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
+/// taken as consistent where pressures and friction are found in turn.
+const CONSISTENT: f64 = 1e-8;
+/// Turns between pressures and friction.
+const TURNS: usize = 50;
+
+/// Bodies on their way, and what they went through in the present cycle.
+#[derive(Debug, Clone)]
+pub(super) struct Rig {
+    pub chain: Chain,
+    /// Tangential displacement (m) that the compliance makes of all tractions.
+    strained: [Vec<f64>; 2],
+    pub rubbed: Rubbed,
+}
+
+/// What rubbing did since a cycle began.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rubbed {
+    /// Depth worn off body 1 and body 2 (m), one value a pair.
+    pub depths: [Vec<f64>; 2],
+    /// The same by the slope of the laws: pressure times the derivative of the depth (m).
+    pub slopes: [Vec<f64>; 2],
+    /// Distance slid in contact (m), and its integral with the pressure (Pa m), one value a pair.
+    pub slip: Vec<f64>,
+    pub work: Vec<f64>,
+    /// Energy dissipated (J).
+    pub dissipated: f64,
+}
+
+/// A solution to start the same increment of another cycle from.
+#[derive(Debug, Clone)]
+pub(super) struct Settled {
+    state: ContactState,
+    displacement: Vec<f64>,
+    limit: Vec<f64>,
+    found: Vec<f64>,
+    joint: Option<joint::Solution>,
+}
+
+/// What a solve left behind beside the state.
+#[derive(Default)]
+struct Found {
+    limit: Vec<f64>,
+    found: Vec<f64>,
+    joint: Option<joint::Solution>,
+}
+
+impl Rubbed {
+    fn none(pairs: usize) -> Self {
+        let zeros = || vec![0.0; pairs];
+        Self {
+            depths: [zeros(), zeros()],
+            slopes: [zeros(), zeros()],
+            slip: zeros(),
+            work: zeros(),
+            dissipated: 0.0,
+        }
+    }
+}
+
+impl Rig {
+    /// Bodies that just touch.
+    pub fn new(problem: &ContactProblem) -> Self {
+        let pairs = problem.frame.len();
+        let zeros = || vec![0.0; pairs];
+        let mut chain = Chain::new(problem);
+        let moves = problem.kinematics.shift().is_some_and(Shift::moves);
+        chain.state.tangential = (moves || problem.friction.is_some() || problem.wears()).then(|| {
+            let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
+            Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
+        });
+        Self {
+            chain,
+            strained: [zeros(), zeros()],
+            rubbed: Rubbed::none(pairs),
+        }
+    }
+
+    /// Takes the bodies apart without rubbing.
+    pub fn release(&mut self, problem: &ContactProblem) {
+        let worn = self.chain.state.worn.clone();
+        let load_distance = self.chain.load_distance;
+        let rubbed = std::mem::take(&mut self.rubbed);
+        *self = Self { rubbed, ..Self::new(problem) };
+        self.chain.load_distance = load_distance;
+        let state = &mut self.chain.state;
+        for (gap, (one, two)) in state.gap.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
+            *gap += one + two;
+        }
+        state.worn = worn;
+    }
+
+    /// Begins a new cycle.
+    pub fn begin_cycle(&mut self) {
+        self.rubbed = Rubbed::none(self.chain.displacement.len());
+    }
+
+    /// Brings the bodies to a station at some progress (the motion's unit), with all the rubbing on the way.
+    pub fn increment(
+        &mut self,
+        simulation: &Simulation,
+        (station, progress): (Station, f64),
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Settled, Error> {
+        let before = self.clone_contact();
+        let settled = self.settle(simulation, (station, progress), known, effort)?;
+        self.rub(&simulation.problem, &before);
+        Ok(settled)
+    }
+
+    /// Pressures, tractions and gaps before an increment.
+    fn clone_contact(&self) -> ContactState {
+        ContactState { worn: [vec![], vec![]], ..self.chain.state.clone() }
+    }
+
+    /// The same without rubbing.
+    pub fn settle(
+        &mut self,
+        simulation: &Simulation,
+        (station, progress): (Station, f64),
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Settled, Error> {
+        let leg = Leg { advance: 0.0, progress, control: station.control };
+        if station.control == Control::Load(0.0) {
+            self.release(&simulation.problem);
+            self.chain.state.progress = progress;
+            return Ok(self.settled(Found::default()));
+        }
+        let problem = &simulation.problem;
+        let joint = problem.friction.is_some() && problem.compliance.couples();
+        let found = if joint {
+            self.solve_jointly(simulation, leg, station, known, effort)?
+        } else {
+            self.start_from(leg, known);
+            self.press(simulation, leg, &vec![0.0; problem.frame.len()], effort)?;
+            let pressed = self.strain_of(problem, None);
+            self.drag(simulation, leg, station, &pressed, known, effort)?
+        };
+        Ok(self.settled(found))
+    }
+
+    fn settled(&self, found: Found) -> Settled {
+        let Found { limit, found, joint } = found;
+        let displacement = self.chain.displacement.clone();
+        Settled { state: self.clone_contact(), displacement, limit, found, joint }
+    }
+
+    /// Takes the pressures of a known solution to start from, where the load differs from the present one.
+    fn start_from(&mut self, leg: Leg, known: Option<&Settled>) {
+        let same = match leg.control {
+            Control::Load(load) => (load - self.chain.state.load).abs() <= 1e-9 * load,
+            Control::Approach(approach) => approach == self.chain.state.approach,
+        };
+        if let Some(known) = known.filter(|_| !same) {
+            let ContactState { pressure, approach, load, .. } = &known.state;
+            self.chain.displacement.clone_from(&known.displacement);
+            let state = &mut self.chain.state;
+            (state.approach, state.load) = (*approach, *load);
+            state.pressure.clone_from(pressure);
+        }
+    }
+
+    /// Finds the pressures under a gap (m) that friction opens beside.
+    fn press(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        opened: &[f64],
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let gap = map([&self.chain.undeformed_gap(problem), opened], |[gap, opened]| gap + opened);
+        let addition = vec![0.0; gap.len()];
+        self.chain.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort)
+    }
+
+    /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it
+    /// opens the gap beside the pressures' own.
+    fn strain_of(
+        &self,
+        problem: &ContactProblem,
+        traction: Option<&[Vec<f64>; 2]>,
+    ) -> VectorField {
+        let pairs = problem.frame.len();
+        let zeros = || [vec![0.0; pairs], vec![0.0; pairs]];
+        let couples = problem.compliance.couples();
+        if couples {
+            let [t1, t2] = traction.cloned().unwrap_or_else(zeros);
+            let n = self.chain.state.pressure.iter().map(|pressure| -pressure).collect();
+            let mut strain = problem.compliance.apply(&VectorField { t1, t2, n });
+            for (n, own) in strain.n.iter_mut().zip(&self.chain.displacement) {
+                *n = -*n - own;
+            }
+            return strain;
+        }
+        let mut strain = VectorField::zeros(pairs);
+        if let Some([one, two]) = traction.filter(|_| problem.friction.is_some()) {
+            let map = problem.compliance.shifting(&problem.frame);
+            map.apply([one, two], [&mut strain.t1, &mut strain.t2]);
+        }
+        strain
+    }
+
+    /// Slip (m) before any tangential traction, with the strains of the pressures taken off, and the
+    /// directions in which a force is given.
+    fn rigid_slip(&self, station: Station, pressed: Option<&VectorField>) -> ([Vec<f64>; 2], Vec<Held>) {
+        let shift = self.shift();
+        let rigid = [0, 1].map(|axis| {
+            let moved = match station.guides[axis] {
+                Guide::Shift(target) => target - shift[axis],
+                Guide::Force(_) => 0.0,
+            };
+            let strained = &self.strained[axis];
+            match pressed {
+                Some(pressed) => {
+                    let pressed = [&pressed.t1, &pressed.t2][axis];
+                    map([strained, pressed], |[strained, pressed]| moved + strained - pressed)
+                }
+                None => map([strained], |[strained]| moved + strained),
+            }
+        });
+        let held = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
+            Guide::Shift(_) => None,
+            Guide::Force(force) => {
+                let mut direction = [0.0; 2];
+                direction[axis] = 1.0;
+                Some(Held { direction, force })
+            }
+        });
+        (rigid, held.collect())
+    }
+
+    fn shift(&self) -> [f64; 2] {
+        self.chain.state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.shift)
+    }
+
+    /// The shift after an increment, given or found.
+    fn shifted(&self, station: Station, found: &[f64]) -> [f64; 2] {
+        let (before, mut found) = (self.shift(), found.iter());
+        [0, 1].map(|axis| match station.guides[axis] {
+            Guide::Shift(shift) => shift,
+            Guide::Force(_) => before[axis] + found.next().copied().unwrap_or(0.0),
+        })
+    }
+
+    /// Finds the friction under the present pressures, whose own tangential displacement is given.
+    fn drag(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        pressed: &VectorField,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
+        let frame = &problem.frame;
+        let (rigid, held) = self.rigid_slip(station, Some(pressed));
+        let Some(friction) = &problem.friction else {
+            if self.chain.state.tangential.is_none() {
+                return Ok(Found::default());
+            }
+            let traction = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+            self.strained = [pressed.t1.clone(), pressed.t2.clone()];
+            let shift = self.shifted(station, &[]);
+            let creepage = [0.0; 2];
+            self.chain.state.tangential = Some(Tangential { traction, slip: rigid, creepage, shift });
+            return Ok(Found::default());
+        };
+        let limits = |pressure: &[f64]| -> Vec<f64> {
+            pressure.iter().map(|&pressure| friction.limit(pressure)).collect()
+        };
+        let limit = limits(&self.chain.state.pressure);
+        let shifting = problem.compliance.shifting(frame);
+        let step = tangential::Step {
+            map: &*shifting,
+            elements: frame.elements(),
+            element_area: frame.element_area(),
+            limit: &limit,
+            rigid: [&rigid[0], &rigid[1]],
+            held: &held,
+        };
+        let now = self.chain.state.tangential.as_ref();
+        let found = vec![0.0; held.len()];
+        let start = match known.and_then(|known| Some((known.state.tangential.as_ref()?, known))) {
+            Some((tangential, known)) => Some((&tangential.traction, &known.limit, &known.found)),
+            None => now.map(|tangential| (&tangential.traction, &limit, &found)),
+        };
+        let start = start.map(|([one, two], limit, found)| tangential::Start {
+            traction: [one, two],
+            limit,
+            found,
+        });
+        let outcome = tangential::solve(&*simulation.friction_solver, &step, start);
+        effort.iterations += outcome.iterations;
+        effort.applications += outcome.applications;
+        effort.residual = effort.residual.max(outcome.residual);
+        if outcome.status != Status::Converged {
+            return Err(not_converged(simulation, leg, outcome.iterations, outcome.residual));
+        }
+        let tangential::Outcome { traction, found, .. } = outcome;
+        let shift = self.shifted(station, &found);
+        effort.applications += 1;
+        let strain = self.strain_of(problem, Some(&traction));
+        self.take(traction, shift, strain);
+        Ok(Found { limit, found, joint: None })
+    }
+
+    /// Takes tractions over, with the slip since the last state.
+    fn take(&mut self, traction: [Vec<f64>; 2], shift: [f64; 2], strain: VectorField) {
+        let before = self.shift();
+        let strained = [strain.t1, strain.t2];
+        let slip = [0, 1].map(|axis| {
+            let moved = shift[axis] - before[axis];
+            map([&self.strained[axis], &strained[axis]], |[before, after]| moved + before - after)
+        });
+        self.strained = strained;
+        self.chain.state.tangential = Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
+    }
+
+    /// Pressures and friction of unlike bodies.
+    fn solve_jointly(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
+        let Some(friction) = &problem.friction else { return Ok(Found::default()) };
+        let frame = &problem.frame;
+        let (rigid, held) = self.rigid_slip(station, None);
+        let gap = self.chain.undeformed_gap(problem);
+        let step = joint::Step {
+            compliance: &*problem.compliance,
+            frame,
+            friction: &**friction,
+            gap: &gap,
+            control: leg.control,
+            rigid: [&rigid[0], &rigid[1]],
+            held: &held,
+        };
+        let start = match known.and_then(|known| known.joint.clone()) {
+            Some(start) => start,
+            None => self.joint_start(simulation, leg, effort)?,
+        };
+        let Some(outcome) = simulation.friction_solver.solve_jointly(&step, &start) else {
+            return self.solve_in_turn(simulation, leg, station, known, effort);
+        };
+        effort.solves += 1;
+        effort.iterations += outcome.iterations;
+        effort.applications += outcome.applications;
+        effort.residual = outcome.residual;
+        match outcome.status {
+            Status::Converged => {}
+            Status::OutOfIterations => {
+                return self.solve_in_turn(simulation, leg, station, known, effort);
+            }
+            Status::FrameFull => {
+                let measure = problem.kinematics.progress();
+                return Err(Error::FrameFull { measure, progress: leg.progress });
+            }
+        }
+        let solution = outcome.solution;
+        let state = &mut self.chain.state;
+        state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
+        state.load = frame.integrate(&state.pressure);
+        state.approach = solution.approach;
+        state.gap = outcome.gap;
+        state.progress = leg.progress;
+        let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+        let shift = self.shifted(station, &solution.found);
+        let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
+        self.take(traction, shift, solution.displacement.clone());
+        Ok(Found { limit, found: solution.found.clone(), joint: Some(solution) })
+    }
+
+    /// The present tractions, or frictionless pressures where there are none.
+    fn joint_start(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<joint::Solution, Error> {
+        let problem = &simulation.problem;
+        let pairs = problem.frame.len();
+        if self.chain.state.load == 0.0 {
+            let apart = self.clone_contact();
+            self.press(simulation, leg, &vec![0.0; pairs], effort)?;
+            let state = &mut self.chain.state;
+            (state.gap, state.tangential) = (apart.gap, apart.tangential);
+        }
+        let n: Vec<f64> = self.chain.state.pressure.iter().map(|pressure| -pressure).collect();
+        let tangential = self.chain.state.tangential.as_ref();
+        let [t1, t2] = tangential.map_or_else(
+            || [vec![0.0; pairs], vec![0.0; pairs]],
+            |tangential| tangential.traction.clone(),
+        );
+        let traction = VectorField { t1, t2, n };
+        effort.applications += 1;
+        let displacement = problem.compliance.apply(&traction);
+        let approach = self.chain.state.approach;
+        Ok(joint::Solution { traction, displacement, approach, found: vec![] })
+    }
+
+    /// Pressures and friction of unlike bodies, one after the other until they agree.
+    fn solve_in_turn(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
+        let (before, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
+        let mut opened = vec![0.0; problem.frame.len()];
+        if let Some(tangential) = &before {
+            effort.applications += 1;
+            opened = self.opened(problem, &tangential.traction);
+        }
+        let mut latest = known.cloned();
+        for _ in 0..TURNS {
+            self.press(simulation, leg, &opened, effort)?;
+            self.chain.state.tangential.clone_from(&before);
+            self.strained.clone_from(&strained);
+            effort.applications += 1;
+            let pressed = self.strain_of(problem, None);
+            let found = self.drag(simulation, leg, station, &pressed, latest.as_ref(), effort)?;
+            let Some(tangential) = &self.chain.state.tangential else { return Ok(found) };
+            let now = self.opened(problem, &tangential.traction);
+            let change =
+                now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            opened = now;
+            if change <= CONSISTENT * self.chain.state.approach.abs() {
+                return Ok(found);
+            }
+            latest = Some(self.settled(found));
+        }
+        Err(Error::NotConsistent {
+            measure: problem.kinematics.progress(),
+            progress: leg.progress,
+            passes: TURNS,
+        })
+    }
+
+    /// Gap (m) that tractions (Pa) open between unlike bodies.
+    pub fn opened(&self, problem: &ContactProblem, traction: &[Vec<f64>; 2]) -> Vec<f64> {
+        let [t1, t2] = traction.clone();
+        let n = vec![0.0; t1.len()];
+        let displacement = problem.compliance.apply(&VectorField { t1, t2, n });
+        displacement.n.iter().map(|n| -n).collect()
+    }
+
+    /// Wears both bodies by the rubbing since a state.
+    fn rub(&mut self, problem: &ContactProblem, before: &ContactState) {
+        let Rig { chain, rubbed, .. } = self;
+        let Some(tangential) = &chain.state.tangential else { return };
+        let own = problem.compliance.normal_self_term();
+        let area = problem.frame.element_area();
+        let state = &chain.state;
+        let earlier = before.tangential.as_ref();
+        let mut worn: [Vec<(usize, f64)>; 2] = [vec![], vec![]];
+        for pair in 0..state.pressure.len() {
+            let pressures = [before.pressure[pair], state.pressure[pair]];
+            let share = under_pressure(pressures, [before.gap[pair], state.gap[pair]], own); let share = if std::env::var("NOTHETA").is_ok() && pressures[1]>0.0 {1.0} else {share};
+            if share == 0.0 || tangential.sticks(problem, &state.pressure, pair) {
+                continue;
+            }
+            let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
+            let mean = if std::env::var("RECT").is_ok() { pressures[1] } else { 0.5 * (pressures[0] + pressures[1]) };
+            let rubbing = Rubbing { pressure: mean, slip: slip[0].hypot(slip[1]) };
+            rubbed.slip[pair] += rubbing.slip;
+            rubbed.work[pair] += rubbing.pressure * rubbing.slip;
+            chain.load_distance += rubbing.pressure * rubbing.slip * area;
+            let traction = |axis: usize| {
+                let earlier = earlier.map_or(0.0, |earlier| earlier.traction[axis][pair]);
+                0.5 * (earlier + tangential.traction[axis][pair])
+            };
+            rubbed.dissipated += (traction(0) * slip[0] + traction(1) * slip[1]) * area;
+            for (body, worn) in worn.iter_mut().enumerate() {
+                if let Some(law) = &problem.bodies[body].wear {
+                    let depth = law.depth(rubbing);
+                    rubbed.depths[body][pair] += depth;
+                    rubbed.slopes[body][pair] += law.slope(rubbing) * mean;
+                    worn.push((pair, depth));
+                }
+            }
+        }
+        for (body, worn) in worn.into_iter().enumerate() {
+            for (pair, depth) in worn {
+                chain.state.worn[body][pair] += depth;
+            }
+        }
+    }
+}
+
+/// Share of an increment during which a pair is under pressure, from its pressures (Pa) and gaps (m) before
+/// and after; `own` is its compliance to its own pressure (m/Pa). The overlap that a pressure stands for
+/// and the gap that was there before are gone through at one rate.
+fn under_pressure([before, after]: [f64; 2], gaps: [f64; 2], own: f64) -> f64 {
+    match (before > 0.0, after > 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        (false, true) => own * after / (own * after + gaps[0].max(0.0)),
+        (true, false) => own * before / (own * before + gaps[1].max(0.0)),
+    }
+}
+
+fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
+    Error::FrictionNotConverged {
+        measure: simulation.problem.kinematics.progress(),
+        progress: leg.progress,
+        iterations,
+        residual,
+        tolerance: simulation.friction_solver.settings().tolerance,
+    }
+}

@@ -1,0 +1,139 @@
+//! An iterate of contact and friction, and how far it is from the solution.
+
+use super::{Outcome, Solution, Status, Step};
+use crate::frame::VectorField;
+use crate::friction::onto_disc;
+use crate::kinematics::Control;
+use crate::numerics::vector::{map, sum};
+
+/// An iterate with its gap and slip.
+#[derive(Debug, Clone)]
+pub(super) struct State {
+    pub solution: Solution,
+    /// Gap (m).
+    pub gap: Vec<f64>,
+    /// Slip (m).
+    pub slip: [Vec<f64>; 2],
+    /// Displacement (m) of a pair under a unit traction (Pa) on it alone, normal and tangential.
+    pub own: [f64; 2],
+    pub residual: f64,
+}
+
+impl State {
+    pub fn new(step: &Step<'_>, start: &Solution) -> Self {
+        let own = [
+            step.compliance.normal_self_term(),
+            step.compliance.shifting(step.frame).own(),
+        ];
+        let mut solution = start.clone();
+        solution.found.resize(step.held.len(), 0.0);
+        if let Control::Approach(approach) = step.control {
+            solution.approach = approach;
+        }
+        Self::of(solution, own, step)
+    }
+
+    fn of(solution: Solution, own: [f64; 2], step: &Step<'_>) -> Self {
+        let displacement = &solution.displacement;
+        let approach = solution.approach;
+        let gap = map([step.gap, &displacement.n], |[gap, n]| gap - approach - n);
+        let slip = [0, 1].map(|axis| {
+            let held = solution.found.iter().zip(step.held);
+            let found: f64 = held.map(|(found, held)| found * held.direction[axis]).sum();
+            let taken = [&displacement.t1, &displacement.t2][axis];
+            map([step.rigid[axis], taken], |[rigid, taken]| rigid + found - taken)
+        });
+        let mut state = Self { solution, gap, slip, own, residual: 0.0 };
+        state.residual = state.measure(step);
+        state
+    }
+
+    /// The state after a share of a change.
+    pub fn moved(&self, change: &Solution, length: f64, step: &Step<'_>) -> Self {
+        let along = |from: &[f64], by: &[f64]| map([from, by], |[from, by]| from + length * by);
+        let field = |from: &VectorField, by: &VectorField| VectorField {
+            t1: along(&from.t1, &by.t1),
+            t2: along(&from.t2, &by.t2),
+            n: along(&from.n, &by.n),
+        };
+        let before = &self.solution;
+        let solution = Solution {
+            traction: field(&before.traction, &change.traction),
+            displacement: field(&before.displacement, &change.displacement),
+            approach: before.approach + length * change.approach,
+            found: along(&before.found, &change.found),
+        };
+        Self::of(solution, self.own, step)
+    }
+
+    /// Pressure (Pa) that gap and pressure of a pair amount to: positive where it is in contact.
+    pub fn augmented(&self, pair: usize) -> f64 {
+        -self.solution.traction.n[pair] - self.gap[pair] / self.own[0]
+    }
+
+    /// Forces (N) that are missing: the load, if it is given, and those held.
+    pub fn missing(&self, step: &Step<'_>) -> (Option<f64>, Vec<f64>) {
+        let area = step.frame.element_area();
+        let VectorField { t1, t2, n } = &self.solution.traction;
+        let load = match step.control {
+            Control::Load(load) => Some(load + n.iter().sum::<f64>() * area),
+            Control::Approach(_) => None,
+        };
+        let along = |direction: [f64; 2]| {
+            let [force] = sum([t1, t2], |[x, y]| [x * direction[0] + y * direction[1]]);
+            force * area
+        };
+        let held = step.held.iter().map(|held| held.force - along(held.direction));
+        (load, held.collect())
+    }
+
+    fn measure(&self, step: &Step<'_>) -> f64 {
+        let (mut off, mut pressed, mut beside, mut borne) = (0.0, 0.0, 0.0, 0.0);
+        let (mut total, mut held) = (0.0, 0.0);
+        let VectorField { t1, t2, n } = &self.solution.traction;
+        let rounding = match step.control {
+            Control::Load(_) => 0.0,
+            Control::Approach(approach) => f64::EPSILON * approach.abs() / self.own[0],
+        };
+        for pair in 0..n.len() {
+            let pressure = -n[pair];
+            let violation = pressure.min(self.gap[pair] / self.own[0]).abs();
+            off += (violation - rounding).max(0.0).powi(2);
+            pressed += pressure * pressure;
+            total += pressure.abs();
+            let limit = step.friction.limit(pressure.max(0.0));
+            if limit > 0.0 || t1[pair] != 0.0 || t2[pair] != 0.0 {
+                let t = [t1[pair], t2[pair]];
+                let q = [0, 1].map(|axis| t[axis] + self.slip[axis][pair] / self.own[1]);
+                let [x, y] = onto_disc(q, limit);
+                beside += (t[0] - x).powi(2) + (t[1] - y).powi(2);
+                borne += limit * limit;
+                held += limit;
+            }
+        }
+        let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
+        let area = step.frame.element_area();
+        let (load, forces) = self.missing(step);
+        let load = relative(load.unwrap_or(0.0).abs(), total * area);
+        let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();
+        relative(off.sqrt(), pressed.sqrt())
+            .max(relative(beside.sqrt(), borne.sqrt()))
+            .max(load)
+            .max(relative(force, held * area))
+    }
+
+    pub fn finish(
+        self,
+        _step: &Step<'_>,
+        status: Status,
+        iterations: usize,
+        applications: usize,
+    ) -> Outcome {
+        let Self { mut solution, gap, slip, residual, .. } = self;
+        for n in &mut solution.traction.n {
+            // Pressures that are rounding.
+            *n = n.min(0.0);
+        }
+        Outcome { status, solution, gap, slip, iterations, residual, applications }
+    }
+}
