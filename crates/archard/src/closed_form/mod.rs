@@ -4,6 +4,7 @@
 //! Everything takes and gives plain numbers in SI.
 
 pub mod carter;
+pub mod cattaneo_mindlin;
 pub mod free_rolling;
 pub mod hertz;
 pub mod kalker;
