@@ -6,6 +6,7 @@
 pub mod carter;
 pub mod cattaneo_mindlin;
 pub mod free_rolling;
+pub mod fretting_wear;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
