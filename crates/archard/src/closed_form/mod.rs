@@ -4,10 +4,14 @@
 //! Everything takes and gives plain numbers in SI.
 
 pub mod carter;
+pub mod cattaneo_mindlin;
+pub mod flat_punch_wear;
 pub mod free_rolling;
+pub mod fretting_wear;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
+pub mod spence;
 pub mod strip;
 pub mod twin_discs;
 pub mod vermeulen_johnson;
