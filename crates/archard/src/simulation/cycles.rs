@@ -213,9 +213,9 @@ impl<'a> Cycles<'a> {
                 let made = distance(&corrected, &rig.chain.state.worn);
                 let off = distance(&corrected, &foreseen);
                 relative = if made > 0.0 { off / made } else { 0.0 };
-                let change = (AIM * tolerance / relative).clamp(CHANGE.0, CHANGE.1);
+                let change = (AIM * tolerance.sqrt() / relative).clamp(CHANGE.0, CHANGE.1);
                 let regime = rate.sticks != next.sticks && length > 1;
-                if relative > tolerance || regime && length as f64 > tolerance * done as f64 {
+                if relative * relative > tolerance || regime && length as f64 > tolerance * done as f64 {
                     let spent = self.effort;
                     (self.rig, self.memory, self.done, self.effort) = (rig, memory, done, effort);
                     self.effort.applications = spent.applications;
@@ -228,7 +228,7 @@ impl<'a> Cycles<'a> {
                     }
                     continue;
                 }
-                error += off;
+                error += made * (relative * relative + LAG * tolerance);
                 let shortened = (length as f64) < 0.8 * stride && change >= 1.0;
                 let grown = 1.0 + change * length as f64;
                 stride = if shortened { stride.max(grown) } else { grown };

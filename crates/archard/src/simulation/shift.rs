@@ -484,12 +484,12 @@ impl Rig {
         let mut worn: [Vec<(usize, f64)>; 2] = [vec![], vec![]];
         for pair in 0..state.pressure.len() {
             let pressures = [before.pressure[pair], state.pressure[pair]];
-            let share = under_pressure(pressures, [before.gap[pair], state.gap[pair]], own); let share = if std::env::var("NOTHETA").is_ok() && pressures[1]>0.0 {1.0} else {share};
+            let share = under_pressure(pressures, [before.gap[pair], state.gap[pair]], own);
             if share == 0.0 || tangential.sticks(problem, &state.pressure, pair) {
                 continue;
             }
             let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
-            let mean = if std::env::var("RECT").is_ok() { pressures[1] } else { 0.5 * (pressures[0] + pressures[1]) };
+            let mean = 0.5 * (pressures[0] + pressures[1]);
             let rubbing = Rubbing { pressure: mean, slip: slip[0].hypot(slip[1]) };
             rubbed.slip[pair] += rubbing.slip;
             rubbed.work[pair] += rubbing.pressure * rubbing.slip;
