@@ -66,7 +66,7 @@ impl<'a> Pairs<'a> {
 
     /// Puts a vector on the frame.
     fn scatter(&mut self, vector: &[f64]) {
-        for (field, values) in self.fields.iter_mut().zip(vector.chunks(self.places.len())) {
+        for (field, values) in self.fields.iter_mut().zip(vector.chunks(self.places.len().max(1))) {
             self.places.iter().zip(values).for_each(|(&place, value)| field[place] = *value);
         }
     }
@@ -138,7 +138,7 @@ impl<'a> Pairs<'a> {
         };
         state.slip = self.rigid.iter().zip(&taken).map(|(rigid, taken)| rigid - taken).collect();
         for (found, held) in state.found.iter().zip(self.step.held) {
-            for (slip, unit) in state.slip.chunks_mut(self.places.len()).zip(held.direction) {
+            for (slip, unit) in state.slip.chunks_mut(self.places.len().max(1)).zip(held.direction) {
                 slip.iter_mut().for_each(|slip| *slip += found * unit);
             }
         }
