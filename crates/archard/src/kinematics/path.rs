@@ -64,7 +64,8 @@ impl Path {
             let known = known.join(", ");
             return Err(format!("the column `{name}` is not known; known here: {known}"));
         }
-        let column = |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
+        let column =
+            |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
         let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
             (Some(_), Some(_)) => {
                 Err(format!("the columns `{one}` and `{other}` exclude each other: keep one"))

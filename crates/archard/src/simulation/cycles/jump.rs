@@ -69,16 +69,23 @@ impl Rate {
         let pressure = &reference.chain.state.pressure;
         let elements = problem.frame.elements();
         let per_pressure = |field: &Vec<f64>| -> Vec<f64> {
-            let quotient = map([field, pressure], |[value, pressure]| {
-                if pressure > 0.0 { value / pressure } else { 0.0 }
-            });
+            let quotient =
+                map(
+                    [field, pressure],
+                    |[value, pressure]| {
+                        if pressure > 0.0 { value / pressure } else { 0.0 }
+                    },
+                );
             spread(quotient, pressure, elements)
         };
         let constant = [0, 1].map(|body| {
             let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
-            map([depths, slopes, pressure], |[depth, slope, pressure]| {
-                if pressure > 0.0 { depth - slope } else { depth }
-            })
+            map(
+                [depths, slopes, pressure],
+                |[depth, slope, pressure]| {
+                    if pressure > 0.0 { depth - slope } else { depth }
+                },
+            )
         });
         let couples = problem.compliance.couples();
         let opened = if couples {
@@ -95,8 +102,7 @@ impl Rate {
                 slip: per_pressure(&rig.rubbed.work),
                 dissipated: rig.rubbed.dissipated,
             },
-            sticks: problem.friction.is_some()
-                && pressure.iter().zip(&rig.rubbed.slip).any(sticks),
+            sticks: problem.friction.is_some() && pressure.iter().zip(&rig.rubbed.slip).any(sticks),
             reference: reference.chain,
             control,
         }
@@ -122,8 +128,7 @@ impl Rate {
         let (mut changed, mut made) = (0.0, 0.0);
         for step in 0..steps {
             let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
-            let slope =
-                map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
+            let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
             let undeformed = chain.undeformed_gap(problem);
             let gap = map(
                 [&undeformed, &line.opened, &line.constant[0], &line.constant[1]],

@@ -94,7 +94,8 @@ impl Stride {
 mod tests {
     use super::{Stride, Tried};
 
-    const GOOD: Tried = Tried { length: 1, made: 1.0, off: 0.01, lag: 1e-3, turned: false, done: 10 };
+    const GOOD: Tried =
+        Tried { length: 1, made: 1.0, off: 0.01, lag: 1e-3, turned: false, done: 10 };
 
     #[test]
     fn strides_grow_and_land_on_what_is_ahead() {
