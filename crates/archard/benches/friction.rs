@@ -35,7 +35,7 @@ fn main() {
 
 const ELASTIC: &str = "material = { young = \"210 GPa\", poisson = 0.3 }";
 
-/// A cycle of a ball on a flat that slips in two thirds of its contact.
+/// A cycle of a ball on a flat, to nearly gross slip.
 fn run(bodies: &str, ball: &str, n: usize, [normal, friction]: [&str; 2]) {
     let text = format!(
         "body.ball = {{ {ball}, profile.sphere.radius = \"50 mm\" }}
@@ -44,7 +44,7 @@ fn run(bodies: &str, ball: &str, n: usize, [normal, friction]: [&str; 2]) {
          friction.coulomb.coefficient = 0.3
          solver.{normal} = {{ tolerance = 1e-6, max_iterations = 1000000 }}
          friction_solver.{friction}.tolerance = 1e-6
-         motion.fretting = {{ load = \"10.2 N\", force_amplitude = [\"2 N\", \"0 N\"], increments = 20 }}"
+         motion.fretting = {{ load = \"10.2 N\", amplitude = [\"0.08 um\", \"0 um\"], increments = 20 }}"
     );
     let case = CaseFile::from_text("friction", text, Path::new(".")).resolve();
     let case = case.unwrap_or_else(|problems| panic!("{problems:?}")).case;

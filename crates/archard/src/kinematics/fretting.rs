@@ -46,6 +46,7 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             cycle: (1..=count).map(|index| wave.station(index)).collect(),
             places: (1..=count).map(|index| index as f64 / count as f64).collect(),
             released: false,
+            end_pressure: false,
             progress: CYCLES,
         };
         Ok(Motion {

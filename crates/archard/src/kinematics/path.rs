@@ -117,7 +117,7 @@ impl Path {
         let first = self.stations[0];
         let rests = first == first.share(0.0);
         let lead = if rests { vec![] } else { lead(first) };
-        Shift { lead, cycle, places, released: false, progress: TIME }
+        Shift { lead, cycle, places, released: false, end_pressure: false, progress: TIME }
     }
 }
 
