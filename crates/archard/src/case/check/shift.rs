@@ -12,6 +12,8 @@ use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
 
 /// Size of a comfortable frame in radii of a scar.
 const ROOM: f64 = 2.2;
+/// Share of the half width of a contact beyond which a shift is not small.
+const FAR: f64 = 0.3;
 /// Pressure (Pa) at which laws are read off where no other is known.
 const PRESSURE: f64 = 1e8;
 
@@ -20,6 +22,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let Some(shift) = parts.motion.kinematics.shift() else { return vec![] };
     let mut problems: Vec<Problem> = sliding_away(parts, shift).into_iter().collect();
     problems.extend(no_effect(parts, shift));
+    problems.extend(far(parts, shift, forecast.contact.as_ref()));
     problems.extend(useless_phases(parts));
     problems.extend(useless_jumps(parts, forecast));
     problems.extend(coarse_increments(parts, shift));
@@ -112,6 +115,28 @@ fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
         Problem::warning(Key::of(["body", &body.name, "wear"]), message)
     }));
     problems
+}
+
+/// Shifts that are not small beside the contact: pairs are taken to stay opposite each other.
+fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Problem> {
+    let half_width = contact?.semi_axes.into_iter().fold(f64::INFINITY, f64::min);
+    let reaches = shift.cycle.iter().map(|station| {
+        let [x, y] = station.guides.map(|guide| match guide {
+            Guide::Shift(shift) => shift,
+            Guide::Force(_) => 0.0,
+        });
+        x.hypot(y)
+    });
+    let reach = reaches.fold(0.0, f64::max);
+    (reach > FAR * half_width).then(|| {
+        let message = format!(
+            "the bodies are shifted by {}, {} of the half width of the contact: surfaces are computed as if they stayed opposite each other",
+            length(reach),
+            three(reach / half_width)
+        );
+        let name = if given(parts, "amplitude") { "amplitude" } else { "file" };
+        Problem::warning(key(parts, name), message)
+    })
 }
 
 /// Angles between oscillations of which there is only one.
