@@ -31,6 +31,23 @@ pub const CASES: &[Builtin] = &[
         name: "twin_disc_accelerated",
         text: include_str!("../../../cases/twin_disc_accelerated/case.toml"),
     },
+    Builtin {
+        name: "cattaneo_mindlin",
+        text: include_str!("../../../cases/cattaneo_mindlin/case.toml"),
+    },
+    Builtin { name: "spence", text: include_str!("../../../cases/spence/case.toml") },
+    Builtin {
+        name: "punch_indentation",
+        text: include_str!("../../../cases/punch_indentation/case.toml"),
+    },
+    Builtin {
+        name: "punch_fretting",
+        text: include_str!("../../../cases/punch_fretting/case.toml"),
+    },
+    Builtin {
+        name: "fretting_sphere",
+        text: include_str!("../../../cases/fretting_sphere/case.toml"),
+    },
 ];
 
 impl Builtin {

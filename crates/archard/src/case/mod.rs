@@ -33,7 +33,7 @@ mod read;
 mod reader;
 mod tree;
 
-pub use check::{Contact, Creep, Forecast, Solves, Track, Worn};
+pub use check::{Contact, Creep, Cycles, Forecast, Fretting, FrettingWear, Solves, Track, Worn};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use file::{CaseFile, Resolved, Unreadable};

@@ -33,13 +33,18 @@ pub struct Worn {
 impl Contact {
     /// The contact of the parts; `None` where there is no closed form.
     pub(super) fn of(parts: &Parts<'_>) -> Option<Self> {
+        Self::under(parts, parts.motion.control)
+    }
+
+    /// The same under another load or approach.
+    pub(super) fn under(parts: &Parts<'_>, control: Control) -> Option<Self> {
         let curvatures = parts.curvatures()?;
         let modulus = parts.contact_modulus();
-        let hertz = match parts.motion.control {
+        let hertz = match control {
             Control::Load(load) => Hertz::from_load(curvatures, modulus, load),
             Control::Approach(approach) => Hertz::from_approach(curvatures, modulus, approach),
         };
-        hertz.map(Self::from_hertz).or_else(|| Self::line(parts, curvatures, modulus))
+        hertz.map(Self::from_hertz).or_else(|| Self::line(parts, control, curvatures, modulus))
     }
 
     fn from_hertz(hertz: Hertz) -> Self {
@@ -48,8 +53,13 @@ impl Contact {
     }
 
     /// Cylinders that touch along a line as long as the frame.
-    fn line(parts: &Parts<'_>, curvatures: [f64; 2], modulus: f64) -> Option<Self> {
-        let Control::Load(load) = parts.motion.control else { return None };
+    fn line(
+        parts: &Parts<'_>,
+        control: Control,
+        curvatures: [f64; 2],
+        modulus: f64,
+    ) -> Option<Self> {
+        let Control::Load(load) = control else { return None };
         let across = match curvatures {
             [x, 0.0] if x > 0.0 => 0,
             [0.0, y] if y > 0.0 => 1,

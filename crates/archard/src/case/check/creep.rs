@@ -10,7 +10,7 @@ use crate::closed_form::{carter, free_rolling, strip, twin_discs, vermeulen_john
 use crate::kinematics::{Control, Drive, Rolling};
 
 /// Dundurs' constant below which bodies count as alike.
-const ALIKE: f64 = 0.01;
+pub(super) const ALIKE: f64 = 0.01;
 
 /// What closed forms expect of rolling at the creepages and the spin given, in full.
 #[derive(Debug, Clone, Copy, PartialEq)]

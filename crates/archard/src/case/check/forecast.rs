@@ -6,8 +6,10 @@ use std::fmt;
 use super::Parts;
 use super::contact::{Contact, Worn};
 use super::creep::Creep;
+use super::cycles::Cycles;
+use super::partial_slip::{Fretting, stick_ratio};
 use super::words::{length, pressure, three};
-use crate::kinematics::Stepping;
+use crate::kinematics::{Shift, Stepping};
 
 // Peak resident memory of whole runs by `/usr/bin/time -v archard run`, the larger of one and two
 // threads, with 256, 512 and 768 elements squared: `hertz` 22, 69 and 148 MB; `pin_on_disc` in steps of
@@ -27,6 +29,10 @@ const BYTES_A_PAIR_OF_FRICTION: f64 = 1150.0;
 const BYTES_A_PAIR_OF_PLANES: f64 = 250.0;
 /// Memory for each pair of unlike bodies that roll (bytes): kernels and fields of three components.
 const BYTES_A_PAIR_OF_COUPLING: f64 = 330.0;
+/// Memory for each pair and increment of a cycle (bytes): a state to be shown, or a solution to start from.
+const BYTES_A_PAIR_OF_AN_INCREMENT: f64 = 64.0;
+/// Memory for each pair and increment of unlike bodies beyond that (bytes): tractions and displacements.
+const BYTES_A_PAIR_OF_BOTH: f64 = 48.0;
 /// Memory of the program before any pair (bytes).
 const BYTES_OF_THE_PROGRAM: f64 = 5e6;
 
@@ -41,6 +47,13 @@ pub struct Forecast {
     pub worn: Option<Worn>,
     /// What closed forms expect of rolling; `None` where nothing rolls or where there are none.
     pub creep: Option<Creep>,
+    /// What closed forms expect of a sphere shifted to and fro; `None` where there are none.
+    pub fretting: Option<Fretting>,
+    /// Share of the contact radius that sticks under a sphere pressed on a body of other elasticity;
+    /// `None` where there is no closed form.
+    pub stick_ratio: Option<f64>,
+    /// Cycles; `None` where the bodies are not pressed and shifted step by step.
+    pub cycles: Option<Cycles>,
     /// Contact solves.
     pub solves: Solves,
     /// Number of pairs.
@@ -79,6 +92,9 @@ impl Forecast {
             }),
             worn: contact.and_then(|contact| Worn::of(parts, &contact)),
             creep: contact.and_then(|contact| Creep::of(parts, &contact)),
+            fretting: contact.and_then(|contact| Fretting::of(parts, &contact)),
+            stick_ratio: contact.and_then(|contact| stick_ratio(parts, &contact)),
+            cycles: Cycles::of(parts),
             solves: Solves::of(parts),
             pairs: nx * ny,
             memory: memory(parts, contact.as_ref()),
@@ -110,9 +126,30 @@ fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             let iterations = share_in_contact(parts, contact) * BYTES_A_PAIR_OF_FRICTION;
             (1.0 + unlike) * iterations + unlike * BYTES_A_PAIR_OF_COUPLING + wear + histories
         }
-        _ => 0.0,
+        _ => match parts.motion.kinematics.shift() {
+            Some(shift) => cycle_memory(parts, shift, contact),
+            None => 0.0,
+        },
     };
     BYTES_OF_THE_PROGRAM + (BYTES_A_PAIR + histories + friction) * pairs
+}
+
+/// Memory for each pair (bytes) of bodies that are pressed and shifted: the solutions of a cycle, which the
+/// same increments of the next start from, and the iterations of friction.
+fn cycle_memory(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> f64 {
+    let unlike = if parts.dundurs_beta() == 0.0 { 0.0 } else { 1.0 };
+    let friction = if parts.friction.is_some() { 1.0 } else { 0.0 };
+    let solution = BYTES_A_PAIR_OF_AN_INCREMENT + friction * unlike * BYTES_A_PAIR_OF_BOTH;
+    let kept = match parts.motion.stepping {
+        Stepping::Implicit(_) | Stepping::Explicit(_) => solution,
+        Stepping::Jumps(_) => solution + BYTES_A_PAIR_OF_AN_INCREMENT,
+        // A jump that is taken back needs the solutions before it.
+        Stepping::Tolerance(_) => 2.0 * solution + BYTES_A_PAIR_OF_AN_INCREMENT,
+    };
+    let iterations = share_in_contact(parts, contact) * BYTES_A_PAIR_OF_FRICTION;
+    kept * shift.cycle.len() as f64
+        + friction * (1.0 + unlike) * iterations
+        + unlike * BYTES_A_PAIR_OF_COUPLING
 }
 
 /// Share of the frame that the contact fills; a half where it is not known.
@@ -126,6 +163,9 @@ fn share_in_contact(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
 impl Solves {
     /// One for the contact before a motion that starts under load, and one a step.
     fn of(parts: &Parts<'_>) -> Self {
+        if let (Some(shift), Some(cycles)) = (parts.motion.kinematics.shift(), Cycles::of(parts)) {
+            return cycles.solves(parts, shift);
+        }
         let first = u64::from(!parts.motion.ramped);
         let rolling = parts.motion.kinematics.rolling();
         let wears = rolling.is_some_and(|rolling| !rolling.swept)
@@ -194,14 +234,48 @@ impl fmt::Display for Forecast {
         if let Some(creep) = &self.creep {
             creep.fmt(f)?;
         }
-        match (&self.worn, self.creep.and_then(|creep| creep.track)) {
-            (Some(worn), _) => worn.fmt(f)?,
-            (None, Some(track)) => track.fmt(f)?,
-            (None, None) => writeln!(f, "wear              no closed form, or nothing wears")?,
+        if let Some(fretting) = &self.fretting {
+            fretting.fmt(f)?;
+        }
+        if let Some(ratio) = self.stick_ratio {
+            writeln!(f, "stick zone        {} of the contact radius (Spence)", three(ratio))?;
+        }
+        self.write_wear(f)?;
+        if let Some(cycles) = self.cycles.filter(|cycles| cycles.total > 1) {
+            cycles.fmt(f)?;
         }
         writeln!(f, "contact solves    {}", self.solves)?;
         writeln!(f, "elements          {}", self.pairs)?;
         writeln!(f, "memory            about {:.0} MB", (self.memory * 1e-6).max(1.0))
+    }
+}
+
+impl Forecast {
+    fn write_wear(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let track = self.creep.and_then(|creep| creep.track);
+        let fretting = self.fretting.and_then(|fretting| fretting.wear);
+        match (&self.worn, track, fretting) {
+            (Some(worn), ..) => write!(f, "{worn}"),
+            (None, Some(track), _) => write!(f, "{track}"),
+            (None, None, Some(wear)) => write!(f, "{wear}"),
+            (None, None, None) => writeln!(f, "wear              no closed form, or nothing wears"),
+        }
+    }
+}
+
+impl fmt::Display for Cycles {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.computed {
+            Solves::Exactly(cycles) if cycles == self.total => {
+                writeln!(f, "cycles            {cycles}")
+            }
+            Solves::Exactly(cycles) | Solves::AtLeast(cycles) => {
+                writeln!(f, "cycles            {cycles} computed of {}", self.total)
+            }
+            Solves::About(cycles) => {
+                writeln!(f, "cycles            about {cycles} computed of {}", self.total)
+            }
+        }
     }
 }
 

@@ -52,6 +52,11 @@ fn largest_share(parts: &Parts<'_>, profile: &dyn Profile) -> f64 {
 /// Whether the bodies touch where a contact can grow.
 fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     let largest = gap.iter().copied().fold(0.0, f64::max);
+    let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+    if largest > 0.0 && largest - least <= 1e-9 * largest {
+        let message = "every element has the same gap: the frame has too few elements";
+        return Some(Problem::error(Key::of(["frame", "elements"]), message));
+    }
     if largest == 0.0 && parts.curvatures() != Some([0.0; 2]) {
         let message = "no gap between the bodies at any element: the frame has too few elements";
         return Some(Problem::error(Key::of(["frame", "elements"]), message));

@@ -2,7 +2,7 @@
 
 use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Forecast, Parts, Solves, rolling};
+use super::{Forecast, Parts, Solves, rolling, shift};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::Stepping;
@@ -22,7 +22,9 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 /// All that is wrong or doubtful.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
+    problems.extend(useless_friction(parts));
     problems.extend(rolling::problems(parts, forecast.contact.as_ref()));
+    problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
     problems.extend(long(parts, forecast));
     if let Some(contact) = &forecast.contact {
@@ -39,9 +41,9 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems
 }
 
-/// Wear without sliding, sliding without wear; rolling is another matter.
+/// Wear without sliding, sliding without wear, where that does not depend on friction.
 fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
-    if parts.motion.kinematics.rolling().is_some() {
+    if tells_slip_from_stick(parts) {
         return vec![];
     }
     let motion = parts.case.motion.choice.name;
@@ -58,11 +60,25 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
     .collect()
 }
 
+/// Whether friction decides where the bodies slip.
+fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
+    let kinematics = &parts.motion.kinematics;
+    kinematics.rolling().is_some() || kinematics.shift().is_some()
+}
+
+/// Friction where the motion does not ask for it.
+fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
+    (parts.friction.is_some() && !tells_slip_from_stick(parts)).then(|| {
+        let name = parts.case.motion.choice.name;
+        let message = format!("has no effect in `motion.{name}`: all of the contact slides");
+        Problem::warning(Key::of(["friction"]), message).at_name()
+    })
+}
+
 /// Explicit steps beyond their bound: pressures swing from step to step.
 fn explicit(parts: &Parts<'_>) -> Option<Problem> {
     let Stepping::Explicit(step) = parts.motion.stepping else { return None };
-    let [dx, dy] = parts.case.frame.spacing();
-    let opening = 2.0 * SMALLEST_EIGENVALUE * dx.min(dy) / parts.contact_modulus();
+    let opening = stable(parts);
     let wear = coefficient(parts, 1e8) * parts.motion.kinematics.slip(step);
     (wear > opening).then(|| {
         let message = format!(
@@ -74,6 +90,12 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
     })
 }
 
+/// Wear per pressure (m/Pa) up to which explicit steps are stable.
+pub(super) fn stable(parts: &Parts<'_>) -> f64 {
+    let [dx, dy] = parts.case.frame.spacing();
+    2.0 * SMALLEST_EIGENVALUE * dx.min(dy) / parts.contact_modulus()
+}
+
 /// More contact solves than anyone will wait for.
 fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let (Solves::Exactly(solves) | Solves::AtLeast(solves) | Solves::About(solves)) =
@@ -81,8 +103,13 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     (solves > MANY_SOLVES).then(|| {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
-        Problem::warning(Key::of(["motion", motion]), message)
-            .help("take longer steps or a larger tolerance")
+        Problem::warning(Key::of(["motion", motion]), message).help(
+            if parts.motion.kinematics.shift().is_some() {
+                "take fewer cycles or increments, or jump over cycles with `tolerance`"
+            } else {
+                "take longer steps or a larger tolerance"
+            },
+        )
     })
 }
 

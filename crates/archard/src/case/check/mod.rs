@@ -2,16 +2,21 @@
 
 mod contact;
 mod creep;
+mod cycles;
 mod forecast;
 mod geometry;
 mod judge;
+mod partial_slip;
 mod rolling;
+mod shift;
 mod words;
 
 pub use contact::{Contact, Worn};
 pub use creep::{Creep, Track};
+pub use cycles::Cycles;
 pub(super) use forecast::BYTES_A_PAIR;
 pub use forecast::{Forecast, Solves};
+pub use partial_slip::{Fretting, FrettingWear};
 
 use super::definition::Case;
 use super::problem::Problem;

@@ -10,11 +10,9 @@ use crate::kinematics::{Control, Drive, Rolling};
 /// Pressure (Pa) at which a coefficient of friction is read off where no other is known.
 const PRESSURE: f64 = 1e8;
 
-/// All that is wrong or doubtful about rolling, and friction where nothing rolls.
+/// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
-    let Some(rolling) = parts.motion.kinematics.rolling() else {
-        return useless_friction(parts).into_iter().collect();
-    };
+    let Some(rolling) = parts.motion.kinematics.rolling() else { return vec![] };
     let mut problems = wear(parts, rolling);
     problems.extend(friction(parts, rolling, contact));
     problems.extend(narrow(parts, rolling, contact));
@@ -30,16 +28,6 @@ fn key(parts: &Parts<'_>, name: &str) -> Key {
 
 fn motion(parts: &Parts<'_>) -> Key {
     Key::of(["motion", parts.case.motion.choice.name])
-}
-
-/// Friction where the motion does not ask for it.
-fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
-    let name = parts.case.motion.choice.name;
-    parts.friction.is_some().then(|| {
-        let message =
-            format!("has no effect in `motion.{name}`: only rolling tells slip from stick");
-        Problem::warning(Key::of(["friction"]), message).at_name()
-    })
 }
 
 /// Wear that cannot come about, or rolling on and on without any.

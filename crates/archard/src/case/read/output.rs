@@ -10,9 +10,10 @@ use crate::kinematics::Motion;
 use crate::parameters::{Quantity, Values};
 
 impl Reader<'_> {
-    /// When fields are put out; ten times where nothing is said.
+    /// When fields are put out; ten times where nothing is said, at the ends of cycles if there are
+    /// several.
     pub(super) fn output(&mut self, root: &Section<'_>, motion: &Motion) -> Option<Output> {
-        let default = Output::Every(motion.extent / 10.0);
+        let default = Output::Every(tenth(motion));
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
         self.unknown(&section, "key", &["every", "at"]);
@@ -75,4 +76,13 @@ impl Reader<'_> {
         places.dedup();
         (self.problems.len() == before).then_some(Output::At(places))
     }
+}
+
+/// A tenth of a motion, in whole cycles where it counts them or repeats itself.
+fn tenth(motion: &Motion) -> f64 {
+    let tenth = motion.extent / 10.0;
+    let Some(shift) = motion.kinematics.shift() else { return tenth };
+    let period = shift.period();
+    let counts = shift.progress.column == "cycle" || motion.extent > 1.5 * period;
+    if counts { period * (tenth / period - 1e-9).ceil().max(1.0) } else { tenth }
 }
