@@ -1,4 +1,4 @@
-//! The tangential traction along the direction of rolling, below the limit that friction sets.
+//! The tangential traction along the direction of rolling or of the shift, below the limit that friction sets.
 
 use anyhow::Result;
 
@@ -11,10 +11,10 @@ use super::tables::{Axis, Profile, largest};
 /// Share of the largest traction below which one along an axis is not worth a panel.
 const NEGLIGIBLE: f64 = 0.01;
 
-/// The traction on body 1 along the direction of rolling at that many outputs: a panel for each of
+/// The traction on body 1 along the direction of the motion at that many outputs: a panel for each of
 /// its components, but for one that is next to nothing.
 pub(super) fn sections(results: &Results, count: usize) -> Result<Vec<Panel>> {
-    let [along, across] = results.rolling_axes();
+    let [along, across] = results.axes();
     let sections = results.sections(along, count);
     let largest = |axis: Axis| -> Result<f64> {
         sections.iter().try_fold(0.0_f64, |most, section| {
@@ -39,7 +39,7 @@ fn traction(section: &Profile, axis: Axis) -> Result<&[f64]> {
 
 /// One component of the traction.
 fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Panel> {
-    let [along, _] = results.rolling_axes();
+    let [along, _] = results.axes();
     let window = results.window(along)?;
     let (across, unit) = (Unit::across(window), Unit::pressure());
     let progress = Unit::of_column(results.progress().0);
