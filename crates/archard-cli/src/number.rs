@@ -16,6 +16,14 @@ pub fn four(value: f64) -> String {
     }
 }
 
+/// An energy (J) in a unit that suits it: "13.85 nJ".
+pub fn energy(value: f64) -> String {
+    let units = [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")];
+    let suits = |(factor, _): &&(f64, &str)| value == 0.0 || (value * factor).abs() >= 1.0;
+    let (factor, unit) = units.iter().find(suits).unwrap_or(&units[3]);
+    format!("{} {unit}", four(value * factor))
+}
+
 /// A number of things, of which parts may be done: whole if it is, with four significant digits otherwise.
 pub fn count(value: f64) -> String {
     let whole = value.round();
@@ -41,7 +49,13 @@ mod tests {
     use archard::kinematics::Progress;
     use archard::parameters::Quantity;
 
-    use super::progress;
+    use super::{energy, progress};
+
+    #[test]
+    fn energies_are_readable() {
+        let shown = [0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
+        assert_eq!(shown, ["0 J", "13.85 nJ", "7.757 uJ", "13.40 mJ", "2.000 J"]);
+    }
 
     #[test]
     fn places_have_the_units_of_their_motion() {

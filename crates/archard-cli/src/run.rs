@@ -14,7 +14,7 @@ use crate::arguments::Run;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
-use crate::number::{count, four};
+use crate::number::{count, energy, four};
 use crate::progress::Follower;
 use crate::say::say;
 
@@ -165,8 +165,10 @@ fn summarize_shift(
     if simulation.problem.friction.is_some() {
         let number = |column: &str| follower.number(column).unwrap_or(0.0);
         say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))?;
-        let [last, all] = effort.dissipated.map(|energy| four(energy * 1e3));
-        say(&format!("dissipated        {all} mJ, {last} mJ of it in the last cycle"))?;
+        let [last, all] = effort.dissipated.map(energy);
+        let last =
+            if last == all { String::new() } else { format!(", {last} of it in the last cycle") };
+        say(&format!("dissipated        {all}{last}"))?;
     }
     let cycles = simulation.schedule.extent / shift.period();
     if effort.true_cycles as f64 >= cycles - 0.5 {

@@ -4,7 +4,7 @@ use anyhow::Result;
 use archard::closed_form::cattaneo_mindlin::{Branch, PartialSlip};
 use kuva::plot::LegendPosition;
 
-use super::figure::{COLOURS, Curves, Panel, Pen};
+use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
 use super::tables::{Axis, SAME, Table, size};
@@ -42,7 +42,8 @@ fn panel(results: &Results, loops: &[&Table], axis: Axis) -> Result<Panel> {
     if let Some((contact, amplitude, _)) = results.partial_slip().filter(|known| known.2 == axis) {
         let name = if results.wears() { "Mindlin, unworn" } else { "Mindlin" };
         let points = closed_form(&contact, amplitude).into_iter().map(shown);
-        curves.add(points, Pen::closed_form(), Some(name));
+        // Loops are narrow: the usual band would fill them.
+        curves.add(points, Pen::broad(PALE[0]), Some(name));
     }
     for (index, table) in loops.iter().enumerate() {
         let cycle = table.first().1.last().copied().unwrap_or_default();
@@ -50,8 +51,9 @@ fn panel(results: &Results, loops: &[&Table], axis: Axis) -> Result<Panel> {
         curves.add(points, Pen::line(COLOURS[1 + index]), Some(&format!("cycle {cycle:.0}")));
     }
     let body = results.bodies.first().map_or("body 1", |body| body);
-    let title = format!("Force along {} on {body}", axis.name());
-    let labels = [&*title, &along.label("Displacement"), &force.label("Force")];
+    let title = format!("Fretting loop along {}", axis.name());
+    let force = force.label(&format!("Force on {body}"));
+    let labels = [&*title, &along.label("Displacement"), &force];
     Ok(curves.panel(labels, |layout| layout.with_legend_position(LegendPosition::InsideTopLeft)))
 }
 

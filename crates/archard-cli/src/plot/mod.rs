@@ -10,6 +10,7 @@ mod figure;
 mod fretting_loop;
 mod heights;
 mod load;
+mod outline;
 mod pressure;
 mod raster;
 mod results;
@@ -126,19 +127,20 @@ fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
         true => traction::sections(results, MOMENTS)?.into_iter().next(),
         false => None,
     };
-    let first = match (results.wears(), fretting) {
-        (true, _) => wear::depth(results)?,
-        (false, Some(fretting)) => fretting,
-        (false, None) => load::panel(results)?,
+    let (map, pressed) = (pressure::map(results)?, pressure::section(results, along, MOMENTS)?);
+    if results.wears() {
+        let last = fretting.or(traction).unwrap_or(pressed);
+        return Ok(vec![wear::depth(results)?, map, heights::section(results, along)?, last]);
+    }
+    let first = match fretting {
+        Some(fretting) => fretting,
+        None => load::panel(results)?,
     };
-    let pressed = pressure::section(results, along, MOMENTS)?;
-    let [third, fourth] = match (results.wears(), traction) {
-        (true, Some(traction)) => [heights::section(results, along)?, traction],
-        (true, None) => [heights::section(results, along)?, pressed],
-        (false, Some(traction)) => [pressed, traction],
-        (false, None) => [pressed, pressure::section(results, across, MOMENTS)?],
+    let last = match traction {
+        Some(traction) => traction,
+        None => pressure::section(results, across, MOMENTS)?,
     };
-    Ok(vec![first, pressure::map(results)?, third, fourth])
+    Ok(vec![first, map, pressed, last])
 }
 
 /// The pictures of bodies that roll.

@@ -212,6 +212,12 @@ impl Results {
         Some((contact, number("shift_amplitude_m")?, axis))
     }
 
+    /// The end of fretting wear: its greatest depth (m) and volume (m^3).
+    pub(super) fn worn_out(&self) -> Option<[f64; 2]> {
+        let block = &self.closed_form["fretting_wear"];
+        Some([block["wear_depth_m"].as_f64()?, block["worn_volume_m3"].as_f64()?])
+    }
+
     /// The worn discs of the incremental model, where the run was one of those.
     pub(super) fn worn_discs(&self) -> Option<WornDiscs> {
         let number = |key: &str| self.closed_form["twin_discs"][key].as_f64();
