@@ -86,7 +86,6 @@ fn closed_form(contact: &PartialSlip, amplitude: f64) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use approx::assert_relative_eq;
     use archard::closed_form::cattaneo_mindlin::PartialSlip;
 
     use super::closed_form;
@@ -111,7 +110,7 @@ mod tests {
                 .sum();
             let slid = 4.0 * 3.0 * (amplitude - 1e-7).max(0.0);
             let expected = contact.dissipation(contact.force(amplitude)) + slid;
-            assert_relative_eq!(area.abs(), expected, max_relative = 2e-3);
+            assert!((area.abs() / expected - 1.0).abs() < 2e-3, "{area} {expected}");
         }
     }
 }
