@@ -16,10 +16,55 @@ pub fn four(value: f64) -> String {
     }
 }
 
-/// Where a motion is (its own unit): "distance 250 mm".
+/// An energy (J) in a unit that suits it: "13.85 nJ".
+pub fn energy(value: f64) -> String {
+    let units = [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")];
+    let suits = |(factor, _): &&(f64, &str)| value == 0.0 || (value * factor).abs() >= 1.0;
+    let (factor, unit) = units.iter().find(suits).unwrap_or(&units[3]);
+    format!("{} {unit}", four(value * factor))
+}
+
+/// A number of things, of which parts may be done: whole if it is, with four significant digits otherwise.
+pub fn count(value: f64) -> String {
+    let whole = value.round();
+    if (value - whole).abs() < 1e-9 * whole.abs().max(1.0) {
+        format!("{whole:.0}")
+    } else {
+        four(value)
+    }
+}
+
+/// Where a motion is (its own unit): "distance 250.0 mm", "cycle 12", "time 1.500 s".
 pub fn progress(progress: Progress, value: f64) -> String {
-    match progress.quantity {
-        Quantity::Length => format!("{} {} mm", progress.name, four(value * 1e3)),
-        _ => format!("{} {}", progress.name, four(value)),
+    let value = match progress.quantity {
+        Quantity::Length => format!("{} mm", four(value * 1e3)),
+        Quantity::Time => format!("{} s", four(value)),
+        _ => count(value),
+    };
+    format!("{} {value}", progress.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use archard::kinematics::Progress;
+    use archard::parameters::Quantity;
+
+    use super::{energy, progress};
+
+    #[test]
+    fn energies_are_readable() {
+        let shown = [0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
+        assert_eq!(shown, ["0 J", "13.85 nJ", "7.757 uJ", "13.40 mJ", "2.000 J"]);
+    }
+
+    #[test]
+    fn places_have_the_units_of_their_motion() {
+        let measured = |name, quantity| Progress { name, column: name, quantity };
+        let cycle = measured("cycle", Quantity::Number);
+        assert_eq!(progress(cycle, 12.0), "cycle 12");
+        assert_eq!(progress(cycle, 200_000.0), "cycle 200000");
+        assert_eq!(progress(cycle, 12.05), "cycle 12.05");
+        assert_eq!(progress(measured("time", Quantity::Time), 1.5), "time 1.500 s");
+        assert_eq!(progress(measured("distance", Quantity::Length), 0.25), "distance 250.0 mm");
     }
 }

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use archard::body::Body;
 use archard::case::Resolved;
-use archard::kinematics::Rolling;
+use archard::kinematics::{Rolling, Shift};
 use archard::output::{ResultFolder, Totals};
 use archard::simulation::{Effort, Error, Simulation};
 
@@ -14,7 +14,7 @@ use crate::arguments::Run;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
-use crate::number::four;
+use crate::number::{count, energy, four};
 use crate::progress::Follower;
 use crate::say::say;
 
@@ -117,6 +117,9 @@ fn summarize(
     if let Some(rolling) = simulation.problem.kinematics.rolling() {
         summarize_rolling(simulation, rolling, follower)?;
     }
+    if let Some(shift) = simulation.problem.kinematics.shift() {
+        summarize_shift(simulation, shift, follower, effort)?;
+    }
     if simulation.problem.wears() {
         say(&format!("wear depth        {} um", number("wear_depth_m", 1e6)))?;
         for Body { name, .. } in &simulation.problem.bodies {
@@ -150,6 +153,28 @@ fn summarize_rolling(
     let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
     say(&format!("creep force       {force}, on `{}`", simulation.problem.bodies[0].name))?;
     say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))
+}
+
+/// Says what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
+fn summarize_shift(
+    simulation: &Simulation,
+    shift: &Shift,
+    follower: &Follower,
+    effort: Effort,
+) -> Result<(), Failure> {
+    if simulation.problem.friction.is_some() {
+        let number = |column: &str| follower.number(column).unwrap_or(0.0);
+        say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))?;
+        let [last, all] = effort.dissipated.map(energy);
+        let last =
+            if last == all { String::new() } else { format!(", {last} of it in the last cycle") };
+        say(&format!("dissipated        {all}{last}"))?;
+    }
+    let cycles = simulation.schedule.extent / shift.period();
+    if effort.true_cycles as f64 >= cycles - 0.5 {
+        return Ok(());
+    }
+    say(&format!("cycles            {}, {} of them computed", count(cycles), effort.true_cycles))
 }
 
 /// Two components by the direction of rolling; one that is nothing but rounding beside the other is

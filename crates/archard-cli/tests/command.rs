@@ -303,3 +303,25 @@ fn rolling_says_what_to_expect_and_what_came_out() {
     assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
     assert!(printed.contains("N along, on `disc1`"), "{printed}");
 }
+
+/// Two cycles of a sphere under 10.2 N between plus and minus half of what friction bears, on a coarse frame.
+#[test]
+fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
+    let dir = TempDir::new().unwrap();
+    let case = case("cattaneo_mindlin");
+    let options =
+        ["frame.elements=[16, 16]", "motion.fretting.increments=8", "motion.fretting.cycles=2"];
+    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", "out"];
+    arguments.extend(options.iter().flat_map(|option| ["--set", option]));
+    let ran = archard(&dir, &arguments).success();
+    assert!(said(&ran).contains("100 %  cycle 2,"), "{}", said(&ran));
+    let printed = printed(&ran);
+    for text in ["stick area        0.0", "nJ of it in the last cycle"] {
+        assert!(printed.contains(text), "{text} is not in\n{printed}");
+    }
+    // The beginning of each cycle and its increments.
+    let loops = fs::read_to_string(dir.path().join("out/fretting_loop.csv")).unwrap();
+    assert_eq!(loops.lines().count(), 1 + 2 * (1 + 8), "{loops}");
+    archard(&dir, &["plot", "out"]).success();
+    assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
+}

@@ -59,6 +59,16 @@ impl Pen {
         Self { colour: colour.into(), width: 7.0 }
     }
 
+    /// A line through some points.
+    pub(super) fn draw(self, points: impl IntoIterator<Item = (f64, f64)>) -> Plot {
+        self.through(points).into()
+    }
+
+    fn through(self, points: impl IntoIterator<Item = (f64, f64)>) -> LinePlot {
+        let points: Vec<(f64, f64)> = points.into_iter().collect();
+        LinePlot::new().with_data(points).with_color(self.colour).with_stroke_width(self.width)
+    }
+
     /// The pale band of a closed form, under whatever was computed.
     pub(super) fn closed_form() -> Self {
         Self::under(PALE[0])
@@ -85,9 +95,7 @@ impl Curves {
         pen: Pen,
         legend: Option<&str>,
     ) {
-        let points: Vec<(f64, f64)> = points.into_iter().collect();
-        let mut line =
-            LinePlot::new().with_data(points).with_color(pen.colour).with_stroke_width(pen.width);
+        let mut line = pen.through(points);
         if let Some(legend) = legend {
             line = line.with_legend(legend);
         }

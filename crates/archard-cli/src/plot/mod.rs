@@ -7,8 +7,10 @@ mod cells;
 mod comparison;
 mod creep_force;
 mod figure;
+mod fretting_loop;
 mod heights;
 mod load;
+mod outline;
 mod pressure;
 mod raster;
 mod results;
@@ -82,14 +84,25 @@ pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The pictures of bodies that slide or are pressed together.
+/// The pictures of bodies that slide or are pressed and shifted against each other.
 fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
-    let mut pictures = vec![if results.wears() {
-        Picture::new("wear", vec![wear::depth(results)?, wear::worn_off(results)?])
-    } else {
-        Picture::new("load", vec![load::panel(results)?])
-    }];
+    let mut pictures = Vec::new();
+    if results.wears() {
+        pictures.push(Picture::new("wear", vec![wear::depth(results)?, wear::worn_off(results)?]));
+    } else if results.loops.is_empty() {
+        pictures.push(Picture::new("load", vec![load::panel(results)?]));
+    }
+    let loops = fretting_loop::panels(results)?;
+    if !loops.is_empty() {
+        pictures.push(Picture::new("fretting_loop", loops));
+    }
     if !results.profiles.is_empty() {
+        let [along, _] = results.axes();
+        if results.rubs() {
+            let mut panels = vec![pressure::section(results, along, MOMENTS)?];
+            panels.extend(traction::sections(results, MOMENTS)?);
+            pictures.push(Picture::new("traction", panels));
+        }
         let mut panels = Vec::new();
         if results.wears() {
             panels.push(heights::section(results, Axis::X)?);
@@ -101,22 +114,38 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
     }
     if results.image.is_some() {
         pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
-        let map = pressure::map(results)?;
-        let along_x = pressure::section(results, Axis::X, MOMENTS)?;
-        let panels = if results.wears() {
-            vec![wear::depth(results)?, map, heights::section(results, Axis::X)?, along_x]
-        } else {
-            let along_y = pressure::section(results, Axis::Y, MOMENTS)?;
-            vec![load::panel(results)?, map, along_x, along_y]
-        };
-        pictures.push(Picture::new("overview", panels).sized(OVERVIEW));
+        pictures.push(Picture::new("overview", sliding_overview(results)?).sized(OVERVIEW));
     }
     Ok(pictures)
 }
 
+/// Four panels that say what a run of bodies that slide or are pressed and shifted was about.
+fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
+    let [along, across] = results.axes();
+    let fretting = fretting_loop::panels(results)?.into_iter().next();
+    let traction = match results.rubs() {
+        true => traction::sections(results, MOMENTS)?.into_iter().next(),
+        false => None,
+    };
+    let (map, pressed) = (pressure::map(results)?, pressure::section(results, along, MOMENTS)?);
+    if results.wears() {
+        let last = fretting.or(traction).unwrap_or(pressed);
+        return Ok(vec![wear::depth(results)?, map, heights::section(results, along)?, last]);
+    }
+    let first = match fretting {
+        Some(fretting) => fretting,
+        None => load::panel(results)?,
+    };
+    let last = match traction {
+        Some(traction) => traction,
+        None => pressure::section(results, across, MOMENTS)?,
+    };
+    Ok(vec![first, map, pressed, last])
+}
+
 /// The pictures of bodies that roll.
 fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
-    let [along, across] = results.rolling_axes();
+    let [along, across] = results.axes();
     let swept = results.sweeps();
     let mut pictures = Vec::new();
     if results.wears() {
@@ -154,7 +183,7 @@ fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
 
 /// Four panels that say what a run of bodies that roll was about.
 fn rolling_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
-    let [along, across] = results.rolling_axes();
+    let [along, across] = results.axes();
     let swept = results.sweeps();
     let first = match (results.wears(), swept) {
         (true, _) => wear::depth(results)?,

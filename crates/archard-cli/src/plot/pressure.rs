@@ -6,9 +6,11 @@ use std::sync::Arc;
 use anyhow::{Context, Result};
 use kuva::plot::{ColorMap, Heatmap, LegendPosition};
 use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
 
 use super::cells::Cells;
-use super::figure::{Curves, Panel, Pen, moment};
+use super::figure::{COLOURS, Curves, Panel, Pen, moment};
+use super::outline;
 use super::results::Results;
 use super::scale::{Unit, phrase};
 use super::tables::Axis;
@@ -85,6 +87,11 @@ pub(super) fn map(results: &Results) -> Result<Panel> {
         .with_y_range(y[0], y[1])
         .with_cell_size(1.0)
         .with_color_map(ColorMap::Custom(Arc::new(colour)));
+    let mut plots = vec![Plot::from(plot)];
+    let stick = image.field("stick").map(|stick| Cells::of(image, stick, windows).rows);
+    let outline = stick.map(|rows| outline::around(&rows, [x, y])).unwrap_or_default();
+    let outlined = if outline.is_empty() { "" } else { ", stick outlined" };
+    plots.extend(outline.into_iter().map(|line| Pen::line(COLOURS[2]).draw(line)));
     let name = unit.label("Pressure");
     let title = match results.profiles.last() {
         Some(last) => {
@@ -94,9 +101,10 @@ pub(super) fn map(results: &Results) -> Result<Panel> {
         }
         None => name,
     };
+    let title = title + outlined;
     let labels = [&*title, &across.label("x"), &across.label("y")];
     let slender = windows[0].max(windows[1]) > SLENDER * windows[0].min(windows[1]);
-    Ok(Panel::new(vec![plot.into()], labels, |layout| {
+    Ok(Panel::new(plots, labels, |layout| {
         let layout = layout.with_show_grid(false);
         if slender { layout } else { layout.with_equal_aspect() }
     }))

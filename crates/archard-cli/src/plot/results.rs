@@ -6,11 +6,14 @@ use std::path::Path;
 use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
+use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::kinematics::Rolling;
 use archard::output::Image;
 use serde_json::Value;
 
-use super::tables::{Axis, Profile, Table, largest, last_profile, read_history, read_profiles};
+use super::tables::{
+    Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
+};
 
 /// What a result folder holds.
 pub(super) struct Results {
@@ -20,6 +23,8 @@ pub(super) struct Results {
     pub(super) profiles: Vec<Profile>,
     /// The transverse profiles of bodies that roll, at the last output.
     pub(super) worn_profile: Option<Profile>,
+    /// Force over shift of bodies that are shifted against each other, a table a cycle.
+    pub(super) loops: Vec<Table>,
     /// The fields of the last output, if there is one.
     pub(super) image: Option<Image>,
     /// The names of the bodies; body 1 first.
@@ -65,6 +70,7 @@ impl Results {
         }
         let profiles = dir.join("profiles.csv");
         let worn_profiles = dir.join("worn_profiles.csv");
+        let loops = dir.join("fretting_loop.csv");
         let summary = dir.join("summary.json");
         Ok(Self {
             bodies: history.bodies(),
@@ -74,6 +80,7 @@ impl Results {
             } else {
                 None
             },
+            loops: if loops.is_file() { read_loops(&loops)? } else { Vec::new() },
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
             closed_form: if summary.is_file() { closed_form(&summary)? } else { Value::Null },
@@ -93,7 +100,18 @@ impl Results {
 
     /// Whether the bodies roll.
     pub(super) fn rolls(&self) -> bool {
-        self.history.column("force_x_N").is_ok()
+        self.history.column("creepage").is_ok()
+    }
+
+    /// Whether friction acts between bodies that are pressed and shifted against each other.
+    pub(super) fn rubs(&self) -> bool {
+        !self.rolls() && self.history.column("force_x_N").is_ok()
+    }
+
+    /// The axis along which they are shifted most; x where they are not.
+    pub(super) fn shift_axis(&self) -> Axis {
+        let reach = |column: &str| size(self.history.column(column).unwrap_or_default());
+        if reach("shift_y_m") > reach("shift_x_m") { Axis::Y } else { Axis::X }
     }
 
     /// Whether they roll at creepages raised step by step.
@@ -107,12 +125,14 @@ impl Results {
         motion.kinematics.rolling().copied()
     }
 
-    /// The axis along which they roll and the one across.
-    pub(super) fn rolling_axes(&self) -> [Axis; 2] {
-        match self.rolling() {
-            Some(rolling) if rolling.direction.axis == 1 => [Axis::Y, Axis::X],
-            _ => [Axis::X, Axis::Y],
-        }
+    /// The axis along which they roll or are shifted and the one across.
+    pub(super) fn axes(&self) -> [Axis; 2] {
+        let along = match self.rolling() {
+            Some(rolling) if rolling.direction.axis == 1 => Axis::Y,
+            Some(_) => Axis::X,
+            None => self.shift_axis(),
+        };
+        if along == Axis::Y { [Axis::Y, Axis::X] } else { [Axis::X, Axis::Y] }
     }
 
     /// The largest tractions (Pa) under these pressures (Pa), where the law of friction is known.
@@ -175,6 +195,27 @@ impl Results {
             radius: block["radius_m"].as_f64()?,
             coefficient: block["coefficient_per_Pa"].as_f64()?,
         })
+    }
+
+    /// Cattaneo's sphere between the extremes of its shift (m), and the axis along which it goes.
+    pub(super) fn partial_slip(&self) -> Option<(PartialSlip, f64, Axis)> {
+        let block = &self.closed_form["cattaneo_mindlin"];
+        let number = |key: &str| block[key].as_f64();
+        let contact = PartialSlip {
+            contact_radius: number("contact_radius_m")?,
+            peak_pressure: number("peak_pressure_Pa")?,
+            friction: number("friction_coefficient")?,
+            sliding_force: number("sliding_force_N")?,
+            sliding_shift: number("sliding_shift_m")?,
+        };
+        let axis = if block["axis"] == "y" { Axis::Y } else { Axis::X };
+        Some((contact, number("shift_amplitude_m")?, axis))
+    }
+
+    /// The end of fretting wear: its greatest depth (m) and volume (m^3).
+    pub(super) fn worn_out(&self) -> Option<[f64; 2]> {
+        let block = &self.closed_form["fretting_wear"];
+        Some([block["wear_depth_m"].as_f64()?, block["worn_volume_m3"].as_f64()?])
     }
 
     /// The worn discs of the incremental model, where the run was one of those.

@@ -34,6 +34,16 @@ impl Unit {
         }
     }
 
+    /// For forces up to `largest` (N).
+    pub(super) fn force(largest: f64) -> Self {
+        match largest {
+            large if large >= 1e6 => Self::new("MN", 1e-6),
+            large if large >= 1e4 => Self::new("kN", 1e-3),
+            small if small < 0.05 && small > 0.0 => Self::new("mN", 1e3),
+            _ => Self::new("N", 1.0),
+        }
+    }
+
     /// For volumes up to `largest` (m^3).
     pub(super) fn volume(largest: f64) -> Self {
         Self::by_thousands("mm³", 1e9, largest)
@@ -67,6 +77,8 @@ impl Unit {
     pub(super) fn of_column(column: &str) -> Self {
         if column.ends_with("_m") {
             Self::new("mm", 1e3)
+        } else if column.ends_with("_s") {
+            Self::new("s", 1.0)
         } else if column == "share" {
             Self::share()
         } else {
@@ -117,7 +129,7 @@ pub(super) fn tick(value: f64) -> String {
 
 /// A column name as a phrase: "share" is "Share", "distance_m" is "Distance".
 pub(super) fn phrase(column: &str) -> String {
-    let words = column.strip_suffix("_m").unwrap_or(column);
+    let words = column.strip_suffix("_m").or(column.strip_suffix("_s")).unwrap_or(column);
     let words = words.replace('_', " ");
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
@@ -148,5 +160,6 @@ mod tests {
         assert_eq!(tick(0.5), "0.5");
         assert_eq!(phrase("share"), "Share");
         assert_eq!(phrase("distance_m"), "Distance");
+        assert_eq!(Unit::of_column("time_s").label(&phrase("time_s")), "Time (s)");
     }
 }

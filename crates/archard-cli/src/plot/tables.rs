@@ -90,6 +90,11 @@ pub(super) fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// Largest value regardless of its sign, zero at least.
+pub(super) fn size(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
 /// Reads a CSV file row by row, as cells under their columns' names.
 fn read_rows(
     path: &Path,
@@ -146,6 +151,31 @@ pub(super) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
         Ok(())
     })?;
     Ok(profiles)
+}
+
+/// What rounding may make of a whole cycle (cycles).
+pub(super) const SAME: f64 = 1e-6;
+
+/// The loops of force over shift, one a cycle.
+pub(super) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
+    let mut loops: Vec<Table> = Vec::new();
+    let mut before = 0.0_f64;
+    read_rows(path, |cells| {
+        let cells = numbers(cells)?;
+        let cycle = cells.first().map_or(0.0, |cell| cell.1);
+        // A loop ends with a whole cycle; the next may begin with the same one.
+        let whole = (before - before.round()).abs() < SAME;
+        let begins = whole && loops.last().is_some_and(|last| last.rows() > 1);
+        if loops.is_empty() || begins {
+            loops.push(Table::default());
+        }
+        before = cycle;
+        if let Some(table) = loops.last_mut() {
+            table.push(cells.into_iter());
+        }
+        Ok(())
+    })?;
+    Ok(loops)
 }
 
 /// The last of the transverse profiles of a run.

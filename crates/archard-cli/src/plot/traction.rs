@@ -1,4 +1,4 @@
-//! The tangential traction along the direction of rolling, below the limit that friction sets.
+//! The tangential traction along the direction of rolling or of the shift, below the limit that friction sets.
 
 use anyhow::Result;
 
@@ -10,11 +10,13 @@ use super::tables::{Axis, Profile, largest};
 
 /// Share of the largest traction below which one along an axis is not worth a panel.
 const NEGLIGIBLE: f64 = 0.01;
+/// Share of the limit that tractions have to come to for it to be shown, where bodies do not roll.
+const NEAR: f64 = 0.5;
 
-/// The traction on body 1 along the direction of rolling at that many outputs: a panel for each of
+/// The traction on body 1 along the direction of the motion at that many outputs: a panel for each of
 /// its components, but for one that is next to nothing.
 pub(super) fn sections(results: &Results, count: usize) -> Result<Vec<Panel>> {
-    let [along, across] = results.rolling_axes();
+    let [along, across] = results.axes();
     let sections = results.sections(along, count);
     let largest = |axis: Axis| -> Result<f64> {
         sections.iter().try_fold(0.0_f64, |most, section| {
@@ -39,17 +41,20 @@ fn traction(section: &Profile, axis: Axis) -> Result<&[f64]> {
 
 /// One component of the traction.
 fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Panel> {
-    let [along, _] = results.rolling_axes();
+    let [along, _] = results.axes();
     let window = results.window(along)?;
     let (across, unit) = (Unit::across(window), Unit::pressure());
     let progress = Unit::of_column(results.progress().0);
     let mut curves = Curves::new();
     let mut named = false;
-    for section in sections {
+    // Where the pressures of bodies that do not roll change, their limits would hide the tractions.
+    let limited = if results.rolls() { 0 } else { sections.len().saturating_sub(1) };
+    let name = if limited == 0 { "limit" } else { "limit, last" };
+    for section in &sections[limited..] {
         for limit in limits(results, section, component)? {
             let points = points(section, &limit, window)?;
             let points = points.into_iter().map(|(x, t)| (x * across.factor, t * unit.factor));
-            curves.add(points, Pen::closed_form(), (!named).then_some("limit"));
+            curves.add(points, Pen::closed_form(), (!named).then_some(name));
             named = true;
         }
     }
@@ -72,11 +77,16 @@ fn limits(results: &Results, section: &Profile, component: Axis) -> Result<Vec<V
     };
     let traction = traction(section, component)?;
     let least = NEGLIGIBLE * largest(&limit);
+    let share = if results.rolls() { 0.0 } else { NEAR };
+    let points = |sign: f64| {
+        let mut pairs = traction.iter().zip(&limit);
+        pairs.any(|(traction, limit)| sign * traction > least.max(share * limit))
+    };
     let mut limits = Vec::new();
-    if traction.iter().any(|traction| *traction > least) {
+    if points(1.0) {
         limits.push(limit.clone());
     }
-    if traction.iter().any(|traction| *traction < -least) {
+    if points(-1.0) {
         limits.push(limit.iter().map(|limit| -limit).collect());
     }
     Ok(limits)

@@ -1,5 +1,5 @@
 //! Depth and volume of wear, in rolling its depth and section, over the progress of the motion, with
-//! the closed form beside them.
+//! the closed form beside them; in fretting, where it ends.
 
 use anyhow::Result;
 use archard::closed_form::{pin_on_disc, twin_discs};
@@ -18,6 +18,7 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
     let total = results.history.column("wear_depth_m")?;
     let unit = Unit::depth(largest(total));
     let column = |body: &str| format!("wear_depth_{body}_m");
+    let end = results.worn_out().map(|[depth, _]| depth);
     let closed = closed_form(
         results,
         |sphere, work| pin_on_disc::depth(sphere.radius, sphere.coefficient * work),
@@ -28,7 +29,8 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
             model(coefficient, creepage, 1.0, crown, half_width, work)
         },
     );
-    panel(results, &Quantity { name: "Wear depth", unit, total, column: &column, closed })
+    let name = "Wear depth";
+    panel(results, &Quantity { name, unit, total, column: &column, closed, end })
 }
 
 /// Worn volume, in rolling worn section, in all and of each body that wears.
@@ -53,7 +55,8 @@ pub(super) fn worn_off(results: &Results) -> Result<Panel> {
         "if all slips",
         |discs, work| discs.coefficient * discs.creepage * work,
     );
-    panel(results, &Quantity { name, unit, total: &total, column: &column, closed })
+    let end = results.worn_out().map(|[_, volume]| volume);
+    panel(results, &Quantity { name, unit, total: &total, column: &column, closed, end })
 }
 
 /// Name of a closed form, and its value at an integral of the load over the progress.
@@ -84,7 +87,12 @@ struct Quantity<'a> {
     column: &'a dyn Fn(&str) -> String,
     /// What a closed form says of it.
     closed: Option<ClosedForm<'a>>,
+    /// The value at which a closed form has it end.
+    end: Option<f64>,
 }
+
+/// Share of its end from which on a quantity is shown beside that.
+const NEAR_END: f64 = 0.25;
 
 /// Curves of a quantity, and its closed form.
 fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
@@ -101,6 +109,11 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
             .into_iter()
             .map(|(s, integral)| (s * along.factor, closed(integral) * unit.factor));
         curves.add(curve, Pen::closed_form(), Some(name));
+    }
+    let near = |end: &f64| largest(quantity.total) > NEAR_END * end;
+    if let Some(end) = quantity.end.filter(near) {
+        let ends = [0.0, largest(progress)].map(|s| (s * along.factor, end * unit.factor));
+        curves.add(ends, Pen::closed_form(), Some("closed-form end"));
     }
     let mut worn = Vec::new();
     for body in &results.bodies {
@@ -124,10 +137,13 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     let labels = [quantity.name, &along.label(&phrase(name)), &unit.label(quantity.name)];
     let end = largest(progress) * along.factor;
     Ok(curves.panel(labels, |layout| {
-        layout
-            .with_x_axis_max(end)
-            .with_y_axis_min(0.0)
-            .with_legend_position(LegendPosition::InsideTopLeft)
+        layout.with_x_axis_max(end).with_y_axis_min(0.0).with_legend_position(
+            match results.rubs() {
+                // Fretting wears fast at first.
+                true => LegendPosition::InsideBottomRight,
+                false => LegendPosition::InsideTopLeft,
+            },
+        )
     }))
 }
 

@@ -18,16 +18,16 @@ impl Field {
     }
 }
 
-/// Pressure, gap, wear of each body and of both, and the worn height of each body; in rolling also the
-/// tangential traction on body 1, the slip and where the contact sticks.
+/// Pressure, gap, wear of each body and of both, and the worn height of each body; where slip is told from
+/// stick also the tangential traction on body 1, the slip and where the contact sticks.
 ///
 /// Heights are measured from the plane of contact along the outward normal of body 1, without
 /// elastic deformation. Body 1 lies below that plane and body 2 above it, so wear lowers the height
 /// of body 1 and raises that of body 2, and the height of body 2 less that of body 1 is the gap of
 /// the worn, undeformed surfaces.
 ///
-/// Slip is that of body 2 over body 1 while the contact rolls on by one element, of the particles that
-/// come from the element ahead, and zero where neither element touches. `stick` is 1 where the contact
+/// Slip is that of body 2 over body 1 in the last increment, or in rolling while the contact rolls on by one
+/// element, of the particles that come from the element ahead; it is zero where nothing touches. `stick` is 1 where the contact
 /// sticks and 0 where it slips or is open.
 pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     let mut fields = vec![

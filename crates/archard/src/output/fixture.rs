@@ -1,4 +1,4 @@
-//! A pin on a disc and twin discs without a solver, for tests of the writers: bowls of pressure on
+//! A pin on a disc, one that frets and twin discs without a solver, for tests of the writers: bowls of pressure on
 //! growing scars whose worn volumes or sections close by construction.
 
 use crate::body::{Body, Material, Profile, profile::PROFILES};
@@ -42,6 +42,10 @@ pub(super) const COEFFICIENTS: [f64; 2] = [1e-13, 0.33e-13];
 pub(super) const CREEPAGE: f64 = 0.005;
 /// Coefficient of friction of the twin discs.
 pub(super) const FRICTION: f64 = 0.6;
+/// Amplitude of the pin that frets (m).
+pub(super) const AMPLITUDE: f64 = 0.06e-6;
+/// What it dissipates a cycle (J).
+pub(super) const DISSIPATED: f64 = 7e-9;
 /// Crown of the first disc (m).
 pub(super) const CROWN: f64 = 125e-3;
 
@@ -79,6 +83,30 @@ impl Run {
         }
     }
 
+    /// The same sphere with friction, fretting along x in cycles of 8 increments.
+    pub(super) fn fretting(elements: [usize; 2]) -> Self {
+        let mut values = Values::default();
+        values.insert("load", Value::Number(LOAD));
+        values.insert("amplitude", Value::Pair([AMPLITUDE, 0.0]));
+        values.insert("increments", Value::Number(8.0));
+        let motion = MOTIONS.iter().find(|motion| motion.name == "fretting").expect("fretting");
+        let motion = (motion.build)(&values).expect("fretting");
+        let mut run = Self::pin_on_disc(elements);
+        run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]));
+        run.problem.kinematics = motion.kinematics;
+        run
+    }
+
+    /// A rigid sphere that is only pressed on, with friction and without wear.
+    pub(super) fn pressed(elements: [usize; 2], friction: f64) -> Self {
+        let mut run = Self::pin_on_disc(elements);
+        run.problem.bodies[0].material = None;
+        run.problem.bodies.iter_mut().for_each(|body| body.wear = None);
+        run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", friction)]));
+        run.problem.kinematics = build(MOTIONS, "indentation", &[("load", LOAD)]).kinematics;
+        run
+    }
+
     /// Discs of 30 mm, the first crowned, on a frame of 0.5 mm by 2 mm with that many elements.
     pub(super) fn twin_discs(elements: [usize; 2], direction: Direction) -> Self {
         let crowned = build(PROFILES, "disc", &[("radius", 30e-3), ("crown", CROWN)]);
@@ -108,21 +136,40 @@ impl Run {
 
     /// The state at that progress (m or revolutions).
     pub(super) fn state(&self, progress: f64) -> ContactState {
-        match self.problem.kinematics.rolling() {
-            Some(rolling) => self.rolled(rolling, progress),
-            None => self.slid(progress),
+        let kinematics = &self.problem.kinematics;
+        match (kinematics.rolling(), kinematics.shift()) {
+            (Some(rolling), _) => self.rolled(rolling, progress),
+            (None, Some(_)) => self.fretted(progress),
+            (None, None) => self.slid(progress),
         }
     }
 
     /// Load times distance (N m), or work of the creepage over friction (N).
     pub(super) fn load_distance(&self, progress: f64) -> f64 {
         match &self.state(progress).tangential {
-            Some(tangential) => {
+            Some(tangential) if self.problem.kinematics.rolling().is_some() => {
                 let [along_x, along_y] = tangential.force(&self.problem.frame);
                 CREEPAGE * along_x.hypot(along_y) / FRICTION * progress
             }
-            None => LOAD * progress,
+            _ => LOAD * progress,
         }
+    }
+
+    /// The pin after some cycles: its tractions are half of what friction allows, at most.
+    fn fretted(&self, cycles: f64) -> ContactState {
+        let state = self.slid(0.0);
+        let wave = (std::f64::consts::TAU * cycles).sin();
+        let scaled = |factor: f64| -> Vec<f64> {
+            state.pressure.iter().map(|pressure| factor * pressure).collect()
+        };
+        let none = || vec![0.0; state.pressure.len()];
+        let tangential = Tangential {
+            traction: [scaled(0.5 * FRICTION * wave), none()],
+            slip: [none(), none()],
+            creepage: [0.0; 2],
+            shift: [AMPLITUDE * wave, 0.0],
+        };
+        ContactState { progress: cycles, tangential: Some(tangential), ..state }
     }
 
     /// Discs after some revolutions: the leading half of the contact bears half of what friction allows,
@@ -215,6 +262,8 @@ impl Run {
                 applications: 11 * (step + 1),
                 residual: 1e-9,
                 load_distance: self.load_distance(progress),
+                true_cycles: progress as usize,
+                dissipated: [DISSIPATED * progress.fract(), DISSIPATED * progress],
                 ..Effort::default()
             };
             let report = Report {

@@ -6,6 +6,8 @@
 //! - `history.csv`: a row a step, units in the names of the columns;
 //! - `profiles.csv`: at each output the sections through the centre of the frame;
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
+//! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
+//!   every one in which an output falls due, a row an increment;
 //! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView;
 //! - `summary.json`: the last row, checks and totals.
 //!
@@ -16,6 +18,7 @@ mod coefficients;
 mod fields;
 mod file;
 mod folder;
+mod fretting_loop;
 mod image;
 mod pvd;
 mod sections;

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{closed_forms, coefficients};
+use super::coefficients;
 use crate::simulation::{Effort, Report};
 
 /// What only the caller of a run knows.
@@ -24,19 +24,22 @@ pub(super) struct Standing {
     last: Value,
     wear: Value,
     closed_form: Value,
+    /// Whether the motion goes through cycles.
+    cycles: bool,
     effort: Effort,
     extent: f64,
 }
 
 impl Standing {
-    /// What a report says; `row` is its row of the history.
-    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)]) -> Self {
+    /// What a report says, with its row of the history and what closed forms say of it.
+    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)], closed_form: Value) -> Self {
         let last: Map<String, Value> =
             row.iter().map(|(column, value)| (column.clone(), json!(value))).collect();
         Self {
             last: last.into(),
             wear: wear(report, row),
-            closed_form: closed_forms::of(report),
+            closed_form,
+            cycles: report.problem.kinematics.shift().is_some(),
             effort: report.effort,
             extent: report.extent,
         }
@@ -46,6 +49,7 @@ impl Standing {
 /// The summary as JSON text; `iterations` is the sum over all steps.
 pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Totals) -> String {
     let effort = standing.map(|standing| standing.effort).unwrap_or_default();
+    let cycles = standing.is_some_and(|standing| standing.cycles);
     let summary = json!({
         "program": "archard",
         "version": env!("CARGO_PKG_VERSION"),
@@ -55,6 +59,8 @@ pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Tota
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),
         "closed_form": standing.map(|standing| &standing.closed_form),
+        "dissipated_J": cycles.then_some(effort.dissipated[1]),
+        "true_cycles": cycles.then_some(effort.true_cycles),
         "seconds": totals.seconds,
         "threads": totals.threads,
         "steps": effort.steps,

@@ -9,6 +9,8 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use super::closed_forms::ClosedForms;
+use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
@@ -17,6 +19,8 @@ use crate::simulation::{Observer, Report, row};
 
 /// The file of the profiles of bodies that roll.
 const WORN_PROFILES: &str = "worn_profiles.csv";
+/// The file of force over shift.
+const FRETTING_LOOP: &str = "fretting_loop.csv";
 
 /// Writes the results of a run into a folder as it goes; see [the module](super) for the files.
 #[derive(Debug)]
@@ -26,9 +30,13 @@ pub struct ResultFolder {
     profiles: Table,
     /// The profiles of bodies that roll, once there are any.
     worn_profiles: Option<Table>,
+    /// The loops of bodies that are shifted, once there are any, and the one under way.
+    fretting_loops: Option<Table>,
+    fretting_loop: FrettingLoop,
     /// Progress and file of every output so far.
     outputs: Vec<(f64, String)>,
     iterations: usize,
+    closed_forms: ClosedForms,
     standing: Option<Standing>,
 }
 
@@ -49,8 +57,11 @@ impl ResultFolder {
             history: Table::create(dir.join("history.csv"))?,
             profiles: Table::create(dir.join("profiles.csv"))?,
             worn_profiles: None,
+            fretting_loops: None,
+            fretting_loop: FrettingLoop::default(),
             outputs: Vec::new(),
             iterations: 0,
+            closed_forms: ClosedForms::default(),
             standing: None,
         })
     }
@@ -74,8 +85,12 @@ impl ResultFolder {
         if report.output {
             self.put_out(report)?;
         }
+        if self.fretting_loop.take(report, &row) {
+            let table = begun(&mut self.fretting_loops, &self.dir.join(FRETTING_LOOP))?;
+            self.fretting_loop.write(table)?;
+        }
         self.iterations += report.effort.iterations;
-        self.standing = Some(Standing::of(report, &row));
+        self.standing = Some(Standing::of(report, &row, self.closed_forms.of(report)));
         Ok(())
     }
 
@@ -91,19 +106,21 @@ impl ResultFolder {
         let column = report.problem.kinematics.progress().column;
         sections::write(&mut self.profiles, (column, progress), &image)?;
         match WornProfiles::of(report.problem, report.state) {
-            Some(profiles) => profiles.write(self.worn_profiles()?),
+            Some(profiles) => {
+                profiles.write(begun(&mut self.worn_profiles, &self.dir.join(WORN_PROFILES))?)
+            }
             None => Ok(()),
         }
     }
+}
 
-    /// The table of worn profiles, begun if it is not there yet.
-    fn worn_profiles(&mut self) -> Result<&mut Table, Error> {
-        let table = match self.worn_profiles.take() {
-            Some(table) => table,
-            None => Table::create(self.dir.join(WORN_PROFILES))?,
-        };
-        Ok(self.worn_profiles.insert(table))
-    }
+/// A table, begun at that path if it is not there yet.
+fn begun<'a>(table: &'a mut Option<Table>, path: &Path) -> Result<&'a mut Table, Error> {
+    let begun = match table.take() {
+        Some(begun) => begun,
+        None => Table::create(path.to_owned())?,
+    };
+    Ok(table.insert(begun))
 }
 
 impl Observer for ResultFolder {
@@ -115,7 +132,9 @@ impl Observer for ResultFolder {
 /// Removes what an earlier run left and this one might not overwrite.
 fn clear(dir: &Path, fields: &Path) -> Result<(), Error> {
     let refused = |source| Error::Write { path: fields.to_owned(), source };
-    let mut old = ["summary.json", "fields.pvd", WORN_PROFILES].map(|name| dir.join(name)).to_vec();
+    let mut old = ["summary.json", "fields.pvd", WORN_PROFILES, FRETTING_LOOP]
+        .map(|name| dir.join(name))
+        .to_vec();
     for entry in fs::read_dir(fields).map_err(refused)? {
         let path = entry.map_err(refused)?.path();
         if is_output(&path) {

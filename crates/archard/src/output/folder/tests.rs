@@ -1,5 +1,7 @@
 //! Folders of made-up runs, read back.
 
+mod fretting;
+
 use std::fs;
 
 use approx::assert_relative_eq;

@@ -1,18 +1,38 @@
 //! What closed forms say of a run, with the numbers they start from.
 
+mod shifted;
+
+use std::cell::OnceCell;
+
 use serde_json::{Value, json};
 
 use super::coefficients;
 use crate::body::contact_modulus;
 use crate::closed_form::hertz::{Hertz, Line};
+use crate::closed_form::spence::Indentation;
 use crate::closed_form::{carter, pin_on_disc, strip, twin_discs};
 use crate::kinematics::{Drive, Rolling};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
 
 /// Closed forms of bodies with curvatures: Hertz at the last load; for a sphere rubbed flat, the
-/// paper's eq. 55; in rolling, Carter's saturation, the stick of strips and the models of twin discs.
-pub(super) fn of(report: &Report<'_>) -> Value {
+/// paper's eq. 55; in rolling, Carter's saturation, the stick of strips and the models of twin discs; for
+/// spheres that are pressed and shifted, Cattaneo and Mindlin, Spence, and the end of fretting wear.
+#[derive(Debug, Default)]
+pub(super) struct ClosedForms {
+    /// Spence's sphere, which takes long to find and is the same for all of a run.
+    spence: OnceCell<Option<Indentation>>,
+}
+
+impl ClosedForms {
+    /// What they say of a report.
+    pub(super) fn of(&self, report: &Report<'_>) -> Value {
+        of(report, &self.spence)
+    }
+}
+
+/// The blocks of a report.
+fn of(report: &Report<'_>, spence: &OnceCell<Option<Indentation>>) -> Value {
     let Report { problem, state, .. } = report;
     let [Some(one), Some(other)] = problem.bodies.each_ref().map(|body| body.profile.curvatures())
     else {
@@ -31,9 +51,11 @@ pub(super) fn of(report: &Report<'_>) -> Value {
         });
     }
     let contact = Contact { problem, curvatures, modulus, hertz };
-    let added = match problem.kinematics.rolling() {
-        Some(rolling) => contact.rolling(report, &rolling.at(state.progress)),
-        None => vec![("pin_on_disc", contact.pin_on_disc(report))],
+    let kinematics = &problem.kinematics;
+    let added = match (kinematics.rolling(), kinematics.shift()) {
+        (Some(rolling), _) => contact.rolling(report, &rolling.at(state.progress)),
+        (None, Some(shift)) => contact.shifted(report, shift, spence),
+        (None, None) => vec![("pin_on_disc", contact.pin_on_disc(report))],
     };
     for (name, found) in added {
         if let Some(found) = found {
@@ -55,15 +77,20 @@ struct Contact<'a> {
 }
 
 impl Contact<'_> {
+    /// The combined radius (m) of a sphere.
+    fn radius(&self) -> Option<f64> {
+        let [along_x, along_y] = self.curvatures;
+        let spherical = along_x > 0.0 && (along_x - along_y).abs() <= 1e-9 * along_x;
+        spherical.then(|| 1.0 / along_x)
+    }
+
     /// A sphere that slides.
     fn pin_on_disc(&self, report: &Report<'_>) -> Option<Value> {
-        let [along_x, along_y] = self.curvatures;
         let worn = coefficients::of_all_wear(self.problem);
-        let spherical = (along_x - along_y).abs() <= 1e-9 * along_x;
-        if !spherical || worn <= 0.0 || self.problem.kinematics.slip(1.0) <= 0.0 {
+        if worn <= 0.0 || self.problem.kinematics.slip(1.0) <= 0.0 {
             return None;
         }
-        let (radius, volume) = (1.0 / along_x, worn * report.effort.load_distance);
+        let (radius, volume) = (self.radius()?, worn * report.effort.load_distance);
         Some(json!({
             "radius_m": radius,
             "coefficient_per_Pa": worn,

@@ -1,0 +1,54 @@
+//! Force over shift, cycle by cycle.
+
+use super::Error;
+use super::table::{Table, number};
+use crate::kinematics::Shift;
+use crate::simulation::Report;
+
+/// What a loop holds, by the columns of the history.
+const COLUMNS: [&str; 7] =
+    ["cycle", "shift_x_m", "shift_y_m", "force_x_N", "force_y_N", "load_N", "stick_area_m2"];
+/// What rounding may make of the end of a cycle (cycles).
+const SAME: f64 = 1e-6;
+
+/// The increments of the present cycle, kept until its end shows whether they are put out: those of the
+/// first cycle and of every cycle in which an output falls due are.
+#[derive(Debug, Default)]
+pub(super) struct FrettingLoop {
+    points: Vec<[f64; COLUMNS.len()]>,
+    /// The number of the cycle, from 1 on.
+    cycle: f64,
+    due: bool,
+}
+
+impl FrettingLoop {
+    /// Takes up a report, whose row of the history is given; says whether the loop is now complete and
+    /// to be put out. Only motions that shift the bodies have one.
+    pub(super) fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) -> bool {
+        if !report.problem.kinematics.shift().is_some_and(Shift::moves) {
+            return false;
+        }
+        let value = |column: &str| row.iter().find(|(known, _)| known == column).map(|cell| cell.1);
+        let point = COLUMNS.map(|column| value(column).unwrap_or(f64::NAN));
+        let cycle = (point[0] - SAME).ceil();
+        if cycle != self.cycle {
+            // Where cycles were jumped over, the last point is not where this one begins.
+            let begins = |last: &[f64; COLUMNS.len()]| (last[0] - (cycle - 1.0)).abs() < SAME;
+            self.points = self.points.last().copied().filter(begins).into_iter().collect();
+            (self.cycle, self.due) = (cycle, cycle == 1.0);
+        }
+        self.points.push(point);
+        self.due |= report.output;
+        self.due && cycle >= 1.0 && (point[0] - cycle).abs() < SAME
+    }
+
+    /// Adds the loop to a table, a row an increment, from where the cycle begins if that was computed.
+    pub(super) fn write(&self, table: &mut Table) -> Result<(), Error> {
+        for point in &self.points {
+            let cells: Vec<_> =
+                COLUMNS.into_iter().zip(point.iter().map(|value| number(*value))).collect();
+            table.row(&cells)?;
+        }
+        table.flush()
+    }
+}
