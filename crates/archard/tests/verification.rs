@@ -3,6 +3,7 @@
 mod common;
 
 mod verification {
+    mod cattaneo_mindlin;
     mod compliance;
     mod hertz;
     mod own_wear_law;
