@@ -4,10 +4,8 @@ mod adaptive;
 mod chain;
 mod cycles;
 mod history;
-mod jump;
 mod march;
 mod rolling;
-mod shift;
 
 use std::error::Error as StdError;
 
@@ -82,7 +80,7 @@ pub struct Effort {
     pub time_error: Option<f64>,
     /// Cycles computed so far, those that were jumped over left out.
     pub true_cycles: usize,
-    /// Energy (J) that friction has dissipated since the present cycle began, and in all cycles before.
+    /// Energy (J) that friction has dissipated since the present cycle began, and in all whole cycles.
     pub dissipated: [f64; 2],
     /// Integral of the load over the distance slid (N m), to compare worn volumes with; in rolling, of
     /// the work of the creepages a revolution over the coefficient of friction (N), to compare worn

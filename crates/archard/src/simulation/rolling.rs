@@ -116,7 +116,7 @@ impl Chain {
     }
 
     /// Gap (m) that the tangential tractions open between unlike bodies.
-    fn opened_by_friction(&self, problem: &ContactProblem) -> Vec<f64> {
+    pub(super) fn opened_by_friction(&self, problem: &ContactProblem) -> Vec<f64> {
         let pairs = problem.frame.len();
         let Some(tangential) = &self.state.tangential else { return vec![0.0; pairs] };
         let [t1, t2] = tangential.traction.clone();

@@ -1,48 +1,25 @@
 //! One increment of bodies that are pressed and shifted against each other.
 //!
 //! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
-//! surfaces were strained by. Of the slip of a pair that closes or opens within the increment only the
-//! part under pressure counts; when it closed follows from the gap before and the overlap that its
-//! pressure has pressed away since. Rubbing takes the mean of the pressures before and after, friction
-//! the mean of the tractions, so that what is dissipated equals the work done on the bodies.
+//! surfaces were strained by.
 
-use super::chain::{Chain, Leg};
-use super::{Effort, Error, Simulation};
+use super::rubbing::Rubbed;
 use crate::frame::VectorField;
 use crate::kinematics::{Control, Guide, Shift, Station};
 use crate::numerics::vector::map;
 use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::simulation::chain::{Chain, Leg};
+use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::tangential::{self, Held};
 use crate::solve::{Status, joint};
-use crate::wear::Rubbing;
-
-/// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
-/// taken as consistent where pressures and friction are found in turn.
-const CONSISTENT: f64 = 1e-8;
-/// Turns between pressures and friction.
-const TURNS: usize = 50;
 
 /// Bodies on their way, and what they went through in the present cycle.
 #[derive(Debug, Clone)]
 pub(super) struct Rig {
     pub chain: Chain,
     /// Tangential displacement (m) that the compliance makes of all tractions.
-    strained: [Vec<f64>; 2],
+    pub strained: [Vec<f64>; 2],
     pub rubbed: Rubbed,
-}
-
-/// What rubbing did since a cycle began.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Rubbed {
-    /// Depth worn off body 1 and body 2 (m), one value a pair.
-    pub depths: [Vec<f64>; 2],
-    /// The same by the slope of the laws: pressure times the derivative of the depth (m).
-    pub slopes: [Vec<f64>; 2],
-    /// Distance slid in contact (m), and its integral with the pressure (Pa m), one value a pair.
-    pub slip: Vec<f64>,
-    pub work: Vec<f64>,
-    /// Energy dissipated (J).
-    pub dissipated: f64,
 }
 
 /// A solution to start the same increment of another cycle from.
@@ -52,28 +29,17 @@ pub(super) struct Settled {
     displacement: Vec<f64>,
     limit: Vec<f64>,
     found: Vec<f64>,
-    joint: Option<joint::Solution>,
+    pub joint: Option<joint::Solution>,
 }
 
 /// What a solve left behind beside the state.
 #[derive(Default)]
-struct Found {
-    limit: Vec<f64>,
-    found: Vec<f64>,
-    joint: Option<joint::Solution>,
-}
-
-impl Rubbed {
-    fn none(pairs: usize) -> Self {
-        let zeros = || vec![0.0; pairs];
-        Self {
-            depths: [zeros(), zeros()],
-            slopes: [zeros(), zeros()],
-            slip: zeros(),
-            work: zeros(),
-            dissipated: 0.0,
-        }
-    }
+pub(super) struct Found {
+    /// Largest tractions (Pa) of the pairs.
+    pub limit: Vec<f64>,
+    /// Slips (m) along the directions whose force is given.
+    pub found: Vec<f64>,
+    pub joint: Option<joint::Solution>,
 }
 
 impl Rig {
@@ -123,12 +89,12 @@ impl Rig {
     ) -> Result<Settled, Error> {
         let before = self.clone_contact();
         let settled = self.settle(simulation, (station, progress), known, effort)?;
-        self.rub(&simulation.problem, &before);
+        self.rubbed.take_up(&mut self.chain, &before, &simulation.problem);
         Ok(settled)
     }
 
     /// Pressures, tractions and gaps before an increment.
-    fn clone_contact(&self) -> ContactState {
+    pub fn clone_contact(&self) -> ContactState {
         ContactState { worn: [vec![], vec![]], ..self.chain.state.clone() }
     }
 
@@ -159,7 +125,7 @@ impl Rig {
         Ok(self.settled(found))
     }
 
-    fn settled(&self, found: Found) -> Settled {
+    pub fn settled(&self, found: Found) -> Settled {
         let Found { limit, found, joint } = found;
         let displacement = self.chain.displacement.clone();
         Settled { state: self.clone_contact(), displacement, limit, found, joint }
@@ -181,7 +147,7 @@ impl Rig {
     }
 
     /// Finds the pressures under a gap (m) that friction opens beside.
-    fn press(
+    pub fn press(
         &mut self,
         simulation: &Simulation,
         leg: Leg,
@@ -196,7 +162,7 @@ impl Rig {
 
     /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it
     /// opens the gap beside the pressures' own.
-    fn strain_of(
+    pub fn strain_of(
         &self,
         problem: &ContactProblem,
         traction: Option<&[Vec<f64>; 2]>,
@@ -223,7 +189,7 @@ impl Rig {
 
     /// Slip (m) before any tangential traction, with the strains of the pressures taken off, and the
     /// directions in which a force is given.
-    fn rigid_slip(&self, station: Station, pressed: Option<&VectorField>) -> ([Vec<f64>; 2], Vec<Held>) {
+    pub fn rigid_slip(&self, station: Station, pressed: Option<&VectorField>) -> ([Vec<f64>; 2], Vec<Held>) {
         let shift = self.shift();
         let rigid = [0, 1].map(|axis| {
             let moved = match station.guides[axis] {
@@ -255,7 +221,7 @@ impl Rig {
     }
 
     /// The shift after an increment, given or found.
-    fn shifted(&self, station: Station, found: &[f64]) -> [f64; 2] {
+    pub fn shifted(&self, station: Station, found: &[f64]) -> [f64; 2] {
         let (before, mut found) = (self.shift(), found.iter());
         [0, 1].map(|axis| match station.guides[axis] {
             Guide::Shift(shift) => shift,
@@ -264,7 +230,7 @@ impl Rig {
     }
 
     /// Finds the friction under the present pressures, whose own tangential displacement is given.
-    fn drag(
+    pub fn drag(
         &mut self,
         simulation: &Simulation,
         leg: Leg,
@@ -327,7 +293,7 @@ impl Rig {
     }
 
     /// Takes tractions over, with the slip since the last state.
-    fn take(&mut self, traction: [Vec<f64>; 2], shift: [f64; 2], strain: VectorField) {
+    pub fn take(&mut self, traction: [Vec<f64>; 2], shift: [f64; 2], strain: VectorField) {
         let before = self.shift();
         let strained = [strain.t1, strain.t2];
         let slip = [0, 1].map(|axis| {
@@ -336,195 +302,6 @@ impl Rig {
         });
         self.strained = strained;
         self.chain.state.tangential = Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
-    }
-
-    /// Pressures and friction of unlike bodies.
-    fn solve_jointly(
-        &mut self,
-        simulation: &Simulation,
-        leg: Leg,
-        station: Station,
-        known: Option<&Settled>,
-        effort: &mut Effort,
-    ) -> Result<Found, Error> {
-        let problem = &simulation.problem;
-        let Some(friction) = &problem.friction else { return Ok(Found::default()) };
-        let frame = &problem.frame;
-        let (rigid, held) = self.rigid_slip(station, None);
-        let gap = self.chain.undeformed_gap(problem);
-        let step = joint::Step {
-            compliance: &*problem.compliance,
-            frame,
-            friction: &**friction,
-            gap: &gap,
-            control: leg.control,
-            rigid: [&rigid[0], &rigid[1]],
-            held: &held,
-        };
-        let start = match known.and_then(|known| known.joint.clone()) {
-            Some(start) => start,
-            None => self.joint_start(simulation, leg, effort)?,
-        };
-        let Some(outcome) = simulation.friction_solver.solve_jointly(&step, &start) else {
-            return self.solve_in_turn(simulation, leg, station, known, effort);
-        };
-        effort.solves += 1;
-        effort.iterations += outcome.iterations;
-        effort.applications += outcome.applications;
-        effort.residual = outcome.residual;
-        match outcome.status {
-            Status::Converged => {}
-            Status::OutOfIterations => {
-                return self.solve_in_turn(simulation, leg, station, known, effort);
-            }
-            Status::FrameFull => {
-                let measure = problem.kinematics.progress();
-                return Err(Error::FrameFull { measure, progress: leg.progress });
-            }
-        }
-        let solution = outcome.solution;
-        let state = &mut self.chain.state;
-        state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
-        state.load = frame.integrate(&state.pressure);
-        state.approach = solution.approach;
-        state.gap = outcome.gap;
-        state.progress = leg.progress;
-        let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
-        let shift = self.shifted(station, &solution.found);
-        let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
-        self.take(traction, shift, solution.displacement.clone());
-        Ok(Found { limit, found: solution.found.clone(), joint: Some(solution) })
-    }
-
-    /// The present tractions, or frictionless pressures where there are none.
-    fn joint_start(
-        &mut self,
-        simulation: &Simulation,
-        leg: Leg,
-        effort: &mut Effort,
-    ) -> Result<joint::Solution, Error> {
-        let problem = &simulation.problem;
-        let pairs = problem.frame.len();
-        if self.chain.state.load == 0.0 {
-            let apart = self.clone_contact();
-            self.press(simulation, leg, &vec![0.0; pairs], effort)?;
-            let state = &mut self.chain.state;
-            (state.gap, state.tangential) = (apart.gap, apart.tangential);
-        }
-        let n: Vec<f64> = self.chain.state.pressure.iter().map(|pressure| -pressure).collect();
-        let tangential = self.chain.state.tangential.as_ref();
-        let [t1, t2] = tangential.map_or_else(
-            || [vec![0.0; pairs], vec![0.0; pairs]],
-            |tangential| tangential.traction.clone(),
-        );
-        let traction = VectorField { t1, t2, n };
-        effort.applications += 1;
-        let displacement = problem.compliance.apply(&traction);
-        let approach = self.chain.state.approach;
-        Ok(joint::Solution { traction, displacement, approach, found: vec![] })
-    }
-
-    /// Pressures and friction of unlike bodies, one after the other until they agree.
-    fn solve_in_turn(
-        &mut self,
-        simulation: &Simulation,
-        leg: Leg,
-        station: Station,
-        known: Option<&Settled>,
-        effort: &mut Effort,
-    ) -> Result<Found, Error> {
-        let problem = &simulation.problem;
-        let (before, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
-        let mut opened = vec![0.0; problem.frame.len()];
-        if let Some(tangential) = &before {
-            effort.applications += 1;
-            opened = self.opened(problem, &tangential.traction);
-        }
-        let mut latest = known.cloned();
-        for _ in 0..TURNS {
-            self.press(simulation, leg, &opened, effort)?;
-            self.chain.state.tangential.clone_from(&before);
-            self.strained.clone_from(&strained);
-            effort.applications += 1;
-            let pressed = self.strain_of(problem, None);
-            let found = self.drag(simulation, leg, station, &pressed, latest.as_ref(), effort)?;
-            let Some(tangential) = &self.chain.state.tangential else { return Ok(found) };
-            let now = self.opened(problem, &tangential.traction);
-            let change =
-                now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            opened = now;
-            if change <= CONSISTENT * self.chain.state.approach.abs() {
-                return Ok(found);
-            }
-            latest = Some(self.settled(found));
-        }
-        Err(Error::NotConsistent {
-            measure: problem.kinematics.progress(),
-            progress: leg.progress,
-            passes: TURNS,
-        })
-    }
-
-    /// Gap (m) that tractions (Pa) open between unlike bodies.
-    pub fn opened(&self, problem: &ContactProblem, traction: &[Vec<f64>; 2]) -> Vec<f64> {
-        let [t1, t2] = traction.clone();
-        let n = vec![0.0; t1.len()];
-        let displacement = problem.compliance.apply(&VectorField { t1, t2, n });
-        displacement.n.iter().map(|n| -n).collect()
-    }
-
-    /// Wears both bodies by the rubbing since a state.
-    fn rub(&mut self, problem: &ContactProblem, before: &ContactState) {
-        let Rig { chain, rubbed, .. } = self;
-        let Some(tangential) = &chain.state.tangential else { return };
-        let own = problem.compliance.normal_self_term();
-        let area = problem.frame.element_area();
-        let state = &chain.state;
-        let earlier = before.tangential.as_ref();
-        let mut worn: [Vec<(usize, f64)>; 2] = [vec![], vec![]];
-        for pair in 0..state.pressure.len() {
-            let pressures = [before.pressure[pair], state.pressure[pair]];
-            let share = under_pressure(pressures, [before.gap[pair], state.gap[pair]], own);
-            if share == 0.0 || tangential.sticks(problem, &state.pressure, pair) {
-                continue;
-            }
-            let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
-            let mean = 0.5 * (pressures[0] + pressures[1]);
-            let rubbing = Rubbing { pressure: mean, slip: slip[0].hypot(slip[1]) };
-            rubbed.slip[pair] += rubbing.slip;
-            rubbed.work[pair] += rubbing.pressure * rubbing.slip;
-            chain.load_distance += rubbing.pressure * rubbing.slip * area;
-            let traction = |axis: usize| {
-                let earlier = earlier.map_or(0.0, |earlier| earlier.traction[axis][pair]);
-                0.5 * (earlier + tangential.traction[axis][pair])
-            };
-            rubbed.dissipated += (traction(0) * slip[0] + traction(1) * slip[1]) * area;
-            for (body, worn) in worn.iter_mut().enumerate() {
-                if let Some(law) = &problem.bodies[body].wear {
-                    let depth = law.depth(rubbing);
-                    rubbed.depths[body][pair] += depth;
-                    rubbed.slopes[body][pair] += law.slope(rubbing) * mean;
-                    worn.push((pair, depth));
-                }
-            }
-        }
-        for (body, worn) in worn.into_iter().enumerate() {
-            for (pair, depth) in worn {
-                chain.state.worn[body][pair] += depth;
-            }
-        }
-    }
-}
-
-/// Share of an increment during which a pair is under pressure, from its pressures (Pa) and gaps (m) before
-/// and after; `own` is its compliance to its own pressure (m/Pa). The overlap that a pressure stands for
-/// and the gap that was there before are gone through at one rate.
-fn under_pressure([before, after]: [f64; 2], gaps: [f64; 2], own: f64) -> f64 {
-    match (before > 0.0, after > 0.0) {
-        (true, true) => 1.0,
-        (false, false) => 0.0,
-        (false, true) => own * after / (own * after + gaps[0].max(0.0)),
-        (true, false) => own * before / (own * before + gaps[1].max(0.0)),
     }
 }
 

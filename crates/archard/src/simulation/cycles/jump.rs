@@ -1,0 +1,216 @@
+//! Wear of cycles that are jumped over, from the rubbing of one that was computed.
+//!
+//! What a pair slides in a cycle hardly depends on a little wear; how it is pressed does. A cycle that
+//! wore the depth d under the pressure p of its most pressed instant stands for the law d' (p'), a line
+//! through (p, d), and the cycles of a jump wear implicitly by it: a normal contact solve with the slope
+//! on the diagonal of the compliance.
+
+use super::rig::Rig;
+use crate::kinematics::Control;
+use crate::numerics::vector::{map, sum, update};
+use crate::problem::ContactProblem;
+use crate::simulation::chain::{Chain, Leg};
+use crate::simulation::{Effort, Error, Simulation};
+
+/// Wear a cycle as a function of the pressure at its most pressed instant.
+#[derive(Debug, Clone)]
+pub(super) struct Rate {
+    line: Line,
+    /// The contact at the most pressed instant.
+    reference: Chain,
+    control: Control,
+    /// Whether pairs in contact stuck throughout the cycle.
+    pub sticks: bool,
+}
+
+/// What a cycle does, in terms of the pressures of its most pressed instant; fields have one value a pair.
+#[derive(Debug, Clone)]
+struct Line {
+    /// Depth at zero pressure (m) and its slope (m/Pa), of body 1 and body 2.
+    constant: [Vec<f64>; 2],
+    slope: [Vec<f64>; 2],
+    /// Gap (m) that friction opens at that instant.
+    opened: Vec<f64>,
+    /// Distance slid (m).
+    slip: Vec<f64>,
+    /// Energy dissipated (J).
+    dissipated: f64,
+}
+
+/// Worn depths and what goes with them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Wear {
+    /// Depths of body 1 and body 2 (m), one value a pair.
+    pub worn: [Vec<f64>; 2],
+    /// Integral of pressure and slip (N m).
+    pub load_distance: f64,
+    /// Energy dissipated (J).
+    pub dissipated: f64,
+}
+
+impl Wear {
+    /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear.
+    pub fn since(&self, earlier: &Wear) -> f64 {
+        let ([a, b], [c, d]) = (&self.worn, &earlier.worn);
+        let [squares] = sum([a, b, c, d], |[a, b, c, d]| [(a + b - c - d).powi(2)]);
+        squares.sqrt()
+    }
+
+    /// 2-norm over the pairs of the depth (m) worn off both bodies.
+    pub fn total(&self) -> f64 {
+        let [squares] = sum([&self.worn[0], &self.worn[1]], |[a, b]| [(a + b).powi(2)]);
+        squares.sqrt()
+    }
+}
+
+impl Rate {
+    /// Of the cycle that a rig has gone through, the most pressed instant of which is kept beside it.
+    pub fn of(rig: &Rig, reference: Rig, control: Control, problem: &ContactProblem) -> Self {
+        let pressure = &reference.chain.state.pressure;
+        let elements = problem.frame.elements();
+        let per_pressure = |field: &Vec<f64>| -> Vec<f64> {
+            let quotient = map([field, pressure], |[value, pressure]| {
+                if pressure > 0.0 { value / pressure } else { 0.0 }
+            });
+            spread(quotient, pressure, elements)
+        };
+        let constant = [0, 1].map(|body| {
+            let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
+            map([depths, slopes, pressure], |[depth, slope, pressure]| {
+                if pressure > 0.0 { depth - slope } else { depth }
+            })
+        });
+        let couples = problem.compliance.couples();
+        let opened = if couples {
+            reference.chain.opened_by_friction(problem)
+        } else {
+            vec![0.0; pressure.len()]
+        };
+        let sticks = |(pressure, slip): (&f64, &f64)| *pressure > 0.0 && *slip == 0.0;
+        Self {
+            line: Line {
+                constant,
+                slope: rig.rubbed.slopes.each_ref().map(per_pressure),
+                opened,
+                slip: per_pressure(&rig.rubbed.work),
+                dissipated: rig.rubbed.dissipated,
+            },
+            sticks: problem.friction.is_some()
+                && pressure.iter().zip(&rig.rubbed.slip).any(sticks),
+            reference: reference.chain,
+            control,
+        }
+    }
+
+    /// Wear after a number of cycles in a number of steps, while the rate goes evenly from this one to
+    /// another; and by how much, relative to it, the pressures change what is worn on the way.
+    pub fn wear_on(
+        &self,
+        other: &Rate,
+        start: &Wear,
+        (cycles, steps): (usize, usize),
+        simulation: &Simulation,
+        effort: &mut Effort,
+    ) -> Result<(Wear, f64), Error> {
+        let problem = &simulation.problem;
+        let mut chain = self.reference.clone();
+        chain.state.worn.clone_from(&start.worn);
+        let mut wear = start.clone();
+        let progress = chain.state.progress;
+        let leg = Leg { advance: 0.0, progress, control: self.control };
+        let length = cycles as f64 / steps as f64;
+        let (mut changed, mut made) = (0.0, 0.0);
+        for step in 0..steps {
+            let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
+            let slope =
+                map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
+            let undeformed = chain.undeformed_gap(problem);
+            let gap = map(
+                [&undeformed, &line.opened, &line.constant[0], &line.constant[1]],
+                |[gap, opened, one, two]| gap + opened + length * (one + two),
+            );
+            let before = chain.state.pressure.clone();
+            chain.meet(simulation, leg, &gap, &slope, &*problem.compliance, effort)?;
+            let pressure = &chain.state.pressure;
+            for (body, worn) in chain.state.worn.iter_mut().enumerate() {
+                let fields: [&[f64]; 3] = [&line.constant[body], &line.slope[body], pressure];
+                update(worn, fields, |worn, [constant, slope, pressure]| {
+                    worn + length * (constant + slope * pressure).max(0.0)
+                });
+            }
+            let [work] = sum([&line.slip, pressure], |[slip, pressure]| [slip * pressure]);
+            wear.load_distance += length * work * problem.frame.element_area();
+            wear.dissipated += length * line.dissipated;
+            let [change, whole] = sum([&slope, &before, pressure], |[slope, before, after]| {
+                [(slope * (after - before)).powi(2), (slope * after).powi(2)]
+            });
+            (changed, made) = (changed + change, made + whole);
+        }
+        wear.worn = chain.state.worn;
+        let change = if made > 0.0 { steps as f64 * (changed / made).sqrt() } else { 0.0 };
+        Ok((wear, change))
+    }
+}
+
+impl Line {
+    /// Between two lines.
+    fn towards(&self, other: &Self, share: f64) -> Self {
+        let blend = |one: &[f64], two: &[f64]| {
+            map([one, two], |[one, two]| (1.0 - share) * one + share * two)
+        };
+        let both = |one: &[Vec<f64>; 2], two: &[Vec<f64>; 2]| {
+            [blend(&one[0], &two[0]), blend(&one[1], &two[1])]
+        };
+        Self {
+            constant: both(&self.constant, &other.constant),
+            slope: both(&self.slope, &other.slope),
+            opened: blend(&self.opened, &other.opened),
+            slip: blend(&self.slip, &other.slip),
+            dissipated: (1.0 - share) * self.dissipated + share * other.dissipated,
+        }
+    }
+}
+
+/// Gives pairs without pressure the mean of their neighbours with one, and so on outwards: they are rubbed
+/// alike once the contact has grown to them.
+fn spread(mut field: Vec<f64>, pressure: &[f64], [nx, ny]: [usize; 2]) -> Vec<f64> {
+    let mut known: Vec<bool> = pressure.iter().map(|&pressure| pressure > 0.0).collect();
+    let mut rim: Vec<usize> = (0..known.len()).filter(|&pair| known[pair]).collect();
+    let neighbours = |pair: usize| {
+        let (x, y) = (pair % nx, pair / nx);
+        let left = (x > 0).then(|| pair - 1);
+        let right = (x + 1 < nx).then(|| pair + 1);
+        let below = (y > 0).then(|| pair - nx);
+        let above = (y + 1 < ny).then(|| pair + nx);
+        [left, right, below, above].into_iter().flatten()
+    };
+    while !rim.is_empty() {
+        let open = rim.iter().flat_map(|&pair| neighbours(pair)).filter(|&pair| !known[pair]);
+        let mut next: Vec<usize> = open.collect();
+        next.sort_unstable();
+        next.dedup();
+        let mean = |&pair: &usize| {
+            let values = neighbours(pair).filter(|&pair| known[pair]).map(|pair| field[pair]);
+            values.clone().sum::<f64>() / values.count() as f64
+        };
+        let values: Vec<f64> = next.iter().map(mean).collect();
+        for (&pair, value) in next.iter().zip(values) {
+            (field[pair], known[pair]) = (value, true);
+        }
+        rim = next;
+    }
+    field
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn the_rim_goes_outwards() {
+        let field = vec![0.0, 2.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        let pressure = [0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        assert_eq!(spread(field, &pressure, [4, 2]), [2.0, 2.0, 4.0, 4.0, 2.0, 2.0, 4.0, 4.0]);
+        assert_eq!(spread(vec![0.0; 4], &[0.0; 4], [2, 2]), [0.0; 4]);
+    }
+}

@@ -1,0 +1,114 @@
+//! What rubbing does to bodies that are shifted against each other.
+//!
+//! Of the slip of a pair that closes or opens within an increment only the part under pressure counts; when
+//! it closed follows from the gap before and the overlap that its pressure has pressed away since. Rubbing
+//! takes the mean of the pressures before and after, friction the mean of the tractions, so that what is
+//! dissipated in a closed cycle equals the work done on the bodies.
+
+use crate::problem::{ContactProblem, ContactState};
+use crate::simulation::chain::Chain;
+use crate::wear::Rubbing;
+
+/// What rubbing did since a cycle began.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rubbed {
+    /// Depth worn off body 1 and body 2 (m), one value a pair.
+    pub depths: [Vec<f64>; 2],
+    /// The same by the slope of the laws: pressure times the derivative of the depth (m).
+    pub slopes: [Vec<f64>; 2],
+    /// Distance slid in contact (m), and its integral with the pressure (Pa m), one value a pair.
+    pub slip: Vec<f64>,
+    pub work: Vec<f64>,
+    /// Energy dissipated (J).
+    pub dissipated: f64,
+}
+
+impl Rubbed {
+    pub fn none(pairs: usize) -> Self {
+        let zeros = || vec![0.0; pairs];
+        let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
+        Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0 }
+    }
+
+    /// Takes up what was rubbed since a state, and wears both bodies by it.
+    pub fn take_up(&mut self, chain: &mut Chain, before: &ContactState, problem: &ContactProblem) {
+        let area = problem.frame.element_area();
+        for pair in 0..before.pressure.len() {
+            let Some(stroke) = Stroke::of(pair, [before, &chain.state], problem) else { continue };
+            let rubbing = stroke.rubbing;
+            let work = rubbing.pressure * rubbing.slip;
+            self.slip[pair] += rubbing.slip;
+            self.work[pair] += work;
+            self.dissipated += stroke.dissipated * area;
+            chain.load_distance += work * area;
+            for (index, worn) in chain.state.worn.iter_mut().enumerate() {
+                let Some(law) = &problem.bodies[index].wear else { continue };
+                let depth = law.depth(rubbing);
+                self.depths[index][pair] += depth;
+                self.slopes[index][pair] += law.slope(rubbing) * rubbing.pressure;
+                worn[pair] += depth;
+            }
+        }
+    }
+}
+
+/// What one pair went through in an increment.
+struct Stroke {
+    rubbing: Rubbing,
+    /// Energy dissipated per area (J/m^2).
+    dissipated: f64,
+}
+
+impl Stroke {
+    /// Between two states; `None` where nothing rubs.
+    fn of(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> Option<Self> {
+        let [before, after] = states;
+        let tangential = after.tangential.as_ref()?;
+        let pressures = states.map(|state| state.pressure[pair]);
+        let own = problem.compliance.normal_self_term();
+        let share = under_pressure(pressures, states.map(|state| state.gap[pair]), own);
+        if share == 0.0 || tangential.sticks(problem, &after.pressure, pair) {
+            return None;
+        }
+        let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
+        let earlier = before.tangential.as_ref();
+        let traction = |axis: usize| {
+            let earlier = earlier.map_or(0.0, |earlier| earlier.traction[axis][pair]);
+            0.5 * (earlier + tangential.traction[axis][pair])
+        };
+        Some(Self {
+            rubbing: Rubbing {
+                pressure: 0.5 * (pressures[0] + pressures[1]),
+                slip: slip[0].hypot(slip[1]),
+            },
+            dissipated: traction(0) * slip[0] + traction(1) * slip[1],
+        })
+    }
+}
+
+/// Share of an increment during which a pair is under pressure, from its pressures (Pa) and gaps (m) before
+/// and after; `own` is its compliance to its own pressure (m/Pa). The overlap that a pressure stands for
+/// and the gap that was there before are gone through at one rate.
+fn under_pressure([before, after]: [f64; 2], gaps: [f64; 2], own: f64) -> f64 {
+    match (before > 0.0, after > 0.0) {
+        (true, true) => 1.0,
+        (false, false) => 0.0,
+        (false, true) => own * after / (own * after + gaps[0].max(0.0)),
+        (true, false) => own * before / (own * before + gaps[1].max(0.0)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::under_pressure;
+
+    /// A pair that was 2 apart and is pressed 1 into the other body closed after two thirds of the way.
+    #[test]
+    fn a_pair_counts_from_when_it_touched() {
+        assert_eq!(under_pressure([0.0, 0.5], [2.0, 0.0], 2.0), 1.0 / 3.0);
+        assert_eq!(under_pressure([0.5, 0.0], [0.0, 2.0], 2.0), 1.0 / 3.0);
+        assert_eq!(under_pressure([0.5, 0.1], [0.0, 0.0], 2.0), 1.0);
+        assert_eq!(under_pressure([0.0, 0.0], [1.0, 2.0], 2.0), 0.0);
+        assert_eq!(under_pressure([0.0, 0.5], [0.0, 0.0], 2.0), 1.0);
+    }
+}

@@ -1,0 +1,117 @@
+//! How many cycles to go on by, chosen by the error that jumping makes.
+//!
+//! The cycles of a jump are worn at the rate of the cycle before it. The cycle computed behind it shows how
+//! the rate has changed, and the wear of the jump is taken again with a rate that changes evenly. Relative
+//! to the wear made, the difference e of the two is the error of the first; that of the second, which is
+//! kept, is of the order of e^2. Steps within a jump add the lag of their pressures.
+
+/// Aim relative to what the tolerance allows, and bounds on the change from one stride to the next.
+const AIM: f64 = 0.8;
+const CHANGE: (f64, f64) = (0.2, 2.0);
+/// Lag of the pressures in a step within a jump, relative to the tolerance.
+const LAG: f64 = 0.2;
+/// Most steps within a jump.
+const MOST_STEPS: f64 = 64.0;
+
+/// The stride and the error so far.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stride {
+    tolerance: f64,
+    /// Cycles to go on by, the one computed included.
+    cycles: f64,
+    /// Error (m) of the worn depths, a 2-norm over the pairs.
+    error: f64,
+}
+
+/// A jump that was corrected.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tried {
+    /// Cycles jumped over.
+    pub length: usize,
+    /// 2-norms over the pairs of the wear made and of its correction (m).
+    pub made: f64,
+    pub off: f64,
+    /// Error that the lag of the pressures makes within the jump, relative to the wear made.
+    pub lag: f64,
+    /// Whether a stick zone came or went.
+    pub turned: bool,
+    /// Cycles before it.
+    pub done: usize,
+}
+
+impl Stride {
+    pub fn new(tolerance: f64) -> Self {
+        Self { tolerance, cycles: 2.0, error: 0.0 }
+    }
+
+    /// Cycles to jump over before the next one is computed, which may be that many ahead at most.
+    pub fn jump(&self, ahead: usize) -> usize {
+        let count = (ahead as f64 / self.cycles - 0.1).ceil().max(1.0);
+        let cycles = if count <= 2.0 { ahead as f64 / count } else { self.cycles };
+        (cycles.round() as usize).clamp(1, ahead.max(1)) - 1
+    }
+
+    /// Steps within a jump on which the pressures change what is worn by that much, relative to it.
+    pub fn steps(&self, change: f64) -> usize {
+        (0.5 * change / (LAG * self.tolerance)).ceil().clamp(1.0, MOST_STEPS) as usize
+    }
+
+    /// Error of implicit steps, whose pressures are those at their ends, relative to the wear made.
+    pub fn lag(change: f64, steps: usize) -> f64 {
+        0.5 * change / steps as f64
+    }
+
+    /// Whether a jump is good enough; sets the next stride.
+    pub fn judge(&mut self, tried: Tried) -> bool {
+        let Tried { length, made, off, lag, turned, done } = tried;
+        if length == 0 {
+            self.cycles = self.cycles.max(2.0);
+            return true;
+        }
+        let relative = if made > 0.0 { off / made } else { 0.0 };
+        let change = (AIM * self.tolerance.sqrt() / relative).clamp(CHANGE.0, CHANGE.1);
+        // A turn is met as closely as the tolerance resolves the cycles so far.
+        let overrun = turned && length > 1 && length as f64 > self.tolerance * done as f64;
+        if relative * relative > self.tolerance || overrun {
+            let shorter = 1.0 + length as f64 * change.min(0.5);
+            self.cycles = if length == 1 { 1.0 } else { shorter.max(2.0) };
+            return false;
+        }
+        let longer = 1.0 + change * length as f64;
+        let shortened = ((length + 1) as f64) < 0.8 * self.cycles && change >= 1.0;
+        self.cycles = if shortened { self.cycles.max(longer) } else { longer };
+        self.error += made * (relative * relative + lag);
+        true
+    }
+
+    /// Relative error of worn depths of that 2-norm over the pairs (m).
+    pub fn estimate(&self, worn: f64) -> f64 {
+        if worn > 0.0 { self.error / worn } else { 0.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Stride, Tried};
+
+    const GOOD: Tried = Tried { length: 1, made: 1.0, off: 0.01, lag: 1e-3, turned: false, done: 10 };
+
+    #[test]
+    fn strides_grow_and_land_on_what_is_ahead() {
+        let mut stride = Stride::new(0.01);
+        assert_eq!(stride.jump(50), 1);
+        assert!(stride.judge(GOOD) && stride.judge(Tried { length: 2, ..GOOD }));
+        assert_eq!(stride.jump(50), 4);
+        // Five and then the rest, or two of about the same length.
+        assert_eq!((stride.jump(6), stride.jump(5), stride.jump(1)), (2, 4, 0));
+    }
+
+    #[test]
+    fn errors_and_turns_shorten_them() {
+        let mut stride = Stride::new(0.01);
+        assert!(!stride.judge(Tried { length: 40, off: 0.2, ..GOOD }));
+        assert_eq!(stride.jump(100), 16);
+        assert!(!stride.judge(Tried { length: 16, turned: true, ..GOOD }));
+        assert!(stride.judge(Tried { length: 1, turned: true, ..GOOD }));
+    }
+}

@@ -1,0 +1,143 @@
+//! Pressures and friction of unlike bodies, which act on one another.
+
+use super::rig::{Found, Rig, Settled};
+use crate::frame::VectorField;
+use crate::kinematics::Station;
+use crate::simulation::chain::Leg;
+use crate::simulation::{Effort, Error, Simulation};
+use crate::solve::{Status, joint};
+
+/// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
+/// that are found in turn agree.
+const CONSISTENT: f64 = 1e-8;
+/// Turns between them.
+const TURNS: usize = 50;
+
+impl Rig {
+    /// Pressures and friction at once, where the solver can and it converges; otherwise in turn.
+    pub fn solve_jointly(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
+        let Some(friction) = &problem.friction else { return Ok(Found::default()) };
+        let frame = &problem.frame;
+        let (rigid, held) = self.rigid_slip(station, None);
+        let gap = self.chain.undeformed_gap(problem);
+        let step = joint::Step {
+            compliance: &*problem.compliance,
+            frame,
+            friction: &**friction,
+            gap: &gap,
+            control: leg.control,
+            rigid: [&rigid[0], &rigid[1]],
+            held: &held,
+        };
+        let start = match known.and_then(|known| known.joint.clone()) {
+            Some(start) => start,
+            None => self.joint_start(simulation, leg, effort)?,
+        };
+        let Some(outcome) = simulation.friction_solver.solve_jointly(&step, &start) else {
+            return self.solve_in_turn(simulation, leg, station, known, effort);
+        };
+        effort.solves += 1;
+        effort.iterations += outcome.iterations;
+        effort.applications += outcome.applications;
+        effort.residual = outcome.residual;
+        match outcome.status {
+            Status::Converged => {}
+            Status::OutOfIterations => {
+                return self.solve_in_turn(simulation, leg, station, known, effort);
+            }
+            Status::FrameFull => {
+                let measure = problem.kinematics.progress();
+                return Err(Error::FrameFull { measure, progress: leg.progress });
+            }
+        }
+        let solution = outcome.solution;
+        let state = &mut self.chain.state;
+        state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
+        state.load = frame.integrate(&state.pressure);
+        state.approach = solution.approach;
+        state.gap = outcome.gap;
+        state.progress = leg.progress;
+        let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+        let shift = self.shifted(station, &solution.found);
+        let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
+        self.take(traction, shift, solution.displacement.clone());
+        Ok(Found { limit, found: solution.found.clone(), joint: Some(solution) })
+    }
+
+    /// The present tractions, or frictionless pressures where there are none.
+    fn joint_start(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        effort: &mut Effort,
+    ) -> Result<joint::Solution, Error> {
+        let problem = &simulation.problem;
+        let pairs = problem.frame.len();
+        if self.chain.state.load == 0.0 {
+            let apart = self.clone_contact();
+            self.press(simulation, leg, &vec![0.0; pairs], effort)?;
+            let state = &mut self.chain.state;
+            (state.gap, state.tangential) = (apart.gap, apart.tangential);
+        }
+        let n: Vec<f64> = self.chain.state.pressure.iter().map(|pressure| -pressure).collect();
+        let tangential = self.chain.state.tangential.as_ref();
+        let [t1, t2] = tangential.map_or_else(
+            || [vec![0.0; pairs], vec![0.0; pairs]],
+            |tangential| tangential.traction.clone(),
+        );
+        let traction = VectorField { t1, t2, n };
+        effort.applications += 1;
+        let displacement = problem.compliance.apply(&traction);
+        let approach = self.chain.state.approach;
+        Ok(joint::Solution { traction, displacement, approach, found: vec![] })
+    }
+
+    /// Pressures and friction of unlike bodies, one after the other until they agree.
+    fn solve_in_turn(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
+        let (before, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
+        let mut opened = vec![0.0; problem.frame.len()];
+        if before.is_some() {
+            effort.applications += 1;
+            opened = self.chain.opened_by_friction(problem);
+        }
+        let mut latest = known.cloned();
+        for _ in 0..TURNS {
+            self.press(simulation, leg, &opened, effort)?;
+            self.chain.state.tangential.clone_from(&before);
+            self.strained.clone_from(&strained);
+            effort.applications += 1;
+            let pressed = self.strain_of(problem, None);
+            let found = self.drag(simulation, leg, station, &pressed, latest.as_ref(), effort)?;
+            effort.applications += 1;
+            let now = self.chain.opened_by_friction(problem);
+            let change =
+                now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            opened = now;
+            if change <= CONSISTENT * self.chain.state.approach.abs() {
+                return Ok(found);
+            }
+            latest = Some(self.settled(found));
+        }
+        Err(Error::NotConsistent {
+            measure: problem.kinematics.progress(),
+            progress: leg.progress,
+            passes: TURNS,
+        })
+    }
+}
