@@ -42,11 +42,14 @@ fn the_fretting_of_a_sphere_ends_in_its_stick_zone() {
     assert_relative_eq!(depth(state), end.greatest_depth(), max_relative = 0.01);
     let worn = state.total_worn();
     assert_relative_eq!(frame.integrate(&worn), end.volume(), max_relative = 0.01);
-    // An element belongs to the scar as far as its depth goes beside that of its neighbours; here those
-    // with any are counted.
-    let scar: Vec<f64> = worn.iter().map(|&worn| if worn > 0.0 { 1.0 } else { 0.0 }).collect();
-    let stuck = PI * stick_radius * stick_radius;
-    println!("{} {}", ((frame.integrate(&scar) + stuck) / PI).sqrt() / end.scar_radius, ((frame.integrate(&scar)) / PI).sqrt() / end.scar_radius);
+    // The area of all elements that are worn and of those inside the stick radius.
+    let touched = (0..frame.len()).filter(|&pair| {
+        let [x, y] = frame.place(pair);
+        worn[pair] > 0.0 || x.hypot(y) < stick_radius
+    });
+    let scar_radius = (touched.count() as f64 * frame.element_area() / PI).sqrt();
+    println!("scar {} depth {} volume {} pc {}", scar_radius / end.scar_radius, depth(state) / end.greatest_depth(), frame.integrate(&worn)/end.volume(), frame.at_centre(&state.pressure)/ end.pressure(0.0));
+    assert_relative_eq!(scar_radius, end.scar_radius, max_relative = 0.01);
 
     // The stick zone that the shift leaves by Mindlin is 0.6 of the contact at first and a little wider as
     // the bodies come closer.

@@ -11,11 +11,13 @@ use archard::simulation::{Effort, Simulation};
 
 use crate::common::{case, depth, states};
 
-fn press(options: &[&str]) -> Simulation {
+/// The published case on 20 x 20 elements, with so many increments and cycles and what else its motion says.
+fn press(increments: usize, cycles: usize, rest: &str, options: &[&str]) -> Simulation {
     let case_file = include_str!("../../../../cases/punch_fretting/case.toml");
-    let elements = "frame.elements=[20, 20]";
-    let without = "motion.indentation.tolerance=";
-    case(case_file, &[&[elements, without], options].concat())
+    let motion = format!(
+        r#"motion={{indentation={{approach="0.07 mm", release="free", increments={increments}, cycles={cycles}{rest}}}}}"#
+    );
+    case(case_file, &[&["frame.elements=[20, 20]", &motion], options].concat())
 }
 
 /// Worn depth (m) and volume (m^3) at the outputs, and what the run took.
@@ -24,10 +26,9 @@ struct Run {
     effort: Effort,
 }
 
-fn run(options: &[&str]) -> Run {
-    let simulation = press(options);
+fn run(simulation: &Simulation) -> Run {
     let frame = &simulation.problem.frame;
-    let states = states(&simulation).expect("it converges");
+    let states = states(simulation).expect("it converges");
     let outputs = states.iter().filter(|(state, _, due)| *due && state.progress > 0.0);
     Run {
         worn: outputs.map(|(state, ..)| [depth(state), frame.integrate(&state.worn[1])]).collect(),
@@ -36,7 +37,12 @@ fn run(options: &[&str]) -> Run {
 }
 
 /// 500 cycles of 20 increments without jumps, with ten outputs.
-static EVERY_CYCLE: LazyLock<Run> = LazyLock::new(|| run(&[]));
+static EVERY_CYCLE: LazyLock<Run> = LazyLock::new(|| run(&press(20, 500, "", &[])));
+
+/// The same with jumps over cycles by their error.
+fn jumping(tolerance: f64) -> Run {
+    run(&press(20, 500, &format!(", tolerance={tolerance}"), &[]))
+}
 
 /// The largest relative difference of depths and of volumes at the outputs.
 fn off(run: &Run) -> [f64; 2] {
@@ -60,7 +66,7 @@ fn ten_thousand_increments_take_few_applications() {
 /// Jumps chosen by error: depth and volume meet those of every cycle at every output, in few cycles.
 #[test]
 fn jumps_meet_the_run_of_every_cycle() {
-    let jumps = run(&["motion.indentation.tolerance=0.01"]);
+    let jumps = jumping(0.01);
     let [depth, volume] = off(&jumps);
     println!("0.01: {depth} {volume} {:?}", jumps.effort);
     assert!(depth < 0.01 && volume < 0.01, "{depth:e} and {volume:e}");
@@ -73,7 +79,7 @@ fn jumps_meet_the_run_of_every_cycle() {
 fn tolerances_are_honest() {
     let tolerances = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3];
     let errors = tolerances.map(|tolerance| {
-        let jumps = run(&[&format!("motion.indentation.tolerance={tolerance}")]);
+        let jumps = jumping(tolerance);
         let [depth, volume] = off(&jumps);
         println!("{tolerance}: {depth} {volume} {:?}", jumps.effort);
         depth.max(volume)
@@ -87,10 +93,8 @@ fn tolerances_are_honest() {
 /// The paper's iteration on the same increments to the same tolerance, 1e-6, takes many more applications.
 #[test]
 fn uzawa_takes_many_more_applications() {
-    let few = ["motion.indentation.cycles=1", "output="];
     let applications = |options: &[&str]| {
-        let states = states(&press(&[&few[..], options].concat())).expect("it converges");
-        states.last().expect("a state").1.applications as f64
+        run(&press(20, 1, "", &[&["output="], options].concat())).effort.applications as f64
     };
     let newton = applications(&[]);
     let uzawa = applications(&[
@@ -105,8 +109,7 @@ fn uzawa_takes_many_more_applications() {
 #[test]
 fn increments_of_half_the_size_wear_the_same() {
     let [twenty, forty] = [20, 40].map(|increments| {
-        let increments = format!("motion.indentation.increments={increments}");
-        run(&[&increments, "motion.indentation.cycles=100", "output={every=50.0}"])
+        run(&press(increments, 100, "", &["output={every=50.0}"]))
     });
     for (twenty, forty) in twenty.worn.iter().zip(&forty.worn) {
         println!("{twenty:?} {forty:?}");
