@@ -2,6 +2,7 @@
 
 mod common;
 mod contracts {
+    mod friction;
     mod rolling;
     mod shift;
 }

@@ -100,7 +100,7 @@ fn forces_and_stick_zones_are_mindlins() {
 }
 
 /// Without a Poisson ratio nothing slips across the force and Mindlin's solution is the exact one: what is
-/// left is the grid, 1.5e-4 of the force on 128 elements.
+/// left is the grid: measured 5e-4 of the force on 32 elements, 1.4e-5 on 128.
 #[test]
 fn without_a_poisson_ratio_mindlin_is_exact() {
     let steel = archard::body::Material { young: 210e9, poisson: 0.0 };
@@ -114,8 +114,7 @@ fn without_a_poisson_ratio_mindlin_is_exact() {
         off.fold(0.0, |most: f64, off| most.max(off.abs()))
     };
     let [coarse, fine] = [32, 128].map(off);
-    println!("off {coarse:e} {fine:e}");
-    assert!(fine < 1.5e-4 && coarse < 2e-3, "{coarse:e} and {fine:e}");
+    assert!(fine < 3e-5 && coarse < 1e-3, "{coarse:e} and {fine:e}");
 }
 
 /// Friction takes the mean of the tractions before and after an increment; with 40 increments a cycle the
@@ -127,14 +126,13 @@ fn the_loop_encloses_the_energy() {
     let [shift, force] = ["shift_x_m", "force_x_N"].map(|name| rows.column(name));
     let expected = contact().dissipation(FORCE);
     assert_relative_eq!(rows.last("dissipated_J"), expected, max_relative = 0.01);
-    // What is dissipated is the work of the force on the shift, to the error of the friction solver.
+    // What is dissipated is the work of the force on the shift.
     let second = cycle.iter().position(|&cycle| cycle == 1.0).expect("the end of the first cycle");
     let work: f64 = (second + 1..cycle.len())
         .map(|row| 0.5 * (force[row] + force[row - 1]) * (shift[row] - shift[row - 1]))
         .sum();
-    println!("{work} {}", rows.last("dissipated_J"));
-    // The second loop is not quite closed yet: see below.
-    assert_relative_eq!(work, rows.last("dissipated_J"), max_relative = 1e-4);
+    // The second loop is not quite closed yet, by 3e-6 of the force: see `loops_close`.
+    assert_relative_eq!(work, rows.last("dissipated_J"), max_relative = 1e-5);
 }
 
 fn contact_at(elements: usize, motion: &str) -> (ContactProblem, Vec<ContactState>) {
@@ -144,7 +142,8 @@ fn contact_at(elements: usize, motion: &str) -> (ContactProblem, Vec<ContactStat
 }
 
 /// The tractions at +Q and at rest on the way back, away from the edges of contact and stick, where they
-/// have infinite slopes: within 1 % of mu p0.
+/// have infinite slopes: within 0.2 % of mu p0. Across the force tractions only hold what would slip that way, up
+/// to 0.09 mu p0 in places that have slipped.
 #[test]
 fn tractions_are_mindlins() {
     let motion = format!("amplitude = [\"{SHIFT}\", \"0 um\"]");
@@ -173,11 +172,10 @@ fn tractions_are_mindlins() {
             let off = (tangential.traction[0][pair] - expected).abs() / limit;
             if edges.iter().all(|edge| (edge - r).abs() > 2.0 * element) {
                 most = most.max(off);
-                assert!(off < 0.01, "{off} at {r} of {edges:?}");
+                assert!(off < 2e-3, "{off} at {r} of {edges:?}");
             }
             across = across.max(tangential.traction[1][pair].abs() / limit);
         }
-        println!("across {across} along {most}");
         assert!(across < 0.1, "{across}");
     }
 }
@@ -205,7 +203,6 @@ fn loops_close() {
     }
     let cycles = quarters(0.3);
     let moved: Vec<f64> = cycles.windows(2).map(|pair| apart(&pair[0], &pair[1])).collect();
-    println!("{moved:?}");
     assert!(moved[1] < 1e-5 && moved[8] < 1e-7, "{moved:?}");
     assert!(moved.windows(2).all(|pair| pair[1] < 0.7 * pair[0]), "{moved:?}");
 }
@@ -256,7 +253,8 @@ fn the_direction_of_the_shift_makes_no_difference() {
 }
 
 /// Round a circle: the force turns with the shift, a quarter of the path later it is the same turned by a
-/// right angle; the path closes and dissipates the work done.
+/// right angle; the path closes and dissipates the work done. After two rounds it still moves by 2e-5 of the
+/// force from one to the next, as straight paths do.
 #[test]
 fn a_circular_path_turns_the_force() {
     let amplitude = format!("amplitude = [\"{SHIFT}\", \"{SHIFT}\"]");
@@ -275,7 +273,6 @@ fn a_circular_path_turns_the_force() {
     });
     let turned = off.fold(0.0, f64::max);
     let closed = (force[last][0] - force[last - 20][0]).hypot(force[last][1] - force[last - 20][1]);
-    println!("turned {turned:e} closed {:e}", closed / largest);
     assert!(turned < 1e-4 && closed < 1e-4 * largest, "{turned:e} and {closed:e}");
     let work: f64 = (last - 19..=last)
         .map(|row| {
@@ -286,7 +283,6 @@ fn a_circular_path_turns_the_force() {
             along(0) + along(1)
         })
         .sum();
-    println!("{work} {}", rows.last("dissipated_J"));
     assert!(work > contact().dissipation(FORCE));
-    assert_relative_eq!(work, rows.last("dissipated_J"), max_relative = 1e-3);
+    assert_relative_eq!(work, rows.last("dissipated_J"), max_relative = 1e-4);
 }

@@ -25,7 +25,8 @@ fn along(table: &str, increments: usize, poisson: f64) -> (ContactProblem, Vec<C
 
 /// From 5 N on load and force rise together, the force 0.2 times as fast, less than mu = 0.3: nothing
 /// slips, and each increment of the pressures brings 0.2 of itself as traction, under which a circle moves
-/// (1 - nu/2) / (1 - nu) times as far as under the pressure.
+/// (1 - nu/2) / (1 - nu) times as far as under the pressure. Pairs that close within an increment are held over all
+/// of it, which makes their tractions 1 % of mu p0 too large, and 1 % of the pairs reach the limit.
 #[test]
 fn an_oblique_force_within_friction_makes_nothing_slip() {
     let table = "time_s,load_N,force_x_N\n0,5,0\n1,10.2,1.04\n";
@@ -44,10 +45,9 @@ fn an_oblique_force_within_friction_makes_nothing_slip() {
         let contact = last.pairs_in_contact() as f64 * problem.frame.element_area();
         let ratio = (1.0 - poisson / 2.0) / (1.0 - poisson);
         let expected = 0.2 * ratio * (last.approach - first.approach);
-        println!("nu {poisson}: off {most} stick {} shift {}", stick / contact, tangential.shift[0] / expected - 1.0);
-        assert!(most < 0.03, "{most}");
-        assert!(stick > 0.97 * contact, "{}", stick / contact);
-        assert_relative_eq!(tangential.shift[0], expected, max_relative = 5e-3);
+        assert!(most < 0.02, "{most}");
+        assert!(stick > 0.98 * contact, "{}", stick / contact);
+        assert_relative_eq!(tangential.shift[0], expected, max_relative = 2e-3);
     }
 }
 
@@ -66,9 +66,8 @@ fn a_table_of_an_oscillation_is_the_oscillation() {
     let (problem, found) = along(&table, 1, 0.3);
     assert_eq!(known.len(), found.len());
     for ((known, ..), found) in known.iter().zip(&found) {
-        let [known, found] = [known, found].map(|state| {
-            state.tangential.as_ref().expect("friction").force(&problem.frame)[0]
-        });
+        let [known, found] = [known, found]
+            .map(|state| state.tangential.as_ref().expect("friction").force(&problem.frame)[0]);
         assert_relative_eq!(known, found, epsilon = 1e-6);
     }
 }

@@ -38,7 +38,6 @@ fn increments_hardly_matter() {
         let rows = indent(&[&format!("motion.indentation.increments={increments}")]);
         ["load_N", "centre_pressure_Pa", "dissipated_J"].map(|column| rows.last(column))
     });
-    println!("{ends:?}");
     let [ten, twenty, forty] = ends;
     assert_relative_eq!(ten[0], forty[0], max_relative = 2e-4);
     assert_relative_eq!(twenty[0], forty[0], max_relative = 1e-4);

@@ -45,18 +45,17 @@ fn rates(elements: usize) -> [(f64, f64); 3] {
 /// Wear coefficient of the case (1/Pa).
 const COEFFICIENT: f64 = 1e-13;
 
-/// Measured: 0.05, 0.04 and 0.07 % low on 64 elements; 0.02 % or less on 128.
+/// Measured: 0.05, 0.04 and 0.07 % low on 64 elements; 0.01 % off or less on 127.
 #[test]
 fn pressures_even_out_at_the_rates_of_the_modes() {
-    for (elements, bounds) in [(64, [1e-3, 1e-3, 2e-3]), (127, [5e-4, 1e-3, 2e-3])] {
-        for ((found, known), bound) in rates(elements).into_iter().zip(bounds) {
-            println!("{elements} {found} {known} {}", found / known - 1.0);
+    for (elements, bound) in [(64, 1e-3), (127, 2e-4)] {
+        for (found, known) in rates(elements) {
             assert_relative_eq!(found, known, max_relative = bound);
         }
     }
 }
 
-/// In the end the pressure is even, and each body of the block under the punch sinks by k p a metre.
+/// In the end the pressure is even, and what is worn is k F s.
 #[test]
 fn a_punch_that_has_run_in_presses_evenly() {
     let case_file = include_str!("../../../../cases/running_in_flat_punch/case.toml");

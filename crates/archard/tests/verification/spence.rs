@@ -34,7 +34,7 @@ const LOADS: [f64; 3] = [1.0274, 1.0389, 1.0445];
 /// Radius of stick over radius of contact within one element of the contact's 33 across. At a given
 /// approach the load is within 0.2 % of Spence's: the reference gives it for a contact radius, on
 /// which the approach depends too; `closed_form::spence` gives both and agrees with the reference. The load
-/// of a frictionless sphere on this grid is 0.02 % off.
+/// of the program is 0.02 to 0.03 % high.
 #[test]
 fn stick_zones_and_loads_are_spences() {
     for (row, (poisson, stick_ratio, friction)) in TABLE.into_iter().enumerate() {
@@ -46,16 +46,14 @@ fn stick_zones_and_loads_are_spences() {
             assert_relative_eq!(known.relative_load, *load, max_relative = 2e-4);
         }
         let rows = indent(friction, poisson);
-        let [stick, contact] = ["stick_area_m2", "contact_area_m2"]
-            .map(|column| (rows.last(column) / PI).sqrt());
-        println!("{} {}", stick / contact, known.stick_ratio);
+        let [stick, contact] =
+            ["stick_area_m2", "contact_area_m2"].map(|column| (rows.last(column) / PI).sqrt());
         assert!((stick - stick_ratio * contact).abs() < ELEMENT, "{}", stick / contact);
 
         // Without friction approach and load at a radius a are a^2/R and 4 E* a^3 / (3 R).
         let radius = (RADIUS * APPROACH / known.relative_approach).sqrt();
         let modulus = 210e9 / (1.0 - poisson * poisson);
         let load = known.relative_load * 4.0 / 3.0 * modulus * radius.powi(3) / RADIUS;
-        println!("{:e}", rows.last("load_N") / load - 1.0);
         assert_relative_eq!(rows.last("load_N"), load, max_relative = 2e-3);
         assert!((contact - radius).abs() < ELEMENT, "{contact} for {radius}");
     }
