@@ -187,11 +187,7 @@ impl Values {
 
     /// The one of the two that was given, as `(first, None)` or `(None, second)`; an error if both or
     /// neither were.
-    pub fn one_of(
-        &self,
-        first: &'static str,
-        second: &'static str,
-    ) -> Result<OneOf<f64>, Invalid> {
+    pub fn one_of(&self, first: &'static str, second: &'static str) -> Result<OneOf<f64>, Invalid> {
         only_one([(first, self.number(first)), (second, self.number(second))])
     }
 

@@ -81,7 +81,10 @@ fn heading(title: &str, path: &Path, known: &[(&str, Quantity)]) -> Result<(Stri
     let named = named.max_by_key(|(name, _)| name.len());
     let split = match named {
         Some((name, _)) => Some((&title[..name.len()], title[name.len()..].trim())),
-        None => title.find(['(', '[']).or_else(|| title.find('_')).map(|at| (&title[..at], &title[at..])),
+        None => title
+            .find(['(', '['])
+            .or_else(|| title.find('_'))
+            .map(|at| (&title[..at], &title[at..])),
     };
     let measure = match named {
         Some((_, quantity)) => measure(*quantity, &Values::default()).unwrap_or(Measure::NUMBER),

@@ -18,7 +18,11 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             "by how much the oscillation along y is ahead of that along x; 0 if not given",
         )
         .bound(Bound::Any),
-        Parameter::optional("load_amplitude", Quantity::Force, "amplitude of the load; 0 if not given"),
+        Parameter::optional(
+            "load_amplitude",
+            Quantity::Force,
+            "amplitude of the load; 0 if not given",
+        ),
         Parameter::optional(
             "load_phase",
             Quantity::Angle,
@@ -42,6 +46,7 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             cycle: (1..=count).map(|index| wave.station(index)).collect(),
             places: (1..=count).map(|index| index as f64 / count as f64).collect(),
             released: false,
+            end_pressure: false,
             progress: CYCLES,
         };
         Ok(Motion {
@@ -138,8 +143,8 @@ impl Wave {
         let share = |index: usize| index as f64 / count as f64;
         let press = (1..=count).map(|index| unmoved.share(share(index)));
         let moved = if start.guides == unmoved.guides { 0 } else { count };
-        let shift = (1..=moved)
-            .map(|index| Station { guides: start.share(share(index)).guides, ..start });
+        let shift =
+            (1..=moved).map(|index| Station { guides: start.share(share(index)).guides, ..start });
         press.chain(shift).collect()
     }
 }

@@ -17,6 +17,11 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             Quantity::Word(&["free", "rubbing"]),
             "how a cycle ends: taken apart without rubbing (free, the default) or unloaded in increments",
         ),
+        Parameter::optional(
+            "rubbing",
+            Quantity::Word(&["mean", "end"]),
+            "which pressure of an increment rubs: the mean, over the slip in contact (the default), or that at its end over all the slip, as in the paper",
+        ),
         JUMP,
         JUMP_TOLERANCE,
     ],
@@ -35,6 +40,7 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             places: (1..=steps).map(|step| step as f64 / steps as f64).collect(),
             cycle,
             released: true,
+            end_pressure: values.word("rubbing") == Some("end"),
             progress: if cycles.is_some() { CYCLES } else { SHARE },
         };
         Ok(Motion {

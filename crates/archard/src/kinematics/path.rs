@@ -64,7 +64,8 @@ impl Path {
             let known = known.join(", ");
             return Err(format!("the column `{name}` is not known; known here: {known}"));
         }
-        let column = |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
+        let column =
+            |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
         let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
             (Some(_), Some(_)) => {
                 Err(format!("the columns `{one}` and `{other}` exclude each other: keep one"))
@@ -116,7 +117,7 @@ impl Path {
         let first = self.stations[0];
         let rests = first == first.share(0.0);
         let lead = if rests { vec![] } else { lead(first) };
-        Shift { lead, cycle, places, released: false, progress: TIME }
+        Shift { lead, cycle, places, released: false, end_pressure: false, progress: TIME }
     }
 }
 

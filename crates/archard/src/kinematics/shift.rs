@@ -50,6 +50,9 @@ pub struct Shift {
     pub places: Vec<f64>,
     /// Whether the bodies are taken apart before each cycle, without rubbing.
     pub released: bool,
+    /// Whether all that a pair slips in an increment rubs under the pressure at its end, as in the paper's
+    /// eqs. 48 and 53, instead of what it slips in contact under the mean pressure.
+    pub end_pressure: bool,
     /// What progress is called.
     pub progress: Progress,
 }

@@ -83,8 +83,8 @@ fn shift_columns(report: &Report<'_>, shift: &Shift) -> Vec<(String, f64)> {
     let [shift_x, shift_y] = tangential.map_or([0.0; 2], |tangential| tangential.shift);
     let [force_x, force_y] =
         tangential.map_or([0.0; 2], |tangential| tangential.force(&problem.frame));
-    let stick = tangential
-        .map_or(0.0, |tangential| tangential.stick_area(problem, &state.pressure));
+    let stick =
+        tangential.map_or(0.0, |tangential| tangential.stick_area(problem, &state.pressure));
     let mut columns = vec![
         ("shift_x_m", shift_x),
         ("shift_y_m", shift_y),

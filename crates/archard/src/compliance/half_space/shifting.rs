@@ -46,8 +46,7 @@ impl SlipMap for Shifting<'_> {
         for (tractions, slip) in [one, two].into_iter().zip(slip) {
             for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
                 let rest = (1.0 - roots[pair] * roots[pair]) * rub.slip[pair];
-                *traction =
-                    roots[pair] * *traction + rest * slip / (rub.diagonal[pair] + self.own);
+                *traction = roots[pair] * *traction + rest * slip / (rub.diagonal[pair] + self.own);
             }
         }
     }

@@ -19,8 +19,8 @@ pub(super) struct Rate {
     /// The contact at the most pressed instant.
     reference: Chain,
     control: Control,
-    /// Whether pairs in contact stuck throughout the cycle.
-    pub sticks: bool,
+    /// Ones where pairs in contact stuck throughout the cycle, zeros elsewhere.
+    pub stuck: Vec<f64>,
 }
 
 /// What a cycle does, in terms of the pressures of its most pressed instant; fields have one value a pair.
@@ -49,11 +49,15 @@ pub(super) struct Wear {
 }
 
 impl Wear {
-    /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear.
-    pub fn since(&self, earlier: &Wear) -> f64 {
+    /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear: over all, and
+    /// over those that stuck in one of two cycles and not in the other.
+    pub fn since(&self, earlier: &Wear, stuck: [&[f64]; 2]) -> [f64; 2] {
         let ([a, b], [c, d]) = (&self.worn, &earlier.worn);
-        let [squares] = sum([a, b, c, d], |[a, b, c, d]| [(a + b - c - d).powi(2)]);
-        squares.sqrt()
+        sum([a, b, c, d, stuck[0], stuck[1]], |[a, b, c, d, one, other]| {
+            let square = (a + b - c - d).powi(2);
+            [square, square * (one - other).abs()]
+        })
+        .map(f64::sqrt)
     }
 
     /// 2-norm over the pairs of the depth (m) worn off both bodies.
@@ -69,16 +73,23 @@ impl Rate {
         let pressure = &reference.chain.state.pressure;
         let elements = problem.frame.elements();
         let per_pressure = |field: &Vec<f64>| -> Vec<f64> {
-            let quotient = map([field, pressure], |[value, pressure]| {
-                if pressure > 0.0 { value / pressure } else { 0.0 }
-            });
+            let quotient =
+                map(
+                    [field, pressure],
+                    |[value, pressure]| {
+                        if pressure > 0.0 { value / pressure } else { 0.0 }
+                    },
+                );
             spread(quotient, pressure, elements)
         };
         let constant = [0, 1].map(|body| {
             let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
-            map([depths, slopes, pressure], |[depth, slope, pressure]| {
-                if pressure > 0.0 { depth - slope } else { depth }
-            })
+            map(
+                [depths, slopes, pressure],
+                |[depth, slope, pressure]| {
+                    if pressure > 0.0 { depth - slope } else { depth }
+                },
+            )
         });
         let couples = problem.compliance.couples();
         let opened = if couples {
@@ -86,7 +97,9 @@ impl Rate {
         } else {
             vec![0.0; pressure.len()]
         };
-        let sticks = |(pressure, slip): (&f64, &f64)| *pressure > 0.0 && *slip == 0.0;
+        let stuck = map([pressure, &rig.rubbed.slip], |[pressure, slip]| {
+            f64::from(pressure > 0.0 && slip == 0.0)
+        });
         Self {
             line: Line {
                 constant,
@@ -95,8 +108,7 @@ impl Rate {
                 slip: per_pressure(&rig.rubbed.work),
                 dissipated: rig.rubbed.dissipated,
             },
-            sticks: problem.friction.is_some()
-                && pressure.iter().zip(&rig.rubbed.slip).any(sticks),
+            stuck,
             reference: reference.chain,
             control,
         }
@@ -122,8 +134,7 @@ impl Rate {
         let (mut changed, mut made) = (0.0, 0.0);
         for step in 0..steps {
             let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
-            let slope =
-                map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
+            let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
             let undeformed = chain.undeformed_gap(problem);
             let gap = map(
                 [&undeformed, &line.opened, &line.constant[0], &line.constant[1]],

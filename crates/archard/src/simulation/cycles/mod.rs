@@ -146,14 +146,13 @@ impl<'a> Cycles<'a> {
                 0 => (foreseen.clone(), 0.0),
                 _ => self.jump([&rate, &next], &start, (length, steps))?,
             };
-            let tried = Tried {
-                length,
-                made: corrected.since(&start),
-                off: corrected.since(&foreseen),
-                lag: Stride::lag(change, steps),
-                turned: rate.sticks != next.sticks,
-                done: before.done,
-            };
+            let stuck = [&rate.stuck[..], &next.stuck];
+            let [off, flipped] = corrected.since(&foreseen, stuck);
+            let [made, _] = corrected.since(&start, stuck);
+            let lag = Stride::lag(change, steps);
+            let sticks = stuck.map(|stuck| stuck.iter().any(|&stuck| stuck > 0.0));
+            let turned = sticks[0] != sticks[1];
+            let tried = Tried { length, made, off, flipped, lag, turned, done: before.done };
             if !stride.judge(tried) {
                 self.position = before;
                 self.effort.rejected += 1;

@@ -49,15 +49,12 @@ impl Rig {
         let zeros = || vec![0.0; pairs];
         let mut chain = Chain::new(problem);
         let moves = problem.kinematics.shift().is_some_and(Shift::moves);
-        chain.state.tangential = (moves || problem.friction.is_some() || problem.wears()).then(|| {
-            let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
-            Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
-        });
-        Self {
-            chain,
-            strained: [zeros(), zeros()],
-            rubbed: Rubbed::none(pairs),
-        }
+        chain.state.tangential =
+            (moves || problem.friction.is_some() || problem.wears()).then(|| {
+                let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
+                Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
+            });
+        Self { chain, strained: [zeros(), zeros()], rubbed: Rubbed::none(pairs) }
     }
 
     /// Takes the bodies apart without rubbing.
@@ -189,7 +186,11 @@ impl Rig {
 
     /// Slip (m) before any tangential traction, with the strains of the pressures taken off, and the
     /// directions in which a force is given.
-    pub fn rigid_slip(&self, station: Station, pressed: Option<&VectorField>) -> ([Vec<f64>; 2], Vec<Held>) {
+    pub fn rigid_slip(
+        &self,
+        station: Station,
+        pressed: Option<&VectorField>,
+    ) -> ([Vec<f64>; 2], Vec<Held>) {
         let shift = self.shift();
         let rigid = [0, 1].map(|axis| {
             let moved = match station.guides[axis] {
@@ -250,7 +251,8 @@ impl Rig {
             self.strained = [pressed.t1.clone(), pressed.t2.clone()];
             let shift = self.shifted(station, &[]);
             let creepage = [0.0; 2];
-            self.chain.state.tangential = Some(Tangential { traction, slip: rigid, creepage, shift });
+            self.chain.state.tangential =
+                Some(Tangential { traction, slip: rigid, creepage, shift });
             return Ok(Found::default());
         };
         let limits = |pressure: &[f64]| -> Vec<f64> {
@@ -301,7 +303,8 @@ impl Rig {
             map([&self.strained[axis], &strained[axis]], |[before, after]| moved + before - after)
         });
         self.strained = strained;
-        self.chain.state.tangential = Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
+        self.chain.state.tangential =
+            Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
     }
 }
 

@@ -66,7 +66,13 @@ impl Stroke {
         let tangential = after.tangential.as_ref()?;
         let pressures = states.map(|state| state.pressure[pair]);
         let own = problem.compliance.normal_self_term();
-        let share = under_pressure(pressures, states.map(|state| state.gap[pair]), own);
+        let gaps = states.map(|state| state.gap[pair]);
+        let (share, pressure) =
+            if problem.kinematics.shift().is_some_and(|shift| shift.end_pressure) {
+                (f64::from(pressures[1] > 0.0), pressures[1])
+            } else {
+                (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))
+            };
         if share == 0.0 || tangential.sticks(problem, &after.pressure, pair) {
             return None;
         }
@@ -77,10 +83,7 @@ impl Stroke {
             0.5 * (earlier + tangential.traction[axis][pair])
         };
         Some(Self {
-            rubbing: Rubbing {
-                pressure: 0.5 * (pressures[0] + pressures[1]),
-                slip: slip[0].hypot(slip[1]),
-            },
+            rubbing: Rubbing { pressure, slip: slip[0].hypot(slip[1]) },
             dissipated: traction(0) * slip[0] + traction(1) * slip[1],
         })
     }

@@ -5,7 +5,9 @@
 //! together: gap = undeformed gap - approach + (C L)_n and slip = rigid slip - (C L)_t, with L the
 //! tractions of all three directions and limits that follow from the pressures.
 
+mod border;
 mod linear;
+mod regime;
 mod state;
 
 use super::{Settings, Status};
@@ -83,7 +85,7 @@ pub(super) fn solve(step: &Step<'_>, start: &Solution, settings: Settings) -> Ou
         count += 1;
         let mut linear = Linear::about(&state, step);
         let tolerance = linear.tolerance(&last, state.residual, settings.tolerance);
-        last.clone_from(&linear.touching);
+        last.clone_from(&linear.regime.touch);
         let change = linear.solve(tolerance);
         applications += linear.applications;
         let Some(next) = shorten(&state, &change, step) else { break };
@@ -96,7 +98,7 @@ pub(super) fn solve(step: &Step<'_>, start: &Solution, settings: Settings) -> Ou
         (true, true) => Status::FrameFull,
         (false, _) => Status::OutOfIterations,
     };
-    state.finish(step, status, count, applications)
+    state.finish(status, count, applications)
 }
 
 /// The state after as much of a change as lowers the residual; `None` where hardly any does.

@@ -21,10 +21,7 @@ pub(super) struct State {
 
 impl State {
     pub fn new(step: &Step<'_>, start: &Solution) -> Self {
-        let own = [
-            step.compliance.normal_self_term(),
-            step.compliance.shifting(step.frame).own(),
-        ];
+        let own = [step.compliance.normal_self_term(), step.compliance.shifting(step.frame).own()];
         let mut solution = start.clone();
         solution.found.resize(step.held.len(), 0.0);
         if let Control::Approach(approach) = step.control {
@@ -122,13 +119,8 @@ impl State {
             .max(relative(force, held * area))
     }
 
-    pub fn finish(
-        self,
-        _step: &Step<'_>,
-        status: Status,
-        iterations: usize,
-        applications: usize,
-    ) -> Outcome {
+    /// The state as an outcome.
+    pub fn finish(self, status: Status, iterations: usize, applications: usize) -> Outcome {
         let Self { mut solution, gap, slip, residual, .. } = self;
         for n in &mut solution.traction.n {
             // Pressures that are rounding.

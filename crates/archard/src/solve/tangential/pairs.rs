@@ -138,7 +138,8 @@ impl<'a> Pairs<'a> {
         };
         state.slip = self.rigid.iter().zip(&taken).map(|(rigid, taken)| rigid - taken).collect();
         for (found, held) in state.found.iter().zip(self.step.held) {
-            for (slip, unit) in state.slip.chunks_mut(self.places.len().max(1)).zip(held.direction) {
+            for (slip, unit) in state.slip.chunks_mut(self.places.len().max(1)).zip(held.direction)
+            {
                 slip.iter_mut().for_each(|slip| *slip += found * unit);
             }
         }
