@@ -81,7 +81,8 @@ fn expected(file: &str) -> Vec<Expected> {
 }
 
 /// Columns without a unit.
-const PURE: [&str; 4] = ["revolutions", "share", "creepage", "lateral_creepage"];
+const PURE: [&str; 6] =
+    ["revolutions", "share", "cycle", "true_cycles", "creepage", "lateral_creepage"];
 
 /// What a column holds, by the unit at the end of its name; `None` for a pure number.
 fn measure(column: &str) -> Option<Measure> {
@@ -92,7 +93,7 @@ fn measure(column: &str) -> Option<Measure> {
         Some("m3") => Measure::length_to_the(3.0),
         Some("Pa") => Measure::PRESSURE,
         Some("N") => Measure::FORCE,
-        Some("Nm") => Measure { dimension: Dimension::ENERGY, ..Measure::FORCE },
+        Some("Nm" | "J") => Measure { dimension: Dimension::ENERGY, ..Measure::FORCE },
         _ => panic!("the column `{column}` has no unit known here"),
     };
     Some(measure)

@@ -2,7 +2,9 @@
 
 mod common;
 mod contracts {
+    mod friction;
     mod rolling;
+    mod shift;
 }
 
 use approx::assert_relative_eq;
@@ -25,6 +27,7 @@ const PROFILE_EXAMPLES: Examples = &[
     ("cylinder", &[("radius", 0.01)]),
     ("disc", &[("radius", 0.0325), ("crown", 0.125)]),
     ("flat", &[]),
+    ("flat_end", &[("radius", 0.001)]),
     ("power", &[("coefficient", 0.005), ("exponent", 2.0)]),
 ];
 /// Profiles that need more than numbers, tested beside their code.
@@ -35,12 +38,16 @@ const WEAR_EXAMPLES: Examples =
 
 const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
+    ("indentation", &[("load", 10.2), ("increments", 5.0), ("cycles", 20.0), ("jump", 4.0)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("step", 0.005)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("tolerance", 1e-3)]),
     ("rolling", &[("load", 300.0), ("creepage", 5e-3), ("revolutions", 3e4), ("step", 100.0)]),
     ("rolling", &[("load", 300.0), ("force", -90.0), ("revolutions", 3e4), ("tolerance", 3e-3)]),
     ("creepage_sweep", &[("load", 300.0), ("spin", 0.2), ("increments", 5.0)]),
 ];
+
+/// Motions that need more than numbers: see `contracts/shift.rs`.
+const OTHER_MOTIONS: &[&str] = &["fretting", "path"];
 
 fn all_have_examples<T>(list: &[Choice<T>], examples: Examples, others: &[&str]) {
     for choice in list {
@@ -93,7 +100,7 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
 
 #[test]
 fn motions_go_somewhere() {
-    all_have_examples(MOTIONS, MOTION_EXAMPLES, &[]);
+    all_have_examples(MOTIONS, MOTION_EXAMPLES, OTHER_MOTIONS);
     for (name, numbers) in MOTION_EXAMPLES {
         let motion = choose(MOTIONS, name, numbers);
         assert!(motion.extent > 0.0, "{name}");

@@ -3,12 +3,19 @@
 mod common;
 
 mod verification {
+    mod cattaneo_mindlin;
     mod compliance;
+    mod fretting_wear;
     mod hertz;
+    mod loading_paths;
     mod own_wear_law;
     mod pin_on_disc;
+    mod punch;
+    mod punch_cycles;
     mod rolling;
     mod rough;
+    mod running_in;
     mod similarity;
+    mod spence;
     mod step_by_error;
 }

@@ -14,7 +14,7 @@ use proptest::prelude::*;
 use crate::common::{Ball, STEEL, at_rest, choose, solver};
 use crate::{Examples, all_have_examples};
 
-const FRICTION_EXAMPLES: Examples =
+pub const FRICTION_EXAMPLES: Examples =
     &[("coulomb", &[("coefficient", 0.6)]), ("coulomb", &[("coefficient", 0.0)])];
 
 const DIRECTIONS: [Direction; 4] = [
@@ -25,17 +25,17 @@ const DIRECTIONS: [Direction; 4] = [
 ];
 
 /// Something softer than steel.
-const BRASS: Material = Material { young: 100e9, poisson: 0.35 };
+pub const BRASS: Material = Material { young: 100e9, poisson: 0.35 };
 
 /// Elements of the small frame, and their number.
 const ELEMENTS: [usize; 2] = [7, 6];
-const PAIRS: usize = 42;
+pub const PAIRS: usize = 42;
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-fn norm(fields: [&[f64]; 2]) -> f64 {
+pub fn norm(fields: [&[f64]; 2]) -> f64 {
     (dot(fields[0], fields[0]) + dot(fields[1], fields[1])).sqrt()
 }
 
@@ -73,18 +73,18 @@ proptest! {
     }
 }
 
-fn small_frame() -> ContactFrame {
+pub fn small_frame() -> ContactFrame {
     let ball = Ball { size: [1.2e-3, 0.9e-3], elements: ELEMENTS, ..Ball::pin_on_disc(1) };
     ball.problem().frame
 }
 
 /// Compliances of bodies alike, unlike, and one of them rigid.
-fn compliances(frame: &ContactFrame) -> [HalfSpace; 3] {
+pub fn compliances(frame: &ContactFrame) -> [HalfSpace; 3] {
     [[Some(&STEEL), Some(&STEEL)], [Some(&STEEL), Some(&BRASS)], [Some(&STEEL), None]]
         .map(|materials| HalfSpace::new(materials, frame))
 }
 
-fn apply(map: &dyn SlipMap, tractions: &[Vec<f64>; 2]) -> [Vec<f64>; 2] {
+pub fn apply(map: &dyn SlipMap, tractions: &[Vec<f64>; 2]) -> [Vec<f64>; 2] {
     let mut slip = [vec![0.0; PAIRS], vec![0.0; PAIRS]];
     let [one, two] = &mut slip;
     map.apply([&tractions[0], &tractions[1]], [one, two]);
@@ -106,7 +106,7 @@ fn inside(numbers: &[f64]) -> [Vec<f64>; 2] {
 
 /// A compliance that knows nothing of rolling.
 #[derive(Debug)]
-struct Plain<'a>(&'a HalfSpace);
+pub struct Plain<'a>(pub &'a HalfSpace);
 
 impl Compliance for Plain<'_> {
     fn apply(&self, tractions: &VectorField) -> VectorField {
@@ -134,7 +134,7 @@ fn for_each_map(frame: &ContactFrame, mut show: impl FnMut(&dyn SlipMap, Directi
 }
 
 /// Numbers between -1 and 1 without an order.
-fn arbitrary(seed: u32) -> Vec<f64> {
+pub fn arbitrary(seed: u32) -> Vec<f64> {
     (0..2 * PAIRS as u32).map(|i| f64::from(i * i + 17 * seed * (i + 3)).sin()).collect()
 }
 

@@ -7,6 +7,7 @@
 mod cylinder;
 mod disc;
 mod flat;
+mod flat_end;
 mod paraboloid;
 mod power;
 mod sphere;
@@ -37,6 +38,7 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     cylinder::CHOICE,
     disc::CHOICE,
     flat::CHOICE,
+    flat_end::CHOICE,
     power::CHOICE,
     table::CHOICE,
 ];
