@@ -25,8 +25,8 @@ fn along(table: &str, increments: usize, poisson: f64) -> (ContactProblem, Vec<C
 
 /// From 5 N on load and force rise together, the force 0.2 times as fast, less than mu = 0.3: nothing
 /// slips, and each increment of the pressures brings 0.2 of itself as traction, under which a circle moves
-/// (1 - nu/2) / (1 - nu) times as far as under the pressure. Pairs that close within an increment are held over all
-/// of it, which makes their tractions 1 % of mu p0 too large, and 1 % of the pairs reach the limit.
+/// (1 - nu/2) / (1 - nu) times as far as under the pressure. Pairs that close within an increment are held
+/// over all of it, which makes their tractions 1 % of mu p0 too large, and 1 % of the pairs reach the limit.
 #[test]
 fn an_oblique_force_within_friction_makes_nothing_slip() {
     let table = "time_s,load_N,force_x_N\n0,5,0\n1,10.2,1.04\n";

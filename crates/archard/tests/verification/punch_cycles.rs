@@ -67,21 +67,19 @@ fn jumps_meet_the_run_of_every_cycle() {
     assert!(jumps.effort.true_cycles <= 60, "{} cycles", jumps.effort.true_cycles);
 }
 
-/// Over five tolerances the error of the depth stays below the one asked for and shrinks with it. On so few
-/// elements eight pairs at the edge of the stick zone, of 230 that wear, stick or slip by the third digit of
-/// the depths and make half of the error of the volume, which may be 2.5 times the one asked for.
+/// Over five tolerances the errors of depth and volume stay below the one asked for, and the larger of them ends
+/// a tenth of what it was. From one tolerance to the next it may rise: eight pairs at the edge of the stick zone,
+/// of the 230 that wear, stick or slip by the third digit of the depths.
 #[test]
 fn tolerances_are_honest() {
     let tolerances = [1e-1, 3e-2, 1e-2, 3e-3, 1e-3];
     let errors = tolerances.map(|tolerance| {
         let jumps = press([20, 20, 500], &format!(", tolerance={tolerance}"), &[]);
-        off(&run(&jumps), &EVERY_CYCLE)
+        let [depth, volume] = off(&run(&jumps), &EVERY_CYCLE);
+        depth.max(volume)
     });
-    for ([depth, volume], tolerance) in errors.iter().zip(tolerances) {
-        assert!(*depth < tolerance && *volume < 2.5 * tolerance, "{errors:?}");
-    }
-    assert!(errors.windows(2).all(|pair| pair[1][0] < pair[0][0]), "{errors:?}");
-    assert!(errors[4][1] < 0.1 * errors[0][1], "{errors:?}");
+    assert!(errors.iter().zip(tolerances).all(|(error, asked)| *error < asked), "{errors:?}");
+    assert!(errors[4] < 0.1 * errors[0] && errors[3] < 0.1 * errors[1], "{errors:?}");
 }
 
 /// The paper's iteration on the same increments to the same tolerance, 1e-6, takes many more applications.
