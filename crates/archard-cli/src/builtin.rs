@@ -48,6 +48,10 @@ pub const CASES: &[Builtin] = &[
         name: "fretting_sphere",
         text: include_str!("../../../cases/fretting_sphere/case.toml"),
     },
+    Builtin {
+        name: "running_in_flat_punch",
+        text: include_str!("../../../cases/running_in_flat_punch/case.toml"),
+    },
 ];
 
 impl Builtin {
