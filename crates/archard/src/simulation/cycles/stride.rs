@@ -120,8 +120,8 @@ mod tests {
     fn errors_and_turns_shorten_them() {
         let mut stride = Stride::new(0.01);
         assert!(!stride.judge(Tried { length: 40, off: 0.2, ..GOOD }));
-        assert_eq!(stride.jump(100), 16);
-        assert!(!stride.judge(Tried { length: 16, turned: true, ..GOOD }));
+        assert_eq!(stride.jump(100), 8);
+        assert!(!stride.judge(Tried { length: 8, turned: true, ..GOOD }));
         assert!(stride.judge(Tried { length: 1, turned: true, ..GOOD }));
     }
 }
