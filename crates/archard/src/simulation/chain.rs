@@ -139,6 +139,13 @@ impl Chain {
         })
     }
 
+    /// Computes the displacement anew, where the pressures come from a solve that does not know it: that of
+    /// pressures and friction at once.
+    pub(super) fn find_displacement(&mut self, problem: &ContactProblem, effort: &mut Effort) {
+        effort.applications += 1;
+        problem.compliance.apply_normal(&self.state.pressure, &mut self.displacement);
+    }
+
     /// Takes a solution over.
     fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
         let Outcome { pressure, displacement, gap, approach, .. } = outcome;

@@ -127,6 +127,9 @@ impl Rate {
         let problem = &simulation.problem;
         let mut chain = self.reference.clone();
         chain.state.worn.clone_from(&start.worn);
+        if problem.compliance.couples() {
+            chain.find_displacement(problem, effort);
+        }
         let mut wear = start.clone();
         let progress = chain.state.progress;
         let leg = Leg { advance: 0.0, progress, control: self.control };

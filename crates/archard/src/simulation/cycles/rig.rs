@@ -105,8 +105,12 @@ impl Rig {
     ) -> Result<Settled, Error> {
         let leg = Leg { advance: 0.0, progress, control: station.control };
         if station.control == Control::Load(0.0) {
+            let shift = self.shifted(station, &[]);
             self.release(&simulation.problem);
             self.chain.state.progress = progress;
+            if let Some(tangential) = &mut self.chain.state.tangential {
+                tangential.shift = shift;
+            }
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;

@@ -112,6 +112,7 @@ impl Rig {
         let problem = &simulation.problem;
         let (before, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
         let mut opened = vec![0.0; problem.frame.len()];
+        self.chain.find_displacement(problem, effort);
         if before.is_some() {
             effort.applications += 1;
             opened = self.chain.opened_by_friction(problem);

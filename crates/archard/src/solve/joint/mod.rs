@@ -61,8 +61,6 @@ pub struct Outcome {
     pub solution: Solution,
     /// Gap (m), one value a pair.
     pub gap: Vec<f64>,
-    /// Slip (m) along t1 and t2, one value a pair, in contact or not.
-    pub slip: [Vec<f64>; 2],
     /// Newton steps done.
     pub iterations: usize,
     /// The larger of the residuals of [pressures](Settings::tolerance) and

@@ -121,11 +121,11 @@ impl State {
 
     /// The state as an outcome.
     pub fn finish(self, status: Status, iterations: usize, applications: usize) -> Outcome {
-        let Self { mut solution, gap, slip, residual, .. } = self;
+        let Self { mut solution, gap, residual, .. } = self;
         for n in &mut solution.traction.n {
             // Pressures that are rounding.
             *n = n.min(0.0);
         }
-        Outcome { status, solution, gap, slip, iterations, residual, applications }
+        Outcome { status, solution, gap, iterations, residual, applications }
     }
 }
