@@ -1,6 +1,7 @@
 //! How two bodies deform, seen from the contact frame: one linear map from the tractions of the
 //! pairs to their relative displacements.
 
+pub mod bem;
 pub mod half_space;
 mod slip;
 mod worn_planes;

@@ -4,5 +4,6 @@ pub mod convolution;
 pub mod dense;
 pub mod gmres;
 pub mod interpolate;
+pub mod quadrature;
 pub mod upwind;
 pub mod vector;

@@ -1,0 +1,174 @@
+//! What is known at the nodes of a body, and what is sought.
+
+use glam::DVec3;
+
+use super::surface::{Surface, TractionNode};
+
+/// What is known at a node along one direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Given {
+    /// The traction (Pa).
+    Traction(f64),
+    /// The displacement (m).
+    Displacement(f64),
+    /// Neither: tractions there come from contact, and displacements are sought as their multiples.
+    Contact,
+}
+
+/// What is known at a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Condition {
+    /// Unit vectors, at right angles to each other.
+    pub basis: [DVec3; 3],
+    /// What is known along each.
+    pub given: [Given; 3],
+}
+
+impl Condition {
+    /// The same kind along x, y and z.
+    pub fn along_axes(given: [Given; 3]) -> Self {
+        Self { basis: DVec3::AXES, given }
+    }
+
+    /// No traction.
+    pub fn free() -> Self {
+        Self::along_axes([Given::Traction(0.0); 3])
+    }
+
+    /// No displacement.
+    pub fn clamped() -> Self {
+        Self::along_axes([Given::Displacement(0.0); 3])
+    }
+
+    /// No displacement along a normal and no traction across it.
+    pub fn roller(normal: DVec3) -> Self {
+        let given = [Given::Traction(0.0), Given::Traction(0.0), Given::Displacement(0.0)];
+        Self { basis: basis_of(normal), given }
+    }
+
+    /// A pressure (Pa) against a surface of that outward normal.
+    pub fn pressed(normal: DVec3, pressure: f64) -> Self {
+        Self::along_axes((-pressure * normal).to_array().map(Given::Traction))
+    }
+}
+
+/// Two unit vectors across a normal and the normal, which along an axis is not turned.
+pub fn basis_of(normal: DVec3) -> [DVec3; 3] {
+    let axis = if normal.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
+    let first = (axis - axis.dot(normal) * normal).normalize();
+    [first, normal.cross(first), normal]
+}
+
+/// Why what is known does not determine what is sought.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Undetermined {
+    /// Displacements given on several surfaces meet at a node of continuous elements.
+    #[error(
+        "displacements are given on two surfaces that meet at ({:e}, {:e}, {:e}) m, where continuous elements know only one traction: use discontinuous elements",
+        .place[0], .place[1], .place[2]
+    )]
+    TwoSupports {
+        /// Where (m).
+        place: [f64; 3],
+    },
+    /// The body can move without deforming.
+    #[error("nothing holds the body against {}: support it there", list(.modes))]
+    Free {
+        /// The motions left free.
+        modes: Vec<&'static str>,
+    },
+}
+
+fn list(modes: &[&str]) -> String {
+    modes.join(", ")
+}
+
+/// The condition of every node of tractions, and what follows for the columns of the system.
+#[derive(Debug, Clone)]
+pub struct Conditions {
+    pub(super) tractions: Vec<Condition>,
+    /// For every node of displacements: its basis, and along each direction a displacement that is known or
+    /// the node of tractions whose traction is sought there.
+    pub(super) nodes: Vec<NodeCondition>,
+    /// Nodes of tractions in contact, in the order of their columns.
+    pub(super) contact: Vec<usize>,
+    /// Place of a node of tractions among those in contact.
+    pub(super) contact_column: Vec<Option<usize>>,
+}
+
+/// Displacements at a node.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NodeCondition {
+    pub basis: [DVec3; 3],
+    pub known: [Option<Known>; 3],
+}
+
+/// A displacement that is known.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known {
+    /// (m)
+    pub displacement: f64,
+    /// Whose traction it is that is sought.
+    pub traction: usize,
+}
+
+/// Directions are the same within this.
+const PARALLEL: f64 = 1e-9;
+
+impl Conditions {
+    /// The conditions that `of` gives for every node of tractions; those in contact, in the order in which
+    /// their columns are to be, with their bases, stand in `contact`.
+    ///
+    /// # Errors
+    /// If continuous elements cannot hold them, or if the body is left free to move.
+    pub fn new(
+        surface: &Surface,
+        of: impl Fn(&TractionNode) -> Condition,
+        contact: &[(usize, [DVec3; 3])],
+    ) -> Result<Self, Undetermined> {
+        let mut tractions: Vec<Condition> = surface.tractions.iter().map(of).collect();
+        let mut contact_column = vec![None; tractions.len()];
+        for (column, &(traction, basis)) in contact.iter().enumerate() {
+            tractions[traction] = Condition { basis, given: [Given::Contact; 3] };
+            contact_column[traction] = Some(column);
+        }
+        let contact = contact.iter().map(|&(traction, _)| traction).collect();
+        let nodes = nodes_of(surface, &tractions)?;
+        let conditions = Self { tractions, nodes, contact, contact_column };
+        let modes = super::rigid::free_modes(surface, &conditions);
+        if modes.is_empty() { Ok(conditions) } else { Err(Undetermined::Free { modes }) }
+    }
+}
+
+fn nodes_of(
+    surface: &Surface,
+    tractions: &[Condition],
+) -> Result<Vec<NodeCondition>, Undetermined> {
+    let free = NodeCondition { basis: DVec3::AXES, known: [None; 3] };
+    let mut nodes = vec![free; surface.nodes.len()];
+    let supports = |condition: &Condition| {
+        condition.given.iter().any(|given| matches!(given, Given::Displacement(_)))
+    };
+    for (traction, condition) in tractions.iter().enumerate() {
+        if !supports(condition) {
+            continue;
+        }
+        let TractionNode { node, place, .. } = surface.tractions[traction];
+        let two = || Undetermined::TwoSupports { place: place.to_array() };
+        let at = &mut nodes[node];
+        if at.known.iter().all(Option::is_none) {
+            at.basis = condition.basis;
+        }
+        for (direction, given) in condition.basis.iter().zip(condition.given) {
+            let Given::Displacement(displacement) = given else { continue };
+            let index = at.basis.iter().position(|own| own.dot(*direction).abs() > 1.0 - PARALLEL);
+            let index = index.ok_or_else(two)?;
+            if at.known[index].is_some() {
+                return Err(two());
+            }
+            let displacement = displacement * at.basis[index].dot(*direction).signum();
+            at.known[index] = Some(Known { displacement, traction });
+        }
+    }
+    Ok(nodes)
+}

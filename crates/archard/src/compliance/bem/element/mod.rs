@@ -1,0 +1,59 @@
+//! Boundary elements: how displacements and tractions vary over a face of the mesh.
+//!
+//! An element is its reference face, its nodes there and its shape functions, polynomials in 1, s, t and
+//! s t. A new one is one file here and one line in [`ELEMENTS`].
+
+mod quad;
+mod triangle;
+
+/// A kind of element on quadrilaterals or triangles.
+#[derive(Debug, PartialEq)]
+pub struct Element {
+    /// What it is called.
+    pub name: &'static str,
+    /// Reference coordinates (s, t) of the corners of the face.
+    pub corners: &'static [[f64; 2]],
+    /// Coordinates of a place on the face as polynomials: for each corner, what it counts for.
+    pub map: &'static [Polynomial],
+    /// Reference coordinates of the nodes.
+    pub nodes: &'static [[f64; 2]],
+    /// Shape function of each node.
+    pub shape: &'static [Polynomial],
+    /// Whether the nodes are the corners, and neighbours share their displacements.
+    pub continuous: bool,
+}
+
+/// Coefficients of 1, s, t and s t.
+pub type Polynomial = [f64; 4];
+
+/// The elements there are: continuous ones first, quadrilaterals before triangles.
+pub const ELEMENTS: &[Element] =
+    &[quad::CONTINUOUS, triangle::CONTINUOUS, quad::DISCONTINUOUS, triangle::DISCONTINUOUS];
+
+/// How tractions and displacements are interpolated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Interpolation {
+    /// Nodes at the corners, displacements the same on all faces that meet there.
+    Continuous,
+    /// Nodes inside every face, at points of Gauss: more accurate, and without edges or corners.
+    #[default]
+    Discontinuous,
+}
+
+impl Interpolation {
+    /// The element on a face of that many corners.
+    pub fn element(self, corners: usize) -> &'static Element {
+        match (self, corners) {
+            (Self::Continuous, 3) => &ELEMENTS[1],
+            (Self::Continuous, _) => &ELEMENTS[0],
+            (Self::Discontinuous, 3) => &ELEMENTS[3],
+            (Self::Discontinuous, _) => &ELEMENTS[2],
+        }
+    }
+}
+
+/// The value of a polynomial.
+pub fn evaluate(polynomial: &Polynomial, [s, t]: [f64; 2]) -> f64 {
+    let [one, along_s, along_t, both] = polynomial;
+    one + along_s * s + along_t * t + both * s * t
+}

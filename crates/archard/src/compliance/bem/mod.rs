@@ -1,0 +1,22 @@
+//! A finite body by boundary elements: its surface is divided into elements, and Kelvin's solution tells how
+//! tractions and displacements on them belong together.
+
+mod assemble;
+mod blocks;
+mod conditions;
+pub mod element;
+mod integrate;
+mod kelvin;
+mod patch;
+mod rigid;
+mod rules;
+mod solid;
+mod surface;
+
+pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
+pub use element::Interpolation;
+pub use solid::{Boundary, Condensed, Solid};
+pub use surface::{Surface, TractionNode};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,98 @@
+//! A boundary element in space.
+
+use glam::DVec3;
+
+use super::element::Element;
+
+/// An element on a face of the mesh.
+#[derive(Debug, Clone)]
+pub(super) struct Patch {
+    pub element: &'static Element,
+    /// Place as a polynomial in s and t: coefficients of 1, s, t and s t.
+    pub map: [DVec3; 4],
+    /// Corners in order.
+    pub corners: Vec<DVec3>,
+    /// A ball around the element.
+    pub centre: DVec3,
+    pub radius: f64,
+    /// Half the longest extent along s and along t.
+    pub half: [f64; 2],
+}
+
+impl Patch {
+    pub fn new(corners: Vec<DVec3>, element: &'static Element) -> Self {
+        let mut map = [DVec3::ZERO; 4];
+        for (corner, polynomial) in corners.iter().zip(element.map) {
+            for (sum, factor) in map.iter_mut().zip(polynomial) {
+                *sum += *factor * *corner;
+            }
+        }
+        let centre = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let radius = corners.iter().map(|corner| corner.distance(centre)).fold(0.0, f64::max);
+        let side = |a: usize, b: usize| 0.5 * corners[a].distance(corners[b]);
+        let half = match corners.len() {
+            3 => [side(0, 1).max(side(1, 2)), side(0, 2).max(side(1, 2))],
+            _ => [side(0, 1).max(side(3, 2)), side(0, 3).max(side(1, 2))],
+        };
+        Self { element, map, corners, centre, radius, half }
+    }
+
+    pub fn triangle(&self) -> bool {
+        self.corners.len() == 3
+    }
+
+    /// Whether place is linear in s and t.
+    pub fn is_parallelogram(&self) -> bool {
+        self.map[3].length() <= 1e-9 * self.radius
+    }
+
+    /// The place of reference coordinates.
+    pub fn at(&self, [s, t]: [f64; 2]) -> DVec3 {
+        let [one, along_s, along_t, both] = self.map;
+        one + s * along_s + t * along_t + s * t * both
+    }
+
+    /// Derivatives of the place with respect to s and t.
+    pub fn tangents(&self, [s, t]: [f64; 2]) -> [DVec3; 2] {
+        let [_, along_s, along_t, both] = self.map;
+        [along_s + t * both, along_t + s * both]
+    }
+
+    /// Outward area vector a unit of reference area.
+    pub fn area_vector(&self, at: [f64; 2]) -> DVec3 {
+        let [along_s, along_t] = self.tangents(at);
+        along_s.cross(along_t)
+    }
+}
+
+/// Distance of a point from a face, of which each half is taken as plane.
+pub(super) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
+    let first = from_triangle(point, [corners[0], corners[1], corners[2]]);
+    match corners.get(3) {
+        Some(&fourth) => first.min(from_triangle(point, [corners[0], corners[2], fourth])),
+        None => first,
+    }
+}
+
+/// Distance of a point from a triangle (C. Ericson, *Real-Time Collision Detection*, Morgan Kaufmann 2005,
+/// section 5.1.5).
+fn from_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+    let (ab, ac, ap) = (b - a, c - a, point - a);
+    let normal = ab.cross(ac);
+    let square = normal.length_squared();
+    if square > 0.0 {
+        let v = ap.cross(ac).dot(normal) / square;
+        let w = ab.cross(ap).dot(normal) / square;
+        if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
+            return (ap.dot(normal) / square.sqrt()).abs();
+        }
+    }
+    from_edge(point, a, b).min(from_edge(point, b, c)).min(from_edge(point, c, a))
+}
+
+fn from_edge(point: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let along = b - a;
+    let square = along.length_squared();
+    let share = if square > 0.0 { ((point - a).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    point.distance(a + share * along)
+}

@@ -1,0 +1,128 @@
+//! A body whose equations are solved.
+
+use faer::Mat;
+use glam::DVec3;
+
+use super::assemble::Assembly;
+use super::conditions::{Conditions, Given};
+use super::kelvin::Kelvin;
+use super::surface::Surface;
+use crate::body::Material;
+use crate::numerics::dense::{Lu, Singular};
+
+/// A body with its factorised equations.
+pub struct Solid<'a> {
+    surface: &'a Surface,
+    conditions: &'a Conditions,
+    factors: Lu,
+    contact: Mat<f64>,
+    fixed: Mat<f64>,
+    unit: f64,
+}
+
+/// Displacements and tractions on the surface of a body, along x, y and z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Boundary {
+    /// Displacement (m), a value a node of displacements.
+    pub displacement: Vec<DVec3>,
+    /// Traction (Pa), a value a node of tractions.
+    pub traction: Vec<DVec3>,
+}
+
+/// How a body answers to the tractions of its contact nodes.
+#[derive(Debug, Clone)]
+pub struct Condensed {
+    /// Displacement (m) of contact node i along direction d of its basis under a unit traction (Pa) at node
+    /// j along direction e: row 3 i + d, column 3 j + e.
+    pub compliance: Mat<f64>,
+    /// Displacement (m) without any traction of contact, three values a contact node.
+    pub free: Vec<f64>,
+}
+
+impl<'a> Solid<'a> {
+    /// Assembles and factorises the equations, integrals to that relative tolerance.
+    ///
+    /// # Errors
+    /// If the equations have no unique solution.
+    pub fn new(
+        surface: &'a Surface,
+        material: &Material,
+        conditions: &'a Conditions,
+        tolerance: f64,
+    ) -> Result<Self, Singular> {
+        let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
+        let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
+        let length = 0.5 * (high - low).max_element();
+        let unit = length / material.shear_modulus();
+        let kelvin = Kelvin::new(material.poisson, length);
+        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system();
+        let factors = Lu::new(system.matrix)?;
+        let (contact, fixed) = (system.contact, system.fixed);
+        Ok(Self { surface, conditions, factors, contact, fixed, unit })
+    }
+
+    /// The compliance of the contact nodes.
+    pub fn condense(self) -> Condensed {
+        let Self { conditions, factors, mut contact, mut fixed, unit, .. } = self;
+        factors.solve_in_place(contact.as_mut());
+        factors.solve_in_place(fixed.as_mut());
+        let nodes: Vec<usize> = conditions
+            .contact
+            .iter()
+            .map(|&traction| self.surface.tractions[traction].node)
+            .collect();
+        // Displacements are sought along the axes or, at nodes that are held, along their basis.
+        let row = |index: usize, column: &dyn Fn(usize) -> f64| -> f64 {
+            let (contact, direction) = (index / 3, index % 3);
+            let basis = &conditions.nodes[nodes[contact]].basis;
+            let along = conditions.tractions[conditions.contact[contact]].basis[direction];
+            (0..3).map(|own| basis[own].dot(along) * column(3 * nodes[contact] + own)).sum()
+        };
+        let size = 3 * nodes.len();
+        let compliance = Mat::from_fn(size, size, |index, column| {
+            unit * row(index, &|place| contact[(place, column)])
+        });
+        let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();
+        Condensed { compliance, free }
+    }
+
+    /// Displacements and tractions everywhere, under given tractions of contact (Pa) in their bases, three
+    /// values a contact node.
+    pub fn boundary(&self, tractions: &[f64]) -> Boundary {
+        let mut sought = self.fixed.clone();
+        for (column, &traction) in tractions.iter().enumerate() {
+            for row in 0..sought.nrows() {
+                sought[(row, 0)] += self.unit * traction * self.contact[(row, column)];
+            }
+        }
+        self.factors.solve_in_place(sought.as_mut());
+        let conditions = self.conditions;
+        let displacement = conditions.nodes.iter().enumerate().map(|(node, condition)| {
+            let along = |own: usize| match condition.known[own] {
+                Some(known) => known.displacement,
+                None => sought[(3 * node + own, 0)],
+            };
+            (0..3).map(|own| along(own) * condition.basis[own]).sum()
+        });
+        let traction = self.surface.tractions.iter().enumerate().map(|(index, traction)| {
+            let condition = &conditions.tractions[index];
+            let node = &conditions.nodes[traction.node];
+            let value = |direction: usize| match condition.given[direction] {
+                Given::Traction(traction) => traction * condition.basis[direction],
+                Given::Contact => {
+                    let column = conditions.contact_column[index].unwrap_or_default();
+                    let value = tractions.get(3 * column + direction).copied().unwrap_or_default();
+                    value * condition.basis[direction]
+                }
+                Given::Displacement(_) => DVec3::ZERO,
+            };
+            let given: DVec3 = (0..3).map(value).sum();
+            let held = (0..3).filter(|&own| node.known[own].is_some_and(|k| k.traction == index));
+            let found: DVec3 = held
+                .map(|own| sought[(3 * traction.node + own, 0)] / self.unit * node.basis[own])
+                .sum();
+            given + found
+        });
+        Boundary { displacement: displacement.collect(), traction: traction.collect() }
+    }
+}

@@ -1,0 +1,110 @@
+//! Bodies with known fields.
+
+use glam::{DMat3, DVec3};
+
+use super::{Condition, Conditions, Given, Interpolation, Solid, Surface};
+use crate::body::Material;
+use crate::body::mesh::{Corners, Face, Mesh};
+
+const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
+
+/// A unit box of that many quadrilaterals or pairs of triangles an edge, its vertices moved.
+fn cube(divisions: usize, triangles: bool, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
+    let (mut vertices, mut faces) = (vec![], vec![]);
+    let n = divisions;
+    for axis in 0..3 {
+        for end in [0, n] {
+            for i in 0..n {
+                for j in 0..n {
+                    let corner = |a: usize, b: usize| {
+                        let mut at = [0; 3];
+                        at[axis] = end;
+                        at[(axis + 1) % 3] = i + a;
+                        at[(axis + 2) % 3] = j + b;
+                        at.map(|value| value as f64 / n as f64)
+                    };
+                    let mut quad = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+                    if end == 0 {
+                        quad.reverse();
+                    }
+                    let corners = quad.map(|place| {
+                        let known = vertices.iter().position(|known| *known == place);
+                        known.unwrap_or_else(|| {
+                            vertices.push(place);
+                            vertices.len() - 1
+                        })
+                    });
+                    let surface = 2 * axis + usize::from(end > 0);
+                    let [a, b, c, d] = corners;
+                    let kinds = if triangles {
+                        vec![Corners::Triangle([a, b, c]), Corners::Triangle([a, c, d])]
+                    } else {
+                        vec![Corners::Quad(corners)]
+                    };
+                    faces.extend(kinds.into_iter().map(|corners| Face { corners, surface }));
+                }
+            }
+        }
+    }
+    let vertices = vertices.into_iter().map(|place| moved(place.into()).to_array()).collect();
+    let surfaces = ["left", "right", "front", "back", "bottom", "top"].map(String::from).to_vec();
+    Mesh { vertices, faces, surfaces }
+}
+
+/// A linear field u = gradient (x - origin), and its stress.
+fn stress(gradient: DMat3) -> DMat3 {
+    let strain = 0.5 * (gradient + gradient.transpose());
+    let trace = strain.x_axis.x + strain.y_axis.y + strain.z_axis.z;
+    let shear = MATERIAL.shear_modulus();
+    let lame = 2.0 * shear * MATERIAL.poisson / (1.0 - 2.0 * MATERIAL.poisson);
+    2.0 * shear * strain + lame * trace * DMat3::IDENTITY
+}
+
+const GRADIENT: DMat3 = DMat3::from_cols(
+    DVec3::new(0.3, -0.2, 0.15),
+    DVec3::new(0.1, -0.4, 0.25),
+    DVec3::new(-0.05, 0.35, 0.2),
+);
+
+/// Largest errors of displacement and traction relative to the largest of each, with displacements given on
+/// the bottom and tractions elsewhere.
+fn patch_test(mesh: &Mesh, interpolation: Interpolation, tolerance: f64) -> (f64, f64) {
+    let surface = Surface::new(mesh, interpolation, [false; 2]);
+    let stress = stress(GRADIENT);
+    let of = |node: &super::TractionNode| {
+        let (along, given): (DVec3, fn(f64) -> Given) = if node.surface == 4 {
+            (GRADIENT * node.place, Given::Displacement)
+        } else {
+            (stress * node.normal, Given::Traction)
+        };
+        Condition::along_axes(along.to_array().map(given))
+    };
+    let conditions = Conditions::new(&surface, of, &[]).expect("it is held");
+    let solid = Solid::new(&surface, &MATERIAL, &conditions, tolerance).expect("it is regular");
+    let found = solid.boundary(&[]);
+    let (mut error, mut largest) = ((0.0f64, 0.0f64), (0.0f64, 0.0f64));
+    for (index, node) in surface.traction_nodes().iter().enumerate() {
+        let (u, t) = (GRADIENT * node.place, stress * node.normal);
+        error.0 = error.0.max(found.displacement[node.node].distance(u));
+        error.1 = error.1.max(found.traction[index].distance(t));
+        largest = (largest.0.max(u.length()), largest.1.max(t.length()));
+    }
+    (error.0 / largest.0, error.1 / largest.1)
+}
+
+#[test]
+fn linear_fields_are_met_to_the_tolerance() {
+    let skewed = |p: DVec3| DVec3::new(p.x + 0.3 * p.y + 0.2 * p.z, p.y - 0.2 * p.z, 1.5 * p.z);
+    for (tolerance, most) in [(1e-4, 1e-3), (1e-6, 1e-5), (1e-8, 1e-7)] {
+        for interpolation in [Interpolation::Discontinuous, Interpolation::Continuous] {
+            for (triangles, divisions) in [(false, 1), (false, 2), (false, 4), (true, 1), (true, 3)]
+            {
+                let mesh = cube(divisions, triangles, skewed);
+                let (displacement, traction) = patch_test(&mesh, interpolation, tolerance);
+                let which = format!("{tolerance:e} {interpolation:?} {triangles} {divisions}");
+                assert!(displacement < most, "{which}: displacement off by {displacement:e}");
+                assert!(traction < most, "{which}: traction off by {traction:e}");
+            }
+        }
+    }
+}
