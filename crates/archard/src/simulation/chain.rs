@@ -150,7 +150,7 @@ impl Chain {
     fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
         let Outcome { pressure, displacement, gap, approach, .. } = outcome;
         self.displacement = displacement;
-        let load = simulation.problem.frame.integrate(&pressure);
+        let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
         let tangential = self.state.tangential.take();
         let progress = leg.progress;
@@ -172,7 +172,7 @@ impl Chain {
             compliance,
             gap,
             addition,
-            element_area: problem.frame.element_area(),
+            measure: problem.frame.measure(),
             control: leg.control,
         };
         let ContactState { pressure, approach, load, .. } = &self.state;

@@ -11,7 +11,7 @@ use crate::problem::{ContactProblem, ContactState, Tangential};
 pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
     let Report { problem, state, effort, .. } = report;
     let frame = &problem.frame;
-    let area = state.pairs_in_contact() as f64 * frame.element_area();
+    let area = frame.area_where(|pair| state.pressure[pair] > 0.0);
     let mut row: Vec<(String, f64)> = vec![
         (problem.kinematics.progress().column.to_owned(), state.progress),
         ("load_N".to_owned(), state.load),

@@ -164,7 +164,7 @@ impl Chain {
         let step = tangential::Step {
             map: &*map,
             elements: frame.elements(),
-            element_area: frame.element_area(),
+            measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
             held: &held,

@@ -134,7 +134,7 @@ pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Co
         compliance: &*problem.compliance,
         gap: problem.frame.gap(),
         addition,
-        element_area: problem.frame.element_area(),
+        measure: problem.frame.measure(),
         control,
     }
 }

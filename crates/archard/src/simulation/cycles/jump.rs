@@ -7,7 +7,7 @@
 
 use super::rig::Rig;
 use crate::kinematics::Control;
-use crate::numerics::vector::{map, sum, update};
+use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
 use crate::simulation::chain::{Chain, Leg};
 use crate::simulation::{Effort, Error, Simulation};
@@ -152,8 +152,12 @@ impl Rate {
                     worn + length * (constant + slope * pressure).max(0.0)
                 });
             }
-            let [work] = sum([&line.slip, pressure], |[slip, pressure]| [slip * pressure]);
-            wear.load_distance += length * work * problem.frame.element_area();
+            let measure = problem.frame.measure();
+            let [work] =
+                sum_with([measure.weight], [&line.slip, pressure], |[weight], [slip, p]| {
+                    [weight * (slip * p)]
+                });
+            wear.load_distance += length * work * measure.area;
             wear.dissipated += length * line.dissipated;
             let [change, whole] = sum([&slope, &before, pressure], |[slope, before, after]| {
                 [(slope * (after - before)).powi(2), (slope * after).powi(2)]

@@ -267,7 +267,7 @@ impl Rig {
         let step = tangential::Step {
             map: &*shifting,
             elements: frame.elements(),
-            element_area: frame.element_area(),
+            measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
             held: &held,

@@ -61,7 +61,7 @@ impl Rig {
         let solution = outcome.solution;
         let state = &mut self.chain.state;
         state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
-        state.load = frame.integrate(&state.pressure);
+        state.load = -frame.force(&solution.traction)[2];
         state.approach = solution.approach;
         state.gap = outcome.gap;
         state.progress = leg.progress;
