@@ -157,6 +157,7 @@ pub(super) struct Described {
     /// Size along x and y (m), mirror images included.
     pub size: [f64; 2],
     pub centre: Centre,
+    pub largest: usize,
 }
 
 impl ContactFrame {
@@ -174,10 +175,19 @@ impl ContactFrame {
             closing: pairs.bases.iter().map(|[_, _, n]| n[2]).collect(),
             size: [0, 1].map(|axis| extent(&pairs, axis)),
             centre: Centre::of(&pairs.places, pairs.mirrored),
+            largest: largest(&pairs),
             pairs,
         };
         Ok(Self { shape: Shape::Described(Box::new(described)), gap })
     }
+}
+
+/// The largest pair, of equal ones that nearest to the centre.
+fn largest(pairs: &Pairs) -> usize {
+    let most = pairs.areas.iter().copied().fold(0.0, f64::max);
+    let large = (0..pairs.areas.len()).filter(|&pair| pairs.areas[pair] >= (1.0 - ROUNDING) * most);
+    let distance = |pair: usize| pairs.places[pair][0].hypot(pairs.places[pair][1]);
+    large.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }
 
 /// Extent (m) along an axis, mirror images included.

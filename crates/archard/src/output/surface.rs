@@ -57,7 +57,8 @@ impl Surface {
     pub fn image(&self) -> Image {
         let [x, y] = [0, 1].map(|axis| self.extent(axis));
         let side = ((x[1] - x[0]) * (y[1] - y[0]) / self.places.len().max(1) as f64).sqrt();
-        let mut image = Image { origin: [x[0], y[0]], spacing: [0.0; 2], elements: [0; 2], fields: vec![] };
+        let mut image =
+            Image { origin: [x[0], y[0]], spacing: [0.0; 2], elements: [0; 2], fields: vec![] };
         for (axis, [low, high]) in [x, y].into_iter().enumerate() {
             let count = FINER * (high - low) / side;
             let count = if count.is_finite() { count.ceil().clamp(1.0, MOST as f64) } else { 1.0 };
@@ -213,8 +214,7 @@ fn vectors(frame: &ContactFrame, state: &ContactState) -> Vec<(String, Vec<[f64;
     };
     let tangential = state.tangential.as_ref();
     let traction = |pair: usize| {
-        let [t1, t2] =
-            tangential.map_or([0.0; 2], |t| [t.traction[0][pair], t.traction[1][pair]]);
+        let [t1, t2] = tangential.map_or([0.0; 2], |t| [t.traction[0][pair], t.traction[1][pair]]);
         [t1, t2, -state.pressure[pair]]
     };
     let mut vectors = vec![("traction_Pa".to_owned(), along(&traction))];

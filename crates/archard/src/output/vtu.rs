@@ -30,7 +30,8 @@ pub(super) fn encode(surface: &Surface) -> io::Result<Vec<u8>> {
     let connectivity = arrays.add((0..count as i64).map(i64::to_le_bytes))?;
     let offsets = arrays.add(ends.map(i64::to_le_bytes))?;
     let types = arrays.add(outlines.iter().map(|outline| [kind(outline)]))?;
-    let mirrored = arrays.add(surface.mirrored.iter().map(|&mirrored| i64::from(mirrored).to_le_bytes()))?;
+    let mirrored =
+        arrays.add(surface.mirrored.iter().map(|&mirrored| i64::from(mirrored).to_le_bytes()))?;
     let mut text = appended::opening("UnstructuredGrid");
     // Writing to a String cannot fail.
     let _ = write!(

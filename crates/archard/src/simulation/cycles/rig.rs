@@ -114,7 +114,8 @@ impl Rig {
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;
-        let joint = problem.friction.is_some() && problem.compliance.couples();
+        let curved = !problem.frame.is_plane();
+        let joint = problem.friction.is_some() && (curved || problem.compliance.couples());
         let found = if joint {
             self.solve_jointly(simulation, leg, station, known, effort)?
         } else {
