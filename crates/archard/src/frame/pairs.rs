@@ -199,3 +199,71 @@ fn extent(pairs: &Pairs, axis: usize) -> f64 {
     let lowest = corners.clone().fold(f64::INFINITY, f64::min);
     corners.fold(f64::NEG_INFINITY, f64::max) - lowest
 }
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::{ContactFrame, Pairs, PairsError};
+    use crate::frame::VectorField;
+
+    /// Two pairs on a roof over a frame mirrored at x = 0.
+    fn roof() -> Pairs {
+        let (c, s) = (0.8, 0.6);
+        let basis = [[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]];
+        let outline =
+            |y: f64| vec![[0.0, y, 0.6], [0.8, y, 0.0], [0.8, y + 2.0, 0.0], [0.0, y + 2.0, 0.6]];
+        Pairs {
+            places: vec![[0.4, -1.0, 0.3], [0.4, 1.0, 0.3]],
+            areas: vec![4.0, 4.0],
+            bases: vec![basis; 2],
+            gap: vec![0.0, 1.0],
+            outlines: vec![outline(-2.0), outline(0.0)],
+            elements: Some([1, 2]),
+            mirrored: [true, false],
+            closed: true,
+        }
+    }
+
+    #[test]
+    fn forces_are_those_of_all_images() {
+        let frame = ContactFrame::described(roof()).unwrap();
+        let field = |value: f64| vec![value, 2.0 * value];
+        let pressed = VectorField { t1: field(0.0), t2: field(1.0), n: field(-1.0) };
+        let [x, y, z] = frame.force(&pressed);
+        assert_eq!(x, 0.0);
+        assert_relative_eq!(y, 12.0);
+        assert_relative_eq!(z, -12.0 * 0.8);
+        assert_relative_eq!(frame.measure().load(&field(1.0)), 12.0 * 0.8);
+        assert_relative_eq!(frame.measure().side, 2.0_f64.sqrt());
+        assert_relative_eq!(frame.integrate(&field(1.0)), 12.0);
+        assert_relative_eq!(frame.area_where(|pair| pair == 1), 4.0);
+        assert_eq!(frame.size(), [1.6, 4.0]);
+        // Body 2 approaches along -z: down the roof and onto it.
+        let moved = frame.moved([0.0, 0.0, -1.0]);
+        assert_relative_eq!(moved.t1[0], 0.6);
+        assert_relative_eq!(moved.n[0], -0.8);
+    }
+
+    #[test]
+    fn what_contradicts_itself_is_refused() {
+        let refused = |change: fn(&mut Pairs)| {
+            let mut pairs = roof();
+            change(&mut pairs);
+            ContactFrame::described(pairs).map(|_| ()).unwrap_err()
+        };
+        assert_eq!(refused(|pairs| *pairs = Pairs::default()), PairsError::Empty);
+        let length = PairsError::Length { what: "areas", found: 1, pairs: 2 };
+        assert_eq!(refused(|pairs| pairs.areas.truncate(1)), length);
+        let area = PairsError::NoArea { pair: 1, area: -1.0 };
+        assert_eq!(refused(|pairs| pairs.areas[1] = -1.0), area);
+        let gap = PairsError::NotFinite { what: "gap", pair: 0 };
+        assert_eq!(refused(|pairs| pairs.gap[0] = f64::NAN), gap);
+        let basis = PairsError::NotABasis { pair: 1 };
+        assert_eq!(refused(|pairs| pairs.bases[1][2] = [0.0, 0.0, 1.0]), basis);
+        let grid = PairsError::NotAGrid { elements: [2, 2], pairs: 2 };
+        assert_eq!(refused(|pairs| pairs.elements = Some([2, 2])), grid);
+        let outline = PairsError::NoOutline { pair: 0 };
+        assert_eq!(refused(|pairs| pairs.outlines[0].truncate(2)), outline);
+    }
+}

@@ -23,6 +23,8 @@ pub struct Uneven {
     pub symmetric: bool,
     /// Angle (rad) by which t1 is turned from x towards y.
     pub turned: f64,
+    /// Angle (rad) by which n is tilted from z towards x.
+    pub tilted: f64,
 }
 
 impl Uneven {
@@ -34,6 +36,7 @@ impl Uneven {
             mirrored: [false; 2],
             symmetric: true,
             turned: 0.0,
+            tilted: 0.0,
         }
     }
 
@@ -66,17 +69,26 @@ impl Uneven {
     pub fn frame(&self, problem: &ContactProblem) -> ContactFrame {
         let rectangles = self.rectangles();
         let middle = |[x, y]: &[[f64; 2]; 2]| [0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1]), 0.0];
-        let images: f64 = self.mirrored.map(|mirrored| if mirrored { 2.0 } else { 1.0 }).iter().product();
+        let images: f64 =
+            self.mirrored.map(|mirrored| if mirrored { 2.0 } else { 1.0 }).iter().product();
         let places: Vec<[f64; 3]> = rectangles.iter().map(middle).collect();
-        let gap = places.iter().map(|[x, y, _]| {
-            problem.bodies.iter().map(|body| body.profile.recess(*x, *y)).sum()
-        });
+        let gap = places
+            .iter()
+            .map(|[x, y, _]| problem.bodies.iter().map(|body| body.profile.recess(*x, *y)).sum());
         let outline = |[x, y]: &[[f64; 2]; 2]| {
-            [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]].map(|[x, y]| [x, y, 0.0]).to_vec()
+            [[x[0], y[0]], [x[1], y[0]], [x[1], y[1]], [x[0], y[1]]]
+                .map(|[x, y]| [x, y, 0.0])
+                .to_vec()
         };
         let (sine, cosine) = self.turned.sin_cos();
-        let basis = [[cosine, sine, 0.0], [-sine, cosine, 0.0], [0.0, 0.0, 1.0]];
-        let bases = if self.turned == 0.0 { vec![] } else { vec![basis; places.len()] };
+        let (low, high) = self.tilted.sin_cos();
+        let tilt = |[x, y, _]: [f64; 3]| [high * x, y, -low * x];
+        let basis = [tilt([cosine, sine, 0.0]), tilt([-sine, cosine, 0.0]), [low, 0.0, high]];
+        let bases = if self.turned == 0.0 && self.tilted == 0.0 {
+            vec![]
+        } else {
+            vec![basis; places.len()]
+        };
         let pairs = Pairs {
             areas: rectangles.iter().map(|[x, y]| images * (x[1] - x[0]) * (y[1] - y[0])).collect(),
             gap: gap.collect(),
@@ -85,7 +97,7 @@ impl Uneven {
             elements: Some([0, 1].map(|axis| self.edges(axis).len())),
             mirrored: self.mirrored,
             closed: false,
-            places,
+            places: places.iter().map(|&place| tilt(place)).collect(),
         };
         ContactFrame::described(pairs).expect("a sound description")
     }
@@ -145,8 +157,7 @@ impl Dense {
         };
         let first = sum(|m| (1.0 - m.poisson * m.poisson) / (PI * m.young));
         let second = sum(|m| m.poisson * (1.0 + m.poisson) / (PI * m.young));
-        let third =
-            sum(|m| (1.0 + m.poisson) * (1.0 - 2.0 * m.poisson) / (2.0 * PI * m.young));
+        let third = sum(|m| (1.0 + m.poisson) * (1.0 - 2.0 * m.poisson) / (2.0 * PI * m.young));
         let constants = [first[0] + first[1], second[0] + second[1], third[0] - third[1]];
         let rectangles = grid.rectangles();
         let pairs = rectangles.len();
@@ -163,12 +174,16 @@ impl Dense {
                 let mut element = [[0.0; 3]; 3];
                 for &x in sides[0] {
                     for &y in sides[1] {
-                        let offset =
-                            [middle(one[0]) - x * middle(other[0]), middle(one[1]) - y * middle(other[1])];
+                        let offset = [
+                            middle(one[0]) - x * middle(other[0]),
+                            middle(one[1]) - y * middle(other[1]),
+                        ];
                         let image = influence(constants, offset, other.map(half));
                         let signs = [x, y, 1.0];
                         for row in 0..3 {
-                            (0..3).for_each(|column| element[row][column] += signs[column] * image[row][column]);
+                            (0..3).for_each(|column| {
+                                element[row][column] += signs[column] * image[row][column]
+                            });
                         }
                     }
                 }
@@ -264,8 +279,10 @@ struct Inverse {
 
 impl Preconditioner for Inverse {
     fn apply(&self, displacement: &[f64], pressure: &mut [f64]) {
-        let scaled: Vec<f64> = displacement.iter().zip(&self.roots).map(|(d, root)| d * root).collect();
-        for ((p, q), root) in pressure.iter_mut().zip(self.factors.solve(&scaled)).zip(&self.roots) {
+        let scaled: Vec<f64> =
+            displacement.iter().zip(&self.roots).map(|(d, root)| d * root).collect();
+        for ((p, q), root) in pressure.iter_mut().zip(self.factors.solve(&scaled)).zip(&self.roots)
+        {
             *p = q / root;
         }
     }

@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "every test binary uses a part of it")]
 
+pub mod dense;
+
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Material};
 use archard::case::CaseFile;

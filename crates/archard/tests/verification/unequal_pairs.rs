@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use archard::closed_form::Hertz;
-use archard::kinematics::{Control, Stepping};
+use archard::kinematics::{Control, Guide, Shift, Station, Stepping};
 use archard::problem::ContactState;
 use archard::simulation::Simulation;
 
@@ -51,12 +51,16 @@ fn hertz_on_unequal_pairs() {
         for symmetric in [true, false] {
             let grid = Uneven { symmetric, ..Uneven::new(SIDE, ELEMENTS) };
             let (state, iterations) = slide(&mut sliding(control, false), Some(grid));
-            println!("{control:?} {symmetric}: {iterations} for {uniform}, {:e} {:e} {:e}",
-                state.load / 10.2 - 1.0, state.approach / hertz.approach - 1.0,
-                peak(&state.pressure) / hertz.peak_pressure - 1.0);
+            println!(
+                "{control:?} {symmetric}: {iterations} for {uniform}, {:e} {:e} {:e}",
+                state.load / 10.2 - 1.0,
+                state.approach / hertz.approach - 1.0,
+                peak(&state.pressure) / hertz.peak_pressure - 1.0
+            );
             assert_relative_eq!(state.load, 10.2, max_relative = 2e-3);
             assert_relative_eq!(state.approach, hertz.approach, max_relative = 2e-3);
-            assert_relative_eq!(peak(&state.pressure), hertz.peak_pressure, max_relative = 5e-3);
+            let bound = if symmetric { 0.03 } else { 0.01 };
+            assert_relative_eq!(peak(&state.pressure), hertz.peak_pressure, max_relative = bound);
             assert!(2 * iterations <= 3 * uniform, "{iterations} for {uniform}");
         }
     }
@@ -116,7 +120,11 @@ fn wear_on_unequal_pairs() {
     let (even, _) = slide(&mut one, None);
     let (uneven, _) = slide(&mut other, Some(Uneven::new(SIDE, ELEMENTS)));
     let [one, other] = [&one, &other].map(|simulation| &simulation.problem.frame);
-    assert_relative_eq!(other.integrate(&uneven.worn[0]), 1.33e-13 * 10.2 * 0.02, max_relative = 1e-7);
+    assert_relative_eq!(
+        other.integrate(&uneven.worn[0]),
+        1.33e-13 * 10.2 * 0.02,
+        max_relative = 1e-7
+    );
     for (a, b) in [(&even.pressure, &uneven.pressure), (&even.worn[0], &uneven.worn[0])] {
         println!("{:e}", other.at_centre(b) / one.at_centre(a) - 1.0);
         assert_relative_eq!(one.at_centre(a), other.at_centre(b), max_relative = 5e-3);
@@ -153,7 +161,9 @@ fn partial_slip_on_unequal_pairs() {
             }
             println!("{} {}", even.last("dissipated_J"), rows.last("dissipated_J"));
             assert_relative_eq!(
-                even.last("dissipated_J"), rows.last("dissipated_J"), max_relative = 0.02
+                even.last("dissipated_J"),
+                rows.last("dissipated_J"),
+                max_relative = 0.02
             );
         }
     }
@@ -165,7 +175,11 @@ fn partial_slip_on_unequal_pairs() {
 #[test]
 fn unlike_bodies_on_unequal_pairs() {
     let text = include_str!("../../../../cases/spence/case.toml");
-    let options = ["frame.elements=[24, 24]", "motion.indentation.increments=4"];
+    let options = [
+        "frame.elements=[24, 24]",
+        "motion.indentation.increments=4",
+        "friction_solver.newton.tolerance=1e-9",
+    ];
     let run = |grid: Option<Uneven>| {
         let mut simulation = case(text, &options);
         let size = simulation.problem.frame.size();
@@ -186,5 +200,93 @@ fn unlike_bodies_on_unequal_pairs() {
         for column in ["load_N", "contact_area_m2", "stick_area_m2", "dissipated_J"] {
             assert_relative_eq!(rows.last(column), whole.last(column), max_relative = 1e-4);
         }
+    }
+}
+
+/// A sphere pressed on a tilted plane, straight down: that is pressed and shifted on a level one. Pressures
+/// and tractions of like bodies are found together on the one and after one another on the other.
+#[test]
+fn a_tilted_plane_is_pressed_and_shifted() {
+    const TILT: f64 = 0.06;
+    let (sine, cosine) = TILT.sin_cos();
+    let run = |tilted: f64, down: [f64; 2]| {
+        let mut simulation = case(
+            &super::cattaneo_mindlin::sphere(16, 0.3, "amplitude = [\"1 um\", \"0 um\"]"),
+            &[],
+        );
+        Uneven { tilted, ..Uneven::new(SIDE, 16) }.take_over(&mut simulation);
+        let station = |share: f64| Station {
+            control: Control::Approach(share * down[0]),
+            guides: [Guide::Shift(share * down[1]), Guide::Shift(0.0)],
+        };
+        let shift = simulation.problem.kinematics.shift().expect("increments");
+        let shift = Shift {
+            lead: vec![],
+            cycle: [0.5, 0.75, 1.0].map(station).to_vec(),
+            places: vec![0.5, 0.75, 1.0],
+            ..shift.clone()
+        };
+        simulation.schedule.extent = 1.0;
+        simulation.problem.kinematics = Box::new(shift);
+        let mut states = States::default();
+        simulation.run(&mut [&mut states]).expect("it converges");
+        (simulation, states.0.pop().expect("a state").0)
+    };
+    let down = hertz().approach;
+    let (_, level) = run(0.0, [down * cosine, down * sine]);
+    let (simulation, tilted) = run(TILT, [down, 0.0]);
+    let most = peak(&level.pressure);
+    let traction = |state: &ContactState| state.tangential.clone().expect("friction").traction;
+    let [one, other] = [traction(&level), traction(&tilted)];
+    assert!(peak(&one[0]) > 0.1 * most, "{}", peak(&one[0]) / most);
+    for pair in 0..level.pressure.len() {
+        assert_relative_eq!(level.pressure[pair], tilted.pressure[pair], epsilon = 1e-5 * most);
+        for axis in 0..2 {
+            assert_relative_eq!(one[axis][pair], other[axis][pair], epsilon = 1e-5 * most);
+        }
+    }
+    let frame = &simulation.problem.frame;
+    let [along, normal] = [frame.integrate(&one[0]), frame.integrate(&level.pressure)];
+    assert_relative_eq!(tilted.load, cosine * normal + sine * along, max_relative = 1e-5);
+}
+
+/// Twin discs that roll over unequal elements, by creepage and by force: forces, creepages and what is worn are
+/// those of a uniform frame within elements a third larger, and the worn section is k times the work of the
+/// creepage.
+#[test]
+fn rolling_over_unequal_pairs() {
+    let text = include_str!("../../../../cases/twin_disc/case.toml")
+        .replace("revolutions = 30000", "revolutions = 100")
+        .replace("tolerance = 0.003", "step = 50")
+        .replace("[1, 100, 1000, 5000, 10000, 20000]", "[100]")
+        .replace("[41, 81]", "[20, 24]");
+    for drive in ["creepage = 0.005", "force = \"90 N\""] {
+        let text = text.replace("creepage = 0.005", drive);
+        let run = |uneven: bool| {
+            let mut simulation = case(&text, &[]);
+            let size = simulation.problem.frame.size();
+            if uneven {
+                Uneven { size, elements: [20, 24], ..Uneven::new(1.0, 2) }
+                    .take_over(&mut simulation);
+            }
+            let mut rows = Rows::default();
+            let effort = simulation.run(&mut [&mut rows]).expect("it converges");
+            (rows, effort)
+        };
+        let [(even, _), (uneven, effort)] = [false, true].map(run);
+        for column in [
+            "force_x_N",
+            "creepage",
+            "frictional_power_per_speed_N",
+            "approach_m",
+            "wear_depth_m",
+            "worn_section_disc1_m2",
+        ] {
+            println!("{column} {} {}", even.last(column), uneven.last(column));
+            assert_relative_eq!(even.last(column), uneven.last(column), max_relative = 0.03);
+        }
+        let worn = uneven.last("worn_section_disc1_m2") + uneven.last("worn_section_disc2_m2");
+        println!("{}", worn / (2e-12 * effort.load_distance) - 1.0);
+        assert_relative_eq!(worn, 2e-12 * effort.load_distance, max_relative = 5e-3);
     }
 }
