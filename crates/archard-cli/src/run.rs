@@ -98,7 +98,11 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::FrictionNotConverged { .. }
         | Error::NotConsistent { .. }
         | Error::StepTooSmall { .. } => Failure::NotConverged(message),
-        Error::FrameFull { .. } | Error::Observer(_) => Failure::Wrong(message),
+        Error::FrameFull { .. }
+        | Error::NotSymmetric { .. }
+        | Error::NoRows
+        | Error::NotJoint
+        | Error::Observer(_) => Failure::Wrong(message),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::compliance::Compliance;
-use crate::frame::ContactFrame;
+use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::kinematics::{Kinematics, Rolling};
 use crate::wear::Rubbing;
@@ -76,9 +76,15 @@ pub struct Tangential {
 }
 
 impl Tangential {
-    /// Force on body 1 along t1 and t2 (N).
+    /// Force of the tangential tractions on body 1 along x and y (N).
     pub fn force(&self, frame: &ContactFrame) -> [f64; 2] {
-        self.traction.each_ref().map(|traction| frame.integrate(traction))
+        if frame.is_uniform() {
+            return self.traction.each_ref().map(|traction| frame.integrate(traction));
+        }
+        let [t1, t2] = self.traction.clone();
+        let n = vec![0.0; t1.len()];
+        let [x, y, _] = frame.force(&VectorField { t1, t2, n });
+        [x, y]
     }
 
     /// Moment on body 1 about n through the centre of the frame (N m).
@@ -88,7 +94,13 @@ impl Tangential {
             let [x, y] = frame.place(pair);
             x * t2[pair] - y * t1[pair]
         };
-        (0..frame.len()).map(moment).sum::<f64>() * frame.element_area()
+        if frame.mirrored() != [false; 2] {
+            // The mirror image turns the other way.
+            return 0.0;
+        }
+        let measure = frame.measure();
+        let weighed = (0..frame.len()).map(|pair| measure.weight.at(pair) * moment(pair));
+        weighed.sum::<f64>() * measure.area
     }
 
     /// Power of the creepages and the spin over the speed of rolling (N): what friction dissipates.
@@ -113,7 +125,7 @@ impl Tangential {
     /// Area (m^2) of the pairs in contact that stick.
     pub fn stick_area(&self, problem: &ContactProblem, pressure: &[f64]) -> f64 {
         let sticks = |&pair: &usize| self.sticks(problem, pressure, pair);
-        (0..pressure.len()).filter(sticks).count() as f64 * problem.frame.element_area()
+        problem.frame.area_where(|pair| sticks(&pair))
     }
 }
 

@@ -18,4 +18,5 @@ mod verification {
     mod similarity;
     mod spence;
     mod step_by_error;
+    mod unequal_pairs;
 }

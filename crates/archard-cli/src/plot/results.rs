@@ -8,7 +8,7 @@ use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::kinematics::Rolling;
-use archard::output::Image;
+use archard::output::{Image, Surface};
 use serde_json::Value;
 
 use super::tables::{
@@ -239,7 +239,10 @@ fn last_image(dir: &Path) -> anyhow::Result<Option<Image>> {
     let text =
         fs::read_to_string(&path).with_context(|| format!("cannot read `{}`", path.display()))?;
     let last = text.rsplit_once("file=\"").and_then(|(_, rest)| rest.split_once('"'));
-    Ok(last.map(|(name, _)| Image::read(&dir.join(name))).transpose()?)
+    let Some((name, _)) = last else { return Ok(None) };
+    let path = dir.join(name);
+    let surface = path.extension().is_some_and(|extension| extension == "vtu");
+    Ok(Some(if surface { Surface::read(&path)?.image() } else { Image::read(&path)? }))
 }
 
 /// The block of closed forms in a summary.

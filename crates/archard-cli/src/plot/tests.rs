@@ -1,5 +1,6 @@
 //! Pictures of a made-up run: no solver, Hertz's pressure on a growing scar.
 
+mod described;
 mod fretting;
 mod rolling;
 

@@ -18,7 +18,8 @@ use slip::{Differenced, Direct};
 
 /// A linear map from tractions (Pa) to relative displacements (m) of the pairs.
 ///
-/// It is symmetric and positive definite. Tractions act on body 1, and the displacement returned is
+/// It is positive definite, and symmetric in the product of fields weighted by the areas of the pairs, nearly
+/// so at least. Tractions act on body 1, and the displacement returned is
 /// that of body 1 less that of body 2: the C L of the gap k = k_g + k_o + w n - C L.
 pub trait Compliance: Debug + Send + Sync {
     /// Relative displacements (m) under tractions (Pa).
@@ -32,15 +33,22 @@ pub trait Compliance: Debug + Send + Sync {
         displacement.copy_from_slice(&self.apply(&tractions).n);
     }
 
-    /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone.
+    /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone; the largest of unequal pairs.
     fn normal_self_term(&self) -> f64;
+
+    /// Tangential displacement (m) of a pair under a unit traction (Pa) on it alone, the larger of both
+    /// directions; the largest of unequal pairs, by default that of one of the largest pairs.
+    fn tangential_self_term(&self, frame: &ContactFrame) -> f64 {
+        slip::self_term(|tractions| self.apply(tractions), frame)
+    }
 
     /// Whether tangential tractions displace the pairs along n, and pressures across it.
     fn couples(&self) -> bool {
         true
     }
 
-    /// How tangential tractions change the slip while the contact rolls on by one element of the frame.
+    /// How tangential tractions change the slip while the contact rolls on by one element of the frame; where
+    /// those are unequal, by the [mean](ContactFrame::advance) of them at the rate of each pair.
     fn rolling<'a>(
         &'a self,
         frame: &'a ContactFrame,
@@ -55,13 +63,15 @@ pub trait Compliance: Debug + Send + Sync {
     }
 
     /// An approximate inverse of `apply_normal` with `addition` (m/Pa) on its diagonal, for
-    /// iterations; symmetric and positive definite. By default a division by the diagonal.
+    /// iterations; positive definite, and symmetric as the compliance is. By default a division by the
+    /// diagonal.
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         Box::new(Diagonal(1.0 / (self.normal_self_term() + addition)))
     }
 }
 
-/// A symmetric positive definite map from displacements (m) to pressures (Pa).
+/// A positive definite map from displacements (m) to pressures (Pa), symmetric in the product of fields weighted
+/// by the areas of the pairs.
 pub trait Preconditioner: Debug {
     /// The pressures that answer to `displacement`, into `pressure`.
     fn apply(&self, displacement: &[f64], pressure: &mut [f64]);

@@ -64,27 +64,45 @@ pub struct Rub {
 /// Self terms beside the diagonal of slipping pairs.
 const SLIPPING: f64 = 2.0;
 
-/// Steady rolling on any compliance of a uniform frame.
+/// Steady rolling on any compliance of a frame whose pairs form a grid.
 #[derive(Debug)]
 pub(super) struct Differenced<'a, C: ?Sized> {
     compliance: &'a C,
     elements: [usize; 2],
     direction: Direction,
+    /// The mean distance to the pair ahead relative to that of each pair; none where all are the same.
+    rate: Option<Vec<f64>>,
     own: f64,
 }
 
 impl<'a, C: Compliance + ?Sized> Differenced<'a, C> {
     pub fn new(compliance: &'a C, frame: &ContactFrame, direction: Direction) -> Self {
         let elements = frame.elements();
-        let mut map = Self { compliance, elements, direction, own: 0.0 };
+        let mean = frame.advance(direction);
+        let rate = frame
+            .advances(direction)
+            .map(|advances| advances.iter().map(|advance| mean / advance).collect());
+        let mut map = Self { compliance, elements, direction, rate, own: 0.0 };
         // Never a foremost pair, which has none ahead.
         let middle = direction
             .planes(elements)
             .nth(elements[1 - direction.axis] / 2)
             .and_then(|mut plane| plane.nth(elements[direction.axis] / 2))
             .unwrap_or_default();
-        map.own = own(&map, frame.len(), middle);
+        map.own = own(frame.len(), middle, |tractions| map.taken(tractions));
         map
+    }
+
+    /// The slip that tractions take away.
+    fn taken(&self, tractions: &VectorField) -> [Vec<f64>; 2] {
+        let displacement = self.compliance.apply(tractions);
+        [displacement.t1, displacement.t2].map(|displacement| {
+            let mut gained = self.direction.gained(&displacement, self.elements);
+            if let Some(rate) = &self.rate {
+                gained.iter_mut().zip(rate).for_each(|(gained, rate)| *gained *= rate);
+            }
+            gained
+        })
     }
 }
 
@@ -97,18 +115,13 @@ pub(super) struct Direct<'a, C: ?Sized> {
 
 impl<'a, C: Compliance + ?Sized> Direct<'a, C> {
     pub fn new(compliance: &'a C, frame: &ContactFrame) -> Self {
-        let [nx, ny] = frame.elements();
-        let mut map = Self { compliance, own: 0.0 };
-        map.own = own(&map, frame.len(), nx / 2 + nx * (ny / 2));
-        map
+        Self { compliance, own: compliance.tangential_self_term(frame) }
     }
 }
 
 impl<C: Compliance + ?Sized> SlipMap for Direct<'_, C> {
     fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]) {
-        let [t1, t2] = tractions.map(<[f64]>::to_vec);
-        let n = vec![0.0; t1.len()];
-        let displacement = self.compliance.apply(&VectorField { t1, t2, n });
+        let displacement = self.compliance.apply(&tangential(tractions));
         for (slip, displacement) in slip.into_iter().zip([&displacement.t1, &displacement.t2]) {
             slip.copy_from_slice(displacement);
         }
@@ -119,30 +132,39 @@ impl<C: Compliance + ?Sized> SlipMap for Direct<'_, C> {
     }
 }
 
-/// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
-fn own(map: &dyn SlipMap, pairs: usize, pair: usize) -> f64 {
-    let along = |axis: usize| {
-        let mut unit = [vec![0.0; pairs], vec![0.0; pairs]];
-        let mut slip = unit.clone();
-        unit[axis][pair] = 1.0;
-        let [t1, t2] = &mut slip;
-        map.apply([&unit[0], &unit[1]], [t1, t2]);
-        slip[axis][pair]
-    };
-    along(0).max(along(1))
-}
-
 impl<C: Compliance + ?Sized> SlipMap for Differenced<'_, C> {
     fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]) {
-        let [t1, t2] = tractions.map(<[f64]>::to_vec);
-        let n = vec![0.0; t1.len()];
-        let displacement = self.compliance.apply(&VectorField { t1, t2, n });
-        for (slip, displacement) in slip.into_iter().zip([&displacement.t1, &displacement.t2]) {
-            slip.copy_from_slice(&self.direction.gained(displacement, self.elements));
+        for (slip, taken) in slip.into_iter().zip(self.taken(&tangential(tractions))) {
+            slip.copy_from_slice(&taken);
         }
     }
 
     fn own(&self) -> f64 {
         self.own
     }
+}
+
+fn tangential(tractions: [&[f64]; 2]) -> VectorField {
+    let [t1, t2] = tractions.map(<[f64]>::to_vec);
+    let n = vec![0.0; t1.len()];
+    VectorField { t1, t2, n }
+}
+
+/// Tangential displacement (m) of one of the largest pairs under a unit traction (Pa) on it alone; the larger of
+/// both directions.
+pub(super) fn self_term(apply: impl Fn(&VectorField) -> VectorField, frame: &ContactFrame) -> f64 {
+    own(frame.len(), frame.largest(), |tractions| {
+        let VectorField { t1, t2, .. } = apply(tractions);
+        [t1, t2]
+    })
+}
+
+/// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
+fn own(pairs: usize, pair: usize, taken: impl Fn(&VectorField) -> [Vec<f64>; 2]) -> f64 {
+    let along = |axis: usize| {
+        let mut unit = [vec![0.0; pairs], vec![0.0; pairs]];
+        unit[axis][pair] = 1.0;
+        taken(&tangential([&unit[0], &unit[1]]))[axis][pair]
+    };
+    along(0).max(along(1))
 }

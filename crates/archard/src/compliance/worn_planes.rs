@@ -9,6 +9,7 @@ use std::cell::RefCell;
 use super::{Compliance, Preconditioner};
 use crate::frame::{Direction, VectorField};
 use crate::numerics::dense::Cholesky;
+use crate::numerics::vector::Values;
 
 /// Sets of touching planes tried.
 const SETS: usize = 50;
@@ -29,6 +30,8 @@ pub struct WornPlanes<'a> {
     between: Vec<f64>,
     /// Whether preconditioners keep to the contact given instead of following the iteration's.
     steady: bool,
+    /// Areas of the pairs relative to the mean.
+    weight: Values<'a>,
 }
 
 /// A plane of rolling.
@@ -37,7 +40,7 @@ struct Plane {
     /// All its pairs, and those in contact.
     pairs: Vec<usize>,
     contact: Vec<usize>,
-    /// Wear (m) of the plane under a unit pressure (Pa) on one pair.
+    /// Wear (m) of the plane under a unit pressure (Pa) on one pair of mean area.
     slope: f64,
 }
 
@@ -61,7 +64,17 @@ impl<'a> WornPlanes<'a> {
             .collect();
         spread_contact(&mut planes);
         let between = between(elastic, &planes, pressure.len());
-        Self { elastic, planes, between, steady: false }
+        Self { elastic, planes, between, steady: false, weight: Values::All(1.0) }
+    }
+
+    /// The same on pairs of areas that have these ratios to their mean.
+    pub fn weighed(self, weight: Values<'a>) -> Self {
+        Self { weight, ..self }
+    }
+
+    /// Sum of the pressures (Pa) of a plane, weighted by areas.
+    fn sum(&self, plane: &Plane, pressure: &[f64]) -> f64 {
+        plane.pairs.iter().map(|&pair| self.weight.at(pair) * pressure[pair]).sum()
     }
 
     /// The same with preconditioners that keep to the contact given: slower, but sure where following the
@@ -77,8 +90,7 @@ impl<'a> WornPlanes<'a> {
         let mean = |plane: &Plane| {
             plane.contact.iter().map(|&pair| gap[pair]).sum::<f64>() / plane.contact.len() as f64
         };
-        let sum = |plane: &Plane| plane.pairs.iter().map(|&pair| pressure[pair]).sum::<f64>();
-        let before: Vec<f64> = self.planes.iter().map(sum).collect();
+        let before: Vec<f64> = self.planes.iter().map(|plane| self.sum(plane, pressure)).collect();
         let touching: Vec<bool> = before.iter().map(|&sum| sum > 0.0).collect();
         let first = touching.iter().position(|&touches| touches)?;
         let last = touching.iter().rposition(|&touches| touches)?;
@@ -105,7 +117,7 @@ impl<'a> WornPlanes<'a> {
     /// Adds to displacements (m) what pressures (Pa) wear, times a factor.
     pub fn add_wear(&self, pressure: &[f64], factor: f64, displacement: &mut [f64]) {
         for plane in &self.planes {
-            let sum: f64 = plane.pairs.iter().map(|&pair| pressure[pair]).sum();
+            let sum = self.sum(plane, pressure);
             if sum != 0.0 {
                 let depth = factor * plane.slope * sum;
                 plane.pairs.iter().for_each(|&pair| displacement[pair] += depth);

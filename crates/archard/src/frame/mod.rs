@@ -10,28 +10,69 @@
 //!   eq. 29, its bodies condensed), so that the normal gap is g + w - approach + C p.
 //! - t1 is the x axis of the frame and t2 the y axis. Friction on body 1 points along the slip of
 //!   body 2 over body 1.
-//! - A pair is the centre of a rectangular element of uniform traction; pair i = ix + nx iy.
+//! - On a uniform frame a pair is the centre of a rectangular element of uniform traction; pair
+//!   i = ix + nx iy. Frames of other pairs are [described](Pairs) one by one: areas of their own, maybe
+//!   bases of their own on a curved surface, maybe one half or quarter of a symmetric frame. A uniform
+//!   frame stores none of that, so that millions of pairs stay cheap.
 
+mod centre;
 mod direction;
 mod field;
+mod measure;
+mod pairs;
 
 pub use direction::Direction;
 pub use field::VectorField;
+pub use measure::Measure;
+pub use pairs::{Pairs, PairsError};
 
 use rayon::prelude::*;
 
 use crate::body::Profile;
+use crate::numerics::vector::Values;
+use pairs::Described;
 
-/// The pairs of a uniform rectangular grid, centred at the origin, and their geometric gap.
+/// The pairs that may touch, and their geometric gap.
 #[derive(Debug, Clone)]
 pub struct ContactFrame {
+    shape: Shape,
+    /// Gap of the undeformed bodies at first touch (m).
+    gap: Vec<f64>,
+}
+
+/// Where the pairs are.
+#[derive(Debug, Clone)]
+enum Shape {
+    Uniform(Grid),
+    Described(Box<Described>),
+}
+
+/// A uniform rectangular grid, centred at the origin.
+#[derive(Debug, Clone, Copy)]
+struct Grid {
     /// Size along x and y (m).
     size: [f64; 2],
     /// Number of elements along x and y.
     elements: [usize; 2],
-    /// Gap of the undeformed bodies at first touch (m).
-    gap: Vec<f64>,
 }
+
+impl Grid {
+    fn spacing(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)
+    }
+
+    fn place(&self, pair: usize) -> [f64; 2] {
+        let index = [pair % self.elements[0], pair / self.elements[0]];
+        let spacing = self.spacing();
+        [0, 1].map(|axis| {
+            // Symmetric to the last bit, so that symmetric problems stay symmetric.
+            0.5 * spacing[axis] * (2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64)
+        })
+    }
+}
+
+/// The axes of the frame.
+const AXES: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
 
 /// A frame some part of which lies beyond a body's surface.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -53,31 +94,30 @@ impl ContactFrame {
         elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        let mut frame = Self { size, elements, gap: vec![] };
+        let grid = Grid { size, elements };
         let recess = |pair: usize| {
-            let [x, y] = frame.place(pair);
+            let [x, y] = grid.place(pair);
             profiles.map(|profile| profile.recess(x, y))
         };
-        let gap: Vec<f64> = (0..frame.len())
+        let mut gap: Vec<f64> = (0..elements[0] * elements[1])
             .into_par_iter()
             .with_min_len(4096)
             .map(|pair| recess(pair).iter().sum())
             .collect();
         if let Some(pair) = gap.iter().position(|gap| !gap.is_finite()) {
             let body = usize::from(recess(pair)[0].is_finite());
-            return Err(OffTheSurface { body, place: frame.place(pair) });
+            return Err(OffTheSurface { body, place: grid.place(pair) });
         }
-        frame.gap = gap;
         // The bodies may touch between pairs, where the apex of most profiles is.
         let apex: f64 = profiles.iter().map(|profile| profile.recess(0.0, 0.0)).sum();
-        let touch = frame.gap.iter().copied().fold(apex, f64::min);
-        frame.gap.iter_mut().for_each(|gap| *gap -= touch);
-        Ok(frame)
+        let touch = gap.iter().copied().fold(apex, f64::min);
+        gap.iter_mut().for_each(|gap| *gap -= touch);
+        Ok(Self { shape: Shape::Uniform(grid), gap })
     }
 
     /// Number of pairs.
     pub fn len(&self) -> usize {
-        self.elements[0] * self.elements[1]
+        self.gap.len()
     }
 
     /// Whether there are no pairs.
@@ -85,25 +125,92 @@ impl ContactFrame {
         self.len() == 0
     }
 
-    /// Size along x and y (m).
+    /// Whether the pairs are equal elements of a rectangular grid, without mirror images.
+    pub fn is_uniform(&self) -> bool {
+        matches!(self.shape, Shape::Uniform(_))
+    }
+
+    /// Whether the pairs lie in rows and columns along x and y.
+    pub fn is_grid(&self) -> bool {
+        match &self.shape {
+            Shape::Uniform(_) => true,
+            Shape::Described(described) => described.pairs.elements.is_some(),
+        }
+    }
+
+    /// Whether all pairs have the axes of the frame for their basis.
+    pub fn is_plane(&self) -> bool {
+        match &self.shape {
+            Shape::Uniform(_) => true,
+            Shape::Described(described) => described.pairs.bases.is_empty(),
+        }
+    }
+
+    /// Whether x = 0 and y = 0 are planes of symmetry with pairs on one side only.
+    pub fn mirrored(&self) -> [bool; 2] {
+        match &self.shape {
+            Shape::Uniform(_) => [false; 2],
+            Shape::Described(described) => described.pairs.mirrored,
+        }
+    }
+
+    /// Size along x and y (m), mirror images included.
     pub fn size(&self) -> [f64; 2] {
-        self.size
+        match &self.shape {
+            Shape::Uniform(grid) => grid.size,
+            Shape::Described(described) => described.size,
+        }
     }
 
-    /// Number of elements along x and y.
+    /// Number of pairs along x and y; all along x where they form no grid.
     pub fn elements(&self) -> [usize; 2] {
-        self.elements
+        match &self.shape {
+            Shape::Uniform(grid) => grid.elements,
+            Shape::Described(described) => described.pairs.elements.unwrap_or([self.len(), 1]),
+        }
     }
 
-    /// Size of an element along x and y (m).
+    /// Size of an element along x and y (m); on frames that are not uniform, the side of a square of the mean
+    /// area of a pair.
     pub fn spacing(&self) -> [f64; 2] {
-        [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)
+        match &self.shape {
+            Shape::Uniform(grid) => grid.spacing(),
+            Shape::Described(_) => [self.measure().side; 2],
+        }
     }
 
-    /// Area of an element (m^2).
+    /// Area of an element (m^2); on frames that are not uniform, the mean area of a pair and its images.
     pub fn element_area(&self) -> f64 {
-        let [dx, dy] = self.spacing();
-        dx * dy
+        match &self.shape {
+            Shape::Uniform(grid) => {
+                let [dx, dy] = grid.spacing();
+                dx * dy
+            }
+            Shape::Described(described) => described.area,
+        }
+    }
+
+    /// How the pairs count in sums.
+    pub fn measure(&self) -> Measure<'_> {
+        let area = self.element_area();
+        match &self.shape {
+            Shape::Uniform(_) => Measure::even(area),
+            Shape::Described(described) => {
+                let closing = match &*described.closing {
+                    [] => Values::All(1.0),
+                    closing => Values::Each(closing),
+                };
+                let images: f64 = described
+                    .pairs
+                    .mirrored
+                    .map(|mirrored| if mirrored { 2.0 } else { 1.0 })
+                    .iter()
+                    .product();
+                let weight = Values::Each(&described.weights);
+                let closed = described.pairs.closed;
+                Measure { area, weight, closing, side: (area / images).sqrt(), closed }
+            }
+        }
     }
 
     /// Gap of the undeformed, unworn bodies at first touch (m), one value a pair.
@@ -111,32 +218,173 @@ impl ContactFrame {
         &self.gap
     }
 
-    /// Where a pair is (m from the centre of the frame).
+    /// Where a pair is along x and y (m from the centre of the frame).
     pub fn place(&self, pair: usize) -> [f64; 2] {
-        let index = [pair % self.elements[0], pair / self.elements[0]];
-        let spacing = self.spacing();
-        [0, 1].map(|axis| {
-            // Symmetric to the last bit, so that symmetric problems stay symmetric.
-            0.5 * spacing[axis] * (2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64)
-        })
+        match &self.shape {
+            Shape::Uniform(grid) => grid.place(pair),
+            Shape::Described(described) => {
+                let [x, y, _] = described.pairs.places[pair];
+                [x, y]
+            }
+        }
+    }
+
+    /// How high a pair lies along z (m).
+    pub fn height(&self, pair: usize) -> f64 {
+        match &self.shape {
+            Shape::Uniform(_) => 0.0,
+            Shape::Described(described) => described.pairs.places[pair][2],
+        }
+    }
+
+    /// Area (m^2) of a pair and its mirror images.
+    pub fn area(&self, pair: usize) -> f64 {
+        match &self.shape {
+            Shape::Uniform(_) => self.element_area(),
+            Shape::Described(described) => described.pairs.areas[pair],
+        }
+    }
+
+    /// How much of the approach closes the gap of a pair.
+    pub fn closing(&self, pair: usize) -> f64 {
+        self.measure().closing.at(pair)
+    }
+
+    /// One of the largest pairs: the middle one of a uniform frame, otherwise that nearest to the centre.
+    pub fn largest(&self) -> usize {
+        match &self.shape {
+            Shape::Uniform(Grid { elements: [nx, ny], .. }) => nx / 2 + nx * (ny / 2),
+            Shape::Described(described) => described.largest,
+        }
+    }
+
+    /// How far a contact rolls on the average from one pair to the next (m).
+    pub fn advance(&self, direction: Direction) -> f64 {
+        match &self.shape {
+            Shape::Uniform(grid) => grid.spacing()[direction.axis],
+            Shape::Described(described) => {
+                let images = if described.pairs.mirrored[direction.axis] { 2 } else { 1 };
+                described.size[direction.axis] / (images * self.elements()[direction.axis]) as f64
+            }
+        }
+    }
+
+    /// How far it rolls from each pair to the one ahead (m), from the foremost as far as to them; `None` where
+    /// that is the same everywhere.
+    pub fn advances(&self, direction: Direction) -> Option<Vec<f64>> {
+        if self.is_uniform() {
+            return None;
+        }
+        let places: Vec<f64> =
+            (0..self.len()).map(|pair| self.place(pair)[direction.axis]).collect();
+        let gained = direction.gained(&places, self.elements());
+        Some(gained.iter().map(|gained| gained.abs()).collect())
+    }
+
+    /// The unit vectors t1, t2 and n of a pair in the axes of the frame.
+    pub fn basis(&self, pair: usize) -> [[f64; 3]; 3] {
+        match &self.shape {
+            Shape::Uniform(_) => AXES,
+            Shape::Described(described) => described.pairs.bases.get(pair).copied().unwrap_or(AXES),
+        }
+    }
+
+    /// The components along t1, t2 and n of a pair of a vector in the axes of the frame.
+    pub fn resolve(&self, pair: usize, vector: [f64; 3]) -> [f64; 3] {
+        if self.is_plane() {
+            return vector;
+        }
+        self.basis(pair).map(|unit| unit.iter().zip(vector).map(|(u, v)| u * v).sum())
+    }
+
+    /// The vector in the axes of the frame with these components along t1, t2 and n of a pair.
+    pub fn compose(&self, pair: usize, [t1, t2, n]: [f64; 3]) -> [f64; 3] {
+        if self.is_plane() {
+            return [t1, t2, n];
+        }
+        let basis = self.basis(pair);
+        [0, 1, 2].map(|axis| t1 * basis[0][axis] + t2 * basis[1][axis] + n * basis[2][axis])
+    }
+
+    /// What the pairs are displaced by against each other, in their bases, when body 2 moves by a vector in
+    /// the axes of the frame.
+    pub fn moved(&self, vector: [f64; 3]) -> VectorField {
+        if self.is_plane() {
+            let [t1, t2, n] = vector.map(|component| vec![component; self.len()]);
+            return VectorField { t1, t2, n };
+        }
+        let mut field = VectorField::zeros(self.len());
+        for pair in 0..self.len() {
+            [field.t1[pair], field.t2[pair], field.n[pair]] = self.resolve(pair, vector);
+        }
+        field
+    }
+
+    /// Corners (m) of the part of the surface that a pair stands for, in order.
+    pub fn outline(&self, pair: usize) -> Vec<[f64; 3]> {
+        match &self.shape {
+            Shape::Uniform(grid) => {
+                let ([x, y], [dx, dy]) = (grid.place(pair), grid.spacing());
+                [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]]
+                    .map(|[a, b]| [x + a * dx, y + b * dy, 0.0])
+                    .to_vec()
+            }
+            Shape::Described(described) => described.pairs.outlines[pair].clone(),
+        }
     }
 
     /// Integral of a field over the frame (its unit times m^2).
     pub fn integrate(&self, field: &[f64]) -> f64 {
-        field.iter().sum::<f64>() * self.element_area()
+        match &self.shape {
+            Shape::Uniform(_) => field.iter().sum::<f64>() * self.element_area(),
+            Shape::Described(described) => {
+                field.iter().zip(&described.pairs.areas).map(|(value, area)| value * area).sum()
+            }
+        }
+    }
+
+    /// Area (m^2) of the pairs for which something holds.
+    pub fn area_where(&self, holds: impl Fn(usize) -> bool) -> f64 {
+        let pairs = (0..self.len()).filter(|&pair| holds(pair));
+        match &self.shape {
+            Shape::Uniform(_) => pairs.count() as f64 * self.element_area(),
+            Shape::Described(described) => pairs.map(|pair| described.pairs.areas[pair]).sum(),
+        }
+    }
+
+    /// Force (N) of tractions (Pa) in the axes of the frame; what mirror images cancel is zero.
+    pub fn force(&self, tractions: &VectorField) -> [f64; 3] {
+        let VectorField { t1, t2, n } = tractions;
+        let sums = if self.is_plane() {
+            [t1, t2, n].map(|part| self.integrate(part))
+        } else {
+            (0..self.len()).fold([0.0; 3], |sum, pair| {
+                let traction = self.compose(pair, [t1[pair], t2[pair], n[pair]]);
+                [0, 1, 2].map(|axis| sum[axis] + self.area(pair) * traction[axis])
+            })
+        };
+        let [x, y] = self.mirrored();
+        [if x { 0.0 } else { sums[0] }, if y { 0.0 } else { sums[1] }, sums[2]]
     }
 
     /// Value of a field at the frame's centre, in the field's unit: the pair's own where one sits
     /// there, otherwise the mean of the two or four around it, corrected for curvature by their next
-    /// neighbours unless the field vanishes at one of those, as pressures do outside a contact.
+    /// neighbours unless the field vanishes at one of those, as pressures do outside a contact. On frames
+    /// that are not uniform a parabola is fitted to the pairs around the centre and their mirror images.
     pub fn at_centre(&self, field: &[f64]) -> f64 {
-        let nearest = self.weigh(field, centre_nearest).0;
-        match self.weigh(field, centre_smooth) {
+        let grid = match &self.shape {
+            Shape::Uniform(grid) => grid,
+            Shape::Described(described) => return described.centre.value(field),
+        };
+        let nearest = grid.weigh(field, centre_nearest).0;
+        match grid.weigh(field, centre_smooth) {
             (value, true) => value,
             (_, false) => nearest,
         }
     }
+}
 
+impl Grid {
     /// Weighs the values around the centre, and whether none of them is zero.
     fn weigh(&self, field: &[f64], weights: fn(usize) -> Vec<(usize, f64)>) -> (f64, bool) {
         let [along_x, along_y] = self.elements.map(weights);

@@ -171,8 +171,9 @@ impl Rolling {
             Drive::Force(_) => 0.0,
         };
         let (forward, lateral) = (self.direction.forward(), self.direction.lateral());
-        let advance = self.advance(frame);
+        let (mean, advances) = (self.advance(frame), frame.advances(self.direction));
         let slip = |pair: usize| {
+            let advance = advances.as_ref().map_or(mean, |advances| advances[pair]);
             let place = frame.place(pair);
             let along = |unit: [f64; 2]| place[0] * unit[0] + place[1] * unit[1];
             // Half way from the pair ahead.
@@ -186,9 +187,9 @@ impl Rolling {
         [0, 1].map(|axis| slips.iter().map(|slip| slip[axis]).collect())
     }
 
-    /// How far the contact rolls from one pair to the next (m).
+    /// How far the contact rolls on the average from one pair to the next (m).
     pub fn advance(&self, frame: &ContactFrame) -> f64 {
-        frame.spacing()[self.direction.axis]
+        frame.advance(self.direction)
     }
 }
 

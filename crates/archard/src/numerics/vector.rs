@@ -10,12 +10,58 @@ const BLOCK: usize = 16_384;
 /// Elements of a block handled side by side.
 const LANES: usize = 8;
 
+/// A vector that may be one value throughout, which then is not stored.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Values<'a> {
+    /// The same value everywhere.
+    All(f64),
+    /// One value an element.
+    Each(&'a [f64]),
+}
+
+impl<'a> Values<'a> {
+    /// The value of an element.
+    pub fn at(self, index: usize) -> f64 {
+        match self {
+            Self::All(value) => value,
+            Self::Each(values) => values[index],
+        }
+    }
+
+    /// Some elements from one on.
+    fn part(self, start: usize, length: usize) -> Self {
+        match self {
+            Self::All(_) => self,
+            Self::Each(values) => {
+                Self::Each(&values[start.min(values.len())..(start + length).min(values.len())])
+            }
+        }
+    }
+
+    /// A group of lanes.
+    fn lanes(self, group: usize) -> [f64; LANES] {
+        match self {
+            Self::All(value) => [value; LANES],
+            Self::Each(values) => from_fn(|lane| values[group * LANES + lane]),
+        }
+    }
+}
+
 /// Sums over all elements of what `term` makes of the vectors' values.
 pub fn sum<const R: usize, const N: usize>(
     vectors: [&[f64]; R],
     term: impl Fn([f64; R]) -> [f64; N] + Sync,
 ) -> [f64; N] {
     sweep([], vectors, |[], values| ([], term(values)))
+}
+
+/// Sums over all elements of what `term` makes of the vectors' values and those beside them.
+pub fn sum_with<const W: usize, const R: usize, const N: usize>(
+    beside: [Values<'_>; W],
+    vectors: [&[f64]; R],
+    term: impl Fn([f64; W], [f64; R]) -> [f64; N] + Sync,
+) -> [f64; N] {
+    sweep_with(beside, [], vectors, |beside, [], values| ([], term(beside, values)))
 }
 
 /// A vector of what `value` makes of the values of others of one length.
@@ -44,15 +90,26 @@ pub fn sweep<const M: usize, const R: usize, const N: usize>(
     others: [&[f64]; R],
     change: impl Fn([f64; M], [f64; R]) -> ([f64; M], [f64; N]) + Sync,
 ) -> [f64; N] {
+    sweep_with([], vectors, others, |[], values, others| change(values, others))
+}
+
+/// The same with values beside the vectors.
+pub fn sweep_with<const W: usize, const M: usize, const R: usize, const N: usize>(
+    beside: [Values<'_>; W],
+    vectors: [&mut [f64]; M],
+    others: [&[f64]; R],
+    change: impl Fn([f64; W], [f64; M], [f64; R]) -> ([f64; M], [f64; N]) + Sync,
+) -> [f64; N] {
     let length =
         vectors.iter().map(|v| v.len()).chain(others.iter().map(|v| v.len())).next().unwrap_or(0);
     if length <= BLOCK {
-        return Block { vectors, others }.sweep(&change);
+        return Block { beside, vectors, others }.sweep(&change);
     }
     let mut parts = vectors.map(|vector| vector.chunks_mut(BLOCK));
     let mut other_parts = others.map(|vector| vector.chunks(BLOCK));
-    let blocks: Vec<Block<'_, M, R>> = (0..length.div_ceil(BLOCK))
-        .map(|_| Block {
+    let blocks: Vec<Block<'_, W, M, R>> = (0..length.div_ceil(BLOCK))
+        .map(|block| Block {
+            beside: beside.map(|values| values.part(block * BLOCK, BLOCK)),
             vectors: parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
             others: other_parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
         })
@@ -71,16 +128,17 @@ pub fn in_pool<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 }
 
 /// The same stretch of several vectors.
-struct Block<'a, const M: usize, const R: usize> {
+struct Block<'a, const W: usize, const M: usize, const R: usize> {
+    beside: [Values<'a>; W],
     vectors: [&'a mut [f64]; M],
     others: [&'a [f64]; R],
 }
 
-impl<const M: usize, const R: usize> Block<'_, M, R> {
+impl<const W: usize, const M: usize, const R: usize> Block<'_, W, M, R> {
     /// Whole groups of lanes, then the rest.
     fn sweep<const N: usize>(
         self,
-        change: &impl Fn([f64; M], [f64; R]) -> ([f64; M], [f64; N]),
+        change: &impl Fn([f64; W], [f64; M], [f64; R]) -> ([f64; M], [f64; N]),
     ) -> [f64; N] {
         let mut lanes = [[0.0; LANES]; N];
         let mut written = self.vectors.map(|vector| vector.as_chunks_mut::<LANES>());
@@ -95,10 +153,14 @@ impl<const M: usize, const R: usize> Block<'_, M, R> {
             // Copies on the stack: the compiler sees that nothing overlaps and takes lanes together.
             let before: [[f64; LANES]; M] = from_fn(|v| written[v].0[group]);
             let others: [[f64; LANES]; R] = from_fn(|v| read[v].0[group]);
+            let beside = self.beside.map(|values| values.lanes(group));
             let (mut after, mut terms) = ([[0.0; LANES]; M], [[0.0; LANES]; N]);
             for lane in 0..LANES {
-                let (values, sums) =
-                    change(from_fn(|v| before[v][lane]), from_fn(|v| others[v][lane]));
+                let (values, sums) = change(
+                    from_fn(|v| beside[v][lane]),
+                    from_fn(|v| before[v][lane]),
+                    from_fn(|v| others[v][lane]),
+                );
                 (0..M).for_each(|v| after[v][lane] = values[v]);
                 (0..N).for_each(|n| terms[n][lane] = sums[n]);
             }
@@ -114,7 +176,8 @@ impl<const M: usize, const R: usize> Block<'_, M, R> {
             .unwrap_or(0);
         for i in 0..rest {
             let values = written.each_ref().map(|vector| vector.1[i]);
-            let (values, terms) = change(values, read.map(|vector| vector.1[i]));
+            let beside = self.beside.map(|beside| beside.at(groups * LANES + i));
+            let (values, terms) = change(beside, values, read.map(|vector| vector.1[i]));
             written.iter_mut().zip(values).for_each(|(vector, value)| vector.1[i] = value);
             add(&mut total, terms);
         }
@@ -128,7 +191,7 @@ fn add<const N: usize>(total: &mut [f64; N], terms: [f64; N]) {
 
 #[cfg(test)]
 mod tests {
-    use super::{BLOCK, sum, sweep, update};
+    use super::{BLOCK, Values, sum, sum_with, sweep, update};
 
     #[test]
     fn sums_and_sweeps_cover_every_element_once() {
@@ -142,6 +205,10 @@ mod tests {
             let [total, of_places] = sum([&values, &places], |values| values);
             assert_eq!(total, (length * (length + 1)) as f64);
             assert_eq!(of_places, 0.5 * total - count);
+            let beside = [Values::All(2.0), Values::Each(&places)];
+            let [twice] =
+                sum_with(beside, [&values], |[two, place], [value]| [value - two * place]);
+            assert_eq!(twice, 2.0 * count);
         }
     }
 }

@@ -20,7 +20,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// The image of a state; see [`fields()`] for what is on it.
+    /// The image of a state on a uniform frame; see [`fields()`] for what is on it.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Self {
         Self {
             origin: problem.frame.size().map(|size| -0.5 * size),

@@ -8,11 +8,13 @@
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
 //!   every one in which an output falls due, a row an increment;
-//! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView;
+//! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView; on frames
+//!   that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals.
 //!
 //! All of them are complete on the disk after every step, so an interrupted run can be read.
 
+mod appended;
 mod closed_forms;
 mod coefficients;
 mod fields;
@@ -23,20 +25,28 @@ mod image;
 mod pvd;
 mod sections;
 mod summary;
+mod surface;
 mod table;
 mod vti;
+mod vtu;
 mod worn_profiles;
 
 #[cfg(test)]
 mod fixture;
 
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub use fields::{Field, fields};
 pub use folder::ResultFolder;
 pub use image::Image;
 pub use summary::Totals;
+pub use surface::Surface;
+
+/// What a file of fields is called.
+fn extension(path: &Path) -> String {
+    path.extension().map_or_else(String::new, |extension| format!(".{}", extension.display()))
+}
 
 /// A result that cannot be written or read.
 #[derive(Debug, thiserror::Error)]
@@ -58,7 +68,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file of fields that is damaged or comes from another program.
-    #[error("`{}` is not a complete .vti file of this program: {what}", .path.display())]
+    #[error("`{}` is not a complete {} file of this program: {what}", .path.display(), extension(.path))]
     NotAnImage {
         /// The file.
         path: PathBuf,

@@ -1,30 +1,54 @@
 //! Sections of the fields along x and y through the centre of the frame.
 
 use super::table::{Table, number};
-use super::{Error, Image};
+use super::{Error, Field, Image, Surface};
 
 /// Adds the sections of an image to a long table: for each axis, a row an element.
 pub(super) fn write(table: &mut Table, progress: (&str, f64), image: &Image) -> Result<(), Error> {
-    for (axis, name) in ["x", "y"].into_iter().enumerate() {
+    for axis in 0..2 {
         let sections: Vec<Vec<f64>> =
             image.fields.iter().map(|field| section(image, &field.values, axis)).collect();
-        for index in 0..image.elements[axis] {
-            let mut row = vec![
-                (progress.0, number(progress.1)),
-                ("axis", name.to_owned()),
-                ("coordinate_m", number(image.centre(axis, index))),
-            ];
-            row.extend(
-                image
-                    .fields
-                    .iter()
-                    .zip(&sections)
-                    .map(|(field, values)| (field.name.as_str(), number(values[index]))),
-            );
-            table.row(&row)?;
-        }
+        let point = |index: usize| {
+            let values = sections.iter().map(|values| values[index]).collect();
+            (image.centre(axis, index), values)
+        };
+        let points: Vec<_> = (0..image.elements[axis]).map(point).collect();
+        write_axis(table, progress, axis, &image.fields, &points)?;
     }
     table.flush()
+}
+
+/// Adds the sections of a surface likewise: a row a pair on the line, its mirror images too.
+pub(super) fn write_surface(
+    table: &mut Table,
+    progress: (&str, f64),
+    surface: &Surface,
+) -> Result<(), Error> {
+    for axis in 0..2 {
+        write_axis(table, progress, axis, &surface.fields, &surface.section(axis))?;
+    }
+    table.flush()
+}
+
+/// Adds a section along an axis: places (m) and the values of every field there.
+fn write_axis(
+    table: &mut Table,
+    progress: (&str, f64),
+    axis: usize,
+    fields: &[Field],
+    points: &[(f64, Vec<f64>)],
+) -> Result<(), Error> {
+    for (place, values) in points {
+        let mut row = vec![
+            (progress.0, number(progress.1)),
+            ("axis", ["x", "y"][axis].to_owned()),
+            ("coordinate_m", number(*place)),
+        ];
+        let values = fields.iter().zip(values);
+        row.extend(values.map(|(field, value)| (field.name.as_str(), number(*value))));
+        table.row(&row)?;
+    }
+    Ok(())
 }
 
 /// Values along an axis on the centre line: those of the middle row or, where the line runs between

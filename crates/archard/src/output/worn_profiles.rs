@@ -26,8 +26,15 @@ impl<'a> WornProfiles<'a> {
         let (axis, frame) = (direction.axis, &problem.frame);
         let progress = (problem.kinematics.progress().column.to_owned(), state.progress);
         // Planes wear evenly, so that any of its pairs tells what a plane has lost.
-        for pair in direction.planes(frame.elements()).filter_map(|mut plane| plane.next()) {
-            let mut place = frame.place(pair);
+        let first = direction.planes(frame.elements()).filter_map(|mut plane| plane.next());
+        let mut planes: Vec<(usize, [f64; 2])> =
+            first.map(|pair| (pair, frame.place(pair))).collect();
+        if frame.mirrored()[1 - axis] {
+            let image = |&(pair, [x, y]): &(usize, [f64; 2])| (pair, [-x, -y]);
+            planes.extend(planes.iter().map(image).collect::<Vec<_>>());
+            planes.sort_by(|a, b| a.1[1 - axis].total_cmp(&b.1[1 - axis]));
+        }
+        for (pair, mut place) in planes {
             place[axis] = 0.0;
             let mut row = vec![progress.clone()];
             row.push((["y_m", "x_m"][axis].to_owned(), place[1 - axis]));

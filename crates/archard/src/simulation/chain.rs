@@ -4,7 +4,7 @@ use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::kinematics::Control;
 use crate::numerics::vector;
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{Outcome, Start, Status, Step};
 use crate::wear::Rubbing;
 
@@ -131,12 +131,19 @@ impl Chain {
         self.state.pressure.iter().map(depth).fold(0.0, f64::max)
     }
 
-    /// Gap of the worn, undeformed surfaces at zero approach (m).
+    /// Gap of the worn, undeformed surfaces at zero approach (m), shifted as they are.
     pub(super) fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
         let [first, second] = &self.state.worn;
-        vector::map([problem.frame.gap(), first, second], |[gap, first, second]| {
-            gap + first + second
-        })
+        let frame = &problem.frame;
+        let mut gap =
+            vector::map([frame.gap(), first, second], |[gap, first, second]| gap + first + second);
+        if let Some(Tangential { shift: [x, y], .. }) = &self.state.tangential
+            && !frame.is_plane()
+        {
+            let opened = frame.moved([*x, *y, 0.0]).n;
+            vector::update(&mut gap, [&opened], |gap, [opened]| gap + opened);
+        }
+        gap
     }
 
     /// Computes the displacement anew, where the pressures come from a solve that does not know it: that of
@@ -150,7 +157,7 @@ impl Chain {
     fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
         let Outcome { pressure, displacement, gap, approach, .. } = outcome;
         self.displacement = displacement;
-        let load = simulation.problem.frame.integrate(&pressure);
+        let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
         let tangential = self.state.tangential.take();
         let progress = leg.progress;
@@ -172,7 +179,7 @@ impl Chain {
             compliance,
             gap,
             addition,
-            element_area: problem.frame.element_area(),
+            measure: problem.frame.measure(),
             control: leg.control,
         };
         let ContactState { pressure, approach, load, .. } = &self.state;

@@ -1,6 +1,7 @@
 //! One row of numbers a step.
 
 use super::Report;
+use crate::frame::VectorField;
 use crate::kinematics::{Rolling, Shift};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 
@@ -11,7 +12,7 @@ use crate::problem::{ContactProblem, ContactState, Tangential};
 pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
     let Report { problem, state, effort, .. } = report;
     let frame = &problem.frame;
-    let area = state.pairs_in_contact() as f64 * frame.element_area();
+    let area = frame.area_where(|pair| state.pressure[pair] > 0.0);
     let mut row: Vec<(String, f64)> = vec![
         (problem.kinematics.progress().column.to_owned(), state.progress),
         ("load_N".to_owned(), state.load),
@@ -81,8 +82,7 @@ fn shift_columns(report: &Report<'_>, shift: &Shift) -> Vec<(String, f64)> {
     let Report { problem, state, effort, .. } = report;
     let tangential = state.tangential.as_ref();
     let [shift_x, shift_y] = tangential.map_or([0.0; 2], |tangential| tangential.shift);
-    let [force_x, force_y] =
-        tangential.map_or([0.0; 2], |tangential| tangential.force(&problem.frame));
+    let [force_x, force_y] = tangential.map_or([0.0; 2], |own| force(problem, state, own));
     let stick =
         tangential.map_or(0.0, |tangential| tangential.stick_area(problem, &state.pressure));
     let mut columns = vec![
@@ -98,6 +98,17 @@ fn shift_columns(report: &Report<'_>, shift: &Shift) -> Vec<(String, f64)> {
         columns.insert(0, ("cycle", state.progress / shift.period()));
     }
     columns.into_iter().map(|(column, value)| (column.to_owned(), value)).collect()
+}
+
+/// Force on body 1 along x and y (N); on curved frames the pressures have a part in it.
+fn force(problem: &ContactProblem, state: &ContactState, tangential: &Tangential) -> [f64; 2] {
+    if problem.frame.is_plane() {
+        return tangential.force(&problem.frame);
+    }
+    let [t1, t2] = tangential.traction.clone();
+    let n = state.pressure.iter().map(|pressure| -pressure).collect();
+    let [x, y, _] = problem.frame.force(&VectorField { t1, t2, n });
+    [x, y]
 }
 
 /// Deepest total wear (m).

@@ -13,8 +13,9 @@ impl Simulation {
     /// Carries the motion through, showing the initial contact and every step to the observers.
     ///
     /// # Errors
-    /// If a contact does not converge, fills the frame, or an observer cannot go on.
+    /// If the frame does not suit the motion, a contact does not converge, fills the frame, or an observer cannot go on.
     pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
+        self.check_frame()?;
         if let Some(shift) = self.problem.kinematics.shift() {
             return Cycles::new(self, shift).run(observers);
         }

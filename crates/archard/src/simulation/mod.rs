@@ -6,6 +6,7 @@ mod cycles;
 mod history;
 mod march;
 mod rolling;
+mod suits;
 
 use std::error::Error as StdError;
 
@@ -169,6 +170,22 @@ pub enum Error {
         /// Length of the last step tried.
         step: f64,
     },
+    /// A motion across a plane of symmetry.
+    #[error(
+        "{axis} = 0 is a plane of symmetry of the frame, and bodies that move along {axis} are not symmetric about it; mesh both sides"
+    )]
+    NotSymmetric {
+        /// The axis across the plane.
+        axis: &'static str,
+    },
+    /// Rolling on a frame whose pairs do not lie in plane rows.
+    #[error("bodies roll only on plane frames whose elements lie in rows along x and y")]
+    NoRows,
+    /// Friction of unlike bodies on a curved frame by a solver that cannot find it together with the pressures.
+    #[error(
+        "friction on a curved surface acts on the pressures; use a `friction_solver` that finds both at once: newton"
+    )]
+    NotJoint,
     /// An observer could not go on.
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),

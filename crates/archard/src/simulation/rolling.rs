@@ -31,7 +31,7 @@ struct Collected {
     depths: Vec<[f64; 2]>,
     /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
     slopes: Vec<f64>,
-    /// Sum of the pressures (Pa), one value a plane.
+    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a plane.
     pressures: Vec<f64>,
 }
 
@@ -40,13 +40,14 @@ impl Collected {
         let elements = problem.frame.elements();
         let pressure = &chain.state.pressure;
         let slip = chain.state.tangential.as_ref().map(|tangential| &tangential.slip);
+        let weight = problem.frame.measure().weight;
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
         for plane in rolling.direction.planes(elements) {
             let (mut depths, mut slope, mut sum, mut ahead) = ([0.0; 2], 0.0, 0.0, 0.0);
             for pair in plane {
                 let mean = 0.5 * (pressure[pair] + ahead);
                 ahead = pressure[pair];
-                sum += ahead;
+                sum += weight.at(pair) * ahead;
                 let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
                 let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
                 let worn = problem.wear_depths(rubbing);
@@ -137,7 +138,7 @@ impl Chain {
         let rolling = &rolling.at(leg.progress);
         let frame = &problem.frame;
         let advance = rolling.advance(frame);
-        let rigid = self.rigid_slip(problem, rolling);
+        let mut rigid = self.rigid_slip(problem, rolling);
         let Some(friction) = &problem.friction else {
             let given =
                 |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
@@ -161,10 +162,17 @@ impl Chain {
         };
         let held: Vec<Held> = units.into_iter().zip(drives).filter_map(held).collect();
         let map = problem.compliance.rolling(frame, rolling.direction);
+        // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
+        let advances = frame.advances(rolling.direction);
+        if let Some(advances) = &advances {
+            for slip in &mut rigid {
+                vector::update(slip, [advances], |slip, [own]| slip * advance / own);
+            }
+        }
         let step = tangential::Step {
             map: &*map,
             elements: frame.elements(),
-            element_area: frame.element_area(),
+            measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
             held: &held,
@@ -201,7 +209,12 @@ impl Chain {
             Drive::Creepage(creepage) => creepage,
             Drive::Force(_) => found.next().unwrap_or_default(),
         });
-        let (traction, slip) = (outcome.traction, outcome.slip);
+        let (traction, mut slip) = (outcome.traction, outcome.slip);
+        if let Some(advances) = &advances {
+            for slip in &mut slip {
+                vector::update(slip, [advances], |slip, [own]| slip * own / advance);
+            }
+        }
         self.state.tangential = Some(Tangential { traction, slip, creepage, shift: [0.0; 2] });
         Ok(())
     }
@@ -219,7 +232,10 @@ impl Chain {
             };
             let [one, two] = [curvature(0), curvature(1)];
             let worn = &self.state.worn;
-            vector::update(&mut slip[axis], [&worn[0], &worn[1]], |slip, [first, second]| {
+            let advances = frame.advances(rolling.direction);
+            let advances = advances.unwrap_or_else(|| vec![advance; frame.len()]);
+            let fields = [&advances[..], &worn[0], &worn[1]];
+            vector::update(&mut slip[axis], fields, |slip, [advance, first, second]| {
                 slip + advance * forward[axis] * (two * second - one * first)
             });
         }
@@ -264,14 +280,17 @@ impl Chain {
                 plane.for_each(|pair| gap[pair] += constant(index));
             }
             let pressure = self.state.pressure.clone();
-            let total: f64 = pressure.iter().sum();
+            let measure = problem.frame.measure();
+            let [total] =
+                vector::sum_with([measure.weight], [&pressure], |[w], [pressure]| [w * pressure]);
             let worn = WornPlanes::new(
                 &*problem.compliance,
                 rolling.direction,
                 elements,
                 &slopes,
                 &pressure,
-            );
+            )
+            .weighed(measure.weight);
             self.start_from(worn.foresee(&gap, total, &pressure), problem);
             worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
             let worn = match self.roll_on(simulation, leg, &gap, &worn, effort) {

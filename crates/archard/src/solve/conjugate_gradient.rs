@@ -5,14 +5,15 @@
 //! preconditioner by Fourier transforms). The load is a constraint of the same iteration: directions
 //! are projected, in the metric of the preconditioner, on those that do not change it, and the
 //! approach is the multiplier. The displacement follows by recurrence, so that an iteration applies
-//! the compliance once, and once more only where pressures were cut off.
+//! the compliance once, and once more only where pressures were cut off. Products of fields are weighted by
+//! the areas of the pairs, in which the compliance is symmetric.
 
 use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::compliance::Preconditioner;
 use crate::kinematics::Control;
-use crate::numerics::vector::{in_pool, sum, sweep, update};
+use crate::numerics::vector::{Values, in_pool, map, sum, sum_with, sweep, sweep_with, update};
 use crate::parameters::Choice;
 
 pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
@@ -74,7 +75,7 @@ struct Iteration<'a> {
     same_contact: bool,
     /// The gap of the contact, zero elsewhere (m).
     overlap: Vec<f64>,
-    /// What the preconditioner makes of the gap and of a uniform gap of one, on the contact.
+    /// What the preconditioner makes of the gap and of the gap that an approach of one closes, on the contact.
     correction: Vec<f64>,
     uniform: Vec<f64>,
     uniform_sum: f64,
@@ -137,11 +138,15 @@ impl<'a> Iteration<'a> {
         }
     }
 
+    /// How each pair counts, and how much of the approach closes its gap.
+    fn beside(&self) -> [Values<'a>; 2] {
+        [self.step.measure.weight, self.step.measure.closing]
+    }
+
     /// Scales the pressures to the load asked for, and the displacement with them.
     fn meet_load(&mut self) {
         let Some(load) = self.load() else { return };
-        let [total] = sum([&self.pressure], |pressure| pressure);
-        let factor = load / (total * self.step.element_area);
+        let factor = load / self.step.measure.load(&self.pressure);
         update(&mut self.pressure, [], |pressure, []| factor * pressure);
         update(&mut self.displacement, [], |displacement, []| factor * displacement);
     }
@@ -164,15 +169,18 @@ impl<'a> Iteration<'a> {
         let shift = if self.load().is_some() { self.approach_change() } else { 0.0 };
         self.approach += shift;
         let measure = Measure::of(self.step);
-        let [violations, pressures, product] = sweep(
+        let [violations, pressures, product] = sweep_with(
+            self.beside(),
             [&mut self.gap, &mut self.overlap, &mut self.correction],
             [&self.pressure, &self.contact, &self.uniform, self.step.addition],
-            |[gap, overlap, correction], [pressure, contact, uniform, addition]| {
-                let (gap, overlap) = (gap - shift, overlap - shift * contact);
+            |[weight, closing],
+             [gap, overlap, correction],
+             [pressure, contact, uniform, addition]| {
+                let (gap, overlap) = (gap - shift * closing, overlap - shift * closing * contact);
                 let correction = contact * (correction - shift * uniform);
                 let violation = measure.violation(pressure, gap, addition);
                 let sums = [violation * violation, pressure * pressure, overlap * correction];
-                ([gap, overlap, correction], sums)
+                ([gap, overlap, correction], sums.map(|sum| weight * sum))
             },
         );
         self.product = product;
@@ -182,11 +190,12 @@ impl<'a> Iteration<'a> {
     /// Takes the pairs under pressure and those that overlap as the contact.
     fn find_contact(&mut self) {
         let approach = self.approach;
-        let [touching, changed] = sweep(
+        let [touching, changed] = sweep_with(
+            [self.step.measure.closing],
             [&mut self.gap, &mut self.contact, &mut self.overlap],
             [self.step.gap, &self.displacement, &self.pressure, self.step.addition],
-            |[_, before, _], [undeformed, displacement, pressure, addition]| {
-                let gap = undeformed + displacement + addition * pressure - approach;
+            |[closing], [_, before, _], [undeformed, displacement, pressure, addition]| {
+                let gap = undeformed + displacement + addition * pressure - closing * approach;
                 let contact = f64::from(pressure > 0.0 || gap < 0.0);
                 ([gap, contact, contact * gap], [contact, f64::from(contact != before)])
             },
@@ -197,13 +206,22 @@ impl<'a> Iteration<'a> {
 
     /// The change of the approach (m) that lets the correction keep the load.
     fn approach_change(&mut self) -> f64 {
+        let load = |beside: [f64; 2], [contact, pressure]: [f64; 2]| {
+            let [weight, closing] = beside;
+            [weight * closing * contact * pressure]
+        };
         if !self.same_contact {
-            self.preconditioner.apply(&self.contact, &mut self.uniform);
-            [self.uniform_sum] =
-                sum([&self.contact, &self.uniform], |[contact, uniform]| [contact * uniform]);
+            match self.step.measure.closing {
+                Values::All(_) => self.preconditioner.apply(&self.contact, &mut self.uniform),
+                Values::Each(closing) => {
+                    let closed =
+                        map([&self.contact, closing], |[contact, closing]| contact * closing);
+                    self.preconditioner.apply(&closed, &mut self.uniform);
+                }
+            }
+            [self.uniform_sum] = sum_with(self.beside(), [&self.contact, &self.uniform], load);
         }
-        let [total] =
-            sum([&self.contact, &self.correction], |[contact, correction]| [contact * correction]);
+        let [total] = sum_with(self.beside(), [&self.contact, &self.correction], load);
         total / self.uniform_sum
     }
 
@@ -218,10 +236,12 @@ impl<'a> Iteration<'a> {
         });
         self.applications += 1;
         self.step.compliance.apply_normal(&self.direction, &mut self.response);
-        let [slope, curvature] = sum(
+        let [slope, curvature] = sum_with(
+            [self.step.measure.weight],
             [&self.direction, &self.response, &self.overlap, self.step.addition],
-            |[direction, response, overlap, addition]| {
-                [-overlap * direction, direction * (response + addition * direction)]
+            |[weight], [direction, response, overlap, addition]| {
+                let curvature = direction * (response + addition * direction);
+                [weight * (-overlap * direction), weight * curvature]
             },
         );
         let length = slope / curvature;
@@ -242,7 +262,8 @@ impl<'a> Iteration<'a> {
 
     /// A solution, unless the frame cuts it off.
     fn converged(&self) -> Status {
-        if self.touching == self.pressure.len() { Status::FrameFull } else { Status::Converged }
+        let full = self.touching == self.pressure.len() && !self.step.measure.closed;
+        if full { Status::FrameFull } else { Status::Converged }
     }
 
     fn finish(self, status: Status, residual: f64) -> Outcome {

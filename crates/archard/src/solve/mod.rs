@@ -3,7 +3,9 @@
 //! The problem: p >= 0, g >= 0, p g = 0 on every pair, with the gap
 //! g = gap of the undeformed surfaces - approach + (C + D) p, where C is the compliance and D a
 //! diagonal addition that an implicit wear step puts there. Either the load or the approach is
-//! given; the other follows.
+//! given; the other follows. On frames that are not uniform the approach closes each gap by its own
+//! share, forces are sums by areas, and C is symmetric in the product that has the areas for weights:
+//! the [measure](Measure) of the frame says how pairs count.
 //!
 //! A new solver is one file here and one line in [`SOLVERS`].
 
@@ -17,6 +19,7 @@ mod uzawa;
 use std::fmt::Debug;
 
 use crate::compliance::Compliance;
+use crate::frame::Measure;
 use crate::kinematics::Control;
 use crate::parameters::{Bound, Choice, Parameter, Quantity, Values};
 
@@ -29,8 +32,8 @@ pub struct Step<'a> {
     pub gap: &'a [f64],
     /// What a pressure on a pair opens its gap by beside the elasticity (m/Pa): one value a pair.
     pub addition: &'a [f64],
-    /// Area of an element (m^2).
-    pub element_area: f64,
+    /// How the pairs count.
+    pub measure: Measure<'a>,
     /// The given load or approach.
     pub control: Control,
 }
@@ -53,7 +56,7 @@ pub enum Status {
     Converged,
     /// The iterations allowed did not suffice.
     OutOfIterations,
-    /// Every pair is in contact: the frame is too small for the load.
+    /// Every pair is in contact, and the surfaces do not end there: the frame is too small for the load.
     FrameFull,
 }
 

@@ -30,12 +30,17 @@ impl Measure {
         (pressure.min(gap / own).abs() - self.rounding / own).max(0.0)
     }
 
-    /// Violations of all pairs relative to their pressures (2-norms).
+    /// Violations of all pairs relative to their pressures (2-norms over the area).
     pub fn residual(self, step: &Step<'_>, pressure: &[f64], gap: &[f64]) -> f64 {
-        let [violations, pressures] =
-            vector::sum([pressure, gap, step.addition], |[pressure, gap, addition]| {
-                [self.violation(pressure, gap, addition).powi(2), pressure * pressure]
-            });
+        let fields = [pressure, gap, step.addition];
+        let [violations, pressures] = vector::sum_with(
+            [step.measure.weight],
+            fields,
+            |[weight], [pressure, gap, addition]| {
+                let violation = self.violation(pressure, gap, addition);
+                [weight * (violation * violation), weight * (pressure * pressure)]
+            },
+        );
         Self::relative(violations, pressures)
     }
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::Step;
 use crate::kinematics::Control;
-use crate::numerics::vector::{map, sum};
+use crate::numerics::vector::{map, sum_with};
 
 /// Halvings of the interval that holds the depth at the edge of the contact: 1e-9 of the frame's.
 const HALVINGS: usize = 30;
@@ -17,13 +17,14 @@ const HALVINGS: usize = 30;
 /// 2 z, the mean pressure 8 E* z / (3 pi a).
 pub(super) fn first_guess(step: &Step<'_>) -> (Vec<f64>, f64) {
     // Self term of a square element of side h: (4 / (pi E*)) h asinh(1).
-    let modulus =
-        4.0 * 1f64.asinh() / PI * step.element_area.sqrt() / step.compliance.normal_self_term();
+    let modulus = 4.0 * 1f64.asinh() / PI * step.measure.side / step.compliance.normal_self_term();
     let lowest = step.gap.iter().copied().fold(f64::INFINITY, f64::min);
     let highest = step.gap.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let area = |edge: f64| {
-        let [count] = sum([step.gap], |[gap]| [f64::from(gap - lowest <= edge)]);
-        count * step.element_area
+        let [count] = sum_with([step.measure.weight], [step.gap], |[weight], [gap]| {
+            [weight * f64::from(gap - lowest <= edge)]
+        });
+        count * step.measure.area
     };
     let edge = match step.control {
         Control::Approach(approach) => 0.5 * (approach - lowest),

@@ -83,9 +83,14 @@ impl<'a> Iteration<'a> {
             self.applications += 1;
             self.step.compliance.apply_normal(&self.pressure, &mut self.displacement);
             let opening = [self.step.gap, &self.displacement, self.step.addition, &self.pressure];
-            vector::update(&mut self.gap, opening, |_, [gap, displacement, addition, pressure]| {
-                gap + displacement + addition * pressure - approach
-            });
+            let [] = vector::sweep_with(
+                [self.step.measure.closing],
+                [&mut self.gap],
+                opening,
+                |[closing], [_], [gap, displacement, addition, pressure]| {
+                    ([gap + displacement + addition * pressure - closing * approach], [])
+                },
+            );
             let residual = Measure::of(self.step).residual(self.step, &self.pressure, &self.gap);
             let status = if residual <= self.settings.tolerance {
                 Status::Converged
@@ -99,7 +104,7 @@ impl<'a> Iteration<'a> {
                 });
                 continue;
             };
-            let full = self.pressure.iter().all(|&p| p > 0.0);
+            let full = !self.step.measure.closed && self.pressure.iter().all(|&p| p > 0.0);
             return self.outcome(if full { Status::FrameFull } else { status }, approach, residual);
         }
     }
@@ -108,13 +113,14 @@ impl<'a> Iteration<'a> {
     /// to the power 2/3, which is proportional to the approach for a sphere.
     fn meet(&mut self, load: f64, guess: f64) -> Outcome {
         let lowest = self.step.gap.iter().copied().fold(f64::INFINITY, f64::min);
-        let reached = |pressure: &[f64]| pressure.iter().sum::<f64>() * self.step.element_area;
-        let measure = |force: f64| (force / load).cbrt().powi(2) - 1.0;
+        let measure = self.step.measure;
+        let reached = |pressure: &[f64]| measure.load(pressure);
+        let excess_of = |force: f64| (force / load).cbrt().powi(2) - 1.0;
         let mut last = (lowest, -1.0);
         let mut approach = guess;
         loop {
             let outcome = self.settle(approach);
-            let excess = measure(reached(&outcome.pressure));
+            let excess = excess_of(reached(&outcome.pressure));
             let settled = excess.abs() <= self.settings.tolerance;
             if outcome.status != Status::Converged || settled {
                 return outcome;

@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "every test binary uses a part of it")]
 
+pub mod dense;
+
 use archard::body::profile::PROFILES;
 use archard::body::{Body, Material};
 use archard::case::CaseFile;
@@ -134,7 +136,7 @@ pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Co
         compliance: &*problem.compliance,
         gap: problem.frame.gap(),
         addition,
-        element_area: problem.frame.element_area(),
+        measure: problem.frame.measure(),
         control,
     }
 }

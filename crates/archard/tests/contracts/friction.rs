@@ -56,7 +56,7 @@ fn friction_solvers_agree_on_shifted_bodies() {
                 let step = tangential::Step {
                     map: &*map,
                     elements,
-                    element_area: frame.element_area(),
+                    measure: frame.measure(),
                     limit: &limit,
                     rigid: [&rigid[0], &rigid[1]],
                     held: &forces.iter().map(held).collect::<Vec<_>>(),

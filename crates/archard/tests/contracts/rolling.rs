@@ -245,7 +245,7 @@ fn friction_solvers_agree() {
             let step = tangential::Step {
                 map: &*map,
                 elements,
-                element_area: frame.element_area(),
+                measure: frame.measure(),
                 limit: &limit,
                 rigid: [&rigid[0], &rigid[1]],
                 held: &held,

@@ -14,7 +14,7 @@ use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
-use super::{Error, Image, Totals, file, pvd, sections};
+use super::{Error, Image, Surface, Totals, file, pvd, sections};
 use crate::simulation::{Observer, Report, row};
 
 /// The file of the profiles of bodies that roll.
@@ -96,21 +96,37 @@ impl ResultFolder {
 
     /// Writes the fields and sections of a report.
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
-        let image = Image::of(report.problem, report.state);
-        let name = format!("fields/{:04}.vti", self.outputs.len());
-        image.write(&self.dir.join(&name))?;
-        let progress = report.state.progress;
-        self.outputs.push((progress, name));
+        self.put_out_fields(report)?;
         let collection = pvd::collection(&self.outputs);
         file::write_whole(&self.dir.join("fields.pvd"), collection.as_bytes())?;
-        let column = report.problem.kinematics.progress().column;
-        sections::write(&mut self.profiles, (column, progress), &image)?;
         match WornProfiles::of(report.problem, report.state) {
             Some(profiles) => {
                 profiles.write(begun(&mut self.worn_profiles, &self.dir.join(WORN_PROFILES))?)
             }
             None => Ok(()),
         }
+    }
+}
+
+impl ResultFolder {
+    /// Writes the fields of a report and their sections.
+    fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        let Report { problem, state, .. } = report;
+        let progress = (problem.kinematics.progress().column, state.progress);
+        let name = format!("fields/{:04}", self.outputs.len());
+        let name = if problem.frame.is_uniform() {
+            let (image, name) = (Image::of(problem, state), format!("{name}.vti"));
+            image.write(&self.dir.join(&name))?;
+            sections::write(&mut self.profiles, progress, &image)?;
+            name
+        } else {
+            let (surface, name) = (Surface::of(problem, state), format!("{name}.vtu"));
+            surface.write(&self.dir.join(&name))?;
+            sections::write_surface(&mut self.profiles, progress, &surface)?;
+            name
+        };
+        self.outputs.push((state.progress, name));
+        Ok(())
     }
 }
 
@@ -152,6 +168,6 @@ fn clear(dir: &Path, fields: &Path) -> Result<(), Error> {
 /// Whether that is the name of a numbered output.
 fn is_output(path: &Path) -> bool {
     let digits = |stem: &str| stem.len() >= 4 && stem.bytes().all(|byte| byte.is_ascii_digit());
-    path.extension() == Some(OsStr::new("vti"))
+    [Some(OsStr::new("vti")), Some(OsStr::new("vtu"))].contains(&path.extension())
         && path.file_stem().and_then(OsStr::to_str).is_some_and(digits)
 }

@@ -6,8 +6,9 @@
 //! on the diagonal of the compliance.
 
 use super::rig::Rig;
+use crate::frame::ContactFrame;
 use crate::kinematics::Control;
-use crate::numerics::vector::{map, sum, update};
+use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
 use crate::simulation::chain::{Chain, Leg};
 use crate::simulation::{Effort, Error, Simulation};
@@ -71,7 +72,12 @@ impl Rate {
     /// Of the cycle that a rig has gone through, the most pressed instant of which is kept beside it.
     pub fn of(rig: &Rig, reference: Rig, control: Control, problem: &ContactProblem) -> Self {
         let pressure = &reference.chain.state.pressure;
-        let elements = problem.frame.elements();
+        let frame = &problem.frame;
+        let control = match control {
+            // On curved frames friction bears a part of the load.
+            Control::Load(_) if !frame.is_plane() => Control::Load(frame.measure().load(pressure)),
+            other => other,
+        };
         let per_pressure = |field: &Vec<f64>| -> Vec<f64> {
             let quotient =
                 map(
@@ -80,7 +86,11 @@ impl Rate {
                         if pressure > 0.0 { value / pressure } else { 0.0 }
                     },
                 );
-            spread(quotient, pressure, elements)
+            if frame.is_grid() {
+                spread(quotient, pressure, frame.elements())
+            } else {
+                spread_to_nearest(quotient, pressure, frame)
+            }
         };
         let constant = [0, 1].map(|body| {
             let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
@@ -152,8 +162,12 @@ impl Rate {
                     worn + length * (constant + slope * pressure).max(0.0)
                 });
             }
-            let [work] = sum([&line.slip, pressure], |[slip, pressure]| [slip * pressure]);
-            wear.load_distance += length * work * problem.frame.element_area();
+            let measure = problem.frame.measure();
+            let [work] =
+                sum_with([measure.weight], [&line.slip, pressure], |[weight], [slip, p]| {
+                    [weight * (slip * p)]
+                });
+            wear.load_distance += length * work * measure.area;
             wear.dissipated += length * line.dissipated;
             let [change, whole] = sum([&slope, &before, pressure], |[slope, before, after]| {
                 [(slope * (after - before)).powi(2), (slope * after).powi(2)]
@@ -212,6 +226,23 @@ fn spread(mut field: Vec<f64>, pressure: &[f64], [nx, ny]: [usize; 2]) -> Vec<f6
             (field[pair], known[pair]) = (value, true);
         }
         rim = next;
+    }
+    field
+}
+
+/// The same where pairs have no rows: those without pressure take the value of the nearest with one.
+fn spread_to_nearest(mut field: Vec<f64>, pressure: &[f64], frame: &ContactFrame) -> Vec<f64> {
+    let known: Vec<usize> = (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0).collect();
+    let distance = |pair: usize, other: usize| {
+        let ([x, y], [u, v]) = (frame.place(pair), frame.place(other));
+        (x - u).hypot(y - v).hypot(frame.height(pair) - frame.height(other))
+    };
+    for pair in (0..pressure.len()).filter(|&pair| pressure[pair] <= 0.0) {
+        let nearest =
+            known.iter().min_by(|&&a, &&b| distance(pair, a).total_cmp(&distance(pair, b)));
+        if let Some(&nearest) = nearest {
+            field[pair] = field[nearest];
+        }
     }
     field
 }

@@ -7,7 +7,7 @@ mod stride;
 mod unlike;
 
 use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Shift, Stepping};
+use crate::kinematics::{Guide, Shift, Station, Stepping};
 use crate::numerics::vector::update;
 use crate::problem::ContactState;
 
@@ -89,7 +89,8 @@ impl<'a> Cycles<'a> {
     pub fn run(mut self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
         let Self { simulation, shift, .. } = self;
         for station in &shift.lead {
-            self.position.rig.increment(simulation, (*station, 0.0), None, &mut self.effort)?;
+            let at = (self.symmetric(*station), 0.0);
+            self.position.rig.increment(simulation, at, None, &mut self.effort)?;
         }
         let begun = self.shown();
         self.show(&begun, true, observers)?;
@@ -186,6 +187,7 @@ impl<'a> Cycles<'a> {
         self.position.rig.begin_cycle();
         let mut reference = None;
         for (index, station) in shift.cycle.iter().enumerate() {
+            let station = self.symmetric(*station);
             let Position { rig, memory, .. } = &mut self.position;
             self.effort.iterations = 0;
             let progress = if index == last {
@@ -194,7 +196,7 @@ impl<'a> Cycles<'a> {
                 done as f64 * shift.period() + shift.places[index]
             };
             let known = memory[index].as_ref();
-            let at = (*station, progress);
+            let at = (station, progress);
             memory[index] = Some(rig.increment(simulation, at, known, &mut self.effort)?);
             if index == peak {
                 reference = Some(rig.clone());
@@ -209,6 +211,18 @@ impl<'a> Cycles<'a> {
         let rig = &self.position.rig;
         let reference = reference.unwrap_or_else(|| rig.clone());
         Ok(Rate::of(rig, reference, shift.cycle[peak].control, &simulation.problem))
+    }
+
+    /// A station as a symmetric frame has it: nothing moves across a plane of symmetry, whatever the force on
+    /// one side of it.
+    fn symmetric(&self, mut station: Station) -> Station {
+        let mirrored = self.simulation.problem.frame.mirrored();
+        for (guide, mirrored) in station.guides.iter_mut().zip(mirrored) {
+            if mirrored {
+                *guide = Guide::Shift(0.0);
+            }
+        }
+        station
     }
 
     /// Cycles up to the next output, or to the end.
@@ -259,7 +273,7 @@ impl<'a> Cycles<'a> {
         else {
             return Ok(());
         };
-        let at = (*station, self.position.done as f64 * self.shift.period());
+        let at = (self.symmetric(*station), self.position.done as f64 * self.shift.period());
         self.position.rig.settle(self.simulation, at, None, &mut self.effort)?;
         Ok(())
     }

@@ -17,8 +17,10 @@ use crate::solve::{Status, joint};
 #[derive(Debug, Clone)]
 pub(super) struct Rig {
     pub chain: Chain,
-    /// Tangential displacement (m) that the compliance makes of all tractions.
+    /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes
+    /// with it.
     pub strained: [Vec<f64>; 2],
+    approached: f64,
     pub rubbed: Rubbed,
 }
 
@@ -54,7 +56,8 @@ impl Rig {
                 let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
                 Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
             });
-        Self { chain, strained: [zeros(), zeros()], rubbed: Rubbed::none(pairs) }
+        let strained = [zeros(), zeros()];
+        Self { chain, strained, approached: 0.0, rubbed: Rubbed::none(pairs) }
     }
 
     /// Takes the bodies apart without rubbing.
@@ -114,12 +117,14 @@ impl Rig {
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;
-        let joint = problem.friction.is_some() && problem.compliance.couples();
+        let curved = !problem.frame.is_plane();
+        let joint = problem.friction.is_some() && (curved || problem.compliance.couples());
         let found = if joint {
             self.solve_jointly(simulation, leg, station, known, effort)?
         } else {
             self.start_from(leg, known);
-            self.press(simulation, leg, &vec![0.0; problem.frame.len()], effort)?;
+            let opened = self.opened_by_shift(problem, station);
+            self.press(simulation, leg, &opened, effort)?;
             let pressed = self.strain_of(problem, None);
             self.drag(simulation, leg, station, &pressed, known, effort)?
         };
@@ -192,22 +197,24 @@ impl Rig {
     /// directions in which a force is given.
     pub fn rigid_slip(
         &self,
+        problem: &ContactProblem,
         station: Station,
         pressed: Option<&VectorField>,
     ) -> ([Vec<f64>; 2], Vec<Held>) {
-        let shift = self.shift();
+        let [x, y] = self.shifted_since(station);
+        // Where pressures are found with friction, so is the approach.
+        let approach = if pressed.is_some() { self.chain.state.approach } else { 0.0 };
+        let moved = problem.frame.moved([x, y, self.approached - approach]);
         let rigid = [0, 1].map(|axis| {
-            let moved = match station.guides[axis] {
-                Guide::Shift(target) => target - shift[axis],
-                Guide::Force(_) => 0.0,
-            };
-            let strained = &self.strained[axis];
+            let (strained, moved) = (&self.strained[axis], [&moved.t1, &moved.t2][axis]);
             match pressed {
                 Some(pressed) => {
                     let pressed = [&pressed.t1, &pressed.t2][axis];
-                    map([strained, pressed], |[strained, pressed]| moved + strained - pressed)
+                    map([moved, strained, pressed], |[moved, strained, pressed]| {
+                        moved + strained - pressed
+                    })
                 }
-                None => map([strained], |[strained]| moved + strained),
+                None => map([moved, strained], |[moved, strained]| moved + strained),
             }
         });
         let held = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
@@ -219,6 +226,24 @@ impl Rig {
             }
         });
         (rigid, held.collect())
+    }
+
+    /// What the bodies are shifted by until a station (m), where that is given.
+    fn shifted_since(&self, station: Station) -> [f64; 2] {
+        let shift = self.shift();
+        [0, 1].map(|axis| match station.guides[axis] {
+            Guide::Shift(target) => target - shift[axis],
+            Guide::Force(_) => 0.0,
+        })
+    }
+
+    /// Gap (m) that a shift which is given opens until a station: on curved frames.
+    pub fn opened_by_shift(&self, problem: &ContactProblem, station: Station) -> Vec<f64> {
+        let [x, y] = self.shifted_since(station);
+        if problem.frame.is_plane() || [x, y] == [0.0; 2] {
+            return vec![0.0; problem.frame.len()];
+        }
+        problem.frame.moved([x, y, 0.0]).n
     }
 
     fn shift(&self) -> [f64; 2] {
@@ -246,13 +271,14 @@ impl Rig {
     ) -> Result<Found, Error> {
         let problem = &simulation.problem;
         let frame = &problem.frame;
-        let (rigid, held) = self.rigid_slip(station, Some(pressed));
+        let (rigid, held) = self.rigid_slip(problem, station, Some(pressed));
         let Some(friction) = &problem.friction else {
             if self.chain.state.tangential.is_none() {
                 return Ok(Found::default());
             }
             let traction = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
             self.strained = [pressed.t1.clone(), pressed.t2.clone()];
+            self.approached = self.chain.state.approach;
             let shift = self.shifted(station, &[]);
             let creepage = [0.0; 2];
             self.chain.state.tangential =
@@ -267,7 +293,7 @@ impl Rig {
         let step = tangential::Step {
             map: &*shifting,
             elements: frame.elements(),
-            element_area: frame.element_area(),
+            measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
             held: &held,
@@ -294,25 +320,42 @@ impl Rig {
         let shift = self.shifted(station, &found);
         effort.applications += 1;
         let strain = self.strain_of(problem, Some(&traction));
-        self.take(traction, shift, strain);
+        self.take(problem, traction, shift, strain);
         Ok(Found { limit, found, joint: None })
     }
 
     /// Takes tractions over, with the slip since the last state.
-    pub fn take(&mut self, traction: [Vec<f64>; 2], shift: [f64; 2], strain: VectorField) {
+    pub fn take(
+        &mut self,
+        problem: &ContactProblem,
+        traction: [Vec<f64>; 2],
+        shift: [f64; 2],
+        strain: VectorField,
+    ) {
         let before = self.shift();
+        let [x, y] = [0, 1].map(|axis| shift[axis] - before[axis]);
+        let approach = self.chain.state.approach;
+        let moved = problem.frame.moved([x, y, self.approached - approach]);
         let strained = [strain.t1, strain.t2];
         let slip = [0, 1].map(|axis| {
-            let moved = shift[axis] - before[axis];
-            map([&self.strained[axis], &strained[axis]], |[before, after]| moved + before - after)
+            let moved = [&moved.t1, &moved.t2][axis];
+            map([moved, &self.strained[axis], &strained[axis]], |[moved, before, after]| {
+                moved + before - after
+            })
         });
         self.strained = strained;
+        self.approached = approach;
         self.chain.state.tangential =
             Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
     }
 }
 
-fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
+pub(super) fn not_converged(
+    simulation: &Simulation,
+    leg: Leg,
+    iterations: usize,
+    residual: f64,
+) -> Error {
     Error::FrictionNotConverged {
         measure: simulation.problem.kinematics.progress(),
         progress: leg.progress,

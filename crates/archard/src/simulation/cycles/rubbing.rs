@@ -32,13 +32,13 @@ impl Rubbed {
 
     /// Takes up what was rubbed since a state, and wears both bodies by it.
     pub fn take_up(&mut self, chain: &mut Chain, before: &ContactState, problem: &ContactProblem) {
-        let area = problem.frame.element_area();
         for pair in 0..before.pressure.len() {
             let Some(stroke) = Stroke::of(pair, [before, &chain.state], problem) else { continue };
             let rubbing = stroke.rubbing;
             let work = rubbing.pressure * rubbing.slip;
             self.slip[pair] += rubbing.slip;
             self.work[pair] += work;
+            let area = problem.frame.area(pair);
             self.dissipated += stroke.dissipated * area;
             chain.load_distance += work * area;
             for (index, worn) in chain.state.worn.iter_mut().enumerate() {

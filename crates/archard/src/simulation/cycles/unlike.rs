@@ -1,8 +1,9 @@
 //! Pressures and friction of unlike bodies, which act on one another.
 
-use super::rig::{Found, Rig, Settled};
+use super::rig::{Found, Rig, Settled, not_converged};
 use crate::frame::VectorField;
 use crate::kinematics::Station;
+use crate::numerics::vector::map;
 use crate::simulation::chain::Leg;
 use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::{Status, joint};
@@ -26,8 +27,9 @@ impl Rig {
         let problem = &simulation.problem;
         let Some(friction) = &problem.friction else { return Ok(Found::default()) };
         let frame = &problem.frame;
-        let (rigid, held) = self.rigid_slip(station, None);
-        let gap = self.chain.undeformed_gap(problem);
+        let (rigid, held) = self.rigid_slip(problem, station, None);
+        let opened = self.opened_by_shift(problem, station);
+        let gap = map([&self.chain.undeformed_gap(problem), &opened], |[gap, opened]| gap + opened);
         let step = joint::Step {
             compliance: &*problem.compliance,
             frame,
@@ -39,9 +41,12 @@ impl Rig {
         };
         let start = match known.and_then(|known| known.joint.clone()) {
             Some(start) => start,
-            None => self.joint_start(simulation, leg, effort)?,
+            None => self.joint_start(simulation, leg, station, effort)?,
         };
         let Some(outcome) = simulation.friction_solver.solve_jointly(&step, &start) else {
+            if !frame.is_plane() {
+                return Err(Error::NotJoint);
+            }
             return self.solve_in_turn(simulation, leg, station, known, effort);
         };
         effort.solves += 1;
@@ -50,6 +55,9 @@ impl Rig {
         effort.residual = outcome.residual;
         match outcome.status {
             Status::Converged => {}
+            Status::OutOfIterations if !frame.is_plane() => {
+                return Err(not_converged(simulation, leg, outcome.iterations, outcome.residual));
+            }
             Status::OutOfIterations => {
                 return self.solve_in_turn(simulation, leg, station, known, effort);
             }
@@ -61,14 +69,14 @@ impl Rig {
         let solution = outcome.solution;
         let state = &mut self.chain.state;
         state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
-        state.load = frame.integrate(&state.pressure);
+        state.load = -frame.force(&solution.traction)[2];
         state.approach = solution.approach;
         state.gap = outcome.gap;
         state.progress = leg.progress;
         let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
         let shift = self.shifted(station, &solution.found);
         let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
-        self.take(traction, shift, solution.displacement.clone());
+        self.take(problem, traction, shift, solution.displacement.clone());
         Ok(Found { limit, found: solution.found.clone(), joint: Some(solution) })
     }
 
@@ -77,13 +85,15 @@ impl Rig {
         &mut self,
         simulation: &Simulation,
         leg: Leg,
+        station: Station,
         effort: &mut Effort,
     ) -> Result<joint::Solution, Error> {
         let problem = &simulation.problem;
         let pairs = problem.frame.len();
         if self.chain.state.load == 0.0 {
             let apart = self.clone_contact();
-            self.press(simulation, leg, &vec![0.0; pairs], effort)?;
+            let opened = self.opened_by_shift(problem, station);
+            self.press(simulation, leg, &opened, effort)?;
             let state = &mut self.chain.state;
             (state.gap, state.tangential) = (apart.gap, apart.tangential);
         }

@@ -2,15 +2,17 @@
 
 use super::Step;
 use super::regime::Regime;
-use super::state::State;
+use super::state::{APPROACH, State};
 use crate::frame::VectorField;
+use crate::numerics::vector::{Values, sum};
 
 /// The border of the system: one row and one column for the load, if it is given, and for each force.
 pub(super) struct Border {
     /// Whether the first is the load.
     pub loaded: bool,
-    /// How the tractions along t1, t2 and n make each force.
-    weights: Vec<[f64; 3]>,
+    /// How the tractions along t1, t2 and n make each force: by the direction in which it acts, and the area of
+    /// each pair relative to the mean.
+    weights: Vec<VectorField>,
     /// What a unit of each approach or slip does to the rows of the pairs.
     pub columns: Vec<Vec<f64>>,
     /// Approach or slip (m) of one unit, which makes it count like a traction.
@@ -33,14 +35,16 @@ impl Border {
         let pairs = regime.touch.len();
         let (load, forces) = state.missing(step);
         // The gap closes as the approach grows, the slip grows as the bodies are shifted.
-        let mut weights: Vec<[f64; 3]> = load.map(|_| [0.0, 0.0, -1.0]).into_iter().collect();
-        weights.extend(step.held.iter().map(|held| [held.direction[0], held.direction[1], 0.0]));
+        let mut directions: Vec<[f64; 3]> = load.map(|_| APPROACH).into_iter().collect();
+        directions.extend(step.held.iter().map(|held| [held.direction[0], held.direction[1], 0.0]));
         let zero = VectorField::zeros(pairs);
-        let column = |weights: &[f64; 3]| {
-            let [t1, t2, n] = weights.map(|weight| vec![-weight; pairs]);
-            regime.rows(&VectorField { t1, t2, n }, &zero)
+        let column = |direction: &[f64; 3]| {
+            regime.rows(&step.frame.moved(direction.map(|component| -component)), &zero)
         };
-        let columns: Vec<Vec<f64>> = weights.iter().map(column).collect();
+        let columns: Vec<Vec<f64>> = directions.iter().map(column).collect();
+        let measure = step.frame.measure();
+        let weigh = |direction: &[f64; 3]| weighed(step.frame.moved(*direction), measure.weight);
+        let weights = directions.iter().map(weigh).collect();
         let mut border = Self {
             loaded: load.is_some(),
             weights,
@@ -51,7 +55,7 @@ impl Border {
             inverse: vec![],
         };
         let known = border.forces(&regime.fixed);
-        let area = step.frame.element_area();
+        let area = measure.area;
         let missing = load.into_iter().chain(forces).zip(known);
         border.right =
             missing.map(|(missing, known)| border.unit * missing / area - known).collect();
@@ -66,9 +70,11 @@ impl Border {
 
     /// What tractions (Pa) make of each force, in the unit of the rows.
     pub fn forces(&self, tractions: &VectorField) -> Vec<f64> {
-        let sums = tractions.components().map(|part| part.iter().sum::<f64>());
-        let force = |weights: &[f64; 3]| -> f64 {
-            weights.iter().zip(sums).map(|(weight, sum)| weight * sum).sum()
+        let force = |weights: &VectorField| {
+            let [a, b, c] = weights.components();
+            let [x, y, z] = tractions.components();
+            let [force] = sum([a, b, c, x, y, z], |[a, b, c, x, y, z]| [a * x + b * y + c * z]);
+            force
         };
         self.weights.iter().map(|weights| self.unit * force(weights)).collect()
     }
@@ -85,6 +91,15 @@ impl Border {
         }
         slips
     }
+}
+
+/// A field times the weights of the pairs.
+fn weighed(field: VectorField, weight: Values<'_>) -> VectorField {
+    let VectorField { mut t1, mut t2, mut n } = field;
+    for part in [&mut t1, &mut t2, &mut n] {
+        part.iter_mut().enumerate().for_each(|(pair, value)| *value *= weight.at(pair));
+    }
+    VectorField { t1, t2, n }
 }
 
 /// The inverse of a small matrix given by its columns; zeros where it has none, as where all pairs slip

@@ -3,7 +3,8 @@
 //!
 //! The problem is that of the [normal step](crate::solve) and that of [friction](crate::solve::tangential)
 //! together: gap = undeformed gap - approach + (C L)_n and slip = rigid slip - (C L)_t, with L the
-//! tractions of all three directions and limits that follow from the pressures.
+//! tractions of all three directions and limits that follow from the pressures. On curved frames approach and
+//! shift both open gaps and make pairs slip, each as the bases of the pairs have it.
 
 mod border;
 mod linear;
@@ -33,7 +34,7 @@ pub struct Step<'a> {
     pub gap: &'a [f64],
     /// The given load or approach.
     pub control: Control,
-    /// Slip before any traction (m), along t1 and t2, one value a pair.
+    /// Slip at zero approach before any traction (m), along t1 and t2, one value a pair.
     pub rigid: [&'a [f64]; 2],
     /// Directions along which the force is given, two at most.
     pub held: &'a [Held],
@@ -90,7 +91,7 @@ pub(super) fn solve(step: &Step<'_>, start: &Solution, settings: Settings) -> Ou
         state = next;
     }
     let converged = state.residual <= settings.tolerance;
-    let full = state.solution.traction.n.iter().all(|&n| n < 0.0);
+    let full = !step.frame.measure().closed && state.solution.traction.n.iter().all(|&n| n < 0.0);
     let status = match (converged, full) {
         (true, false) => Status::Converged,
         (true, true) => Status::FrameFull,

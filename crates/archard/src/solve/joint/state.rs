@@ -4,7 +4,10 @@ use super::{Outcome, Solution, Status, Step};
 use crate::frame::VectorField;
 use crate::friction::onto_disc;
 use crate::kinematics::Control;
-use crate::numerics::vector::{map, sum};
+use crate::numerics::vector::map;
+
+/// Where body 2 moves as the bodies approach, in the axes of the frame.
+pub(super) const APPROACH: [f64; 3] = [0.0, 0.0, -1.0];
 
 /// An iterate with its gap and slip.
 #[derive(Debug, Clone)]
@@ -32,14 +35,19 @@ impl State {
 
     fn of(solution: Solution, own: [f64; 2], step: &Step<'_>) -> Self {
         let displacement = &solution.displacement;
-        let approach = solution.approach;
-        let gap = map([step.gap, &displacement.n], |[gap, n]| gap - approach - n);
-        let slip = [0, 1].map(|axis| {
-            let held = solution.found.iter().zip(step.held);
-            let found: f64 = held.map(|(found, held)| found * held.direction[axis]).sum();
-            let taken = [&displacement.t1, &displacement.t2][axis];
-            map([step.rigid[axis], taken], |[rigid, taken]| rigid + found - taken)
-        });
+        let mut moved = APPROACH.map(|component| solution.approach * component);
+        for (found, held) in solution.found.iter().zip(step.held) {
+            (0..2).for_each(|axis| moved[axis] += found * held.direction[axis]);
+        }
+        let moved = step.frame.moved(moved);
+        let apart = |before: &[f64], moved: &[f64], taken: &[f64]| {
+            map([before, moved, taken], |[before, moved, taken]| before + moved - taken)
+        };
+        let gap = apart(step.gap, &moved.n, &displacement.n);
+        let slip = [
+            apart(step.rigid[0], &moved.t1, &displacement.t1),
+            apart(step.rigid[1], &moved.t2, &displacement.t2),
+        ];
         let mut state = Self { solution, gap, slip, own, residual: 0.0 };
         state.residual = state.measure(step);
         state
@@ -70,16 +78,12 @@ impl State {
 
     /// Forces (N) that are missing: the load, if it is given, and those held.
     pub fn missing(&self, step: &Step<'_>) -> (Option<f64>, Vec<f64>) {
-        let area = step.frame.element_area();
-        let VectorField { t1, t2, n } = &self.solution.traction;
+        let force = step.frame.force(&self.solution.traction);
         let load = match step.control {
-            Control::Load(load) => Some(load + n.iter().sum::<f64>() * area),
+            Control::Load(load) => Some(load + force[2]),
             Control::Approach(_) => None,
         };
-        let along = |direction: [f64; 2]| {
-            let [force] = sum([t1, t2], |[x, y]| [x * direction[0] + y * direction[1]]);
-            force * area
-        };
+        let along = |[x, y]: [f64; 2]| x * force[0] + y * force[1];
         let held = step.held.iter().map(|held| held.force - along(held.direction));
         (load, held.collect())
     }
@@ -92,24 +96,25 @@ impl State {
             Control::Load(_) => 0.0,
             Control::Approach(approach) => f64::EPSILON * approach.abs() / self.own[0],
         };
+        let measure = step.frame.measure();
         for pair in 0..n.len() {
-            let pressure = -n[pair];
+            let (pressure, weight) = (-n[pair], measure.weight.at(pair));
             let violation = pressure.min(self.gap[pair] / self.own[0]).abs();
-            off += (violation - rounding).max(0.0).powi(2);
-            pressed += pressure * pressure;
-            total += pressure.abs();
+            off += weight * (violation - rounding).max(0.0).powi(2);
+            pressed += weight * (pressure * pressure);
+            total += weight * pressure.abs();
             let limit = step.friction.limit(pressure.max(0.0));
             if limit > 0.0 || t1[pair] != 0.0 || t2[pair] != 0.0 {
                 let t = [t1[pair], t2[pair]];
                 let q = [0, 1].map(|axis| t[axis] + self.slip[axis][pair] / self.own[1]);
                 let [x, y] = onto_disc(q, limit);
-                beside += (t[0] - x).powi(2) + (t[1] - y).powi(2);
-                borne += limit * limit;
-                held += limit;
+                beside += weight * ((t[0] - x).powi(2) + (t[1] - y).powi(2));
+                borne += weight * (limit * limit);
+                held += weight * limit;
             }
         }
         let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
-        let area = step.frame.element_area();
+        let area = measure.area;
         let (load, forces) = self.missing(step);
         let load = relative(load.unwrap_or(0.0).abs(), total * area);
         let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();

@@ -3,7 +3,7 @@
 //! B. He and L.-Z. Liao, *J. Optim. Theory Appl.* 112 (2002) 111: a projection predicts, and a step along
 //! the direction that it and a second application of the operator give contracts the distance to the
 //! solution, whatever the operator, if it is monotone. The length of the projection's step adapts
-//! itself. Forces that are given enter as unknown slips, which adds a skew border to the operator.
+//! itself. The map is monotone in the product weighted by the areas of the pairs. Forces that are given enter as unknown slips, which adds a skew border to the operator.
 
 use super::pairs::{Pairs, State};
 use super::{FrictionSolver, Outcome, Start, Step, TOLERANCE};
@@ -81,7 +81,7 @@ impl Contraction {
     /// One iteration: two applications, more where the step has to be shortened.
     pub fn advance(&mut self, pairs: &mut Pairs<'_>) {
         let force = |traction: &[f64], pairs: &Pairs<'_>| -> Vec<f64> {
-            let area = pairs.step.element_area;
+            let area = pairs.step.measure.area;
             pairs.missing(traction).into_iter().map(|missing| missing / area).collect()
         };
         let missing = force(&self.iterate.traction, pairs);
@@ -99,10 +99,10 @@ impl Contraction {
             let left = force(&trial.traction, pairs);
             // Changes of the unknowns, in Pa, and of the operator's values times the step.
             let [moved, changed, product] = sum(
-                [&iterate.traction, &trial.traction, &iterate.slip, &trial.slip],
-                |[before, after, slip, trial_slip]| {
+                [&iterate.traction, &trial.traction, &iterate.slip, &trial.slip, &pairs.weight],
+                |[before, after, slip, trial_slip, weight]| {
                     let (e, d) = (before - after, step * (trial_slip - slip));
-                    [e * e, d * d, e * d]
+                    [weight * (e * e), weight * (d * d), weight * (e * d)]
                 },
             );
             let (mut moved, mut changed, mut product) = (moved, changed, product);

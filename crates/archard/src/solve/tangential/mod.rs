@@ -20,6 +20,7 @@ pub use crop::solve;
 
 use super::{Settings, Status, joint};
 use crate::compliance::SlipMap;
+use crate::frame::Measure;
 use crate::parameters::Choice;
 
 /// One step of friction.
@@ -29,8 +30,8 @@ pub struct Step<'a> {
     pub map: &'a dyn SlipMap,
     /// Number of elements along x and y.
     pub elements: [usize; 2],
-    /// Area of an element (m^2).
-    pub element_area: f64,
+    /// How the pairs count.
+    pub measure: Measure<'a>,
     /// Largest traction (Pa), one value a pair; zero outside the contact.
     pub limit: &'a [f64],
     /// Slip of the rigid bodies (m), along t1 and t2, one value a pair.
@@ -74,7 +75,7 @@ pub struct Outcome {
     /// Iterations done.
     pub iterations: usize,
     /// Distance of the tractions from those that the slip projects them on, relative to the limits
-    /// (2-norms), or of the forces from those given, relative to the largest force.
+    /// (2-norms over the area), or of the forces from those given, relative to the largest force.
     pub residual: f64,
     /// How often the map was applied; applications on coarser elements count by their number.
     pub applications: usize,

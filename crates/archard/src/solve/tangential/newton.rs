@@ -18,6 +18,7 @@ use super::contraction::Contraction;
 use super::pairs::{Pairs, State};
 use super::{FrictionSolver, Held, Outcome, Start, Step, TOLERANCE};
 use crate::compliance::{Coarser, Rub};
+use crate::frame::Measure;
 use crate::numerics::gmres::{self, Solution, System};
 use crate::numerics::vector::{in_pool, sum, sweep, update};
 use crate::parameters::Choice;
@@ -92,7 +93,7 @@ impl Newton {
         let coarse = Step {
             map: &*map,
             elements,
-            element_area: 4.0 * step.element_area,
+            measure: Measure::even(4.0 * step.measure.area),
             limit: &limit,
             rigid: [&one, &two],
             held: step.held,
@@ -258,7 +259,7 @@ impl<'p, 'a> Linear<'p, 'a> {
         let held = pairs.step.held;
         let after: Vec<f64> =
             state.traction.iter().zip(&self.fixed).map(|(t, change)| t + change).collect();
-        let per_area = self.unit / pairs.step.element_area;
+        let per_area = self.unit / pairs.step.measure.area;
         self.right.extend(pairs.missing(&after).iter().map(|missing| per_area * missing));
         let responses: Vec<Vec<f64>> = (0..held.len())
             .map(|index| {
@@ -372,7 +373,7 @@ impl System for Linear<'_, '_> {
                 image + diagonal * traction
             });
         }
-        let per_area = self.unit / self.pairs.step.element_area;
+        let per_area = self.unit / self.pairs.step.measure.area;
         let held = self.pairs.step.held.iter();
         image.extend(held.map(|held| per_area * self.pairs.force(traction, held.direction)));
         image
@@ -385,7 +386,7 @@ impl System for Linear<'_, '_> {
         if held.is_empty() {
             return traction;
         }
-        let per_area = self.unit / self.pairs.step.element_area;
+        let per_area = self.unit / self.pairs.step.measure.area;
         let mut short = [0.0; 2];
         for ((short, held), force) in short.iter_mut().zip(held).zip(force) {
             *short = force - per_area * self.pairs.force(&traction, held.direction);

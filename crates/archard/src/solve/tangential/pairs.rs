@@ -19,7 +19,9 @@ pub(super) struct Pairs<'a> {
     pub rigid: Vec<f64>,
     /// Slip (m) of a pair under a unit traction (Pa) on it alone.
     pub own: f64,
-    /// 2-norm (Pa) and sum (N) of the limits.
+    /// What area each stands for relative to the mean, for both directions.
+    pub weight: Vec<f64>,
+    /// 2-norm over the area (Pa) and sum (N) of the limits.
     norm: f64,
     force: f64,
     /// Fields on the whole frame: tractions there, slip back.
@@ -44,14 +46,19 @@ impl<'a> Pairs<'a> {
         let places: Vec<usize> = (0..step.limit.len()).filter(|&i| step.limit[i] > 0.0).collect();
         let limit: Vec<f64> = places.iter().map(|&place| step.limit[place]).collect();
         let rigid = step.rigid.iter().flat_map(|rigid| places.iter().map(|&place| rigid[place]));
-        let [squares, total] = sum([&limit], |[limit]| [limit * limit, limit]);
+        let weights = [0, 1].into_iter().flat_map(|_| places.iter());
+        let weight: Vec<f64> = weights.map(|&place| step.measure.weight.at(place)).collect();
+        let [squares, total] = sum([&limit, &weight[..limit.len()]], |[limit, weight]| {
+            [weight * (limit * limit), weight * limit]
+        });
         let zeros = || vec![0.0; step.limit.len()];
         Self {
             step,
             rigid: rigid.collect(),
             own: step.map.own(),
             norm: squares.sqrt(),
-            force: total * step.element_area,
+            force: total * step.measure.area,
+            weight,
             fields: [zeros(), zeros()],
             images: [zeros(), zeros()],
             applications: 0,
@@ -148,8 +155,10 @@ impl<'a> Pairs<'a> {
     /// Force (N) of tractions along a direction.
     pub fn force(&self, traction: &[f64], direction: [f64; 2]) -> f64 {
         let (one, two) = traction.split_at(self.len());
-        let [force] = sum([one, two], |[x, y]| [x * direction[0] + y * direction[1]]);
-        force * self.step.element_area
+        let [force] = sum([one, two, &self.weight[..self.len()]], |[x, y, weight]| {
+            [weight * (x * direction[0] + y * direction[1])]
+        });
+        force * self.step.measure.area
     }
 
     /// How much each force given is short of (N).
@@ -162,9 +171,10 @@ impl<'a> Pairs<'a> {
     pub fn residual(&self, state: &State) -> f64 {
         let (t1, t2) = state.traction.split_at(self.len());
         let (s1, s2) = state.slip.split_at(self.len());
-        let [squares] = sum([t1, t2, s1, s2, &self.limit], |[t1, t2, s1, s2, limit]| {
+        let fields = [t1, t2, s1, s2, &self.limit, &self.weight[..self.len()]];
+        let [squares] = sum(fields, |[t1, t2, s1, s2, limit, weight]| {
             let [x, y] = onto_disc([t1 + s1 / self.own, t2 + s2 / self.own], limit);
-            [(t1 - x).powi(2) + (t2 - y).powi(2)]
+            [weight * ((t1 - x).powi(2) + (t2 - y).powi(2))]
         });
         let missing = self.missing(&state.traction);
         let missing = missing.iter().map(|force| force * force).sum::<f64>().sqrt();

@@ -45,7 +45,7 @@ impl Uzawa {
         let penalty = PENALTY / (across * pairs.own);
         // A force off by all the limits moves the slip like a traction off by the mean limit.
         let compliance = penalty * pairs.own * pairs.own / pairs.len().max(1) as f64;
-        let area = pairs.step.element_area;
+        let area = pairs.step.measure.area;
         let mut count = 0;
         loop {
             let residual = pairs.residual(&state);

@@ -1,0 +1,156 @@
+//! The value of a field at the centre of pairs that lie anyhow.
+
+use crate::numerics::dense::Cholesky;
+
+/// Pairs, mirror images included, that a parabola is fitted to at least; more where others are as near.
+const FITTED: usize = 12;
+/// Distances closer than this, relative to them, are the same.
+const SAME: f64 = 1e-6;
+/// Reach of the weights of the fit relative to the farthest pair.
+const REACH: f64 = 1.4;
+
+/// Weights of the pairs that say what a field is at x = y = 0.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Centre {
+    nearest: Vec<(usize, f64)>,
+    /// Least-squares fit, exact for quadratics; none where the pairs do not determine one.
+    smooth: Vec<(usize, f64)>,
+}
+
+impl Centre {
+    pub fn of(places: &[[f64; 3]], mirrored: [bool; 2]) -> Self {
+        let mut images = images(places, mirrored);
+        images.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+        let as_near = |count: usize| {
+            let last = images.get(count.min(images.len()).wrapping_sub(1));
+            let reach = last.map_or(0.0, |image| image.distance * (1.0 + SAME));
+            images.iter().take_while(|image| image.distance <= reach).count()
+        };
+        let nearest = &images[..as_near(1)];
+        let share = 1.0 / nearest.len().max(1) as f64;
+        // A pair at the centre needs no fit.
+        let fitted = &images[..as_near(FITTED)];
+        let own = nearest.first().zip(fitted.last());
+        let own = own.is_some_and(|(near, far)| near.distance <= SAME * far.distance);
+        Self {
+            nearest: gathered(nearest.iter().map(|image| (image.pair, share))),
+            smooth: match fit(fitted) {
+                Some(weights) if !own => gathered(weights.into_iter()),
+                _ => vec![],
+            },
+        }
+    }
+
+    /// The value of a field; the mean of the nearest pairs where the field vanishes at one of those around, as
+    /// pressures do outside a contact.
+    pub fn value(&self, field: &[f64]) -> f64 {
+        let weigh = |weights: &[(usize, f64)]| -> f64 {
+            weights.iter().map(|(pair, weight)| weight * field[*pair]).sum()
+        };
+        let whole = self.smooth.iter().all(|(pair, _)| field[*pair] != 0.0);
+        weigh(if whole && !self.smooth.is_empty() { &self.smooth } else { &self.nearest })
+    }
+}
+
+/// A pair or one of its mirror images.
+struct Image {
+    pair: usize,
+    place: [f64; 2],
+    distance: f64,
+}
+
+fn images(places: &[[f64; 3]], mirrored: [bool; 2]) -> Vec<Image> {
+    let sides = mirrored.map(|mirrored| if mirrored { &[1.0, -1.0][..] } else { &[1.0] });
+    let mut images = Vec::with_capacity(places.len() * sides[0].len() * sides[1].len());
+    for (pair, place) in places.iter().enumerate() {
+        for side_x in sides[0] {
+            for side_y in sides[1] {
+                let place = [side_x * place[0], side_y * place[1]];
+                images.push(Image { pair, place, distance: place[0].hypot(place[1]) });
+            }
+        }
+    }
+    images
+}
+
+/// Weights of the value at the origin of the parabola that fits best; `None` where none is determined.
+fn fit(images: &[Image]) -> Option<Vec<(usize, f64)>> {
+    let reach = REACH * images.last()?.distance;
+    if reach == 0.0 {
+        return None;
+    }
+    let terms = |image: &Image| {
+        let [x, y] = image.place.map(|place| place / reach);
+        [1.0, x, y, x * x, x * y, y * y]
+    };
+    let weight = |image: &Image| (1.0 - (image.distance / reach).powi(2)).powi(2);
+    let element = |row: usize, column: usize| -> f64 {
+        images.iter().map(|one| weight(one) * terms(one)[row] * terms(one)[column]).sum()
+    };
+    let unit = [1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let factors = Cholesky::new(6, element)?.solve(&unit);
+    let value = |image: &Image| {
+        let terms = terms(image);
+        weight(image) * factors.iter().zip(terms).map(|(factor, term)| factor * term).sum::<f64>()
+    };
+    let weights: Vec<(usize, f64)> = images.iter().map(|one| (one.pair, value(one))).collect();
+    // Pairs on a line, say, determine no parabola; rounding may still find one.
+    let size: f64 = weights.iter().map(|(_, weight)| weight.abs()).sum();
+    (size.is_finite() && size < 10.0).then_some(weights)
+}
+
+/// One weight a pair.
+fn gathered(weights: impl Iterator<Item = (usize, f64)>) -> Vec<(usize, f64)> {
+    let mut gathered: Vec<(usize, f64)> = Vec::new();
+    for (pair, weight) in weights {
+        match gathered.iter_mut().find(|(known, _)| *known == pair) {
+            Some((_, sum)) => *sum += weight,
+            None => gathered.push((pair, weight)),
+        }
+    }
+    gathered
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::Centre;
+
+    fn quadratic([x, y, _]: [f64; 3]) -> f64 {
+        3.0 + x - 2.0 * y + 4.0 * x * y + x * x - 5.0 * y * y
+    }
+
+    /// Places that follow no rule.
+    fn scattered(count: usize) -> Vec<[f64; 3]> {
+        let wave = |i: usize, factor: f64| (factor * (i as f64 + 0.3)).sin();
+        (0..count).map(|i| [wave(i, 1.7), wave(i, 2.9), 0.0]).collect()
+    }
+
+    #[test]
+    fn a_quadratic_is_fitted_exactly() {
+        let places = scattered(60);
+        let field: Vec<f64> = places.iter().map(|&place| quadratic(place)).collect();
+        assert_relative_eq!(Centre::of(&places, [false; 2]).value(&field), 3.0, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn mirror_images_take_part() {
+        let places: Vec<_> =
+            scattered(40).iter().map(|[x, y, _]| [x.abs(), y.abs(), 0.0]).collect();
+        let even = |[x, y, _]: [f64; 3]| 3.0 + x * x - 5.0 * y * y;
+        let field: Vec<f64> = places.iter().map(|&place| even(place)).collect();
+        assert_relative_eq!(Centre::of(&places, [true; 2]).value(&field), 3.0, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn where_nothing_is_determined_the_nearest_count() {
+        let line: Vec<_> = (0..20).map(|i| [f64::from(i) - 9.5, 0.0, 0.0]).collect();
+        let field: Vec<f64> = line.iter().map(|[x, ..]| 2.0 + x).collect();
+        assert_relative_eq!(Centre::of(&line, [false; 2]).value(&field), 2.0, epsilon = 1e-14);
+        let mut places = scattered(60);
+        places[7] = [0.0; 3];
+        let field: Vec<f64> = (0..60).map(|i| f64::from(i == 7)).collect();
+        assert_relative_eq!(Centre::of(&places, [false; 2]).value(&field), 1.0, epsilon = 1e-14);
+    }
+}
