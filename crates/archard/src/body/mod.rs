@@ -1,6 +1,7 @@
 //! A body: what it is made of, what shape it has, whether it wears.
 
 mod material;
+pub mod mesh;
 pub mod profile;
 
 pub use material::{Material, contact_modulus};
