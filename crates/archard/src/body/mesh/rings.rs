@@ -5,6 +5,8 @@
 //! transition. An odd number of edges leaves the middle one alone or joins it with both neighbours, so
 //! that symmetric fronts stay symmetric.
 
+use std::f64::consts::FRAC_PI_8;
+
 use super::axis::Axis;
 use super::builder::Builder;
 
@@ -56,7 +58,7 @@ impl<'a> Rings<'a> {
         (self.rays, self.vertices) = (rays, vertices);
     }
 
-    /// Closes the front with triangles to one vertex; returns the rays that were left.
+    /// Closes the front with triangles to one vertex.
     pub fn close(self, apex: [f64; 3]) {
         let apex = self.builder.vertex(apex);
         for pair in self.vertices.windows(2) {
@@ -164,10 +166,17 @@ impl Ray {
         Self { start, direction }
     }
 
-    /// Whether the arc between two rays is at most about a sixteenth of a turn.
-    pub fn near(self, other: Self) -> bool {
-        distance(self.direction, other.direction) < 0.4
+    /// Whether the angle (rad) between two rays is at most that, give or take what they are uneven.
+    pub fn within(self, other: Self, angle: f64) -> bool {
+        distance(self.direction, other.direction) < 1.02 * angle
     }
+}
+
+/// The widest angle (rad) an element may take of a circle of that radius (m): an eighth of half a turn,
+/// less if the chord would come close to the other side of a wall that thick (m).
+pub(super) fn widest_angle(radius: f64, wall: f64) -> f64 {
+    let sagitta = 0.25 * wall / radius;
+    FRAC_PI_8.min(2.0 * (1.0 - sagitta.min(1.0)).acos())
 }
 
 /// Distance of two places.

@@ -3,12 +3,12 @@
 //! The zone is a grid of equal angles on the gnomonic projection; rings of elements go from its rim to
 //! the other pole. Without a zone the six sides of a cube are blown up to the sphere.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::axis::{Axis, places};
 use super::builder::Builder;
 use super::contact::{self, Contact, Layout};
-use super::rings::{Ray, Rings, distance};
+use super::rings::{Ray, Rings, distance, widest_angle};
 use super::tensor::{block, patch};
 use super::{MeshError, Meshed, Shape, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
@@ -60,7 +60,8 @@ impl Shape for Sphere {
     fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
         self.layout.check(mirrored)?;
         let mut builder = Builder::new(self.radius);
-        let mut shell = Shell { radius: self.radius, centre: -self.radius, mirrored };
+        let angle = widest_angle(self.radius, self.radius - self.inner.unwrap_or(0.0));
+        let mut shell = Shell { radius: self.radius, centre: -self.radius, angle, mirrored };
         let zone = match self.layout {
             Layout::Contact(contact) => {
                 shell.around(&mut builder, "outer", &contact);
@@ -109,6 +110,8 @@ struct Shell {
     radius: f64,
     /// Height of the centre (m).
     centre: f64,
+    /// The widest angle of an element (rad).
+    angle: f64,
     mirrored: [bool; 2],
 }
 
@@ -136,8 +139,7 @@ impl Shell {
     /// The grid of the zone, then rings down to the other pole.
     fn around(&self, builder: &mut Builder, name: &str, contact: &Contact) {
         let surface = builder.surface(name);
-        let widest = FRAC_PI_8 * self.radius;
-        let growth = contact.growth(widest);
+        let growth = contact.growth(self.angle * self.radius);
         let [x, y] = [0, 1].map(|axis| {
             let length = contact.size[axis];
             Axis::graded(contact.middle(axis), length, growth, self.mirrored[axis])
@@ -158,7 +160,8 @@ impl Shell {
             let place = |ray: usize| self.along(&paths[ray], t);
             rings.advance(place, |a, b| {
                 let rising = paths[a].polar + (PI - paths[a].polar) * t > FRAC_PI_2;
-                distance(place(a), place(b)) <= 1.2 * width && (rising || rays[a].near(rays[b]))
+                distance(place(a), place(b)) <= 1.2 * width
+                    && (rising || rays[a].within(rays[b], self.angle))
             });
         }
         rings.close([0.0, 0.0, self.centre - self.radius]);

@@ -1,7 +1,7 @@
 //! A cylinder that touches with its end: rings go from the rim of the zone to the edge, down the side
 //! and back to the middle of the bottom.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_8, PI};
 
 use super::Standing;
 use crate::body::mesh::axis::{Axis, places};
@@ -47,7 +47,7 @@ impl Standing {
                 [x, y, 0.0]
             };
             rings.advance(place, |a, b| {
-                distance(place(a), place(b)) <= 1.2 * width && rays[a].near(rays[b])
+                distance(place(a), place(b)) <= 1.2 * width && rays[a].within(rays[b], FRAC_PI_8)
             });
         }
         widths[widths.len() - 1]
@@ -63,7 +63,7 @@ impl Standing {
                 [x, y, -depth]
             };
             rings.advance(place, |a, b| {
-                distance(place(a), place(b)) <= 1.2 * width && rays[a].near(rays[b])
+                distance(place(a), place(b)) <= 1.2 * width && rays[a].within(rays[b], FRAC_PI_8)
             });
         }
         widths[widths.len() - 1]

@@ -4,13 +4,13 @@
 //! Moebius transformation that spreads the fine elements below the zone evenly; since it keeps
 //! angles, elements stay well shaped.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::Lying;
 use crate::body::mesh::axis::{Axis, Growth, places};
 use crate::body::mesh::builder::Builder;
 use crate::body::mesh::contact::Layout;
-use crate::body::mesh::rings::{Rings, distance};
+use crate::body::mesh::rings::{Rings, distance, widest_angle};
 use crate::body::mesh::tensor::{middle, patch};
 use crate::body::mesh::{Meshed, Zone};
 
@@ -72,12 +72,17 @@ impl Lying {
         [radius * angle.sin(), y, radius * angle.cos() - self.radius]
     }
 
+    /// The widest angle of an element (rad).
+    fn angle(&self) -> f64 {
+        widest_angle(self.radius, self.radius - self.bore.unwrap_or(0.0))
+    }
+
     /// Divisions of the circumference and along the axis.
     fn axes(&self, mirrored: [bool; 2]) -> [Axis; 2] {
         let around = 2.0 * PI * self.radius;
         match self.layout {
             Layout::Contact(contact) => {
-                let widest = FRAC_PI_8 * self.radius;
+                let widest = self.angle() * self.radius;
                 let free = contact.growth(f64::INFINITY);
                 [
                     Axis::graded(contact.middle(0), around, contact.growth(widest), mirrored[0]),
@@ -173,7 +178,7 @@ impl Lying {
             let place = |ray: usize| self.at(radius, turn.angles[ray], y);
             rings.advance(place, |a, b| {
                 distance(place(a), place(b)) <= 1.2 * width
-                    && (turn.angles[b] - turn.angles[a]).abs() <= 1.02 * FRAC_PI_8
+                    && (turn.angles[b] - turn.angles[a]).abs() <= 1.02 * self.angle()
             });
         }
         rings.rays().iter().map(|&ray| turn.angles[ray]).collect()

@@ -7,6 +7,9 @@ mod stl;
 
 pub use error::{Fault, MeshFileError, Place};
 
+#[cfg(test)]
+mod tests;
+
 use super::{Mesh, MeshError, Meshed, Shape, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 

@@ -84,7 +84,7 @@ fn begin(source: &mut Source<'_>, binary: bool, size: i64) -> Result<(), MeshFil
 /// Reads the sections one after the other.
 fn read(
     source: &mut Source<'_>,
-    section: fn(&str, &mut Source<'_>, &mut Contents) -> Result<bool, MeshFileError>,
+    section: fn(&str, &mut Source<'_>, &mut Contents) -> Result<(), MeshFileError>,
 ) -> Result<Contents, MeshFileError> {
     let mut contents = Contents::default();
     source.behind("$EndMeshFormat")?;
@@ -97,11 +97,10 @@ fn read(
             return Err(source.error(Fault::Unexpected { expected, found }));
         }
         source.line();
-        let known = match heading {
-            "$PhysicalNames" => names(source, &mut contents).map(|()| true)?,
+        match heading {
+            "$PhysicalNames" => names(source, &mut contents)?,
             _ => section(heading, source, &mut contents)?,
-        };
-        let _ = known;
+        }
         source.behind("$End")?;
         source.line();
     }

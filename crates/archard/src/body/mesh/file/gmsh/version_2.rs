@@ -9,13 +9,12 @@ pub(super) fn section(
     heading: &str,
     source: &mut Source<'_>,
     contents: &mut Contents,
-) -> Result<bool, MeshFileError> {
+) -> Result<(), MeshFileError> {
     match heading {
-        "$Nodes" => nodes(source, contents)?,
-        "$Elements" => elements(source, contents)?,
-        _ => return Ok(false),
+        "$Nodes" => nodes(source, contents),
+        "$Elements" => elements(source, contents),
+        _ => Ok(()),
     }
-    Ok(true)
 }
 
 fn nodes(source: &mut Source<'_>, contents: &mut Contents) -> Result<(), MeshFileError> {

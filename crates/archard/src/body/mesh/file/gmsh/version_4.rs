@@ -9,14 +9,13 @@ pub(super) fn section(
     heading: &str,
     source: &mut Source<'_>,
     contents: &mut Contents,
-) -> Result<bool, MeshFileError> {
+) -> Result<(), MeshFileError> {
     match heading {
-        "$Entities" => entities(source, contents)?,
-        "$Nodes" => nodes(source, contents)?,
-        "$Elements" => elements(source, contents)?,
-        _ => return Ok(false),
+        "$Entities" => entities(source, contents),
+        "$Nodes" => nodes(source, contents),
+        "$Elements" => elements(source, contents),
+        _ => Ok(()),
     }
-    Ok(true)
 }
 
 /// Points, curves, surfaces and volumes of the geometry; the physical groups of surfaces matter.
