@@ -17,7 +17,7 @@ impl Growth {
         self.fill(length, |ratio| self.geometric(width, ratio, 1))
     }
 
-    /// Widths (m) that fill a length (m), the first of them `first` (m) unless the length is shorter.
+    /// Widths (m) that fill a length (m), the first of them `first` (m) or narrower.
     pub fn from(self, first: f64, length: f64) -> Vec<f64> {
         self.fill(length, |ratio| self.geometric(first, ratio, 0))
     }
@@ -40,14 +40,14 @@ impl Growth {
             reached += width;
             count += 1;
         }
-        let (mut low, mut high) = (0.0, self.ratio);
+        let (mut low, mut high) = (1.0, self.ratio);
         for _ in 0..60 {
             let ratio = 0.5 * (low + high);
             let filled: f64 = series(ratio).take(count).sum();
             if filled < length { low = ratio } else { high = ratio }
         }
-        let mut widths: Vec<f64> = series(high).take(count).collect();
-        // Where the widest width rules or the first is fixed, the ratio alone cannot do it.
+        let mut widths: Vec<f64> = series(low).take(count).collect();
+        // Where the widest width rules or even equal ones are too wide, the ratio alone cannot do it.
         let stretch = length / widths.iter().sum::<f64>();
         widths.iter_mut().for_each(|width| *width *= stretch);
         widths

@@ -130,10 +130,10 @@ impl Contact {
         Growth { ratio: self.growth, widest }
     }
 
-    /// The mean width of the elements of the zone (m).
+    /// The smaller width of the elements of the zone (m).
     pub fn width(&self) -> f64 {
         let [x, y] = [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64);
-        (x * y).sqrt()
+        x.min(y)
     }
 
     /// The elements of the zone that are kept.

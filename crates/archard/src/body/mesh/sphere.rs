@@ -159,9 +159,10 @@ impl Shell {
             let t = along / longest;
             let place = |ray: usize| self.along(&paths[ray], t);
             rings.advance(place, |a, b| {
-                let rising = paths[a].polar + (PI - paths[a].polar) * t > FRAC_PI_2;
+                let polar = paths[a].polar.min(paths[b].polar);
+                let beyond_equator = polar + (PI - polar) * t > FRAC_PI_2;
                 distance(place(a), place(b)) <= 1.2 * width
-                    && (rising || rays[a].within(rays[b], self.angle))
+                    && (beyond_equator || rays[a].within(rays[b], self.angle))
             });
         }
         rings.close([0.0, 0.0, self.centre - self.radius]);

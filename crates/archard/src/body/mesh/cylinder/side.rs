@@ -31,7 +31,7 @@ impl Lying {
         let side = builder.surface("side");
         let at = |radius: f64, angle: f64, y: f64| self.at(radius, angle, y);
         patch(&mut builder, side, [&angles, &along.places], |angle, y| at(self.radius, angle, y));
-        let turn = self.turn(&arcs, angles, mirrored);
+        let turn = self.turn(&arcs, angles);
         let ends = [along.places[0], along.places[along.places.len() - 1]];
         let mut bore = turn.angles.clone();
         for (name, y) in ["front", "back"].into_iter().zip(ends) {
@@ -101,17 +101,20 @@ impl Lying {
         }
     }
 
-    fn turn(&self, arcs: &Axis, angles: Vec<f64>, mirrored: [bool; 2]) -> Turn {
+    fn turn(&self, arcs: &Axis, angles: Vec<f64>) -> Turn {
         let count = angles.len() - 1;
-        let half = if mirrored[0] { count as f64 } else { 0.5 * count as f64 };
         let (pinned, spread) = match self.layout {
-            Layout::Contact(contact) => {
+            Layout::Contact(_) => {
                 let zone = &arcs.zone;
                 let pinned = (0..=count)
                     .map(|i| [0, zone.start, zone.end, count].contains(&i) || angles[i] == 0.0);
-                let inside = PI * 0.5 * contact.elements[0] as f64 / half;
-                let angle = 0.5 * contact.size[0] / self.radius;
-                (pinned.collect(), ((0.5 * inside).tan() / (0.5 * angle).tan()).max(1.0))
+                // The transformation stretches the top so much and shrinks the other side as much.
+                let widths = angles.windows(2).map(|pair| pair[1] - pair[0]);
+                let (least, most) = widths
+                    .fold((f64::INFINITY, 0.0_f64), |(least, most), width| {
+                        (least.min(width), most.max(width))
+                    });
+                (pinned.collect(), (most / least).sqrt())
             }
             Layout::Even(quarter) => ((0..=count).map(|i| i % quarter == 0).collect(), 1.0),
         };
@@ -128,7 +131,10 @@ impl Lying {
         let count = spread.len() - 1;
         let width = (spread[count] - spread[0]) / count as f64;
         let growth = match self.layout {
-            Layout::Contact(contact) => contact.growth(f64::INFINITY),
+            // The other half of the growth is the transformation's.
+            Layout::Contact(contact) => {
+                Growth { ratio: contact.growth.sqrt(), widest: f64::INFINITY }
+            }
             Layout::Even(_) => Growth { ratio: 1.5, widest: 1.3 * width },
         };
         let widths = growth.from(width, 1.0);
