@@ -8,7 +8,7 @@
 use std::fmt;
 
 /// The physical quantity of a parameter; decides which units a reader accepts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// A number without unit.
     Number,
@@ -35,11 +35,19 @@ pub enum Quantity {
     Time,
     /// Two values of one quantity, along x and y.
     Pair(&'static Quantity),
+    /// Three values of one quantity, along x, y and z.
+    Triple(&'static Quantity),
+    /// A name of the user's.
+    Text,
     /// One of a few words.
     Word(&'static [&'static str]),
     /// The name of a file of columns, each headed `name_unit`, with their names and quantities; a
     /// column of another name is taken for a length.
     Table(&'static [(&'static str, Quantity)]),
+    /// The name of a file that is read as it is.
+    File,
+    /// A table of parameters inside the table; the bound of the parameter itself has no meaning.
+    Section(&'static [Parameter]),
 }
 
 /// What messages say of two parameters of which only one may be given.
@@ -121,10 +129,21 @@ pub enum Value {
     Number(f64),
     /// Two numbers, along x and y (SI).
     Pair([f64; 2]),
-    /// A word.
+    /// Three numbers, along x, y and z (SI).
+    Triple([f64; 3]),
+    /// A word or a name.
     Word(String),
     /// Columns of numbers (SI), each with its name, all of one length.
     Table(Vec<(String, Vec<f64>)>),
+    /// A file, with its name as written and what it holds.
+    File {
+        /// The name, as written.
+        name: String,
+        /// What the file holds.
+        bytes: Vec<u8>,
+    },
+    /// The values of a table inside the table.
+    Section(Values),
 }
 
 /// The values given for one choice, checked against its declaration.
@@ -165,6 +184,30 @@ impl Values {
     pub fn pair(&self, name: &str) -> Option<[f64; 2]> {
         match self.get(name) {
             Some(Value::Pair(pair)) => Some(*pair),
+            _ => None,
+        }
+    }
+
+    /// The three numbers of that name, if they were given.
+    pub fn triple(&self, name: &str) -> Option<[f64; 3]> {
+        match self.get(name) {
+            Some(Value::Triple(triple)) => Some(*triple),
+            _ => None,
+        }
+    }
+
+    /// The values of the table of that name inside the table, if it was given.
+    pub fn section(&self, name: &str) -> Option<&Values> {
+        match self.get(name) {
+            Some(Value::Section(values)) => Some(values),
+            _ => None,
+        }
+    }
+
+    /// The name and the bytes of the file of that name, if it was given.
+    pub fn file(&self, name: &str) -> Option<(&str, &[u8])> {
+        match self.get(name) {
+            Some(Value::File { name, bytes }) => Some((name, bytes)),
             _ => None,
         }
     }
@@ -221,7 +264,7 @@ fn only_one<T>(values: [(&'static str, Option<T>); 2]) -> Result<OneOf<T>, Inval
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct Invalid {
-    /// The parameter to point at.
+    /// The parameter to point at; one of a table inside the table is written `table.parameter`.
     pub parameter: &'static str,
     /// What is wrong and what to do.
     pub message: String,

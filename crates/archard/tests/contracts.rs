@@ -3,6 +3,7 @@
 mod common;
 mod contracts {
     mod friction;
+    mod mesh;
     mod rolling;
     mod shift;
 }

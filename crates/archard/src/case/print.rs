@@ -3,6 +3,7 @@
 //! Each line is what `--set` would take.
 
 use std::fmt::{self, Display, Formatter};
+use std::path::PathBuf;
 
 use super::chosen::Chosen;
 use super::definition::{Case, Output};
@@ -71,35 +72,56 @@ fn print_material(f: &mut Formatter<'_>, key: &str, material: &Material) -> fmt:
 
 fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
     let key = format!("{key}.{}", chosen.choice.name);
-    if chosen.values.iter().next().is_none() {
-        return writeln!(f, "{key} = {{}}");
-    }
-    for parameter in chosen.choice.parameters {
-        if let Some(value) = chosen.values.get(parameter.name) {
-            writeln!(f, "{key}.{} = {}", parameter.name, print_value(chosen, parameter, value))?;
-        }
-    }
-    Ok(())
+    let printed = Printed { values: &chosen.values, files: &chosen.files };
+    printed.print(f, &key, chosen.choice.parameters)
 }
 
-fn print_value<T>(chosen: &Chosen<T>, parameter: &Parameter, value: &Value) -> String {
-    match value {
-        Value::Word(word) => quoted(word),
-        Value::Number(value) => match measure(parameter.quantity, &chosen.values) {
-            Some(measure) => si(*value, &measure.si),
-            None if parameter.quantity == Quantity::Count => format!("{value:.0}"),
-            None => number(*value),
-        },
-        Value::Pair(pair) => {
-            let one = |value: f64| match measure(parameter.quantity, &chosen.values) {
-                Some(measure) => si(value, &measure.si),
-                None => number(value),
-            };
-            format!("[{}, {}]", one(pair[0]), one(pair[1]))
+/// The values of one table, and the files they came from.
+struct Printed<'a> {
+    values: &'a Values,
+    files: &'a [(&'static str, PathBuf)],
+}
+
+impl Printed<'_> {
+    /// A line for every value, those of tables inside the table included.
+    fn print(&self, f: &mut Formatter<'_>, key: &str, parameters: &[Parameter]) -> fmt::Result {
+        if self.values.iter().next().is_none() {
+            return writeln!(f, "{key} = {{}}");
         }
-        Value::Table(_) => {
-            let file = chosen.files.iter().find(|(name, _)| *name == parameter.name);
-            quoted(&file.map(|(_, file)| file.display().to_string()).unwrap_or_default())
+        for parameter in parameters {
+            let key = format!("{key}.{}", parameter.name);
+            match (self.values.get(parameter.name), parameter.quantity) {
+                (None, _) => {}
+                (Some(Value::Section(values)), Quantity::Section(inner)) => {
+                    Printed { values, ..*self }.print(f, &key, inner)?;
+                }
+                (Some(value), _) => writeln!(f, "{key} = {}", self.value(parameter, value))?,
+            }
+        }
+        Ok(())
+    }
+
+    fn value(&self, parameter: &Parameter, value: &Value) -> String {
+        let one = |value: f64| self.number(parameter.quantity, value);
+        match value {
+            Value::Word(word) => quoted(word),
+            Value::Number(value) => one(*value),
+            Value::Pair([x, y]) => format!("[{}, {}]", one(*x), one(*y)),
+            Value::Triple([x, y, z]) => format!("[{}, {}, {}]", one(*x), one(*y), one(*z)),
+            Value::Table(_) | Value::File { .. } => {
+                let file = self.files.iter().find(|(name, _)| *name == parameter.name);
+                quoted(&file.map(|(_, file)| file.display().to_string()).unwrap_or_default())
+            }
+            // Printed by itself, line by line.
+            Value::Section(_) => String::new(),
+        }
+    }
+
+    fn number(&self, quantity: Quantity, value: f64) -> String {
+        match (measure(quantity, self.values), quantity) {
+            (Some(measure), _) => si(value, &measure.si),
+            (None, Quantity::Count | Quantity::Pair(Quantity::Count)) => format!("{value:.0}"),
+            (None, _) => number(value),
         }
     }
 }

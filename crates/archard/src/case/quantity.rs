@@ -40,7 +40,20 @@ pub(super) fn read(
         }
         Quantity::Word(words) => word(node, words).map(|word| (Value::Word(word), None)),
         Quantity::Table(columns) => table(node, folder, columns),
-        Quantity::Pair(quantity) => pair(node, &Parameter { quantity: *quantity, ..*parameter }),
+        Quantity::File => file(node, folder),
+        Quantity::Text => text(node).map(|text| (Value::Word(text), None)),
+        Quantity::Pair(quantity) => {
+            let along = "two values, along x and y";
+            let parameter = Parameter { quantity: *quantity, ..*parameter };
+            Ok((Value::Pair(several(node, &parameter, along)?), None))
+        }
+        Quantity::Triple(quantity) => {
+            let along = "three values, along x, y and z";
+            let parameter = Parameter { quantity: *quantity, ..*parameter };
+            Ok((Value::Triple(several(node, &parameter, along)?), None))
+        }
+        // The reader of tables has gone into it.
+        Quantity::Section(_) => Err(format!("expected a table, found {}", node.item.kind()).into()),
         quantity => {
             let measure = measure(quantity, before).ok_or_else(|| {
                 Wrong::from(
@@ -66,8 +79,14 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::PowerFactor { exponent } => {
             values.number(exponent).map(|exponent| Measure::length_to_the(1.0 - exponent))
         }
-        Quantity::Pair(quantity) => measure(*quantity, values),
-        Quantity::Number | Quantity::Count | Quantity::Word(_) | Quantity::Table(_) => None,
+        Quantity::Pair(quantity) | Quantity::Triple(quantity) => measure(*quantity, values),
+        Quantity::Number
+        | Quantity::Count
+        | Quantity::Text
+        | Quantity::Word(_)
+        | Quantity::Table(_)
+        | Quantity::File
+        | Quantity::Section(_) => None,
     }
 }
 
@@ -122,27 +141,61 @@ fn word(node: &Node, words: &[&str]) -> Result<String, Wrong> {
     }
 }
 
-/// Two values in a list.
-fn pair(node: &Node, parameter: &Parameter) -> Result<(Value, Option<PathBuf>), Wrong> {
+/// Some values of one quantity in a list.
+fn several<const N: usize>(
+    node: &Node,
+    parameter: &Parameter,
+    along: &str,
+) -> Result<[f64; N], Wrong> {
     let expected = || {
         let example = measure(parameter.quantity, &Values::default())
             .map_or("1".to_owned(), |measure| format!("\"{}\"", measure.example));
-        format!("expected two values, along x and y, like [{example}, {example}]")
+        format!("expected {along}, like [{}]", [&*example; N].join(", "))
     };
     let nodes = match &node.item {
-        Item::Array(nodes) if nodes.len() == 2 => nodes,
+        Item::Array(nodes) if nodes.len() == N => nodes,
         Item::Array(nodes) => return Err(format!("{}, found {}", expected(), nodes.len()).into()),
         other => return Err(format!("{}, found {}", expected(), other.kind()).into()),
     };
-    let mut pair = [0.0; 2];
-    for (value, node) in pair.iter_mut().zip(nodes) {
+    let mut values = [0.0; N];
+    for (value, node) in values.iter_mut().zip(nodes) {
         if let (Value::Number(number), _) =
             read(node, parameter, &Values::default(), Path::new(""))?
         {
             *value = number;
         }
     }
-    Ok((Value::Pair(pair), None))
+    Ok(values)
+}
+
+/// A name.
+fn text(node: &Node) -> Result<String, Wrong> {
+    match &node.item {
+        Item::Text(text) if !text.is_empty() => Ok(text.clone()),
+        Item::Text(_) => Err("expected a name, found nothing between the quotes".to_owned().into()),
+        other => Err(format!("expected a name in quotes, found {}", other.kind()).into()),
+    }
+}
+
+/// What messages say beside a file that is not there.
+fn help(path: &Path) -> Option<String> {
+    let help = "a file is looked for from the folder of the case on, in options too";
+    (!path.exists()).then(|| help.to_owned())
+}
+
+/// The bytes of the file a node names.
+fn file(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
+    let Item::Text(name) = &node.item else {
+        return Err(format!("expected the name of a file, found {}", node.item.kind()).into());
+    };
+    let path = folder.join(name);
+    let bytes = std::fs::read(&path).map_err(|cause| Wrong {
+        help: help(&path),
+        message: format!("cannot read {}: {cause}", path.display()),
+    })?;
+    // A resolved case is stored elsewhere and must still find the file.
+    let path = std::path::absolute(&path).unwrap_or(path);
+    Ok((Value::File { name: name.clone(), bytes }, Some(path)))
 }
 
 /// The columns of the file a node names.
@@ -155,12 +208,8 @@ fn table(
         return Err(format!("expected the name of a CSV file, found {}", node.item.kind()).into());
     };
     let path = folder.join(name);
-    let columns = columns::read(&path, known).map_err(|error| Wrong {
-        help: (!path.exists()).then(|| {
-            "a file is looked for from the folder of the case on, in options too".to_owned()
-        }),
-        message: error.to_string(),
-    })?;
+    let columns = columns::read(&path, known)
+        .map_err(|error| Wrong { help: help(&path), message: error.to_string() })?;
     // A resolved case is stored elsewhere and must still find the file.
     let path = std::path::absolute(&path).unwrap_or(path);
     Ok((Value::Table(columns), Some(path)))

@@ -147,6 +147,14 @@ impl Reader<'_> {
                 }
                 None => {}
                 Some((key, entry)) => {
+                    if let Quantity::Section(inner) = parameter.quantity {
+                        if let Some(section) = self.as_table(key, &entry.node) {
+                            let (inside, inner_files) = self.values(&section, inner);
+                            values.insert(parameter.name, Value::Section(inside));
+                            files.extend(inner_files);
+                        }
+                        continue;
+                    }
                     match quantity::read(&entry.node, parameter, &values, self.folder) {
                         Ok((value, file)) => {
                             values.insert(parameter.name, value);
@@ -198,7 +206,8 @@ impl Reader<'_> {
         let last =
             named.clone().max_by_key(|entry| (entry.at.source, entry.name == invalid.parameter));
         let Some(last) = last.filter(|entry| entry.at.source != Source::File) else {
-            let key = section.key.child(invalid.parameter);
+            let key =
+                invalid.parameter.split('.').fold(section.key.clone(), |key, name| key.child(name));
             return self.push(Problem::error(key, invalid.message));
         };
         let problem = Problem::error(section.key.child(&last.name), &*invalid.message);

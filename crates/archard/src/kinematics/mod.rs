@@ -43,7 +43,7 @@ pub trait Kinematics: Debug + Send + Sync {
 }
 
 /// How the progress of a motion is called and shown.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// What it is, for people: "distance".
     pub name: &'static str,

@@ -1,26 +1,52 @@
-//! Surface meshes of finite bodies.
+//! The surface of a finite body, divided into elements.
+//!
+//! A mesh is made by one of the generators (a box, a cylinder, a sphere) or read from a file. The
+//! generators divide the zone that may touch into equal elements and let the others grow with the
+//! distance from it. A new shape is one file here and one line in [`MESHES`].
+//!
+//! Where a plane of symmetry halves the body, only the part at positive x or y is meshed and the cut
+//! is left open: `mirrored` says so, for x = 0 and y = 0.
 
-/// A closed surface of triangles and quadrilaterals; open only on planes of symmetry.
-#[derive(Debug, Clone, PartialEq)]
+mod axis;
+mod block;
+mod builder;
+mod check;
+mod contact;
+mod cylinder;
+mod file;
+mod measure;
+mod rings;
+mod sphere;
+mod tensor;
+
+pub use check::MeshProblem;
+pub use file::{Fault, MeshFileError, Place};
+
+use std::fmt::Debug;
+
+use crate::parameters::{Choice, Invalid};
+
+/// A closed surface of triangles and quadrilaterals (open only on planes of symmetry).
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
-    /// Places of the vertices (m).
+    /// Places of the corners (m).
     pub vertices: Vec<[f64; 3]>,
-    /// The faces.
+    /// The elements.
     pub faces: Vec<Face>,
-    /// Names of the surfaces.
+    /// Names of the parts of the surface.
     pub surfaces: Vec<String>,
 }
 
-/// One face of a mesh.
+/// An element of the surface.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Face {
-    /// Its corners, counter-clockwise seen from outside.
+    /// Its corners.
     pub corners: Corners,
-    /// The surface it belongs to.
+    /// The part of the surface it belongs to, an index into [`Mesh::surfaces`].
     pub surface: usize,
 }
 
-/// The corners of a face, by vertex.
+/// Indices of the corners of an element, counter-clockwise seen from outside.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Corners {
     /// A triangle.
@@ -30,11 +56,100 @@ pub enum Corners {
 }
 
 impl Corners {
-    /// The vertices in order.
+    /// The indices, one after the other.
     pub fn as_slice(&self) -> &[usize] {
         match self {
-            Corners::Triangle(vertices) => vertices,
-            Corners::Quad(vertices) => vertices,
+            Corners::Triangle(corners) => corners,
+            Corners::Quad(corners) => corners,
         }
     }
+}
+
+/// The part of the surface that may touch.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Zone {
+    /// Its elements, indices into [`Mesh::faces`].
+    pub faces: Vec<usize>,
+    /// The numbers of elements along x and y where the elements form a grid, x fastest. Each is then a
+    /// [`Corners::Quad`] whose corners begin at low x and low y, then high x and low y.
+    pub grid: Option<[usize; 2]>,
+}
+
+/// A surface with the part of it that may touch.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Meshed {
+    /// The surface of the body.
+    pub mesh: Mesh,
+    /// The part that may touch; without elements where the body says nothing of contact.
+    pub zone: Zone,
+    /// Whether the coordinates are the body's true place (files). Otherwise the body lies below z = 0,
+    /// the centre of the zone at the origin, the outward normal there along z.
+    pub placed: bool,
+}
+
+/// A body whose surface can be divided into elements.
+pub trait Shape: Debug + Send + Sync {
+    /// The elements of the body, or of its part at positive x or y where the planes x = 0 or y = 0 are
+    /// planes of symmetry.
+    ///
+    /// # Errors
+    /// If the elements asked for cannot be made.
+    fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError>;
+}
+
+/// The meshes a case can name.
+pub const MESHES: &[Choice<Box<dyn Shape>>] =
+    &[block::CHOICE, cylinder::CHOICE, sphere::CHOICE, file::CHOICE];
+
+/// Why a body cannot be divided as asked for.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum MeshError {
+    /// A plane of symmetry would cut through elements of the zone.
+    #[error(
+        "{count} elements along {axis}: the plane of symmetry {axis} = 0 halves them, take an even number"
+    )]
+    OddElements {
+        /// The axis across the plane.
+        axis: char,
+        /// The elements asked for.
+        count: usize,
+    },
+    /// A plane of symmetry would cut through elements of an evenly divided body.
+    #[error("{count} divisions: the plane of symmetry {axis} = 0 halves them, take an even number")]
+    OddDivisions {
+        /// The axis across the plane.
+        axis: char,
+        /// The divisions asked for.
+        count: usize,
+    },
+    /// A file has no surface of that name.
+    #[error("the file has no surface `{name}`; it has {}", listed(.known))]
+    NoSurface {
+        /// The name asked for.
+        name: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+}
+
+impl MeshError {
+    /// The parameter to change, one of a table inside the table as `table.parameter`.
+    pub fn parameter(&self) -> &'static str {
+        match self {
+            MeshError::OddElements { .. } => "contact.elements",
+            MeshError::OddDivisions { .. } => "divisions",
+            MeshError::NoSurface { .. } => "contact",
+        }
+    }
+}
+
+impl From<MeshError> for Invalid {
+    fn from(error: MeshError) -> Self {
+        Self::new(error.parameter(), error.to_string())
+    }
+}
+
+fn listed(names: &[String]) -> String {
+    let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
+    names.join(", ")
 }
