@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
 
+use archard::output::Store;
 use clap::{Args, Parser, Subcommand};
 
 /// Predicts contact and wear of elastic bodies from a case file.
@@ -51,9 +52,27 @@ pub struct Run {
     /// Number of threads; as many as there are processors if not given
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
+    /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
+    /// given
+    #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]
+    pub cache: Option<PathBuf>,
     /// Print errors only
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+impl Run {
+    /// The folder of compliances, if there is any place for one.
+    pub fn store(&self) -> Option<Store> {
+        let cache = || {
+            let home = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+            home("XDG_CACHE_HOME")
+                .map(PathBuf::from)
+                .or_else(|| Some(PathBuf::from(home("HOME")?).join(".cache")))
+                .map(|folder| folder.join("archard"))
+        };
+        self.cache.clone().or_else(cache).map(Store::new)
+    }
 }
 
 /// The arguments of `new`.

@@ -33,7 +33,11 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
         .map_err(|error| Failure::wrong(error.to_string()))?;
     let mut follower = Follower::new(arguments.quiet);
     let start = Instant::now();
-    let simulation = case.build().map_err(|error| Failure::wrong(error.to_string()))?;
+    let built = match arguments.store() {
+        Some(store) => case.build_with(&|finite, material, job| store.condense(finite, material, job)),
+        None => case.build(),
+    };
+    let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
     let mut watch = Watch::set();
     let outcome = simulation.run(&mut [&mut folder, &mut follower, &mut watch]);
     follower.finish();

@@ -16,6 +16,12 @@ pub struct Chosen<T: 'static> {
 }
 
 impl<T> Chosen<T> {
+    /// The choice of that name with no values given, if there is one.
+    pub(super) fn named(name: &str, choices: &'static [Choice<T>]) -> Option<Self> {
+        let choice = choices.iter().find(|choice| choice.name == name)?;
+        Some(Self { choice, values: Values::default(), files: vec![] })
+    }
+
     /// Builds the part.
     ///
     /// # Errors

@@ -1,8 +1,10 @@
 //! A case that passed every check: what to compute, in SI.
 
 use super::chosen::Chosen;
-use crate::body::{Body, Material, Profile};
-use crate::compliance::HalfSpace;
+use crate::body::mesh::{MeshError, Meshed, Shape};
+use crate::body::{Body, Finite, Interpolation, Material, Profile, Support};
+use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
+use crate::compliance::{Compliance, HalfSpace};
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
 use crate::kinematics::Motion;
@@ -41,13 +43,30 @@ pub struct BodyCase {
     pub name: String,
     /// What it is made of; `None` if it is rigid.
     pub material: Option<Material>,
-    /// Its shape.
+    /// Its shape; of a meshed body, what its surface lies below the mesh.
     pub profile: Chosen<Box<dyn Profile>>,
+    /// Its mesh; `None` for a half-space.
+    pub finite: Option<FiniteCase>,
     /// How it wears; `None` if it does not.
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
 }
 
-/// The frame of a case.
+/// The mesh of a body and how it is held.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FiniteCase {
+    /// The mesh.
+    pub mesh: Chosen<Box<dyn Shape>>,
+    /// What is known on surfaces, by name.
+    pub supports: Vec<(String, Support)>,
+    /// Whether x = 0 and y = 0 are planes of symmetry.
+    pub mirrored: [bool; 2],
+    /// How tractions and displacements vary over the elements.
+    pub interpolation: Interpolation,
+    /// Relative error allowed in the integrals over elements.
+    pub tolerance: f64,
+}
+
+/// The frame of a case; where a body is meshed, what its contact zone amounts to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameCase {
     /// Size along x and y (m).
@@ -74,6 +93,12 @@ pub enum BuildError {
     /// The frame is larger than a body.
     #[error(transparent)]
     OffTheSurface(#[from] OffTheSurface),
+    /// A mesh that cannot be made.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Meshed bodies that cannot be brought into contact.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
 }
 
 impl Output {
@@ -102,29 +127,75 @@ impl FrameCase {
     }
 }
 
+impl FiniteCase {
+    /// The mesh.
+    ///
+    /// # Errors
+    /// If it cannot be made; that of a checked case can.
+    pub fn meshed(&self) -> Result<Meshed, BuildError> {
+        Ok(self.mesh.build()?.mesh(self.mirrored)?)
+    }
+
+    /// Builds the body's surface; supports of surfaces that are not there are left out.
+    ///
+    /// # Errors
+    /// As [`FiniteCase::meshed`].
+    pub fn build(&self) -> Result<Finite, BuildError> {
+        let meshed = self.meshed()?;
+        let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
+        let supports = self
+            .supports
+            .iter()
+            .filter_map(|(name, support)| Some((surface(name)?, *support)))
+            .collect();
+        let Self { mirrored, interpolation, tolerance, .. } = *self;
+        Ok(Finite { meshed, supports, mirrored, interpolation, tolerance })
+    }
+}
+
 impl BodyCase {
     /// Builds the body.
-    fn build(&self) -> Result<Body, Invalid> {
+    fn build(&self) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
             profile: self.profile.build()?,
             material: self.material,
+            finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
             wear: self.wear.as_ref().map(Chosen::build).transpose()?,
         })
     }
 }
 
 impl Case {
+    /// Whether a body is meshed.
+    pub fn is_meshed(&self) -> bool {
+        self.bodies.iter().any(|body| body.finite.is_some())
+    }
+
     /// Puts the parts together.
     ///
     /// # Errors
     /// If they do not fit, which a checked case does.
     pub fn build(&self) -> Result<Simulation, BuildError> {
+        self.build_with(&contact::condense)
+    }
+
+    /// The same with something that condenses meshed bodies or knows that they were.
+    ///
+    /// # Errors
+    /// As [`Case::build`].
+    pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
         let bodies = [self.bodies[0].build()?, self.bodies[1].build()?];
-        let profiles = bodies.each_ref().map(|body| &*body.profile);
-        let frame = ContactFrame::uniform(self.frame.size, self.frame.elements, profiles)?;
-        let materials = bodies.each_ref().map(|body| body.material.as_ref());
-        let compliance = Box::new(HalfSpace::new(materials, &frame));
+        let (frame, compliance): (_, Box<dyn Compliance>) = if self.is_meshed() {
+            let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
+            (frame, Box::new(compliance))
+        } else {
+            let profiles = bodies.each_ref().map(|body| &*body.profile);
+            let frame = ContactFrame::uniform(self.frame.size, self.frame.elements, profiles)?;
+            let materials = bodies.each_ref().map(|body| body.material.as_ref());
+            let half_space = HalfSpace::new(materials, &frame);
+            (frame, Box::new(half_space))
+        };
         let Motion { kinematics, control, ramped, extent, stepping } = self.motion.build()?;
         let friction = self.friction.as_ref().map(Chosen::build).transpose()?;
         let outputs = self.output.places(extent);

@@ -6,9 +6,9 @@ use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use super::chosen::Chosen;
-use super::definition::{Case, Output};
+use super::definition::{Case, FiniteCase, Output};
 use super::quantity::measure;
-use crate::body::Material;
+use crate::body::{Interpolation, Material, Support};
 use crate::parameters::{Parameter, Quantity, Value, Values};
 
 impl Display for Case {
@@ -23,14 +23,19 @@ impl Display for Case {
                 None => writeln!(f, "{key}.rigid = true")?,
             }
             print_chosen(f, &format!("{key}.profile"), &body.profile)?;
+            if let Some(finite) = &body.finite {
+                print_finite(f, &key, finite)?;
+            }
             if let Some(wear) = &body.wear {
                 print_chosen(f, &format!("{key}.wear"), wear)?;
             }
             writeln!(f)?;
         }
-        let [x, y] = self.frame.size.map(|size| si(size, "m"));
-        writeln!(f, "frame.size = [{x}, {y}]")?;
-        writeln!(f, "frame.elements = {:?}\n", self.frame.elements)?;
+        if !self.is_meshed() {
+            let [x, y] = self.frame.size.map(|size| si(size, "m"));
+            writeln!(f, "frame.size = [{x}, {y}]")?;
+            writeln!(f, "frame.elements = {:?}\n", self.frame.elements)?;
+        }
         if let Some(friction) = &self.friction {
             print_chosen(f, "friction", friction)?;
         }
@@ -68,6 +73,35 @@ impl Case {
 fn print_material(f: &mut Formatter<'_>, key: &str, material: &Material) -> fmt::Result {
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
+}
+
+fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::Result {
+    print_chosen(f, &format!("{key}.mesh"), &finite.mesh)?;
+    let planes = ["x", "y"].into_iter().zip(finite.mirrored).filter(|(_, mirrored)| *mirrored);
+    let planes: Vec<String> = planes.map(|(axis, _)| quoted(axis)).collect();
+    writeln!(f, "{key}.symmetry = [{}]", planes.join(", "))?;
+    for (surface, support) in &finite.supports {
+        let three = |values: [String; 3]| format!("[{}]", values.join(", "));
+        let value = match support {
+            Support::Clamped => quoted("clamped"),
+            Support::Roller => quoted("roller"),
+            Support::Pressure(pressure) => format!("{{ pressure = {} }}", si(*pressure, "Pa")),
+            Support::Traction(traction) => {
+                format!("{{ traction = {} }}", three(traction.map(|one| si(one, "Pa"))))
+            }
+            Support::Displacement(displacement) => {
+                let one = |known: Option<f64>| known.map_or(quoted("free"), |one| si(one, "m"));
+                format!("{{ displacement = {} }}", three(displacement.map(one)))
+            }
+        };
+        writeln!(f, "{key}.supports.{} = {value}", quoted(surface))?;
+    }
+    let interpolation = match finite.interpolation {
+        Interpolation::Continuous => "continuous",
+        Interpolation::Discontinuous => "discontinuous",
+    };
+    writeln!(f, "{key}.boundary_elements.interpolation = {}", quoted(interpolation))?;
+    writeln!(f, "{key}.boundary_elements.tolerance = {}", number(finite.tolerance))
 }
 
 fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {

@@ -8,7 +8,7 @@ use super::nearest::nearest;
 use super::problem::{Problem, Source};
 use super::quantity;
 use super::tree::{Entry, Item, Node, Table};
-use crate::parameters::{Choice, EXCLUSIVE, Invalid, Parameter, Quantity, Value, Values};
+use crate::parameters::{Bound, Choice, EXCLUSIVE, Invalid, Parameter, Quantity, Value, Values};
 
 /// Reads one case and collects what is wrong with it.
 pub(super) struct Reader<'a> {
@@ -186,6 +186,19 @@ impl Reader<'_> {
     /// A value of that quantity, greater than zero.
     pub fn number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
         let parameter = Parameter::required("", quantity, "");
+        match quantity::read(node, &parameter, &Values::default(), self.folder) {
+            Ok((Value::Number(number), _)) => Some(number),
+            Ok(_) => None,
+            Err(wrong) => {
+                self.push(Problem { help: wrong.help, ..Problem::error(key, wrong.message) });
+                None
+            }
+        }
+    }
+
+    /// A value of that quantity, of any sign.
+    pub fn any_number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
+        let parameter = Parameter::required("", quantity, "").bound(Bound::Any);
         match quantity::read(node, &parameter, &Values::default(), self.folder) {
             Ok((Value::Number(number), _)) => Some(number),
             Ok(_) => None,

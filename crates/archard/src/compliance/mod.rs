@@ -2,6 +2,7 @@
 //! pairs to their relative displacements.
 
 pub mod bem;
+mod dense;
 pub mod half_space;
 mod slip;
 mod worn_planes;
@@ -10,6 +11,7 @@ use std::fmt::Debug;
 
 use crate::frame::{ContactFrame, Direction, VectorField};
 
+pub use dense::Dense;
 pub use half_space::HalfSpace;
 pub use slip::{Coarser, Rub, SlipMap};
 pub use worn_planes::WornPlanes;

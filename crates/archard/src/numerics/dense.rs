@@ -3,7 +3,10 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::linalg::solvers::{Llt, Solve};
-use faer::perm::Perm;
+use faer::linalg::triangular_solve::{
+    solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
+use faer::perm::{Perm, permute_rows_in_place, permute_rows_in_place_scratch};
 use faer::{Mat, MatMut, Par, Side};
 
 /// The factors of a symmetric positive definite matrix.
@@ -74,13 +77,57 @@ impl Lu {
         let stack = MemStack::new(&mut memory);
         solve::solve_in_place(factors, factors, self.rows.as_ref(), images.as_mut(), par, stack);
     }
+
+    /// Replaces the last `count` rows of images by those of the vectors that have them, one a column; the
+    /// others are left without meaning.
+    pub fn solve_last(&self, mut images: MatMut<'_, f64>, count: usize) {
+        let (size, columns) = (self.factors.nrows(), images.ncols());
+        let par = if columns > 8 { Par::rayon(0) } else { Par::Seq };
+        let need = permute_rows_in_place_scratch::<usize, f64>(size, columns);
+        let mut memory = MemBuffer::new(need);
+        let stack = MemStack::new(&mut memory);
+        permute_rows_in_place(images.as_mut(), self.rows.as_ref(), stack);
+        let factors = self.factors.as_ref();
+        solve_unit_lower_triangular_in_place(factors, images.as_mut(), par);
+        let first = size - count.min(size);
+        let last = factors.submatrix(first, first, size - first, size - first);
+        solve_upper_triangular_in_place(last, images.subrows_mut(first, size - first), par);
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::Cholesky;
+    use faer::Mat;
+
+    use super::{Cholesky, Lu};
+
+    #[test]
+    fn last_unknowns_are_those_of_all() {
+        let size = 50;
+        let matrix = || {
+            Mat::from_fn(size, size, |i, j| {
+                (i * j + 3 * i) as f64 % 7.0 - if i == 9 - j % 9 { 20.0 } else { 0.0 }
+                    + f64::from(i == j) * 9.0
+            })
+        };
+        let images = || Mat::from_fn(size, 3, |i, j| (i + j) as f64);
+        let lu = Lu::new(matrix()).expect("regular");
+        let (mut all, mut last) = (images(), images());
+        lu.solve_in_place(all.as_mut());
+        lu.solve_last(last.as_mut(), 20);
+        let back = matrix() * &all;
+        for column in 0..3 {
+            for row in 0..size {
+                assert_relative_eq!(back[(row, column)], images()[(row, column)], epsilon = 1e-10);
+            }
+            for row in 30..size {
+                assert_relative_eq!(last[(row, column)], all[(row, column)], epsilon = 1e-12);
+            }
+        }
+        assert!(Lu::new(Mat::zeros(3, 3)).is_err());
+    }
 
     #[test]
     fn systems_are_solved_and_others_refused() {

@@ -24,6 +24,7 @@ mod fretting_loop;
 mod image;
 mod pvd;
 mod sections;
+mod store;
 mod summary;
 mod surface;
 mod table;
@@ -40,6 +41,7 @@ use std::path::{Path, PathBuf};
 pub use fields::{Field, fields};
 pub use folder::ResultFolder;
 pub use image::Image;
+pub use store::Store;
 pub use summary::Totals;
 pub use surface::Surface;
 

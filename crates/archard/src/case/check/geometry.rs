@@ -10,6 +10,9 @@ use crate::frame::ContactFrame;
 /// What is wrong with frame and profiles; nothing else is worth checking then.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let frame = parts.case.frame;
+    if !parts.plane() {
+        return vec![];
+    }
     let profiles = parts.profiles.each_ref().map(|profile| &**profile);
     match ContactFrame::uniform(frame.size, frame.elements, profiles) {
         Err(off) => vec![beyond(parts, off.body)],

@@ -71,8 +71,17 @@ impl<'a> Parts<'a> {
 
     /// Curvatures of both bodies together along x and y (1/m), where both have them.
     fn curvatures(&self) -> Option<[f64; 2]> {
+        if !self.plane() {
+            return None;
+        }
         let [first, second] = [self.profiles[0].curvatures()?, self.profiles[1].curvatures()?];
         Some([first[0] + second[0], first[1] + second[1]])
+    }
+
+    /// Whether the meshes, if there are any, are plane where the bodies touch.
+    fn plane(&self) -> bool {
+        let mut meshes = self.case.bodies.iter().filter_map(|body| body.finite.as_ref());
+        meshes.all(|finite| finite.mesh.choice.name == "box")
     }
 
     /// Largest tangential traction over the pressure (Pa); zero without friction.

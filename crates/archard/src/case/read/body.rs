@@ -9,6 +9,10 @@ use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::wear::{WEAR_LAWS, WearLaw};
 
+/// What a body may have.
+const KEYS: &[&str] =
+    &["material", "rigid", "profile", "mesh", "symmetry", "supports", "boundary_elements", "wear"];
+
 impl Reader<'_> {
     /// Both bodies, in the order in which they are written.
     pub(super) fn bodies(&mut self, root: &Section<'_>) -> Option<[BodyCase; 2]> {
@@ -52,16 +56,30 @@ impl Reader<'_> {
             self.push(Problem::error(key.clone(), message).at_name());
         }
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", &["material", "rigid", "profile", "wear"]);
+        self.unknown(&section, "key", KEYS);
         let material = self.material(&section);
-        let profile = self
-            .table(&section, "profile", "the shape of the body, for example `profile.flat = {}`")
-            .and_then(|profiles| self.required(&profiles, "profile", PROFILES));
+        let finite = self.finite(&section);
+        let profile = match (section.get("profile"), &finite) {
+            (None, Some(Some(_))) => Chosen::named("flat", PROFILES),
+            _ => self
+                .table(
+                    &section,
+                    "profile",
+                    "the shape of the body, for example `profile.flat = {}`",
+                )
+                .and_then(|profiles| self.required(&profiles, "profile", PROFILES)),
+        };
         let wear = self.wear(&section);
+        if let (Some(None), Some(Some(_))) = (&material, &finite) {
+            let message = "a rigid body does not deform: give its shape as a `profile` instead";
+            self.push(Problem::error(section.key.child("mesh"), message).at_name());
+            return None;
+        }
         Some(BodyCase {
             name: entry.name.clone(),
             material: material?,
             profile: profile?,
+            finite: finite?,
             wear: wear?,
         })
         .filter(|_| named)

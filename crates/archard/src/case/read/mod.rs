@@ -1,11 +1,12 @@
 //! From the tree as written to a case: every key read and checked by itself.
 
 mod body;
+mod finite;
 mod frame;
 mod output;
 
 use super::chosen::Chosen;
-use super::definition::Case;
+use super::definition::{BodyCase, Case};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::tree::Item;
@@ -14,6 +15,7 @@ use crate::kinematics::{MOTIONS, Motion};
 use crate::parameters::{Choice, Values};
 use crate::solve::SOLVERS;
 use crate::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
+use finite::zone;
 
 /// The tables of a case.
 const TABLES: &[&str] =
@@ -25,9 +27,20 @@ impl Reader<'_> {
         self.unknown(root, "key", TABLES);
         let title = self.title(root);
         let bodies = self.bodies(root);
-        let frame = self
-            .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
-            .and_then(|section| self.frame(&section));
+        let meshed = bodies
+            .as_ref()
+            .is_some_and(|bodies: &[BodyCase; 2]| bodies.iter().any(|body| body.finite.is_some()));
+        let frame = match (root.get("frame"), &bodies) {
+            (None, Some(bodies)) if meshed => zone(bodies),
+            (Some((key, _)), _) if meshed => {
+                let message = "the pairs are the nodes of the mesh: leave the frame out";
+                self.push(Problem::error(key, message).at_name());
+                None
+            }
+            _ => self
+                .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
+                .and_then(|section| self.frame(&section)),
+        };
         let motion = self.motion(root);
         let friction = self.friction(root);
         let solver = self.solver(root, "solver", SOLVERS);

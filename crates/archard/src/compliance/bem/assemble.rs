@@ -309,7 +309,10 @@ impl<'a> Strip<'a> {
                                 && known.traction == local.traction
                                 && node.basis[own].dot(*unit_vector).abs() > 0.5
                             {
-                                let column = rows.matrix.as_mut().col_mut(3 * local.node + own);
+                                let column = rows
+                                    .matrix
+                                    .as_mut()
+                                    .col_mut(conditions.columns[local.node] + own);
                                 self.add(values, node.basis[own], -1.0, column);
                             }
                         }
@@ -322,10 +325,11 @@ impl<'a> Strip<'a> {
     /// Adds what the displacement of a node is multiplied by.
     fn write_node(&self, node: usize, values: &[f64], sign: f64, rows: &mut Rows<'_>) {
         let condition = &self.assembly.conditions.nodes[node];
+        let first = self.assembly.conditions.columns[node];
         for (direction, unit_vector) in condition.basis.iter().enumerate() {
             match condition.known[direction] {
                 None => {
-                    let column = rows.matrix.as_mut().col_mut(3 * node + direction);
+                    let column = rows.matrix.as_mut().col_mut(first + direction);
                     self.add(values, *unit_vector, sign, column);
                 }
                 Some(known) if known.displacement != 0.0 => {
@@ -370,7 +374,8 @@ impl<'a> Strip<'a> {
                     let direction = (0..3)
                         .max_by(|&a, &b| basis[a][axis].abs().total_cmp(&basis[b][axis].abs()));
                     let row = axis * count + at;
-                    rows.matrix[(row, 3 * node + direction.unwrap_or(axis))] = 1.0;
+                    let first = self.assembly.conditions.columns[node];
+                    rows.matrix[(row, first + direction.unwrap_or(axis))] = 1.0;
                 }
             }
         }

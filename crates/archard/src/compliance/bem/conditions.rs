@@ -94,6 +94,9 @@ pub struct Conditions {
     pub(super) contact: Vec<usize>,
     /// Place of a node of tractions among those in contact.
     pub(super) contact_column: Vec<Option<usize>>,
+    /// First of the three columns of what is sought at each node of displacements; those of nodes in contact
+    /// come last, so that they can be found without the others.
+    pub(super) columns: Vec<usize>,
 }
 
 /// Displacements at a node.
@@ -132,12 +135,26 @@ impl Conditions {
             tractions[traction] = Condition { basis, given: [Given::Contact; 3] };
             contact_column[traction] = Some(column);
         }
-        let contact = contact.iter().map(|&(traction, _)| traction).collect();
+        let contact: Vec<usize> = contact.iter().map(|&(traction, _)| traction).collect();
         let nodes = nodes_of(surface, &tractions)?;
-        let conditions = Self { tractions, nodes, contact, contact_column };
+        let columns = columns(surface, &contact);
+        let conditions = Self { tractions, nodes, contact, contact_column, columns };
         let modes = super::rigid::free_modes(surface, &conditions);
         if modes.is_empty() { Ok(conditions) } else { Err(Undetermined::Free { modes }) }
     }
+}
+
+fn columns(surface: &Surface, contact: &[usize]) -> Vec<usize> {
+    let mut touching = vec![false; surface.nodes.len()];
+    contact.iter().for_each(|&traction| touching[surface.tractions[traction].node] = true);
+    let mut columns = vec![0; touching.len()];
+    let order = (0..touching.len())
+        .filter(|&node| !touching[node])
+        .chain((0..touching.len()).filter(|&node| touching[node]));
+    for (place, node) in order.enumerate() {
+        columns[node] = 3 * place;
+    }
+    columns
 }
 
 fn nodes_of(

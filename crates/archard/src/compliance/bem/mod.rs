@@ -4,6 +4,7 @@
 mod assemble;
 mod blocks;
 mod conditions;
+pub mod contact;
 pub mod element;
 mod integrate;
 mod kelvin;
@@ -14,7 +15,6 @@ mod solid;
 mod surface;
 
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
-pub use element::Interpolation;
 pub use solid::{Boundary, Condensed, Solid};
 pub use surface::{Surface, TractionNode};
 

@@ -76,7 +76,8 @@ impl<'a> Solid<'a> {
             let (contact, direction) = (index / 3, index % 3);
             let basis = &conditions.nodes[nodes[contact]].basis;
             let along = conditions.tractions[conditions.contact[contact]].basis[direction];
-            (0..3).map(|own| basis[own].dot(along) * column(3 * nodes[contact] + own)).sum()
+            let first = conditions.columns[nodes[contact]];
+            (0..3).map(|own| basis[own].dot(along) * column(first + own)).sum()
         };
         let size = 3 * nodes.len();
         let compliance = Mat::from_fn(size, size, |index, column| {
@@ -100,7 +101,7 @@ impl<'a> Solid<'a> {
         let displacement = conditions.nodes.iter().enumerate().map(|(node, condition)| {
             let along = |own: usize| match condition.known[own] {
                 Some(known) => known.displacement,
-                None => sought[(3 * node + own, 0)],
+                None => sought[(conditions.columns[node] + own, 0)],
             };
             (0..3).map(|own| along(own) * condition.basis[own]).sum()
         });
@@ -119,7 +120,10 @@ impl<'a> Solid<'a> {
             let given: DVec3 = (0..3).map(value).sum();
             let held = (0..3).filter(|&own| node.known[own].is_some_and(|k| k.traction == index));
             let found: DVec3 = held
-                .map(|own| sought[(3 * traction.node + own, 0)] / self.unit * node.basis[own])
+                .map(|own| {
+                    let value = sought[(conditions.columns[traction.node] + own, 0)];
+                    value / self.unit * node.basis[own]
+                })
                 .sum();
             given + found
         });

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::element::{Interpolation, evaluate};
+use super::element::{element, evaluate};
 use super::patch::Patch;
 use super::rules::{Places, Rules};
-use crate::body::mesh::Mesh;
+use crate::body::{Interpolation, mesh::Mesh};
 
 /// Order of the rule that finds areas; exact on plane faces.
 const AREA_ORDER: usize = 4;
@@ -66,7 +66,7 @@ impl Surface {
         let (mut by_vertex, mut by_side) = (HashMap::new(), HashMap::new());
         for face in &mesh.faces {
             let corners = face.corners.as_slice();
-            let element = interpolation.element(corners.len());
+            let element = element(interpolation, corners.len());
             let places_of = corners.iter().map(|&vertex| DVec3::from(mesh.vertices[vertex]));
             let patch = Patch::new(places_of.collect(), element);
             places.clear();

@@ -2,9 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{Condition, Conditions, Given, Interpolation, Solid, Surface};
-use crate::body::Material;
+use super::{Condition, Conditions, Given, Solid, Surface};
 use crate::body::mesh::{Corners, Face, Mesh};
+use crate::body::{Interpolation, Material};
 
 const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
 

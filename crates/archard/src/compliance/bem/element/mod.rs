@@ -6,6 +6,8 @@
 mod quad;
 mod triangle;
 
+use crate::body::Interpolation;
+
 /// A kind of element on quadrilaterals or triangles.
 #[derive(Debug, PartialEq)]
 pub struct Element {
@@ -30,25 +32,13 @@ pub type Polynomial = [f64; 4];
 pub const ELEMENTS: &[Element] =
     &[quad::CONTINUOUS, triangle::CONTINUOUS, quad::DISCONTINUOUS, triangle::DISCONTINUOUS];
 
-/// How tractions and displacements are interpolated.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Interpolation {
-    /// Nodes at the corners, displacements the same on all faces that meet there.
-    Continuous,
-    /// Nodes inside every face, at points of Gauss: more accurate, and without edges or corners.
-    #[default]
-    Discontinuous,
-}
-
-impl Interpolation {
-    /// The element on a face of that many corners.
-    pub fn element(self, corners: usize) -> &'static Element {
-        match (self, corners) {
-            (Self::Continuous, 3) => &ELEMENTS[1],
-            (Self::Continuous, _) => &ELEMENTS[0],
-            (Self::Discontinuous, 3) => &ELEMENTS[3],
-            (Self::Discontinuous, _) => &ELEMENTS[2],
-        }
+/// The element on a face of that many corners.
+pub fn element(interpolation: Interpolation, corners: usize) -> &'static Element {
+    match (interpolation, corners) {
+        (Interpolation::Continuous, 3) => &ELEMENTS[1],
+        (Interpolation::Continuous, _) => &ELEMENTS[0],
+        (Interpolation::Discontinuous, 3) => &ELEMENTS[3],
+        (Interpolation::Discontinuous, _) => &ELEMENTS[2],
     }
 }
 

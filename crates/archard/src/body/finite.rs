@@ -1,0 +1,43 @@
+//! A body of finite shape, meshed on its surface.
+
+use super::mesh::Meshed;
+
+/// A meshed surface, how it is held, and how fields vary over its elements.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finite {
+    /// The surface and the part of it that may touch.
+    pub meshed: Meshed,
+    /// What is known on surfaces, by their index; the others bear no traction.
+    pub supports: Vec<(usize, Support)>,
+    /// Whether x = 0 and y = 0 are planes of symmetry.
+    pub mirrored: [bool; 2],
+    /// How tractions and displacements vary over the elements.
+    pub interpolation: Interpolation,
+    /// Relative error allowed in the integrals over elements.
+    pub tolerance: f64,
+}
+
+/// What is known on a surface away from the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Support {
+    /// No displacement.
+    Clamped,
+    /// No displacement along the normal, no traction across it.
+    Roller,
+    /// Displacements (m) along x, y and z; `None` leaves a direction without traction.
+    Displacement([Option<f64>; 3]),
+    /// A traction (Pa) along x, y and z.
+    Traction([f64; 3]),
+    /// A pressure (Pa) against the surface.
+    Pressure(f64),
+}
+
+/// How tractions and displacements vary over elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Interpolation {
+    /// Nodes at the corners, displacements the same on all faces that meet there.
+    Continuous,
+    /// Nodes inside every face, at points of Gauss: more accurate, and without edges or corners.
+    #[default]
+    Discontinuous,
+}

@@ -1,0 +1,226 @@
+//! The mesh of a body and what holds it.
+
+use crate::body::mesh::{MESHES, Meshed, Zone};
+use crate::body::{Interpolation, Support};
+use crate::case::definition::{BodyCase, FiniteCase, FrameCase};
+use crate::case::key::Key;
+use crate::case::nearest::nearest;
+use crate::case::problem::Problem;
+use crate::case::reader::{Reader, Section};
+use crate::case::tree::{Entry, Item, Node};
+use crate::parameters::{Bound, Parameter, Quantity};
+
+/// What boundary elements take.
+const BOUNDARY_ELEMENTS: &[Parameter] = &[
+    Parameter::optional(
+        "interpolation",
+        Quantity::Word(&["discontinuous", "continuous"]),
+        "how tractions and displacements vary over elements",
+    ),
+    Parameter::optional("tolerance", Quantity::Number, "relative error of the integrals")
+        .bound(Bound::Between(0.0, 0.1)),
+];
+
+/// Relative error of the integrals where a case says nothing.
+const TOLERANCE: f64 = 1e-6;
+
+impl Reader<'_> {
+    /// The mesh of a body, `Some(None)` where it has none; `None` if it is wrong.
+    pub(super) fn finite(&mut self, body: &Section<'_>) -> Option<Option<FiniteCase>> {
+        let Some((key, entry)) = body.get("mesh") else {
+            for name in ["symmetry", "supports", "boundary_elements"] {
+                if let Some((key, _)) = body.get(name) {
+                    let message = "has no effect without a `mesh`: the body is a half-space";
+                    self.push(Problem::warning(key, message).at_name());
+                }
+            }
+            return Some(None);
+        };
+        let section = self.as_table(key, &entry.node)?;
+        let mesh = self.required(&section, "mesh", MESHES);
+        let mirrored = self.symmetry(body);
+        let elements = match body.get("boundary_elements") {
+            None => Some((Interpolation::default(), TOLERANCE)),
+            Some((key, entry)) => self.as_table(key, &entry.node).map(|section| {
+                let (values, _) = self.values(&section, BOUNDARY_ELEMENTS);
+                let interpolation = match values.word("interpolation") {
+                    Some("continuous") => Interpolation::Continuous,
+                    _ => Interpolation::Discontinuous,
+                };
+                (interpolation, values.number("tolerance").unwrap_or(TOLERANCE))
+            }),
+        };
+        let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
+        let mut finite = FiniteCase { mesh, supports: vec![], mirrored, interpolation, tolerance };
+        let meshed = self.meshed(&section, &finite)?;
+        finite.supports = self.supports(body, &meshed)?;
+        Some(Some(finite))
+    }
+
+    /// The mesh, if it is sound.
+    fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
+        let key = section.key.child(finite.mesh.choice.name);
+        let shape = finite.mesh.build().ok()?;
+        let meshed = match shape.mesh(finite.mirrored) {
+            Ok(meshed) => meshed,
+            Err(error) => {
+                let place = error.parameter().split('.').fold(key, |key, name| key.child(name));
+                self.push(Problem::error(place, error.to_string()));
+                return None;
+            }
+        };
+        let mut sound = true;
+        for problem in meshed.mesh.check(finite.mirrored) {
+            let message = problem.to_string();
+            if problem.is_warning() {
+                self.push(Problem::warning(key.clone(), message));
+            } else {
+                sound = false;
+                self.push(Problem::error(key.clone(), message));
+            }
+        }
+        if meshed.zone.faces.is_empty() {
+            let message = "is missing: the part of the surface that may touch";
+            self.push(Problem::missing(key.child("contact"), message));
+            return None;
+        }
+        sound.then_some(meshed)
+    }
+
+    /// The planes of symmetry.
+    fn symmetry(&mut self, body: &Section<'_>) -> Option<[bool; 2]> {
+        let Some((key, entry)) = body.get("symmetry") else { return Some([false; 2]) };
+        let mut mirrored = [false; 2];
+        let Item::Array(axes) = &entry.node.item else {
+            let message = format!("expected a list like [\"x\"], found {}", entry.node.item.kind());
+            self.push(Problem::error(key, message));
+            return None;
+        };
+        for (index, axis) in axes.iter().enumerate() {
+            match &axis.item {
+                Item::Text(name) if name == "x" => mirrored[0] = true,
+                Item::Text(name) if name == "y" => mirrored[1] = true,
+                _ => {
+                    let message = "expected \"x\" or \"y\", for the plane x = 0 or y = 0";
+                    self.push(Problem::error(key.index(index), message));
+                    return None;
+                }
+            }
+        }
+        Some(mirrored)
+    }
+
+    /// What is known on surfaces.
+    fn supports(&mut self, body: &Section<'_>, meshed: &Meshed) -> Option<Vec<(String, Support)>> {
+        let Some((key, entry)) = body.get("supports") else {
+            let message = "is missing: what holds the body, for example `{ bottom = \"clamped\" }`";
+            self.push(Problem::missing(body.key.child("supports"), message));
+            return None;
+        };
+        let section = self.as_table(key, &entry.node)?;
+        let known: Vec<&str> = meshed.mesh.surfaces.iter().map(String::as_str).collect();
+        let mut supports = vec![];
+        for entry in &section.table.0 {
+            let key = section.key.child(&entry.name);
+            if !known.contains(&entry.name.as_str()) {
+                let meant = nearest(&entry.name, &known);
+                let message = meant.map_or_else(
+                    || "is no surface of the mesh".to_owned(),
+                    |meant| format!("is no surface of the mesh; did you mean `{meant}`?"),
+                );
+                let help = format!("there are {}", known.join(", "));
+                self.push(Problem::error(key, message).at_name().help(help));
+                continue;
+            }
+            if let Some(support) = self.support(key, entry) {
+                supports.push((entry.name.clone(), support));
+            }
+        }
+        (supports.len() == section.table.0.len()).then_some(supports)
+    }
+
+    fn support(&mut self, key: Key, entry: &Entry) -> Option<Support> {
+        const EXPECTED: &str = "expected \"clamped\", \"roller\", or a table with `displacement`, `traction` or `pressure`";
+        match &entry.node.item {
+            Item::Text(word) if word == "clamped" => Some(Support::Clamped),
+            Item::Text(word) if word == "roller" => Some(Support::Roller),
+            Item::Table(table) => {
+                let section = Section { key: key.clone(), table };
+                self.unknown(&section, "key", &["displacement", "traction", "pressure"]);
+                let [entry] = &table.0[..] else {
+                    self.push(Problem::error(key, EXPECTED));
+                    return None;
+                };
+                let inner = section.key.child(&entry.name);
+                match entry.name.as_str() {
+                    "pressure" => self
+                        .any_number(inner, &entry.node, Quantity::Pressure)
+                        .map(Support::Pressure),
+                    "traction" => self
+                        .three(inner, &entry.node, |reader, key, node| {
+                            reader.any_number(key, node, Quantity::Pressure)
+                        })
+                        .map(Support::Traction),
+                    "displacement" => self
+                        .three(inner, &entry.node, |reader, key, node| match &node.item {
+                            Item::Text(word) if word == "free" => Some(None),
+                            _ => reader.any_number(key, node, Quantity::Length).map(Some),
+                        })
+                        .map(Support::Displacement),
+                    _ => None,
+                }
+            }
+            _ => {
+                self.push(Problem::error(key, EXPECTED));
+                None
+            }
+        }
+    }
+
+    /// Three values in a list, along x, y and z.
+    fn three<T>(
+        &mut self,
+        key: Key,
+        node: &Node,
+        read: impl Fn(&mut Self, Key, &Node) -> Option<T>,
+    ) -> Option<[T; 3]> {
+        let Item::Array(values) = &node.item else {
+            let message =
+                format!("expected three values, along x, y and z, found {}", node.item.kind());
+            self.push(Problem::error(key, message));
+            return None;
+        };
+        let [x, y, z] = &values[..] else {
+            let message =
+                format!("expected three values, along x, y and z, found {}", values.len());
+            self.push(Problem::error(key, message));
+            return None;
+        };
+        let [x, y, z] =
+            [(0, x), (1, y), (2, z)].map(|(axis, node)| read(self, key.index(axis), node));
+        Some([x?, y?, z?])
+    }
+}
+
+/// What the contact zone of the first meshed body amounts to as a frame: its extent along x and y, and as many
+/// elements as there are pairs.
+pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
+    let finite = bodies.iter().find_map(|body| body.finite.as_ref())?;
+    let Meshed { mesh, zone: Zone { faces, grid }, .. } = finite.meshed().ok()?;
+    let corners = faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
+    let places: Vec<[f64; 3]> = corners.map(|&corner| mesh.vertices[corner]).collect();
+    let images = finite.mirrored.map(|mirrored| if mirrored { 2 } else { 1 });
+    let size = [0, 1].map(|axis| {
+        let values = places.iter().map(|place| place[axis]);
+        let (low, high) = values
+            .fold((f64::MAX, f64::MIN), |(low, high), value| (low.min(value), high.max(value)));
+        images[axis] as f64 * (high - low)
+    });
+    let pairs = |elements: usize| match finite.interpolation {
+        Interpolation::Discontinuous => 2 * elements,
+        Interpolation::Continuous => elements + 1,
+    };
+    let side = (faces.len() as f64).sqrt().ceil() as usize;
+    let elements = grid.unwrap_or([side; 2]);
+    Some(FrameCase { size, elements: [0, 1].map(|axis| images[axis] * pairs(elements[axis])) })
+}

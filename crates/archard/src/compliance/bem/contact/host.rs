@@ -1,0 +1,173 @@
+//! The contact zone of a meshed body, seen from the frame.
+
+use glam::DVec3;
+
+use super::outline::outlines;
+use super::{super::surface::Surface, along};
+use crate::body::{Body, Finite, Interpolation};
+use crate::frame::Pairs;
+
+/// A body with the nodes of its contact zone.
+pub(super) struct Host<'a> {
+    pub finite: &'a Finite,
+    pub surface: Surface,
+    /// Whether it is body 1, whose outward normal is that of the frame.
+    pub first: bool,
+    /// Its index, 0 or 1.
+    pub which: usize,
+    /// The axes of the frame in the coordinates of the body.
+    pub axes: [DVec3; 3],
+    /// Nodes of tractions in the zone and their bases {t1, t2, n} in the coordinates of the body.
+    pub contact: Vec<(usize, [DVec3; 3])>,
+    /// Whether the zone is plane, so that the frame's axes serve everywhere.
+    pub plane: bool,
+    /// Numbers of pairs along x and y where they form a grid.
+    pub elements: Option<[usize; 2]>,
+}
+
+/// Normals closer to that of the frame than this are taken for it.
+const PLANE: f64 = 1e-9;
+
+impl<'a> Host<'a> {
+    /// The zone of a meshed body; `None` where it has none.
+    pub fn new(body: &'a Body, which: usize) -> Option<Self> {
+        let finite = body.finite.as_ref()?;
+        let zone = &finite.meshed.zone;
+        if zone.faces.is_empty() {
+            return None;
+        }
+        let surface = Surface::new(&finite.meshed.mesh, finite.interpolation, finite.mirrored);
+        let (nodes, elements) = nodes_of(finite, &surface);
+        let first = which == 0;
+        let sign = if first { 1.0 } else { -1.0 };
+        let normal = |traction: usize| sign * surface.tractions[traction].normal;
+        let axes = axes(finite, sign, &surface, &nodes);
+        let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < PLANE);
+        let basis = |traction: usize| {
+            if plane {
+                return axes;
+            }
+            let n = normal(traction);
+            // t1 in the plane of x and n.
+            let x = if n.dot(axes[0]).abs() > 0.999 {
+                -axes[2] * n.dot(axes[0]).signum()
+            } else {
+                axes[0]
+            };
+            let t1 = (x - x.dot(n) * n).normalize();
+            // Right-handed in the axes of the frame, which may be left-handed in those of the body.
+            let t2 = axes[0].cross(axes[1]).dot(axes[2]).signum() * n.cross(t1);
+            [t1, t2, n]
+        };
+        let contact = nodes.into_iter().map(|node| (node, basis(node))).collect();
+        Some(Self { finite, surface, first, which, axes, contact, plane, elements })
+    }
+
+    /// The place of a contact node in the axes of the frame (m).
+    pub fn place(&self, pair: usize) -> DVec3 {
+        self.in_frame(self.surface.tractions[self.contact[pair].0].place)
+    }
+
+    /// A vector in the axes of the frame.
+    pub fn in_frame(&self, vector: DVec3) -> DVec3 {
+        along(self.axes, vector)
+    }
+
+    /// How much of the approach closes the gap of a pair.
+    pub fn closing(&self, pair: usize) -> f64 {
+        self.contact[pair].1[2].dot(self.axes[2])
+    }
+
+    /// The number of mirror images, the body itself among them.
+    pub fn images(&self) -> f64 {
+        self.surface.images().len() as f64
+    }
+
+    /// The pairs, their gaps those to the plane z = 0.
+    pub fn pairs(&self) -> Pairs {
+        let count = self.contact.len();
+        let height = |pair: usize| if self.first { -1.0 } else { 1.0 } * self.place(pair).z;
+        let bases = if self.plane {
+            vec![]
+        } else {
+            let bases = self.contact.iter();
+            bases.map(|(_, basis)| basis.map(|unit| self.in_frame(unit).to_array())).collect()
+        };
+        let areas = self.contact.iter();
+        Pairs {
+            places: (0..count).map(|pair| self.place(pair).to_array()).collect(),
+            areas: areas
+                .map(|(node, _)| self.images() * self.surface.tractions[*node].area)
+                .collect(),
+            bases,
+            gap: (0..count).map(|pair| height(pair) * self.closing(pair)).collect(),
+            outlines: outlines(self),
+            elements: self.elements,
+            mirrored: self.surface.mirrored,
+            closed: false,
+        }
+    }
+}
+
+/// Nodes of tractions in the zone; along x and y where its elements form a grid.
+fn nodes_of(finite: &Finite, surface: &Surface) -> (Vec<usize>, Option<[usize; 2]>) {
+    let zone = &finite.meshed.zone;
+    let Some([nx, ny]) = zone.grid else {
+        let mut nodes: Vec<usize> = vec![];
+        let mut known = vec![false; surface.tractions.len()];
+        for node in zone.faces.iter().flat_map(|&face| surface.tractions_of(face)) {
+            if !std::mem::replace(&mut known[node], true) {
+                nodes.push(node);
+            }
+        }
+        return (nodes, None);
+    };
+    // Corners and nodes of a quadrilateral by their places along x and y.
+    let local = |a: usize, b: usize| [[0, 3], [1, 2]][a][b];
+    let node = |ix: usize, iy: usize, a: usize, b: usize| {
+        surface.local[zone.faces[ix + nx * iy]][local(a, b)].traction
+    };
+    match finite.interpolation {
+        Interpolation::Discontinuous => {
+            let at = |y: usize| (0..2 * nx).map(move |x| node(x / 2, y / 2, x % 2, y % 2));
+            ((0..2 * ny).flat_map(at).collect(), Some([2 * nx, 2 * ny]))
+        }
+        Interpolation::Continuous => {
+            let last = |index: usize, count: usize| (index.min(count - 1), index / count);
+            let at = |y: usize| {
+                (0..=nx).map(move |x| {
+                    let ((ix, a), (iy, b)) = (last(x, nx), last(y, ny));
+                    node(ix, iy, a, b)
+                })
+            };
+            ((0..=ny).flat_map(at).collect(), Some([nx + 1, ny + 1]))
+        }
+    }
+}
+
+/// The axes of the frame in the coordinates of the body: n is the outward normal of body 1.
+fn axes(finite: &Finite, sign: f64, surface: &Surface, nodes: &[usize]) -> [DVec3; 3] {
+    if !finite.meshed.placed {
+        // The zone lies on top; body 2 is turned over, x and y as they are.
+        return [DVec3::X, DVec3::Y, sign * DVec3::Z];
+    }
+    let weighed = |node: &usize| {
+        let traction = &surface.tractions[*node];
+        traction.area * traction.normal
+    };
+    let mean: DVec3 = surface
+        .images()
+        .iter()
+        .map(|image| *image * nodes.iter().map(weighed).sum::<DVec3>())
+        .sum();
+    let mut n = sign * mean.normalize_or(DVec3::Z);
+    // Along an axis where it nearly is.
+    for axis in DVec3::AXES {
+        if n.dot(axis).abs() > 1.0 - 1e-6 {
+            n = n.dot(axis).signum() * axis;
+        }
+    }
+    let x = if n.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
+    let t1 = (x - x.dot(n) * n).normalize();
+    [t1, n.cross(t1), n]
+}
