@@ -70,7 +70,7 @@ fn print_material(f: &mut Formatter<'_>, key: &str, material: &Material) -> fmt:
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
 }
 
-fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
+pub(super) fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
     let key = format!("{key}.{}", chosen.choice.name);
     let printed = Printed { values: &chosen.values, files: &chosen.files };
     printed.print(f, &key, chosen.choice.parameters)
