@@ -34,7 +34,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
     let start = Instant::now();
     let built = match arguments.store() {
-        Some(store) => case.build_with(&|finite, material, job| store.condense(finite, material, job)),
+        Some(store) => {
+            case.build_with(&|finite, material, job| store.condense(finite, material, job))
+        }
         None => case.build(),
     };
     let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;

@@ -24,6 +24,8 @@ mod columns;
 mod definition;
 mod file;
 mod key;
+#[cfg(test)]
+mod meshes;
 mod nearest;
 mod overlay;
 mod print;

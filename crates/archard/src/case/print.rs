@@ -104,7 +104,7 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
     writeln!(f, "{key}.boundary_elements.tolerance = {}", number(finite.tolerance))
 }
 
-fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
+pub(super) fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {
     let key = format!("{key}.{}", chosen.choice.name);
     let printed = Printed { values: &chosen.values, files: &chosen.files };
     printed.print(f, &key, chosen.choice.parameters)

@@ -211,7 +211,7 @@ impl Reader<'_> {
 
     /// Values that do not fit together. Where the message names several keys of the table, it points
     /// at the one an option set last, since that one upset the case.
-    fn invalid(&mut self, section: &Section<'_>, invalid: Invalid) {
+    pub fn invalid(&mut self, section: &Section<'_>, invalid: Invalid) {
         let named = section.table.0.iter().filter(|entry| {
             entry.name == invalid.parameter
                 || invalid.message.contains(&format!("`{}`", entry.name))

@@ -228,9 +228,8 @@ fn neighbours(mesh: &Mesh) -> Vec<([usize; 2], [usize; 2])> {
         let Corners::Quad(corners) = element.corners else { continue };
         for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             let edge = [a.min(b), a.max(b)];
-            match known.insert(edge, face) {
-                Some(other) => pairs.push(([other, face], edge)),
-                None => {}
+            if let Some(other) = known.insert(edge, face) {
+                pairs.push(([other, face], edge));
             }
         }
     }

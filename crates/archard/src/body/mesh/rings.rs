@@ -112,7 +112,7 @@ impl<'a> Rings<'a> {
 
 /// That many edges in groups of two, from both ends alike.
 fn joined(edges: usize) -> Vec<usize> {
-    if edges % 2 == 0 {
+    if edges.is_multiple_of(2) {
         return vec![2; edges / 2];
     }
     let middle = if edges % 4 == 3 { 3 } else { 1 };

@@ -4,7 +4,7 @@ use super::axis::Axis;
 use super::builder::Builder;
 
 /// Adds the elements between rows of places, `u` fastest; with `place(u, v)` a map whose image is
-/// seen from outside as u to the right and v upwards. `pick` keeps indices of u and v.
+/// seen from outside as u to the right and v upwards.
 pub(super) fn patch(
     builder: &mut Builder,
     surface: usize,
@@ -40,22 +40,21 @@ pub(super) fn block(
 ) {
     let end = |axis: &[f64]| (axis[0], axis[axis.len() - 1]);
     let ((left, right), (front, back), (bottom, top)) = (end(x), end(y), end(z));
-    let [on_top, below, on_left, on_right, in_front, behind] = names.map(|name| (name, true));
-    let on_left = (on_left.0, !mirrored[0]);
-    let in_front = (in_front.0, !mirrored[1]);
-    let mut side =
-        |(name, wanted): (&str, bool), axes: [&[f64]; 2], at: &dyn Fn(f64, f64) -> [f64; 3]| {
-            if wanted {
-                let surface = builder.surface(name);
-                patch(builder, surface, axes, |u, v| place(at(u, v)));
-            }
-        };
+    let [on_top, below, on_left, on_right, in_front, behind] = names;
+    let mut side = |name: &str, axes: [&[f64]; 2], at: &dyn Fn(f64, f64) -> [f64; 3]| {
+        let surface = builder.surface(name);
+        patch(builder, surface, axes, |u, v| place(at(u, v)));
+    };
     side(on_top, [x, y], &|u, v| [u, v, top]);
     side(below, [y, x], &|u, v| [v, u, bottom]);
-    side(on_left, [z, y], &|u, v| [left, v, u]);
     side(on_right, [y, z], &|u, v| [right, u, v]);
-    side(in_front, [x, z], &|u, v| [u, front, v]);
     side(behind, [z, x], &|u, v| [v, back, u]);
+    if !mirrored[0] {
+        side(on_left, [z, y], &|u, v| [left, v, u]);
+    }
+    if !mirrored[1] {
+        side(in_front, [x, z], &|u, v| [u, front, v]);
+    }
 }
 
 /// The elements of the middle of a patch, where `first` is the patch's first element.

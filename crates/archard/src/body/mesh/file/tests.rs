@@ -1,5 +1,3 @@
-use std::path::Path;
-
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
@@ -7,9 +5,25 @@ use super::{Fault, Place, parse};
 use crate::body::mesh::{Corners, MESHES, Mesh, MeshError, Meshed};
 use crate::parameters::{Invalid, Value, Values};
 
+macro_rules! files {
+    ($($name:literal),*) => {
+        [$(($name, include_bytes!(concat!("../../../../tests/meshes/", $name)).as_slice())),*]
+    };
+}
+
+const FILES: [(&str, &[u8]); 8] = files![
+    "block_2.2_text.msh",
+    "block_2.2_binary.msh",
+    "block_4.1_text.msh",
+    "block_4.1_binary.msh",
+    "block_text.stl",
+    "block_binary.stl",
+    "volume_4.1_text.msh",
+    "second_order.msh"
+];
+
 fn bytes(name: &str) -> Vec<u8> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/meshes");
-    std::fs::read(folder.join(name)).unwrap()
+    FILES.iter().find(|file| file.0 == name).unwrap().1.to_vec()
 }
 
 fn quads(mesh: &Mesh) -> usize {
