@@ -52,6 +52,7 @@ fn problem(
     let body = |name: &str, profile, coefficient| Body {
         name: name.to_owned(),
         profile,
+        finite: None,
         material: Some(Material { young: 210e9, poisson: 0.3 }),
         wear: (coefficient > 0.0)
             .then(|| build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),

@@ -35,7 +35,8 @@ pub trait Compliance: Debug + Send + Sync {
         displacement.copy_from_slice(&self.apply(&tractions).n);
     }
 
-    /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone; the largest of unequal pairs.
+    /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone, mirror images left out; the
+    /// largest of unequal pairs.
     fn normal_self_term(&self) -> f64;
 
     /// Tangential displacement (m) of a pair under a unit traction (Pa) on it alone, the larger of both

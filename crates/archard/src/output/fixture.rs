@@ -54,6 +54,7 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
     Body {
         name: name.to_owned(),
         profile,
+        finite: None,
         material: Some(Material { young: 210e9, poisson: 0.3 }),
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
     }

@@ -15,6 +15,7 @@
 use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
 use crate::kinematics::Control;
+use crate::numerics::vector::Values;
 use crate::problem::ContactState;
 
 /// Aim of the controller relative to the tolerance.
@@ -124,7 +125,8 @@ impl Adaptive {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
                 let next = if shortened { self.step.max(change * length) } else { change * length };
                 self.step = next.max(smallest);
-                return Ok(self.accept(trial, effort));
+                let weight = simulation.problem.frame.measure().weight;
+                return Ok(self.accept(trial, weight, effort));
             }
             effort.rejected += 1;
             self.step = length * change.min(0.8);
@@ -163,11 +165,11 @@ impl Adaptive {
 
     /// Takes a trial over and returns the state to put out: the fine history's contact with the
     /// extrapolated wear.
-    fn accept(&mut self, trial: Trial, effort: &mut Effort) -> Chain {
+    fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Chain {
         self.error = self.error.max(trial.error);
         effort.time_error = Some(if trial.depth > 0.0 { self.error / trial.depth } else { 0.0 });
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
-            raise(shown, worn);
+            raise(shown, worn, weight);
         }
         (self.coarse, self.fine) = (trial.coarse, trial.fine);
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
@@ -194,12 +196,13 @@ fn extrapolate(coarse: &[f64], fine: &[f64]) -> Vec<f64> {
     coarse.iter().zip(fine).map(|(coarse, fine)| 2.0 * fine - coarse).collect()
 }
 
-/// Raises `shown` towards `worn` without lowering it anywhere and to the same sum: in a few pairs at
+/// Raises `shown` towards `worn` without lowering it anywhere and to the same volume: in a few pairs at
 /// the rim, which only the coarse history has reached, the extrapolation falls.
-fn raise(shown: &mut [f64], worn: &[f64]) {
-    let rise = |(shown, worn): (&f64, &f64)| worn - shown;
-    let net: f64 = shown.iter().zip(worn).map(rise).sum();
-    let positive: f64 = shown.iter().zip(worn).map(rise).filter(|rise| *rise > 0.0).sum();
+fn raise(shown: &mut [f64], worn: &[f64], weight: Values<'_>) {
+    let rise = |(pair, (shown, worn)): (usize, (&f64, &f64))| weight.at(pair) * (worn - shown);
+    let rises = || shown.iter().zip(worn).enumerate().map(rise);
+    let net: f64 = rises().sum();
+    let positive: f64 = rises().filter(|rise| *rise > 0.0).sum();
     if net > 0.0 {
         let share = net / positive;
         shown

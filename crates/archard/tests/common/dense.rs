@@ -197,7 +197,8 @@ impl Dense {
             }
         }
         let areas = rectangles.iter().map(|[x, y]| (x[1] - x[0]) * (y[1] - y[0])).collect();
-        let own = (0..pairs).map(|i| blocks[2][2][i * (pairs + 1)]).fold(0.0, f64::max);
+        let own = |one: &[[f64; 2]; 2]| influence(constants, [0.0; 2], one.map(half))[2][2];
+        let own = rectangles.iter().map(own).fold(0.0, f64::max);
         let mut dense = Self { pairs, areas, blocks, own, couples: constants[2] != 0.0 };
         if grid.symmetric {
             dense.symmetrise();

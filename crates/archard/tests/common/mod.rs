@@ -84,7 +84,7 @@ impl Ball {
             let (((name, profile), material), coefficient) = parts.next().expect("two bodies");
             let wear = (coefficient > 0.0)
                 .then(|| choose(WEAR_LAWS, "archard", &[("coefficient", coefficient)]));
-            Body { name: name.to_owned(), profile, material, wear }
+            Body { name: name.to_owned(), profile, material, finite: None, wear }
         });
         let kinematics =
             choose(MOTIONS, "sliding", &[("load", 1.0), ("distance", 1.0), ("step", 1.0)])
