@@ -3,6 +3,7 @@
 use std::fmt;
 
 use faer::MatRef;
+use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::Compliance;
@@ -13,15 +14,18 @@ use crate::frame::{ContactFrame, VectorField};
 /// An application costs O(N^2) in the number of pairs, and so does the memory.
 pub struct Dense {
     pairs: usize,
-    /// Rows of the matrix one after the other: along t1 of all pairs, along t2, along n; so the columns.
-    rows: Vec<f64>,
+    /// Columns of the matrix one after the other: along t1 of all pairs, along t2, along n; so the rows.
+    columns: Vec<f64>,
     normal_self_term: f64,
     tangential_self_term: f64,
     couples: bool,
 }
 
-/// Rows that are worth a thread.
-const ROWS: usize = 64;
+/// Rows that go through the columns together, and values of the matrix that are worth a thread.
+const ROWS: usize = 256;
+const WORK: usize = 1 << 18;
+/// Columns that are added at once.
+const AT_ONCE: usize = 4;
 /// Coupling of normal and tangential directions, relative to the largest value, that is rounding.
 const ROUNDING: f64 = 1e-12;
 
@@ -43,25 +47,25 @@ impl Dense {
             bodies.iter().map(|body| body[(row, column)]).sum()
         };
         let areas: Vec<f64> = (0..pairs).map(|pair| frame.area(pair)).collect();
-        let mut rows = vec![0.0; 9 * pairs * pairs];
-        rows.par_chunks_mut(3 * pairs).enumerate().for_each(|(row, values)| {
-            let (d, i) = (row / pairs, row % pairs);
-            for (column, value) in values.iter_mut().enumerate() {
-                let (e, j) = (column / pairs, column % pairs);
+        let mut columns = vec![0.0; 9 * pairs * pairs];
+        columns.par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
+            let (e, j) = (column / pairs, column % pairs);
+            for (row, value) in values.iter_mut().enumerate() {
+                let (d, i) = (row / pairs, row % pairs);
                 let back = sum(3 * j + e, 3 * i + d) * areas[j] / areas[i];
                 *value = 0.5 * (sum(3 * i + d, 3 * j + e) + back);
             }
         });
         let own = |d: usize| {
-            let diagonal = (0..pairs).map(|pair| rows[(d * pairs + pair) * (3 * pairs + 1)]);
+            let diagonal = (0..pairs).map(|pair| columns[(d * pairs + pair) * (3 * pairs + 1)]);
             diagonal.fold(0.0, f64::max)
         };
         let (normal_self_term, tangential_self_term) = (own(2), own(0).max(own(1)));
         let coupled = |row: usize, column: usize| {
-            rows[row * 3 * pairs + column].abs() > ROUNDING * normal_self_term
+            columns[column * 3 * pairs + row].abs() > ROUNDING * normal_self_term
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
-        Self { pairs, rows, normal_self_term, tangential_self_term, couples }
+        Self { pairs, columns, normal_self_term, tangential_self_term, couples }
     }
 
     /// How far two tractions' work on each other's displacements differs, relative to all of it.
@@ -77,38 +81,86 @@ impl Dense {
         f64::sqrt(difference / all)
     }
 
-    /// Adds the part of the displacements in a range of rows that tractions in a range of columns make.
+    /// The displacements that tractions in a range of columns make in a range of rows.
     fn multiply(&self, first_row: usize, first_column: usize, vector: &[f64], image: &mut [f64]) {
-        let width = 3 * self.pairs;
-        image.par_iter_mut().with_min_len(ROWS).enumerate().for_each(|(row, value)| {
-            let start = (first_row + row) * width + first_column;
-            *value = dot(&self.rows[start..start + vector.len()], vector);
-        });
+        let height = 3 * self.pairs;
+        let pressed: Vec<(f64, &[f64])> = vector
+            .iter()
+            .enumerate()
+            .filter(|(_, value)| **value != 0.0)
+            .map(|(column, &value)| {
+                let start = (first_column + column) * height + first_row;
+                (value, &self.columns[start..start + image.len()])
+            })
+            .collect();
+        let arch = Arch::new();
+        let add = |(chunk, sums): (usize, &mut [f64])| {
+            sums.fill(0.0);
+            arch.dispatch(Columns { columns: &pressed, first: chunk * ROWS, sums });
+        };
+        if pressed.len() * image.len() < WORK {
+            image.chunks_mut(ROWS).enumerate().for_each(add);
+        } else {
+            image.par_chunks_mut(ROWS).enumerate().for_each(add);
+        }
     }
 }
 
-/// Product of two vectors, in an order that does not depend on threads.
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let ((a, a_rest), (b, b_rest)) = (a.as_chunks::<8>(), b.as_chunks::<8>());
-    let mut sums = [0.0; 8];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..8 {
-            sums[lane] += a[lane] * b[lane];
+/// Adds multiples of columns, from one of their rows on.
+struct Columns<'a> {
+    columns: &'a [(f64, &'a [f64])],
+    first: usize,
+    sums: &'a mut [f64],
+}
+
+impl WithSimd for Columns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { columns, first, sums } = self;
+        let (blocks, rest) = columns.as_chunks::<AT_ONCE>();
+        let length = sums.len();
+        let (head, tail) = S::as_mut_simd_f64s(sums);
+        let split = length - tail.len();
+        for block in blocks {
+            let factors = block.map(|(factor, _)| simd.splat_f64s(factor));
+            let parts = block.map(|(_, values)| &values[first..first + length]);
+            let heads = parts.map(|values| S::as_simd_f64s(values).0);
+            let [a, b, c, d] = heads.map(|values| &values[..head.len()]);
+            for (index, sum) in head.iter_mut().enumerate() {
+                let one = simd.mul_add_e_f64s(factors[0], a[index], *sum);
+                let two = simd.mul_add_e_f64s(factors[1], b[index], one);
+                let three = simd.mul_add_e_f64s(factors[2], c[index], two);
+                *sum = simd.mul_add_e_f64s(factors[3], d[index], three);
+            }
+            for (index, sum) in tail.iter_mut().enumerate() {
+                for ((factor, _), values) in block.iter().zip(&parts) {
+                    *sum += factor * values[split + index];
+                }
+            }
+        }
+        for (factor, values) in rest {
+            let values = &values[first..first + length];
+            let factors = simd.splat_f64s(*factor);
+            for (sum, value) in head.iter_mut().zip(S::as_simd_f64s(values).0) {
+                *sum = simd.mul_add_e_f64s(factors, *value, *sum);
+            }
+            for (sum, value) in tail.iter_mut().zip(&values[split..]) {
+                *sum += factor * value;
+            }
         }
     }
-    let rest: f64 = a_rest.iter().zip(b_rest).map(|(a, b)| a * b).sum();
-    sums.iter().sum::<f64>() + rest
 }
 
 impl Compliance for Dense {
     fn apply(&self, tractions: &VectorField) -> VectorField {
         let vector = tractions.components().concat();
-        let mut displacements = VectorField::zeros(self.pairs);
-        let VectorField { t1, t2, n } = &mut displacements;
-        for (component, image) in [t1, t2, n].into_iter().enumerate() {
-            self.multiply(component * self.pairs, 0, &vector, image);
-        }
-        displacements
+        let mut image = vec![0.0; vector.len()];
+        self.multiply(0, 0, &vector, &mut image);
+        let n = image.split_off(2 * self.pairs);
+        let t2 = image.split_off(self.pairs);
+        VectorField { t1: image, t2, n }
     }
 
     fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {

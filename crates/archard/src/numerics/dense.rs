@@ -67,6 +67,11 @@ impl Lu {
         Ok(Self { factors: matrix, rows })
     }
 
+    /// Number of unknowns.
+    pub fn size(&self) -> usize {
+        self.factors.nrows()
+    }
+
     /// Replaces images by the vectors that have them, one a column.
     pub fn solve_in_place(&self, mut images: MatMut<'_, f64>) {
         let (size, columns) = (self.factors.nrows(), images.ncols());

@@ -64,13 +64,16 @@ impl<'a> Solid<'a> {
     /// The compliance of the contact nodes.
     pub fn condense(self) -> Condensed {
         let Self { conditions, factors, mut contact, mut fixed, unit, .. } = self;
-        factors.solve_in_place(contact.as_mut());
-        factors.solve_in_place(fixed.as_mut());
         let nodes: Vec<usize> = conditions
             .contact
             .iter()
             .map(|&traction| self.surface.tractions[traction].node)
             .collect();
+        // Columns of nodes in contact come last.
+        let sought = nodes.iter().map(|&node| conditions.columns[node]).min();
+        let count = sought.map_or(0, |first| factors.size() - first);
+        factors.solve_last(contact.as_mut(), count);
+        factors.solve_last(fixed.as_mut(), count);
         // Displacements are sought along the axes or, at nodes that are held, along their basis.
         let row = |index: usize, column: &dyn Fn(usize) -> f64| -> f64 {
             let (contact, direction) = (index / 3, index % 3);
@@ -80,7 +83,16 @@ impl<'a> Solid<'a> {
             (0..3).map(|own| basis[own].dot(along) * column(first + own)).sum()
         };
         let size = 3 * nodes.len();
+        // Across a plane of symmetry nothing moves, and no traction acts.
+        let across = |index: usize| {
+            let along = conditions.tractions[conditions.contact[index / 3]].basis[index % 3];
+            self.surface.across_plane(nodes[index / 3], along)
+        };
+        let across: Vec<bool> = (0..size).map(across).collect();
         let compliance = Mat::from_fn(size, size, |index, column| {
+            if across[index] || across[column] {
+                return 0.0;
+            }
             unit * row(index, &|place| contact[(place, column)])
         });
         let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();

@@ -100,6 +100,11 @@ impl Surface {
             surface.local.push(local);
         }
         for traction in &mut surface.tractions {
+            for axis in 0..2 {
+                if mirrored[axis] && traction.place[axis] == 0.0 {
+                    traction.normal[axis] = 0.0;
+                }
+            }
             traction.normal = traction.normal.normalize_or_zero();
         }
         surface
@@ -135,6 +140,13 @@ impl Surface {
     pub fn tractions_of(&self, face: usize) -> impl Iterator<Item = usize> {
         let count = self.patches[face].element.nodes.len();
         self.local[face].into_iter().take(count).map(|local| local.traction)
+    }
+
+    /// Whether a node lies on a plane of symmetry and a direction points across it.
+    pub(super) fn across_plane(&self, node: usize, direction: DVec3) -> bool {
+        (0..2).any(|axis| {
+            self.mirrored[axis] && self.nodes[node][axis] == 0.0 && direction[axis].abs() > 0.5
+        })
     }
 
     /// The images of a point in the planes of symmetry, itself first, as signs along x, y and z.

@@ -67,7 +67,7 @@ impl FrictionSolver for Newton {
         step: &joint::Step<'_>,
         start: &joint::Solution,
     ) -> Option<joint::Outcome> {
-        Some(joint::solve(step, start, self.settings))
+        Some(in_pool(|| joint::solve(step, start, self.settings)))
     }
 
     fn settings(&self) -> Settings {
