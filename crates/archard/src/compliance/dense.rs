@@ -36,24 +36,20 @@ impl fmt::Debug for Dense {
 }
 
 impl Dense {
-    /// The sum of the compliances of bodies on a frame, each with row 3 i + d for the displacement (m) of
+    /// The sum of the compliances of bodies that have the same pairs, each with row 3 i + d for the displacement (m) of
     /// pair i along direction d of its basis and column 3 j + e for the traction (Pa) of pair j along e.
     ///
-    /// Collocation leaves them a little unsymmetric: the mean of the work that two tractions do on each
-    /// other's displacements is kept.
-    pub fn new(bodies: &[MatRef<'_, f64>], frame: &ContactFrame) -> Self {
-        let pairs = frame.len();
-        let sum = |row: usize, column: usize| -> f64 {
-            bodies.iter().map(|body| body[(row, column)]).sum()
-        };
-        let areas: Vec<f64> = (0..pairs).map(|pair| frame.area(pair)).collect();
+    /// Collocation leaves them a little unsymmetric, by the order of the elements (see [`Dense::asymmetry`]),
+    /// and they stay so: made symmetric, they would turn an even pressure into tangential displacements that
+    /// alternate from node to node.
+    pub fn new(bodies: &[MatRef<'_, f64>]) -> Self {
+        let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
         let mut columns = vec![0.0; 9 * pairs * pairs];
         columns.par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
             let (e, j) = (column / pairs, column % pairs);
             for (row, value) in values.iter_mut().enumerate() {
                 let (d, i) = (row / pairs, row % pairs);
-                let back = sum(3 * j + e, 3 * i + d) * areas[j] / areas[i];
-                *value = 0.5 * (sum(3 * i + d, 3 * j + e) + back);
+                *value = bodies.iter().map(|body| body[(3 * i + d, 3 * j + e)]).sum();
             }
         });
         let own = |d: usize| {

@@ -153,7 +153,8 @@ impl<'a> Cycles<'a> {
             let lag = Stride::lag(change, steps);
             let sticks = stuck.map(|stuck| stuck.iter().any(|&stuck| stuck > 0.0));
             let turned = sticks[0] != sticks[1];
-            let tried = Tried { length, made, off, flipped, lag, turned, done: before.done };
+            let (done, worn) = (before.done, corrected.total());
+            let tried = Tried { length, made, off, flipped, worn, lag, turned, done };
             if !stride.judge(tried) {
                 self.position = before;
                 self.effort.rejected += 1;

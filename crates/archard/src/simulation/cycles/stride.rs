@@ -13,6 +13,8 @@ const AIM: f64 = 0.8;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Root of the error that is kept over the one that is corrected, squared.
 const SECOND: f64 = 2.0;
+/// Error of a jump that is kept at most, relative to the tolerance.
+const SPARE: f64 = 3.0;
 /// Lag of the pressures in a step within a jump, relative to the tolerance.
 const LAG: f64 = 0.2;
 /// Most steps within a jump.
@@ -38,6 +40,8 @@ pub(super) struct Tried {
     pub off: f64,
     /// The part of the correction at pairs that stuck before or after, but not both.
     pub flipped: f64,
+    /// 2-norm over the pairs of all wear so far (m), the jump's included.
+    pub worn: f64,
     /// Error that the lag of the pressures makes within the jump, relative to the wear made.
     pub lag: f64,
     /// Whether a stick zone came or went.
@@ -70,7 +74,7 @@ impl Stride {
 
     /// Whether a jump is good enough; sets the next stride.
     pub fn judge(&mut self, tried: Tried) -> bool {
-        let Tried { length, made, off, flipped, lag, turned, done } = tried;
+        let Tried { length, made, off, flipped, worn, lag, turned, done } = tried;
         if length == 0 {
             self.cycles = self.cycles.max(2.0);
             return true;
@@ -81,7 +85,10 @@ impl Stride {
         let change = (AIM * (self.tolerance / error).sqrt()).clamp(CHANGE.0, CHANGE.1);
         // A turn is met as closely as the tolerance resolves the cycles so far.
         let overrun = turned && length > 1 && length as f64 > self.tolerance * done as f64;
-        if error > self.tolerance || overrun {
+        let total = self.error + made * (error + lag);
+        // One jump may do worse where those before it did better.
+        let spare = error <= SPARE * self.tolerance && total <= self.tolerance * worn;
+        if (error > self.tolerance && !spare) || overrun {
             let shorter = 1.0 + length as f64 * change.min(0.5);
             self.cycles = if length == 1 { 1.0 } else { shorter.max(2.0) };
             return false;
@@ -89,7 +96,7 @@ impl Stride {
         let longer = 1.0 + change * length as f64;
         let shortened = ((length + 1) as f64) < 0.8 * self.cycles && change >= 1.0;
         self.cycles = if shortened { self.cycles.max(longer) } else { longer };
-        self.error += made * (error + lag);
+        self.error = total;
         true
     }
 
@@ -103,8 +110,16 @@ impl Stride {
 mod tests {
     use super::{Stride, Tried};
 
-    const GOOD: Tried =
-        Tried { length: 1, made: 1.0, off: 0.01, flipped: 0.0, lag: 1e-3, turned: false, done: 10 };
+    const GOOD: Tried = Tried {
+        length: 1,
+        made: 1.0,
+        off: 0.01,
+        flipped: 0.0,
+        worn: 1.0,
+        lag: 1e-3,
+        turned: false,
+        done: 10,
+    };
 
     #[test]
     fn strides_grow_and_land_on_what_is_ahead() {

@@ -147,7 +147,7 @@ impl Contact {
         touch(&mut pairs, &host);
         let frame = ContactFrame::described(pairs)?;
         let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
-        let compliance = Dense::new(&parts, &frame);
+        let compliance = Dense::new(&parts);
         Ok(Self { frame, compliance })
     }
 }
