@@ -55,12 +55,11 @@ fn a_meshed_body_reads_as_it_is_written() {
     ]);
     let finite = supports.case.bodies[1].finite.as_ref().unwrap();
     let back = Support::Displacement([None, Some(1e-6), None]);
-    let expected = [
-        ("bottom".to_owned(), Support::Roller),
-        ("right".to_owned(), Support::Pressure(2e6)),
-        ("back".to_owned(), back),
-    ];
-    assert_eq!(finite.supports, expected);
+    let expected = [("back", back), ("bottom", Support::Roller), ("right", Support::Pressure(2e6))];
+    assert_eq!(finite.supports.len(), expected.len());
+    for (name, support) in expected {
+        assert!(finite.supports.contains(&(name.to_owned(), support)), "{:?}", finite.supports);
+    }
     assert_eq!((finite.interpolation, finite.tolerance), (Interpolation::Continuous, 1e-5));
 }
 

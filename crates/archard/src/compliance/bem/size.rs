@@ -48,11 +48,14 @@ impl Size {
     }
 
     /// Memory (bytes) while the body is condensed: the matrix, factorised in its place, the right-hand sides of
-    /// the zone and the compliance found from them.
+    /// the zone, once more while their rows are exchanged, and the compliance found from them.
+    ///
+    /// Peak resident memory of whole runs was 94 MB for 2,808 unknowns, 300 of them in the zone, and 530 MB for
+    /// 6,840 and 1,200.
     pub fn memory(self) -> f64 {
         let (unknowns, contact) = (self.unknowns as f64, self.contact as f64);
         let equations =
-            if self.unknowns == 0 { 0.0 } else { unknowns * (unknowns + contact + 1.0) };
+            if self.unknowns == 0 { 0.0 } else { unknowns * (unknowns + 2.0 * contact + 1.0) };
         NUMBER * (equations + contact * contact)
     }
 }
@@ -115,7 +118,7 @@ mod tests {
     fn a_body_of_fifteen_thousand_unknowns_fits_into_six_gigabytes() {
         let body = Size { unknowns: 15_000, contact: 3_750 };
         let alone = memory([Some(body), None]);
-        assert!(alone > 1.8e9 && alone < 2.5e9, "{alone:e}");
+        assert!(alone > 1.8e9 && alone < 3e9, "{alone:e}");
         let both = memory([Some(body), Some(body)]);
         assert!(both > alone && both < 6e9, "{both:e}");
         assert_eq!(memory([None, Some(body)]), alone);
