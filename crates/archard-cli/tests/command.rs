@@ -357,7 +357,7 @@ fn compliances_are_kept_and_give_the_same_bits() {
     let [file] = &kept()[..] else { panic!("{:?}", kept()) };
     let sound = fs::read(file).unwrap();
     assert_eq!(run_block(&dir, "second"), first);
-    assert_eq!(kept(), [file.clone()]);
+    assert_eq!(kept().len(), 1);
     // Damage is found, and what was damaged computed and kept again.
     let mut damaged = sound.clone();
     let middle = damaged.len() / 2;

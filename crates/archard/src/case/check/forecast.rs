@@ -277,7 +277,8 @@ impl Forecast {
         for (body, unknowns) in &self.unknowns {
             writeln!(f, "unknowns          {unknowns} of `{body}`")?;
         }
-        let pairs = if self.unknowns.is_empty() { "elements" } else { "pairs   " };
+        let meshed = !(self.unknowns.is_empty() && self.finiteness.is_empty());
+        let pairs = if meshed { "pairs   " } else { "elements" };
         writeln!(f, "{pairs}          {}", self.pairs)
     }
 
