@@ -41,6 +41,10 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../../../cases/punch_indentation/case.toml"),
     },
     Builtin {
+        name: "punch_indentation_block",
+        text: include_str!("../../../cases/punch_indentation_block/case.toml"),
+    },
+    Builtin {
         name: "punch_fretting",
         text: include_str!("../../../cases/punch_fretting/case.toml"),
     },

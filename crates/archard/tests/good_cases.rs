@@ -1,5 +1,9 @@
 //! Right cases: what they mean, whatever way they are written.
 
+mod good_cases {
+    mod meshed;
+}
+
 use std::path::Path;
 
 use approx::assert_relative_eq;

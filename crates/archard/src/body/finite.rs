@@ -15,6 +15,18 @@ pub struct Finite {
     pub interpolation: Interpolation,
     /// Relative error allowed in the integrals over elements.
     pub tolerance: f64,
+    /// What tells how the body deforms.
+    pub elasticity: Elasticity,
+}
+
+/// What tells how a meshed body deforms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Elasticity {
+    /// Its own shape and supports.
+    #[default]
+    BoundaryElements,
+    /// A half-space in its place: the mesh gives the pairs and their gap only.
+    HalfSpace,
 }
 
 /// What is known on a surface away from the contact.
@@ -30,6 +42,20 @@ pub enum Support {
     Traction([f64; 3]),
     /// A pressure (Pa) against the surface.
     Pressure(f64),
+}
+
+impl Support {
+    /// Whether it displaces or loads the body, and does not only hold it.
+    pub fn loads(&self) -> bool {
+        match self {
+            Support::Clamped | Support::Roller => false,
+            Support::Displacement(given) => {
+                given.iter().any(|one| one.is_some_and(|one| one != 0.0))
+            }
+            Support::Traction(traction) => *traction != [0.0; 3],
+            Support::Pressure(pressure) => *pressure != 0.0,
+        }
+    }
 }
 
 /// How tractions and displacements vary over elements.

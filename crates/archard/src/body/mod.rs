@@ -5,7 +5,7 @@ mod material;
 pub mod mesh;
 pub mod profile;
 
-pub use finite::{Finite, Interpolation, Support};
+pub use finite::{Elasticity, Finite, Interpolation, Support};
 pub use material::{Material, contact_modulus};
 pub use profile::Profile;
 

@@ -2,7 +2,7 @@
 
 use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape};
-use crate::body::{Body, Finite, Interpolation, Material, Profile, Support};
+use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
 use crate::compliance::{Compliance, HalfSpace};
 use crate::frame::{ContactFrame, OffTheSurface};
@@ -64,6 +64,8 @@ pub struct FiniteCase {
     pub interpolation: Interpolation,
     /// Relative error allowed in the integrals over elements.
     pub tolerance: f64,
+    /// What tells how the body deforms.
+    pub elasticity: Elasticity,
 }
 
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
@@ -148,14 +150,14 @@ impl FiniteCase {
             .iter()
             .filter_map(|(name, support)| Some((surface(name)?, *support)))
             .collect();
-        let Self { mirrored, interpolation, tolerance, .. } = *self;
-        Ok(Finite { meshed, supports, mirrored, interpolation, tolerance })
+        let Self { mirrored, interpolation, tolerance, elasticity, .. } = *self;
+        Ok(Finite { meshed, supports, mirrored, interpolation, tolerance, elasticity })
     }
 }
 
 impl BodyCase {
     /// Builds the body.
-    fn build(&self) -> Result<Body, BuildError> {
+    pub(super) fn build(&self) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
             profile: self.profile.build()?,

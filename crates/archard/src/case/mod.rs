@@ -35,7 +35,10 @@ mod read;
 mod reader;
 mod tree;
 
-pub use check::{Contact, Creep, Cycles, Forecast, Fretting, FrettingWear, Solves, Track, Worn};
+pub use check::{
+    BesideHalfSpace, Contact, Creep, Cycles, Finiteness, Forecast, Fretting, FrettingWear, Solves,
+    Track, Worn,
+};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use file::{CaseFile, Resolved, Unreadable};

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use super::chosen::Chosen;
 use super::definition::{Case, FiniteCase, Output};
 use super::quantity::measure;
-use crate::body::{Interpolation, Material, Support};
+use crate::body::{Elasticity, Interpolation, Material, Support};
 use crate::parameters::{Parameter, Quantity, Value, Values};
 
 impl Display for Case {
@@ -95,6 +95,9 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
             }
         };
         writeln!(f, "{key}.supports.{} = {value}", quoted(surface))?;
+    }
+    if finite.elasticity == Elasticity::HalfSpace {
+        writeln!(f, "{key}.elasticity = {}", quoted("half_space"))?;
     }
     let interpolation = match finite.interpolation {
         Interpolation::Continuous => "continuous",

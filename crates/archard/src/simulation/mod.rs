@@ -11,6 +11,7 @@ mod suits;
 use std::error::Error as StdError;
 
 pub use history::row;
+pub(crate) use suits::crossed;
 
 use crate::kinematics::{Control, Progress, Stepping};
 use crate::problem::{ContactProblem, ContactState};
@@ -147,7 +148,7 @@ pub enum Error {
     },
     /// The contact fills the frame.
     #[error(
-        "at {} every element of the frame is in contact: the frame is too small, enlarge `frame.size`",
+        "at {} every element of the frame is in contact: the frame is too small, enlarge `frame.size`, or the zone of the mesh",
         .measure.at(*.progress)
     )]
     FrameFull {

@@ -2,7 +2,7 @@
 //! rows of pairs.
 
 use super::{Error, Simulation};
-use crate::kinematics::{Drive, Guide, Rolling, Shift};
+use crate::kinematics::{Drive, Guide, Kinematics, Rolling, Shift};
 
 /// The axes of the frame.
 const AXES: [&str; 2] = ["x", "y"];
@@ -10,39 +10,33 @@ const AXES: [&str; 2] = ["x", "y"];
 impl Simulation {
     /// Whether the motion is possible on the frame.
     pub(super) fn check_frame(&self) -> Result<(), Error> {
-        let kinematics = &self.problem.kinematics;
-        if let Some(rolling) = kinematics.rolling() {
-            self.check_rolling(rolling)?;
-        }
-        kinematics.shift().map_or(Ok(()), |shift| self.check_shift(shift))
-    }
-
-    fn check_rolling(&self, rolling: &Rolling) -> Result<(), Error> {
-        let (frame, axis) = (&self.problem.frame, rolling.direction.axis);
-        if !frame.is_grid() || !frame.is_plane() {
+        let (kinematics, frame) = (&*self.problem.kinematics, &self.problem.frame);
+        if kinematics.rolling().is_some() && !(frame.is_grid() && frame.is_plane()) {
             return Err(Error::NoRows);
         }
-        let mirrored = frame.mirrored();
-        let turns = rolling.lateral != Drive::Creepage(0.0) || rolling.spin != 0.0;
-        if mirrored[axis] {
-            return Err(Error::NotSymmetric { axis: AXES[axis] });
-        }
-        if mirrored[1 - axis] && turns {
-            return Err(Error::NotSymmetric { axis: AXES[1 - axis] });
-        }
-        Ok(())
+        crossed(kinematics, frame.mirrored())
+            .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))
     }
+}
 
-    fn check_shift(&self, shift: &Shift) -> Result<(), Error> {
-        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
-        for (axis, name) in AXES.into_iter().enumerate() {
-            let mut stations = shift.lead.iter().chain(&shift.cycle);
-            if self.problem.frame.mirrored()[axis]
-                && !stations.all(|station| still(station.guides[axis]))
-            {
-                return Err(Error::NotSymmetric { axis: name });
-            }
-        }
-        Ok(())
-    }
+/// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it
+/// keeps to the planes there are.
+pub(crate) fn crossed(kinematics: &dyn Kinematics, mirrored: [bool; 2]) -> Option<usize> {
+    let rolls = kinematics.rolling().map(rolls);
+    let shifts = kinematics.shift().map(shifts);
+    let moves = |axis: usize| [rolls, shifts].into_iter().flatten().any(|moves| moves[axis]);
+    (0..2).find(|&axis| mirrored[axis] && moves(axis))
+}
+
+/// Along which axes bodies that roll move.
+fn rolls(rolling: &Rolling) -> [bool; 2] {
+    let turns = rolling.lateral != Drive::Creepage(0.0) || rolling.spin != 0.0;
+    [0, 1].map(|axis| axis == rolling.direction.axis || turns)
+}
+
+/// Along which axes bodies are shifted, or pushed.
+fn shifts(shift: &Shift) -> [bool; 2] {
+    let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
+    let stations = || shift.lead.iter().chain(&shift.cycle);
+    [0, 1].map(|axis| !stations().all(|station| still(station.guides[axis])))
 }

@@ -149,6 +149,24 @@ fn every_shape_has_an_example() {
     }
 }
 
+/// The bound is what refuses a mesh that no memory holds; where all is grids it is the number itself.
+#[test]
+fn elements_are_bounded_before_they_are_made() {
+    for example in examples() {
+        let shape = build(&example, 2.0, EVEN);
+        for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
+            let Ok(meshed) = shape.mesh(mirrored) else { continue };
+            let (least, faces) = (shape.at_least(mirrored), meshed.mesh.faces.len());
+            let exact = example.name == "box";
+            assert!(
+                if exact { least == faces } else { (1..=faces).contains(&least) },
+                "{}: {least} of {faces}",
+                example.name
+            );
+        }
+    }
+}
+
 #[test]
 fn surfaces_are_closed_and_seen_from_outside() {
     for growth in [1.3, 2.0, 3.0] {

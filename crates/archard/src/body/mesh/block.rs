@@ -58,6 +58,20 @@ impl Shape for Block {
         };
         Ok(Meshed { mesh: builder.finish(), zone, placed: false })
     }
+
+    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+        let axes = match self.layout {
+            Layout::Contact(contact) => self.graded(&contact, mirrored),
+            Layout::Even(count) => self.even(count, mirrored),
+        };
+        let [x, y, z] = axes.map(|axis| axis.places.len() - 1);
+        let [across_x, across_y] = mirrored.map(|mirrored| if mirrored { 1 } else { 2 });
+        2 * x * y + across_x * y * z + across_y * x * z
+    }
+
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        Some([0.0; 2])
+    }
 }
 
 impl Block {

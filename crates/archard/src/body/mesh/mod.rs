@@ -95,6 +95,15 @@ pub trait Shape: Debug + Send + Sync {
     /// # Errors
     /// If the elements asked for cannot be made.
     fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError>;
+
+    /// A number of elements that the mesh has at least, known without making it.
+    fn at_least(&self, mirrored: [bool; 2]) -> usize;
+
+    /// Curvatures 1/R along x and y (1/m) in the middle of the zone, positive where it is convex; `None` where
+    /// they are not known.
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        None
+    }
 }
 
 /// The meshes a case can name.

@@ -86,6 +86,21 @@ impl Shape for Sphere {
         }
         Ok(Meshed { mesh: builder.finish(), zone, placed: false })
     }
+
+    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+        match self.layout {
+            Layout::Contact(contact) => contact.kept(mirrored).into_iter().product(),
+            Layout::Even(count) => {
+                let images: usize =
+                    mirrored.map(|mirrored| 1 + usize::from(mirrored)).iter().product();
+                6 * count * count / images
+            }
+        }
+    }
+
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        Some([1.0 / self.radius; 2])
+    }
 }
 
 impl Sphere {

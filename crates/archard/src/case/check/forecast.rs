@@ -7,8 +7,10 @@ use super::Parts;
 use super::contact::{Contact, Worn};
 use super::creep::Creep;
 use super::cycles::Cycles;
+use super::finite::Finiteness;
 use super::partial_slip::{Fretting, stick_ratio};
 use super::words::{length, pressure, three};
+use crate::compliance::bem;
 use crate::kinematics::{Shift, Stepping};
 
 // Peak resident memory of whole runs by `/usr/bin/time -v archard run`, the larger of one and two
@@ -58,6 +60,10 @@ pub struct Forecast {
     pub solves: Solves,
     /// Number of pairs.
     pub pairs: usize,
+    /// Meshed bodies that are computed by boundary elements, with their numbers of unknowns.
+    pub unknowns: Vec<(String, usize)>,
+    /// What meshed bodies may differ by from half-spaces; empty where no closed form tells.
+    pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
     pub memory: f64,
 }
@@ -96,7 +102,9 @@ impl Forecast {
             stick_ratio: contact.and_then(|contact| stick_ratio(parts, &contact)),
             cycles: Cycles::of(parts),
             solves: Solves::of(parts),
-            pairs: nx * ny,
+            pairs: parts.pairs(),
+            unknowns: unknowns(parts),
+            finiteness: Finiteness::of(parts, contact.as_ref()),
             memory: memory(parts, contact.as_ref()),
         }
     }
@@ -111,12 +119,19 @@ impl Forecast {
     }
 }
 
+/// Unknowns of the bodies that are computed by boundary elements.
+fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
+    let bodies = parts.case.bodies.iter().zip(&parts.meshes);
+    let sized = bodies.filter_map(|(body, made)| Some((&body.name, made.as_ref()?.size.unknowns)));
+    sized.filter(|(_, count)| *count > 0).map(|(name, count)| (name.clone(), count)).collect()
+}
+
 /// Memory (bytes) of a run.
 fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
     let by_error = matches!(parts.motion.stepping, Stepping::Tolerance(_));
     let histories = if by_error { BYTES_A_PAIR_OF_HISTORIES } else { 0.0 };
-    let [nx, ny] = parts.case.frame.elements;
-    let pairs = (nx * ny) as f64;
+    let pairs = parts.pairs() as f64;
+    let meshed = bem::memory(parts.meshes.each_ref().map(|made| Some(made.as_ref()?.size)));
     let friction = match parts.motion.kinematics.rolling() {
         Some(rolling) if parts.friction.is_some() => {
             let wears = !rolling.swept && parts.wear.iter().any(Option::is_some);
@@ -131,7 +146,7 @@ fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             None => 0.0,
         },
     };
-    BYTES_OF_THE_PROGRAM + (BYTES_A_PAIR + histories + friction) * pairs
+    BYTES_OF_THE_PROGRAM + meshed + (BYTES_A_PAIR + histories + friction) * pairs
 }
 
 /// Memory for each pair (bytes) of bodies that are pressed and shifted: the solutions of a cycle, which the
@@ -245,12 +260,28 @@ impl fmt::Display for Forecast {
             cycles.fmt(f)?;
         }
         writeln!(f, "contact solves    {}", self.solves)?;
-        writeln!(f, "elements          {}", self.pairs)?;
+        self.write_size(f)?;
         writeln!(f, "memory            about {:.0} MB", (self.memory * 1e-6).max(1.0))
     }
 }
 
 impl Forecast {
+    fn write_size(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for Finiteness { body, distance, approach, .. } in &self.finiteness {
+            let (distance, share) = (length(*distance), three(100.0 * approach));
+            writeln!(
+                f,
+                "half-space        {share} % of the approach where `{body}` ends, {distance} away"
+            )?;
+        }
+        for (body, unknowns) in &self.unknowns {
+            writeln!(f, "unknowns          {unknowns} of `{body}`")?;
+        }
+        let meshed = !(self.unknowns.is_empty() && self.finiteness.is_empty());
+        let pairs = if meshed { "pairs   " } else { "elements" };
+        writeln!(f, "{pairs}          {}", self.pairs)
+    }
+
     fn write_wear(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let track = self.creep.and_then(|creep| creep.track);
         let fretting = self.fretting.and_then(|fretting| fretting.wear);

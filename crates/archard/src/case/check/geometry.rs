@@ -24,7 +24,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
 fn beyond(parts: &Parts<'_>, body: usize) -> Problem {
     let case = parts.case;
     let message = format!("reaches beyond the surface of the body `{}`", case.bodies[body].name);
-    let problem = Problem::error(Key::of(["frame", "size"]), message);
+    let problem = Problem::error(parts.frame_key("size"), message);
     match largest_share(parts, &*parts.profiles[body]) {
         share if share < 1e-6 => problem.help("the profile does not cover the centre of the frame"),
         share => {
@@ -57,16 +57,22 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     let largest = gap.iter().copied().fold(0.0, f64::max);
     let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
     if largest > 0.0 && largest - least <= 1e-9 * largest {
-        let message = "every element has the same gap: the frame has too few elements";
-        return Some(Problem::error(Key::of(["frame", "elements"]), message));
+        let word = parts.frame_word();
+        let message = format!("every element has the same gap: the {word} has too few elements");
+        return Some(Problem::error(parts.frame_key("elements"), message));
     }
     if largest == 0.0 && parts.curvatures() != Some([0.0; 2]) {
-        let message = "no gap between the bodies at any element: the frame has too few elements";
-        return Some(Problem::error(Key::of(["frame", "elements"]), message));
+        let word = parts.frame_word();
+        let message =
+            format!("no gap between the bodies at any element: the {word} has too few elements");
+        return Some(Problem::error(parts.frame_key("elements"), message));
     }
     if largest == 0.0 {
         let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
-        let message = "both surfaces are the same plane: the contact would fill the whole frame";
+        let message = format!(
+            "both surfaces are the same plane: the contact would fill the whole {}",
+            parts.frame_word()
+        );
         return Some(Problem::error(key, message).help("give one of the bodies a curved profile"));
     }
     if let Some(curvatures) = parts.curvatures()
@@ -74,8 +80,9 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     {
         let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
         let message = format!(
-            "the bodies together are hollow along {}: they would touch at the edge of the frame first",
-            ["x", "y"][axis]
+            "the bodies together are hollow along {}: they would touch at the edge of the {} first",
+            ["x", "y"][axis],
+            parts.frame_word()
         );
         let radius = length(-1.0 / curvatures[axis]);
         return Some(Problem::error(key, message).help(format!(
@@ -91,8 +98,10 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
         pairs.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min)
     };
     (nx > 2 && ny > 2 && lowest(false) < lowest(true)).then(|| {
-        let message =
-            "the bodies touch first at the edge of the frame: the contact is cut off there";
-        Problem::warning(Key::of(["frame", "size"]), message)
+        let message = format!(
+            "the bodies touch first at the edge of the {}: the contact is cut off there",
+            parts.frame_word()
+        );
+        Problem::warning(parts.frame_key("size"), message)
     })
 }

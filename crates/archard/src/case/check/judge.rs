@@ -2,7 +2,8 @@
 
 use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Forecast, Parts, Solves, rolling, shift};
+use super::{Finiteness, Forecast, Parts, Solves, rolling, shift};
+use crate::body::Elasticity;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::Stepping;
@@ -27,12 +28,13 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
     problems.extend(long(parts, forecast));
+    problems.extend(forecast.finiteness.iter().filter_map(Finiteness::doubt));
     if let Some(contact) = &forecast.contact {
         match too_small(parts, contact) {
             Some(problem) => problems.push(problem),
             None => {
                 problems.extend(reaches_the_edge(parts, forecast));
-                problems.extend(few_cells(forecast));
+                problems.extend(few_cells(parts, forecast));
             }
         }
         problems.extend(wide(parts, forecast));
@@ -126,7 +128,7 @@ fn too_small(parts: &Parts<'_>, contact: &Contact) -> Option<Problem> {
             extents_in_words(extents)
         );
         let needed = needed(size, contact.semi_axes);
-        Problem::error(Key::of(["frame", "size"]), message)
+        Problem::error(parts.frame_key("size"), message)
             .help(format!("the contact needs about `size = {}`", size_list_up(needed)))
     })
 }
@@ -149,11 +151,11 @@ fn extents_in_words(extents: [f64; 2]) -> String {
 /// A contact that fills the frame along an axis, or will once it has worn.
 fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let size = parts.case.frame.size;
-    let key = Key::of(["frame", "size"]);
+    let (key, word) = (parts.frame_key("size"), parts.frame_word());
     let contact = forecast.contact.as_ref()?;
     if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {
         let message = format!(
-            "the bodies touch along a line that runs through both edges of the frame along {}: they are computed as if cut off there",
+            "the bodies touch along a line that runs through both edges of the {word} along {}: they are computed as if cut off there",
             ["x", "y"][axis]
         );
         return Some(Problem::warning(key, message));
@@ -166,7 +168,7 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         .collect();
     (!cut.is_empty()).then(|| {
         let message = format!(
-            "the contact will reach the edge of the frame along {} by the end of the motion, when it is about {} wide",
+            "the contact will reach the edge of the {word} along {} by the end of the motion, when it is about {} wide",
             both(&cut),
             extents_in_words(reach.map(|axis| 2.0 * axis))
         );
@@ -176,26 +178,31 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     })
 }
 
-fn few_cells(forecast: &Forecast) -> Option<Problem> {
+fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let (contact, cells) = (forecast.contact?, forecast.cells_across?);
     // A line contact has no width along the line.
     let wide = (0..2).filter(|&axis| contact.semi_axes[axis].is_finite());
     let fewest = wide.map(|axis| cells[axis]).fold(f64::INFINITY, f64::min);
     (fewest < FEW_CELLS).then(|| {
+        let pairs = if parts.case.is_meshed() { "pairs" } else { "elements" };
         let message = format!(
-            "only {} elements lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
+            "only {} {pairs} lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
             three(fewest)
         );
-        Problem::warning(Key::of(["frame", "elements"]), message)
-            .help("take more elements or a smaller frame")
+        Problem::warning(parts.frame_key("elements"), message)
+            .help(format!("take more elements or a smaller {}", parts.frame_word()))
     })
 }
 
 /// A contact wide beside a body's radius, where a half-space no longer stands for the body.
 fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let reach = forecast.reach()?;
-    for (body, profile) in parts.case.bodies.iter().zip(&parts.profiles) {
-        let curvatures = profile.curvatures()?;
+    for (which, body) in parts.case.bodies.iter().enumerate() {
+        let curvatures = parts.curvatures_of(which)?;
+        let finite = body.finite.as_ref();
+        if finite.is_some_and(|finite| finite.elasticity == Elasticity::BoundaryElements) {
+            continue;
+        }
         for (axis, name) in ["x", "y"].into_iter().enumerate() {
             let share = reach[axis] * curvatures[axis].abs();
             if reach[axis].is_finite() && share > WIDE {
@@ -204,7 +211,8 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
                     length(reach[axis]),
                     three(share)
                 );
-                return Some(Problem::warning(Key::of(["body", &body.name, "profile"]), message));
+                let shape = if finite.is_some() { "mesh" } else { "profile" };
+                return Some(Problem::warning(Key::of(["body", &body.name, shape]), message));
             }
         }
     }

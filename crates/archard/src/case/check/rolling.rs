@@ -113,7 +113,7 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
         );
         let mut size = frame.size;
         size[axis] = needed;
-        Problem::warning(Key::of(["frame", "size"]), message)
+        Problem::warning(parts.frame_key("size"), message)
             .help(format!("take about `size = {}`", size_list_up(size)))
     })
 }

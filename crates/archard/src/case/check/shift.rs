@@ -251,10 +251,11 @@ fn scar_beyond_the_frame(parts: &Parts<'_>, forecast: &Forecast) -> Option<Probl
     let width = 2.0 * wear.final_radius;
     (parts.case.frame.size.iter().any(|&size| size < width)).then(|| {
         let message = format!(
-            "the scar will reach the edge of the frame: it ends {} wide, when the stick zone bears all of the load",
+            "the scar will reach the edge of the {}: it ends {} wide, when the stick zone bears all of the load",
+            parts.frame_word(),
             length(width)
         );
-        Problem::warning(Key::of(["frame", "size"]), message)
+        Problem::warning(parts.frame_key("size"), message)
             .help(format!("it needs about `size = {}`", size_list_up([ROOM * wear.final_radius; 2])))
     })
 }

@@ -10,8 +10,17 @@ use crate::case::tree::{Entry, Item};
 use crate::wear::{WEAR_LAWS, WearLaw};
 
 /// What a body may have.
-const KEYS: &[&str] =
-    &["material", "rigid", "profile", "mesh", "symmetry", "supports", "boundary_elements", "wear"];
+const KEYS: &[&str] = &[
+    "material",
+    "rigid",
+    "profile",
+    "mesh",
+    "symmetry",
+    "supports",
+    "elasticity",
+    "boundary_elements",
+    "wear",
+];
 
 impl Reader<'_> {
     /// Both bodies, in the order in which they are written.
@@ -59,8 +68,8 @@ impl Reader<'_> {
         self.unknown(&section, "key", KEYS);
         let material = self.material(&section);
         let finite = self.finite(&section);
-        let profile = match (section.get("profile"), &finite) {
-            (None, Some(Some(_))) => Chosen::named("flat", PROFILES),
+        let profile = match (section.get("profile"), section.get("mesh")) {
+            (None, Some(_)) => Chosen::named("flat", PROFILES),
             _ => self
                 .table(
                     &section,

@@ -1,13 +1,15 @@
 //! The mesh of a body and what holds it.
 
-use crate::body::mesh::{MESHES, Meshed, Zone};
-use crate::body::{Interpolation, Support};
+use crate::body::mesh::{MESHES, MeshProblem, Meshed, Zone};
+use crate::body::{Elasticity, Interpolation, Support};
+use crate::case::check::memory;
 use crate::case::definition::{BodyCase, FiniteCase, FrameCase};
 use crate::case::key::Key;
 use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item, Node};
+use crate::compliance::bem::Size;
 use crate::parameters::{Bound, Parameter, Quantity};
 
 /// What boundary elements take.
@@ -28,9 +30,9 @@ impl Reader<'_> {
     /// The mesh of a body, `Some(None)` where it has none; `None` if it is wrong.
     pub(super) fn finite(&mut self, body: &Section<'_>) -> Option<Option<FiniteCase>> {
         let Some((key, entry)) = body.get("mesh") else {
-            for name in ["symmetry", "supports", "boundary_elements"] {
+            for name in ["symmetry", "supports", "elasticity", "boundary_elements"] {
                 if let Some((key, _)) = body.get(name) {
-                    let message = "has no effect without a `mesh`: the body is a half-space";
+                    let message = "has no effect without a `mesh`";
                     self.push(Problem::warning(key, message).at_name());
                 }
             }
@@ -39,6 +41,7 @@ impl Reader<'_> {
         let section = self.as_table(key, &entry.node)?;
         let mesh = self.required(&section, "mesh", MESHES);
         let mirrored = self.symmetry(body);
+        let elasticity = self.elasticity(body);
         let elements = match body.get("boundary_elements") {
             None => Some((Interpolation::default(), TOLERANCE)),
             Some((key, entry)) => self.as_table(key, &entry.node).map(|section| {
@@ -51,9 +54,12 @@ impl Reader<'_> {
             }),
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
-        let mut finite = FiniteCase { mesh, supports: vec![], mirrored, interpolation, tolerance };
+        let elasticity = elasticity?;
+        let supports = vec![];
+        let mut finite =
+            FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity };
         let meshed = self.meshed(&section, &finite)?;
-        finite.supports = self.supports(body, &meshed)?;
+        finite.supports = self.supports(body, &meshed, elasticity)?;
         Some(Some(finite))
     }
 
@@ -61,6 +67,12 @@ impl Reader<'_> {
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
         let shape = finite.mesh.build().ok()?;
+        // A mesh that no memory holds is not even made.
+        let least = Size::at_least(shape.at_least(finite.mirrored), finite.interpolation);
+        if let Some(problem) = memory::too_large(least.memory(), memory::available()) {
+            self.push(Problem { key: memory::key(section.key.clone(), &finite.mesh), ..problem });
+            return None;
+        }
         let meshed = match shape.mesh(finite.mirrored) {
             Ok(meshed) => meshed,
             Err(error) => {
@@ -70,7 +82,12 @@ impl Reader<'_> {
             }
         };
         let mut sound = true;
-        for problem in meshed.mesh.check(finite.mirrored) {
+        // Generators draw elements out on purpose, away from the zone.
+        let slender = |problem: &MeshProblem| {
+            matches!(problem, MeshProblem::Slender { .. }) && !meshed.placed
+        };
+        let problems = meshed.mesh.check(finite.mirrored).into_iter();
+        for problem in problems.filter(|problem| !slender(problem)) {
             let message = problem.to_string();
             if problem.is_warning() {
                 self.push(Problem::warning(key.clone(), message));
@@ -85,6 +102,20 @@ impl Reader<'_> {
             return None;
         }
         sound.then_some(meshed)
+    }
+
+    /// What tells how the body deforms.
+    fn elasticity(&mut self, body: &Section<'_>) -> Option<Elasticity> {
+        let Some((key, entry)) = body.get("elasticity") else { return Some(Elasticity::default()) };
+        match &entry.node.item {
+            Item::Text(word) if word == "boundary_elements" => Some(Elasticity::BoundaryElements),
+            Item::Text(word) if word == "half_space" => Some(Elasticity::HalfSpace),
+            _ => {
+                let message = "expected \"boundary_elements\" or \"half_space\"";
+                self.push(Problem::error(key, message));
+                None
+            }
+        }
     }
 
     /// The planes of symmetry.
@@ -111,8 +142,16 @@ impl Reader<'_> {
     }
 
     /// What is known on surfaces.
-    fn supports(&mut self, body: &Section<'_>, meshed: &Meshed) -> Option<Vec<(String, Support)>> {
+    fn supports(
+        &mut self,
+        body: &Section<'_>,
+        meshed: &Meshed,
+        elasticity: Elasticity,
+    ) -> Option<Vec<(String, Support)>> {
         let Some((key, entry)) = body.get("supports") else {
+            if elasticity == Elasticity::HalfSpace {
+                return Some(vec![]);
+            }
             let message = "is missing: what holds the body, for example `{ bottom = \"clamped\" }`";
             self.push(Problem::missing(body.key.child("supports"), message));
             return None;
@@ -132,7 +171,11 @@ impl Reader<'_> {
                 self.push(Problem::error(key, message).at_name().help(help));
                 continue;
             }
-            if let Some(support) = self.support(key, entry) {
+            if let Some(support) = self.support(key.clone(), entry) {
+                if elasticity == Elasticity::HalfSpace && support.loads() {
+                    let message = "has no effect: a half-space knows of no other surface";
+                    self.push(Problem::warning(key, message).at_name());
+                }
                 supports.push((entry.name.clone(), support));
             }
         }

@@ -6,7 +6,7 @@ mod frame;
 mod output;
 
 use super::chosen::Chosen;
-use super::definition::{BodyCase, Case};
+use super::definition::Case;
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::tree::Item;
@@ -27,11 +27,10 @@ impl Reader<'_> {
         self.unknown(root, "key", TABLES);
         let title = self.title(root);
         let bodies = self.bodies(root);
-        let meshed = bodies
-            .as_ref()
-            .is_some_and(|bodies: &[BodyCase; 2]| bodies.iter().any(|body| body.finite.is_some()));
+        let meshed = names_a_mesh(root);
         let frame = match (root.get("frame"), &bodies) {
             (None, Some(bodies)) if meshed => zone(bodies),
+            (None, None) if meshed => None,
             (Some((key, _)), _) if meshed => {
                 let message = "the pairs are the nodes of the mesh: leave the frame out";
                 self.push(Problem::error(key, message).at_name());
@@ -129,6 +128,16 @@ impl Reader<'_> {
             self.push(problem.help(format!("known here: {}", names.join(", "))));
         }
     }
+}
+
+/// Whether a body has a `mesh`, sound or not.
+fn names_a_mesh(root: &Section<'_>) -> bool {
+    let Some((_, bodies)) = root.get("body") else { return false };
+    let Item::Table(bodies) = &bodies.node.item else { return false };
+    bodies.0.iter().any(|body| match &body.node.item {
+        Item::Table(body) => body.get("mesh").is_some(),
+        _ => false,
+    })
 }
 
 /// The first of a list with nothing said about it.

@@ -70,6 +70,8 @@ pub enum Undetermined {
     TwoSupports {
         /// Where (m).
         place: [f64; 3],
+        /// The surfaces, by their index.
+        surfaces: [usize; 2],
     },
     /// The body can move without deforming.
     #[error("nothing holds the body against {}: support it there", list(.modes))]
@@ -171,8 +173,11 @@ fn nodes_of(
             continue;
         }
         let TractionNode { node, place, .. } = surface.tractions[traction];
-        let two = || Undetermined::TwoSupports { place: place.to_array() };
         let at = &mut nodes[node];
+        let surface_of = |traction: usize| surface.tractions[traction].surface;
+        let other = at.known.iter().flatten().next().map_or(traction, |known| known.traction);
+        let surfaces = [other, traction].map(surface_of);
+        let two = || Undetermined::TwoSupports { place: place.to_array(), surfaces };
         if at.known.iter().all(Option::is_none) {
             at.basis = condition.basis;
         }

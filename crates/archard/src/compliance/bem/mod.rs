@@ -11,10 +11,13 @@ mod kelvin;
 mod patch;
 mod rigid;
 mod rules;
+mod size;
 mod solid;
 mod surface;
 
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
+pub(crate) use patch::distance;
+pub use size::{Size, memory};
 pub use solid::{Boundary, Condensed, Solid};
 pub use surface::{Surface, TractionNode};
 

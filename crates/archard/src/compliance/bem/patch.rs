@@ -66,7 +66,7 @@ impl Patch {
 }
 
 /// Distance of a point from a face, of which each half is taken as plane.
-pub(super) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
+pub(crate) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
     let first = from_triangle(point, [corners[0], corners[1], corners[2]]);
     match corners.get(3) {
         Some(&fourth) => first.min(from_triangle(point, [corners[0], corners[2], fourth])),

@@ -92,11 +92,28 @@ impl Shape for Lying {
         self.layout.check(mirrored)?;
         Ok(self.divide(mirrored))
     }
+
+    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+        let [around, along] = self.axes(mirrored).map(|axis| axis.places.len() - 1);
+        around * along
+    }
+
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        Some([1.0 / self.radius, 0.0])
+    }
 }
 
 impl Shape for Standing {
     fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
         Layout::Contact(self.contact).check(mirrored)?;
         Ok(self.divide(mirrored))
+    }
+
+    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+        self.contact.kept(mirrored).into_iter().product()
+    }
+
+    fn curvatures(&self) -> Option<[f64; 2]> {
+        Some([0.0; 2])
     }
 }

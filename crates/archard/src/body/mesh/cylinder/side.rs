@@ -78,7 +78,7 @@ impl Lying {
     }
 
     /// Divisions of the circumference and along the axis.
-    fn axes(&self, mirrored: [bool; 2]) -> [Axis; 2] {
+    pub(super) fn axes(&self, mirrored: [bool; 2]) -> [Axis; 2] {
         let around = 2.0 * PI * self.radius;
         match self.layout {
             Layout::Contact(contact) => {

@@ -75,6 +75,10 @@ impl Shape for File {
     fn mesh(&self, _mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
         Ok(Meshed { mesh: self.mesh.clone(), zone: self.zone.clone(), placed: true })
     }
+
+    fn at_least(&self, _mirrored: [bool; 2]) -> usize {
+        self.mesh.faces.len()
+    }
 }
 
 impl Mesh {

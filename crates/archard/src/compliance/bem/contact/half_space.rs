@@ -21,14 +21,14 @@ use super::super::rules::{Places, Rules};
 use super::host::Host;
 use crate::body::Material;
 
-/// The compliance of a half-space at the pairs of a host, which is body `which`.
+/// The compliance of a half-space that is body `which`, 0 or 1, at the pairs of a host.
 pub(super) fn compliance(host: &Host<'_>, material: &Material, which: usize) -> Mat<f64> {
     let plane = |point: DVec3| {
         let place = host.in_frame(point);
         DVec3::new(place.x, place.y, 0.0)
     };
-    // n points into the half-space if the host is body 1, and out of it otherwise.
-    let into = if which == 0 { 1.0 } else { -1.0 };
+    // n is the outward normal of body 1.
+    let into = if which == 1 { 1.0 } else { -1.0 };
     let kernel = Kernel { shear: material.shear_modulus(), poisson: material.poisson, into };
     let mut pair_of = vec![None; host.surface.tractions.len()];
     for (pair, (node, _)) in host.contact.iter().enumerate() {

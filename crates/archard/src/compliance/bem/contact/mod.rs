@@ -1,16 +1,17 @@
 //! Contact of meshed bodies: the pairs at their nodes, and how both bodies deform there.
 //!
 //! The pairs are nodes of the first meshed body, the host. The other body is rigid, a half-space or meshed
-//! itself; it need not have nodes in the same places.
+//! itself; it need not have nodes in the same places. A meshed body may be told to deform as a half-space: its
+//! mesh then gives the pairs and their gaps only.
 
 mod fingerprint;
 mod half_space;
 mod host;
+mod meeting;
 mod outline;
 mod project;
 mod transfer;
 
-use faer::Mat;
 use glam::DVec3;
 
 use super::conditions::{Conditions, Undetermined};
@@ -19,10 +20,10 @@ use super::surface::Surface;
 use super::{Condition, Given, TractionNode};
 use crate::body::{Body, Finite, Material, Support};
 use crate::compliance::Dense;
-use crate::frame::{ContactFrame, OffTheSurface, Pairs, PairsError};
+use crate::frame::{ContactFrame, OffTheSurface, PairsError};
 use crate::numerics::dense::Singular;
 
-use host::Host;
+pub use meeting::Meeting;
 
 /// Why meshed bodies cannot be brought into contact.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -64,6 +65,17 @@ pub enum ContactError {
         body: usize,
         /// Where, in its own coordinates (m).
         place: [f64; 3],
+    },
+    /// A zone that a half-space cannot stand for.
+    #[error(
+        "body {}: the contact zone turns by {angle:.0} degrees from the plane of contact: no half-space stands for it",
+        .body + 1
+    )]
+    Steep {
+        /// The body's index, 0 or 1.
+        body: usize,
+        /// The largest angle between normals (degrees).
+        angle: f64,
     },
     /// A profile that ends within the frame.
     #[error(transparent)]
@@ -112,86 +124,8 @@ impl Contact {
     /// # Errors
     /// If they cannot touch, are not held or profiles end within the zone.
     pub fn new(bodies: [&Body; 2], condense: Condense<'_>) -> Result<Self, ContactError> {
-        let which = usize::from(bodies[0].finite.is_none());
-        let (body, other) = (bodies[which], bodies[1 - which]);
-        let none = ContactError::NoZone { body: which };
-        let host = Host::new(body, which).ok_or(none)?;
-        let own = condensed(body, which, &host, condense)?;
-        let mut pairs = host.pairs();
-        let mut parts = vec![own.compliance];
-        let sign = if which == 0 { 1.0 } else { -1.0 };
-        // Gap by what the loads elsewhere displace: body 2 less body 1 along n.
-        let mut opened: Vec<f64> = own.free.iter().skip(2).step_by(3).map(|n| -sign * n).collect();
-        match (&other.finite, &other.material) {
-            (Some(finite), Some(material)) => {
-                let opposite =
-                    Host::new(other, 1 - which).ok_or(ContactError::NoZone { body: 1 - which })?;
-                if opposite.surface.mirrored != host.surface.mirrored {
-                    return Err(ContactError::Symmetry);
-                }
-                let _ = (finite, material);
-                let transfer = transfer::Transfer::new(&host, &opposite)?;
-                let theirs = condensed(other, 1 - which, &opposite, condense)?;
-                for (gap, distance) in pairs.gap.iter_mut().zip(&transfer.gap) {
-                    *gap += distance;
-                }
-                let free = transfer.displacements(&theirs.free);
-                opened.iter_mut().zip(&free).for_each(|(gap, free)| *gap += sign * free);
-                parts.push(transfer.compliance(&theirs.compliance));
-            }
-            (None, Some(material)) => parts.push(half_space::compliance(&host, material, which)),
-            _ => {}
-        }
-        pairs.gap.iter_mut().zip(opened).for_each(|(gap, opened)| *gap += opened);
-        add_profiles(bodies, &mut pairs)?;
-        touch(&mut pairs, &host);
-        let frame = ContactFrame::described(pairs)?;
-        let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
-        let compliance = Dense::new(&parts);
-        Ok(Self { frame, compliance })
+        Meeting::of(bodies)?.condense(condense)
     }
-}
-
-/// Adds the recesses of the profiles, along the normal of each pair.
-fn add_profiles(bodies: [&Body; 2], pairs: &mut Pairs) -> Result<(), OffTheSurface> {
-    for (pair, [x, y, _]) in pairs.places.iter().enumerate() {
-        let closing = pairs.bases.get(pair).map_or(1.0, |basis| basis[2][2]);
-        for (body, recess) in bodies.map(|body| body.profile.recess(*x, *y)).iter().enumerate() {
-            if !recess.is_finite() {
-                return Err(OffTheSurface { body, place: [*x, *y] });
-            }
-            pairs.gap[pair] += recess * closing;
-        }
-    }
-    Ok(())
-}
-
-/// Brings the bodies together until they touch somewhere.
-fn touch(pairs: &mut Pairs, host: &Host) {
-    const FACING: f64 = 0.1;
-    let closing: Vec<f64> = (0..pairs.gap.len()).map(|pair| host.closing(pair)).collect();
-    let apart = pairs.gap.iter().zip(&closing).filter(|(_, closing)| **closing > FACING);
-    let least = apart.map(|(gap, closing)| gap / closing).fold(f64::INFINITY, f64::min);
-    if least.is_finite() {
-        pairs.gap.iter_mut().zip(&closing).for_each(|(gap, closing)| *gap -= least * closing);
-    }
-}
-
-/// The body condensed to its contact nodes.
-fn condensed(
-    body: &Body,
-    which: usize,
-    host: &Host,
-    condense: Condense<'_>,
-) -> Result<Condensed, ContactError> {
-    let (Some(finite), Some(material)) = (&body.finite, &body.material) else {
-        return Err(ContactError::NoZone { body: which });
-    };
-    let of = |node: &TractionNode| supported(finite, node);
-    let conditions = Conditions::new(&host.surface, of, &host.contact)
-        .map_err(|cause| ContactError::Undetermined { body: which, cause })?;
-    let job = Job { surface: &host.surface, conditions: &conditions };
-    condense(finite, material, &job).map_err(|cause| ContactError::Singular { body: which, cause })
 }
 
 /// What the supports of a body say of a node.

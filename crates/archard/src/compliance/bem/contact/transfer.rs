@@ -87,9 +87,8 @@ impl Transfer {
             }
         }
         let mut gap = vec![];
-        for pair in 0..host.contact.len() {
+        for (pair, &[_, _, n]) in own_bases.iter().enumerate() {
             let place = host.place(pair);
-            let n = own_bases[pair][2];
             let direction = if steep { n } else { DVec3::Z };
             let hit = project(place, direction, &patches).ok_or_else(|| off(place))?;
             let sign = if host.first { 1.0 } else { -1.0 };

@@ -1,0 +1,166 @@
+//! Two bodies opposite each other: all that their contact needs but how they deform.
+
+use faer::Mat;
+
+use super::super::Conditions;
+use super::super::solid::Condensed;
+use super::host::Host;
+use super::transfer::Transfer;
+use super::{Condense, Contact, ContactError, Job, half_space, supported};
+use crate::body::{Body, Elasticity};
+use crate::compliance::Dense;
+use crate::frame::{ContactFrame, OffTheSurface, Pairs};
+
+/// Two bodies, one of them meshed at least, and the pairs where they may touch.
+pub struct Meeting<'a> {
+    bodies: [&'a Body; 2],
+    host: Side<'a>,
+    opposite: Option<(Side<'a>, Transfer)>,
+    pairs: Pairs,
+}
+
+/// A meshed body.
+struct Side<'a> {
+    host: Host<'a>,
+    /// What is known at its nodes; `None` where it does not matter.
+    conditions: Option<Conditions>,
+}
+
+/// The largest angle (degrees) between the normals of a zone and that of the frame for which a half-space stands.
+const STEEPEST: f64 = 30.0;
+
+impl<'a> Meeting<'a> {
+    /// Brings two bodies opposite each other.
+    ///
+    /// # Errors
+    /// If they cannot touch, are not held or profiles end within the zone.
+    pub fn of(bodies: [&'a Body; 2]) -> Result<Self, ContactError> {
+        let which = usize::from(bodies[0].finite.is_none());
+        let host = Side::new(bodies[which], which)?;
+        let mut pairs = host.host.pairs();
+        let opposite = match &bodies[1 - which].finite {
+            None => None,
+            Some(_) => {
+                let opposite = Side::new(bodies[1 - which], 1 - which)?;
+                if opposite.host.surface.mirrored != host.host.surface.mirrored {
+                    return Err(ContactError::Symmetry);
+                }
+                let transfer = Transfer::new(&host.host, &opposite.host)?;
+                for (gap, distance) in pairs.gap.iter_mut().zip(&transfer.gap) {
+                    *gap += distance;
+                }
+                Some((opposite, transfer))
+            }
+        };
+        add_profiles(bodies, &mut pairs)?;
+        Ok(Self { bodies, host, opposite, pairs })
+    }
+
+    /// The pairs; their gaps may differ by the same distance everywhere from those of bodies that touch.
+    pub fn pairs(&self) -> &Pairs {
+        &self.pairs
+    }
+
+    /// Whether the pairs form rows on a plane, as rolling asks for.
+    pub fn has_rows(&self) -> bool {
+        self.pairs.elements.is_some() && self.pairs.bases.is_empty()
+    }
+
+    /// The contact, with what tells how meshed bodies deform.
+    ///
+    /// # Errors
+    /// If equations have no solution.
+    pub fn condense(self, condense: Condense<'_>) -> Result<Contact, ContactError> {
+        let Self { bodies, host: Side { host, conditions }, opposite, mut pairs } = self;
+        let sign = if host.first { 1.0 } else { -1.0 };
+        let mut parts = vec![];
+        if let Some(own) = condensed(bodies, &host, conditions.as_ref(), condense)? {
+            // Gap by what the loads elsewhere displace: body 2 less body 1 along n.
+            let normal = own.free.iter().skip(2).step_by(3);
+            pairs.gap.iter_mut().zip(normal).for_each(|(gap, free)| *gap -= sign * free);
+            parts.push(own.compliance);
+        }
+        if let Some((Side { host: other, conditions }, transfer)) = opposite
+            && let Some(own) = condensed(bodies, &other, conditions.as_ref(), condense)?
+        {
+            let normal = transfer.displacements(&own.free);
+            pairs.gap.iter_mut().zip(&normal).for_each(|(gap, free)| *gap += sign * free);
+            parts.push(transfer.compliance(&own.compliance));
+        }
+        for (which, body) in bodies.into_iter().enumerate() {
+            if let (true, Some(material)) = (is_half_space(body), &body.material) {
+                parts.push(half_space::compliance(&host, material, which));
+            }
+        }
+        touch(&mut pairs, &host);
+        let frame = ContactFrame::described(pairs)?;
+        let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
+        let compliance = Dense::new(&parts);
+        Ok(Contact { frame, compliance })
+    }
+}
+
+impl<'a> Side<'a> {
+    fn new(body: &'a Body, which: usize) -> Result<Self, ContactError> {
+        let (Some(finite), Some(host)) = (&body.finite, Host::new(body, which)) else {
+            return Err(ContactError::NoZone { body: which });
+        };
+        if finite.elasticity == Elasticity::HalfSpace || body.material.is_none() {
+            let closing = (0..host.contact.len()).map(|pair| host.closing(pair));
+            let angle = closing.fold(1.0, f64::min).clamp(-1.0, 1.0).acos().to_degrees();
+            if angle > STEEPEST && body.material.is_some() {
+                return Err(ContactError::Steep { body: which, angle });
+            }
+            return Ok(Self { host, conditions: None });
+        }
+        let conditions =
+            Conditions::new(&host.surface, |node| supported(finite, node), &host.contact)
+                .map_err(|cause| ContactError::Undetermined { body: which, cause })?;
+        Ok(Self { host, conditions: Some(conditions) })
+    }
+}
+
+/// Whether a body deforms as a half-space.
+fn is_half_space(body: &Body) -> bool {
+    body.finite.as_ref().is_none_or(|finite| finite.elasticity == Elasticity::HalfSpace)
+}
+
+/// A body condensed to its contact nodes; `None` if that does not tell how it deforms.
+fn condensed(
+    bodies: [&Body; 2],
+    host: &Host<'_>,
+    conditions: Option<&Conditions>,
+    condense: Condense<'_>,
+) -> Result<Option<Condensed>, ContactError> {
+    let (Some(material), Some(conditions)) = (&bodies[host.which].material, conditions) else {
+        return Ok(None);
+    };
+    condense(host.finite, material, &Job { surface: &host.surface, conditions })
+        .map(Some)
+        .map_err(|cause| ContactError::Singular { body: host.which, cause })
+}
+
+/// Adds the recesses of the profiles, along the normal of each pair.
+fn add_profiles(bodies: [&Body; 2], pairs: &mut Pairs) -> Result<(), OffTheSurface> {
+    for (pair, [x, y, _]) in pairs.places.iter().enumerate() {
+        let closing = pairs.bases.get(pair).map_or(1.0, |basis| basis[2][2]);
+        for (body, recess) in bodies.map(|body| body.profile.recess(*x, *y)).iter().enumerate() {
+            if !recess.is_finite() {
+                return Err(OffTheSurface { body, place: [*x, *y] });
+            }
+            pairs.gap[pair] += recess * closing;
+        }
+    }
+    Ok(())
+}
+
+/// Brings the bodies together until they touch somewhere.
+fn touch(pairs: &mut Pairs, host: &Host<'_>) {
+    const FACING: f64 = 0.1;
+    let closing: Vec<f64> = (0..pairs.gap.len()).map(|pair| host.closing(pair)).collect();
+    let apart = pairs.gap.iter().zip(&closing).filter(|(_, closing)| **closing > FACING);
+    let least = apart.map(|(gap, closing)| gap / closing).fold(f64::INFINITY, f64::min);
+    if least.is_finite() {
+        pairs.gap.iter_mut().zip(&closing).for_each(|(gap, closing)| *gap -= least * closing);
+    }
+}
