@@ -7,56 +7,58 @@ pub struct Builtin {
     pub name: &'static str,
     /// Its case file.
     pub text: &'static str,
+    /// Files the case reads, each with its name.
+    pub files: &'static [(&'static str, &'static [u8])],
 }
 
 /// All of them.
 pub const CASES: &[Builtin] = &[
-    Builtin { name: "hertz", text: include_str!("../../../cases/hertz/case.toml") },
-    Builtin { name: "pin_on_disc", text: include_str!("../../../cases/pin_on_disc/case.toml") },
+    without_files("hertz", include_str!("../../../cases/hertz/case.toml")),
+    without_files("pin_on_disc", include_str!("../../../cases/pin_on_disc/case.toml")),
+    without_files("pin_on_disc_both", include_str!("../../../cases/pin_on_disc_both/case.toml")),
+    without_files("carter", include_str!("../../../cases/carter/case.toml")),
+    without_files("kalker_creepage", include_str!("../../../cases/kalker_creepage/case.toml")),
+    without_files(
+        "free_rolling_unlike",
+        include_str!("../../../cases/free_rolling_unlike/case.toml"),
+    ),
+    without_files("twin_disc", include_str!("../../../cases/twin_disc/case.toml")),
+    without_files(
+        "twin_disc_accelerated",
+        include_str!("../../../cases/twin_disc_accelerated/case.toml"),
+    ),
+    without_files("cattaneo_mindlin", include_str!("../../../cases/cattaneo_mindlin/case.toml")),
+    without_files("spence", include_str!("../../../cases/spence/case.toml")),
+    without_files("punch_indentation", include_str!("../../../cases/punch_indentation/case.toml")),
+    without_files(
+        "punch_indentation_block",
+        include_str!("../../../cases/punch_indentation_block/case.toml"),
+    ),
+    without_files(
+        "punch_fretting_block",
+        include_str!("../../../cases/punch_fretting_block/case.toml"),
+    ),
+    without_files("punch_fretting", include_str!("../../../cases/punch_fretting/case.toml")),
+    without_files("fretting_sphere", include_str!("../../../cases/fretting_sphere/case.toml")),
+    without_files(
+        "running_in_flat_punch",
+        include_str!("../../../cases/running_in_flat_punch/case.toml"),
+    ),
     Builtin {
-        name: "pin_on_disc_both",
-        text: include_str!("../../../cases/pin_on_disc_both/case.toml"),
-    },
-    Builtin { name: "carter", text: include_str!("../../../cases/carter/case.toml") },
-    Builtin {
-        name: "kalker_creepage",
-        text: include_str!("../../../cases/kalker_creepage/case.toml"),
-    },
-    Builtin {
-        name: "free_rolling_unlike",
-        text: include_str!("../../../cases/free_rolling_unlike/case.toml"),
-    },
-    Builtin { name: "twin_disc", text: include_str!("../../../cases/twin_disc/case.toml") },
-    Builtin {
-        name: "twin_disc_accelerated",
-        text: include_str!("../../../cases/twin_disc_accelerated/case.toml"),
-    },
-    Builtin {
-        name: "cattaneo_mindlin",
-        text: include_str!("../../../cases/cattaneo_mindlin/case.toml"),
-    },
-    Builtin { name: "spence", text: include_str!("../../../cases/spence/case.toml") },
-    Builtin {
-        name: "punch_indentation",
-        text: include_str!("../../../cases/punch_indentation/case.toml"),
-    },
-    Builtin {
-        name: "punch_indentation_block",
-        text: include_str!("../../../cases/punch_indentation_block/case.toml"),
-    },
-    Builtin {
-        name: "punch_fretting",
-        text: include_str!("../../../cases/punch_fretting/case.toml"),
-    },
-    Builtin {
-        name: "fretting_sphere",
-        text: include_str!("../../../cases/fretting_sphere/case.toml"),
+        name: "patch_test",
+        text: include_str!("../../../cases/patch_test/case.toml"),
+        files: &[("block.msh", include_bytes!("../../../cases/patch_test/block.msh"))],
     },
     Builtin {
-        name: "running_in_flat_punch",
-        text: include_str!("../../../cases/running_in_flat_punch/case.toml"),
+        name: "hollow_sphere",
+        text: include_str!("../../../cases/hollow_sphere/case.toml"),
+        files: &[("octant.msh", include_bytes!("../../../cases/hollow_sphere/octant.msh"))],
     },
 ];
+
+const fn without_files(name: &'static str, text: &'static str) -> Builtin {
+    Builtin { name, text, files: &[] }
+}
 
 impl Builtin {
     /// What it is about: the title in its file.

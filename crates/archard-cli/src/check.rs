@@ -1,6 +1,6 @@
 //! `archard check`: the case in SI, what to expect, what is doubtful.
 
-use archard::case;
+use archard::case::{BesideHalfSpace, Case as ContactCase, Task};
 
 use crate::arguments::Case;
 use crate::diagnose;
@@ -9,14 +9,17 @@ use crate::say::say;
 
 /// Checks a case.
 pub fn check(arguments: &Case) -> Result<(), Failure> {
-    let resolved = diagnose::resolve(arguments, false)?;
-    say(&format!("# The case in SI\n\n{}", resolved.case))?;
-    say(&format!(
-        "# What to expect\n\n{}{}",
-        resolved.forecast,
-        beside_half_spaces(&resolved.case)
-    ))?;
-    match resolved.warnings.len() {
+    let task = diagnose::resolve(arguments, false)?;
+    let (case, forecast) = match &task {
+        Task::Contact(resolved) => {
+            let beside = beside_half_spaces(&resolved.case);
+            (resolved.case.to_string(), format!("{}{beside}", resolved.forecast))
+        }
+        Task::Elastic(resolved) => (resolved.case.to_string(), resolved.forecast.to_string()),
+    };
+    say(&format!("# The case in SI\n\n{case}"))?;
+    say(&format!("# What to expect\n\n{forecast}"))?;
+    match task.warnings().len() {
         0 => say("No warnings."),
         1 => say("1 warning, shown above."),
         n => say(&format!("{n} warnings, shown above.")),
@@ -24,9 +27,9 @@ pub fn check(arguments: &Case) -> Result<(), Failure> {
 }
 
 /// What half-spaces in the place of meshed bodies would change.
-fn beside_half_spaces(case: &case::Case) -> String {
+fn beside_half_spaces(case: &ContactCase) -> String {
     let found = case.beside_half_spaces();
-    let line = |one: &case::BesideHalfSpace| {
+    let line = |one: &BesideHalfSpace| {
         let more = if one.share < 0.0 { "less" } else { "more" };
         let share = 100.0 * one.share.abs();
         format!(

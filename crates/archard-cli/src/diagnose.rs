@@ -4,22 +4,22 @@ use std::io::IsTerminal;
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
-use archard::case::{CaseFile, Problem, Resolved, Severity};
+use archard::case::{CaseFile, Problem, Severity, Task};
 
 use crate::arguments::Case;
 use crate::failure::Failure;
 
 /// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
-pub fn resolve(arguments: &Case, quiet: bool) -> Result<Resolved, Failure> {
+pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
     let file =
         CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
     let file = arguments.set.iter().fold(file, |file, option| file.set(option));
-    match file.resolve() {
-        Ok(resolved) => {
+    match file.task() {
+        Ok(task) => {
             if !quiet {
-                show(&file, &resolved.warnings);
+                show(&file, task.warnings());
             }
-            Ok(resolved)
+            Ok(task)
         }
         Err(problems) => {
             show(&file, &problems);

@@ -39,9 +39,12 @@ fn list() -> Result<(), Failure> {
     say("\narchard new NAME writes one out to start from")
 }
 
-/// Writes the case, never over a file that is there.
+/// Writes the case and the files it reads, never over a file that is there.
 fn write(dir: &Path, path: &Path, builtin: &Builtin) -> io::Result<()> {
     fs::create_dir_all(dir)?;
-    let mut file = OpenOptions::new().write(true).create_new(true).open(path)?;
-    file.write_all(builtin.text.as_bytes())
+    let write = |path: &Path, bytes: &[u8]| {
+        OpenOptions::new().write(true).create_new(true).open(path)?.write_all(bytes)
+    };
+    write(path, builtin.text.as_bytes())?;
+    builtin.files.iter().try_for_each(|(name, bytes)| write(&dir.join(name), bytes))
 }

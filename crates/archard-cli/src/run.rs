@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use archard::body::Body;
-use archard::case::Resolved;
+use archard::case::{Resolved, Task};
 use archard::kinematics::{Rolling, Shift};
 use archard::output::{ResultFolder, Totals};
 use archard::simulation::{Effort, Error, Simulation};
 
 use crate::arguments::Run;
 use crate::diagnose;
+use crate::elastic;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
 use crate::number::{count, energy, four};
@@ -25,10 +26,14 @@ const MOST_THREADS: usize = 8;
 pub fn run(arguments: &Run) -> Result<(), Failure> {
     // First of all: whatever works in parallel before it would fix the number of threads.
     set_threads(arguments)?;
-    let Resolved { case, warnings, .. } = diagnose::resolve(&arguments.case, arguments.quiet)?;
-    let warnings = warnings.iter().map(|warning| warning.title()).collect();
+    let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
     let dir = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.case.case));
     keep_the_case(&arguments.case.case, &dir)?;
+    let Resolved { case, warnings, .. } = match task {
+        Task::Contact(resolved) => *resolved,
+        Task::Elastic(resolved) => return elastic::run(&resolved, &dir, arguments.quiet),
+    };
+    let warnings = warnings.iter().map(|warning| warning.title()).collect();
     let mut folder = ResultFolder::create(&dir, &case.to_string())
         .map_err(|error| Failure::wrong(error.to_string()))?;
     let mut follower = Follower::new(arguments.quiet);

@@ -407,3 +407,28 @@ fn check_compares_a_meshed_body_with_a_half_space() {
         assert!(printed.contains(line), "{line} is not in\n{printed}");
     }
 }
+
+#[test]
+fn an_elastic_body_is_checked_and_run() {
+    let dir = TempDir::new().unwrap();
+    archard(&dir, &["new", "patch_test"]).success();
+    let checked = printed(&archard(&dir, &["check", "patch_test"]).success());
+    for line in ["output.points.on_x1 = [\"1 m\", \"0.4 m\", \"0.7 m\"]", "`cut`", "unknowns"] {
+        assert!(checked.contains(line), "{line} is not in\n{checked}");
+    }
+    let ran = printed(&archard(&dir, &["run", "patch_test"]).success());
+    assert!(ran.contains("at `inside`"), "{ran}");
+    let results = dir.path().join("results/patch_test");
+    let points = fs::read_to_string(results.join("points.csv")).unwrap();
+    let header = "point,x_m,y_m,z_m,depth_m,displacement_x_m,displacement_y_m,displacement_z_m,\
+        stress_xx_Pa,stress_yy_Pa,stress_zz_Pa,stress_xy_Pa,stress_yz_Pa,stress_zx_Pa,von_mises_Pa";
+    assert_eq!(points.lines().next(), Some(header));
+    assert_eq!(points.lines().count(), 4);
+    let surface = archard::output::Surface::read(&results.join("surface.vtu")).unwrap();
+    let stress = surface.field("stress_zz_Pa").expect("a field");
+    assert!(stress.iter().all(|stress| (stress - 1.5e6).abs() < 50.0), "{stress:?}");
+    archard(&dir, &["run", "results/patch_test", "-o", "again", "-q"]).success();
+    assert_eq!(fs::read_to_string(dir.path().join("again/points.csv")).unwrap(), points);
+    let refused = archard(&dir, &["plot", "results/patch_test"]).code(2);
+    assert!(said(&refused).contains("open its surface.vtu"), "{}", said(&refused));
+}

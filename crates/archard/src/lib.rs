@@ -38,6 +38,9 @@
 //! Results go to the [observers](simulation::Observer) handed to `run`:
 //! [`output::ResultFolder`] writes files, your own keeps what it likes.
 //!
+//! A case of one body, without contact, is [resolved](case::CaseFile::task) to an
+//! [`elastic::ElasticBody`].
+//!
 //! # The names
 //!
 //! A [`Case`] builds a [`Simulation`]: a [`ContactProblem`], a [`Solver`] and a schedule. The problem
@@ -53,6 +56,7 @@ pub mod body;
 pub mod case;
 pub mod closed_form;
 pub mod compliance;
+pub mod elastic;
 pub mod frame;
 pub mod friction;
 pub mod kinematics;

@@ -10,7 +10,7 @@ const LAYERS: &[&[&str]] = &[
     &["body"],
     &["frame", "closed_form"],
     &["compliance", "kinematics"],
-    &["problem"],
+    &["elastic", "problem"],
     &["solve"],
     &["simulation"],
     &["output"],

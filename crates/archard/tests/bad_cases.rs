@@ -77,8 +77,8 @@ fn mismatches(path: &Path) -> Vec<String> {
     }
     let options = comments(&text, "set");
     let file = options.fold(CaseFile::read(path).unwrap(), |file, option| file.set(option));
-    let (refused, found) = match file.resolve() {
-        Ok(resolved) => (false, resolved.warnings),
+    let (refused, found) = match file.task() {
+        Ok(task) => (false, task.warnings().to_vec()),
         Err(problems) => (true, problems),
     };
     let mut mismatches = vec![];

@@ -7,6 +7,7 @@
 //! [[expect]]
 //! column = "wear_depth_m"                # a result column
 //! at = "500 mm"                          # progress of its row; the last row if left out
+//! point = "middle"                       # of an elastic body, instead: the point
 //! value = "2.059002 um"                  # with a unit of the column's dimension, if it has one
 //! within = 0.006                         # largest relative difference
 //! source = "..."                         # where the value comes from
@@ -18,7 +19,8 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use archard::case::CaseFile;
+use archard::case::{CaseFile, Task};
+use archard::elastic;
 use archard::units::{self, Dimension, Measure};
 use toml::de::{DeTable, DeValue};
 
@@ -29,6 +31,7 @@ struct Expected {
     options: Vec<String>,
     column: String,
     at: Option<String>,
+    point: Option<String>,
     value: String,
     within: f64,
 }
@@ -61,7 +64,7 @@ fn expected(file: &str) -> Vec<Expected> {
     let coarse = texts(&document, "coarse");
     let entries = document.get("expect").expect("`expect`").get_ref();
     let entry = |table: &DeTable<'_>| {
-        let known = ["column", "at", "value", "within", "source", "set"];
+        let known = ["column", "at", "point", "value", "within", "source", "set"];
         assert!(table.keys().all(|key| known.contains(&&**key.get_ref())), "{table:?}");
         assert!(text(table, "source").is_some_and(|source| !source.is_empty()), "{table:?}");
         let within = match table.get("within").expect("`within`").get_ref() {
@@ -72,6 +75,7 @@ fn expected(file: &str) -> Vec<Expected> {
             options: [&coarse[..], &texts(table, "set")[..]].concat(),
             column: text(table, "column").expect("`column`"),
             at: text(table, "at"),
+            point: text(table, "point"),
             value: text(table, "value").expect("`value`"),
             within,
         }
@@ -107,24 +111,42 @@ fn read(text: &str, column: &str) -> f64 {
     }
 }
 
-/// The rows of the case in a folder, run with these options.
-fn run(folder: &Path, options: &[String]) -> Result<Rows, String> {
+/// What a case gives: a row a step, or a row a point of an elastic body.
+struct Results {
+    points: Vec<String>,
+    rows: Rows,
+}
+
+/// The results of the case in a folder, run with these options.
+fn run(folder: &Path, options: &[String]) -> Result<Results, String> {
     let file = CaseFile::read(folder).map_err(|error| error.to_string())?;
     let file = options.iter().fold(file, |file, option| file.set(option));
-    let resolved = file.resolve().map_err(|problems| {
+    let task = file.task().map_err(|problems| {
         problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join("\n")
     })?;
+    let resolved = match task {
+        Task::Contact(resolved) => resolved,
+        Task::Elastic(resolved) => {
+            let body = resolved.case.build().map_err(|error| error.to_string())?;
+            let deformed = body.solve().map_err(|error| error.to_string())?;
+            let points = body.points.iter().map(|point| point.name.clone()).collect();
+            let rows = Rows(deformed.points.iter().map(elastic::row).collect());
+            return Ok(Results { points, rows });
+        }
+    };
     let simulation = resolved.case.build().map_err(|error| error.to_string())?;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
-    Ok(rows)
+    Ok(Results { points: vec![], rows })
 }
 
-/// The number in a column at the given progress, which is the first column.
-fn number(rows: &Rows, column: &str, at: Option<&str>) -> Option<f64> {
-    let row = match at {
-        None => rows.0.last()?,
-        Some(at) => {
+/// The number in a column at a point or at the given progress, which is the first column.
+fn number(Results { points, rows }: &Results, expected: &Expected) -> Option<f64> {
+    let Expected { column, at, point, .. } = expected;
+    let row = match (at, point) {
+        (None, None) => rows.0.last()?,
+        (_, Some(name)) => rows.0.get(points.iter().position(|known| known == name)?)?,
+        (Some(at), None) => {
             let place = read(at, &rows.0.first()?.first()?.0);
             rows.0.iter().find(|row| (row[0].1 - place).abs() <= 1e-9 * place)?
         }
@@ -138,20 +160,21 @@ fn mismatches(folder: &Path) -> Vec<String> {
         return vec!["there is no expected.toml".to_owned()];
     };
     let expected = expected(&file);
-    let mut runs: Vec<(&[String], Result<Rows, String>)> = vec![];
+    let mut runs: Vec<(&[String], Result<Results, String>)> = vec![];
     let mut mismatches = vec![];
     for one in &expected {
         if !runs.iter().any(|(options, _)| *options == one.options) {
             runs.push((&one.options, run(folder, &one.options)));
         }
-        let rows = &runs.iter().find(|(options, _)| *options == one.options).unwrap().1;
-        let name = format!("{} at {:?} with {:?}", one.column, one.at, one.options);
-        let found = match rows {
+        let results = &runs.iter().find(|(options, _)| *options == one.options).unwrap().1;
+        let at = one.at.as_ref().or(one.point.as_ref());
+        let name = format!("{} at {at:?} with {:?}", one.column, one.options);
+        let found = match results {
             Err(error) => {
                 mismatches.push(format!("{name}: {error}"));
                 continue;
             }
-            Ok(rows) => number(rows, &one.column, one.at.as_deref()),
+            Ok(results) => number(results, one),
         };
         let value = read(&one.value, &one.column);
         match found {
@@ -214,7 +237,7 @@ fn every_case_explains_itself_in_commands_that_are_right() {
         for options in commands {
             let file = CaseFile::read(&folder).unwrap();
             let file = options.iter().fold(file, |file, option| file.set(option));
-            assert!(file.resolve().is_ok(), "{}: {options:?}", folder.display());
+            assert!(file.task().is_ok(), "{}: {options:?}", folder.display());
         }
     }
 }

@@ -2,6 +2,7 @@
 
 mod common;
 mod contracts {
+    mod element;
     mod friction;
     mod mesh;
     mod rolling;

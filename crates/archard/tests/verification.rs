@@ -5,6 +5,7 @@ mod common;
 mod verification {
     mod cattaneo_mindlin;
     mod compliance;
+    mod elastic_bodies;
     mod fretting_wear;
     mod hertz;
     mod loading_paths;

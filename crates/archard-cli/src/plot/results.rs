@@ -60,6 +60,11 @@ impl Results {
     pub(super) fn read(dir: &Path) -> anyhow::Result<Self> {
         let history = dir.join("history.csv");
         ensure!(
+            !dir.join("surface.vtu").is_file(),
+            "`{}` holds an elastic body, of which no pictures are drawn: open its surface.vtu in ParaView",
+            dir.display()
+        );
+        ensure!(
             history.is_file(),
             "`{}` is not a result folder: it has no history.csv",
             dir.display()

@@ -7,6 +7,7 @@ use toml::de::DeTable;
 
 use super::check::{self, Forecast};
 use super::definition::Case;
+use super::elastic::{self, ElasticCase, ElasticForecast};
 use super::key::Key;
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
@@ -42,6 +43,36 @@ pub struct Resolved {
     pub forecast: Forecast,
     /// What may not be as it was meant.
     pub warnings: Vec<Problem>,
+}
+
+/// A case of one elastic body that can be computed.
+#[derive(Debug, Clone)]
+pub struct ResolvedElastic {
+    /// The case in SI.
+    pub case: ElasticCase,
+    /// What it will take.
+    pub forecast: ElasticForecast,
+    /// What may not be as it was meant.
+    pub warnings: Vec<Problem>,
+}
+
+/// What a case asks for.
+#[derive(Debug, Clone)]
+pub enum Task {
+    /// Two bodies in contact.
+    Contact(Box<Resolved>),
+    /// One elastic body by itself.
+    Elastic(Box<ResolvedElastic>),
+}
+
+impl Task {
+    /// What may not be as it was meant.
+    pub fn warnings(&self) -> &[Problem] {
+        match self {
+            Task::Contact(resolved) => &resolved.warnings,
+            Task::Elastic(resolved) => &resolved.warnings,
+        }
+    }
 }
 
 impl CaseFile {
@@ -111,18 +142,53 @@ impl CaseFile {
         format!("{place}: {}: {}", problem.severity, problem.title())
     }
 
-    /// Reads and checks the case.
+    /// Reads and checks the case: one of two bodies in contact, or of one body by itself.
+    ///
+    /// # Errors
+    /// All that is wrong with it, and the warnings besides.
+    pub fn task(&self) -> Result<Task, Vec<Problem>> {
+        let laid = self.laid();
+        if !Reader::is_elastic(&Section { key: Key::default(), table: &laid.table }) {
+            return self.resolve_contact(laid).map(|resolved| Task::Contact(Box::new(resolved)));
+        }
+        let (case, forecast, warnings) =
+            self.examine(laid, |reader, root| reader.elastic(root), elastic::check)?;
+        Ok(Task::Elastic(Box::new(ResolvedElastic { case, forecast, warnings })))
+    }
+
+    /// Reads and checks a case of two bodies in contact.
     ///
     /// # Errors
     /// All that is wrong with it, and the warnings besides.
     pub fn resolve(&self) -> Result<Resolved, Vec<Problem>> {
+        self.resolve_contact(self.laid())
+    }
+
+    fn resolve_contact(&self, laid: Laid) -> Result<Resolved, Vec<Problem>> {
+        let (case, forecast, warnings) =
+            self.examine(laid, |reader, root| reader.case(root), check::check)?;
+        Ok(Resolved { case, forecast, warnings })
+    }
+
+    /// The tree of the file with the options laid over it.
+    fn laid(&self) -> Laid {
         let (mut table, syntax) = self.parse();
-        let mut problems = vec![];
-        for (index, option) in self.options.iter().enumerate() {
-            problems.extend(overlay::apply(&mut table, index, option).err());
-        }
+        let options = self.options.iter().enumerate();
+        let problems = options
+            .filter_map(|(index, option)| overlay::apply(&mut table, index, option).err())
+            .collect();
+        Laid { table, syntax, problems }
+    }
+
+    /// Reads a case and checks it, if it could be read.
+    fn examine<C, F>(
+        &self,
+        Laid { table, syntax, problems }: Laid,
+        read: impl FnOnce(&mut Reader<'_>, &Section<'_>) -> Option<C>,
+        check: impl FnOnce(&C) -> (F, Vec<Problem>),
+    ) -> Result<(C, F, Vec<Problem>), Vec<Problem>> {
         let mut reader = Reader { folder: &self.folder, problems };
-        let case = reader.case(&Section { key: Key::default(), table: &table });
+        let case = read(&mut reader, &Section { key: Key::default(), table: &table });
         let mut problems = reader.problems;
         let failed = |problems: &[Problem]| {
             problems.iter().any(|problem| problem.severity == Severity::Error)
@@ -132,15 +198,13 @@ impl CaseFile {
             && syntax.is_empty()
             && !failed(&problems)
         {
-            let (forecast, doubts) = check::check(&case);
+            let (forecast, doubts) = check(&case);
             problems.extend(doubts);
             checked = Some((case, forecast));
         }
         let problems = self.locate(problems, syntax, &table);
         match checked {
-            Some((case, forecast)) if !failed(&problems) => {
-                Ok(Resolved { case, forecast, warnings: problems })
-            }
+            Some((case, forecast)) if !failed(&problems) => Ok((case, forecast, problems)),
             _ => Err(problems),
         }
     }
@@ -191,6 +255,15 @@ impl CaseFile {
         });
         problems
     }
+}
+
+/// A tree with what is wrong with it so far.
+struct Laid {
+    table: Table,
+    /// What is not TOML in the file.
+    syntax: Vec<Problem>,
+    /// What is wrong with the options.
+    problems: Vec<Problem>,
 }
 
 /// Whether a list, a table or a text never ends.

@@ -7,6 +7,9 @@
 //! [`Simulation`](crate::simulation::Simulation), and a [`Forecast`] of the run; or all
 //! [`Problem`]s at once.
 //!
+//! A case of one meshed body is an elastic problem without contact: an [`ElasticCase`], which builds an
+//! [`ElasticBody`](crate::elastic::ElasticBody). [`CaseFile::task`] tells the two apart.
+//!
 //! # Case files
 //!
 //! TOML. A value with a dimension is a text with its unit (`"50 mm"`). The choice is the name of a
@@ -22,6 +25,7 @@ mod check;
 mod chosen;
 mod columns;
 mod definition;
+mod elastic;
 mod file;
 mod key;
 #[cfg(test)]
@@ -41,6 +45,7 @@ pub use check::{
 };
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
-pub use file::{CaseFile, Resolved, Unreadable};
+pub use elastic::{ElasticCase, ElasticForecast};
+pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
 pub use key::Key;
 pub use problem::{Location, Problem, Severity, Source};

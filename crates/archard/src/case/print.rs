@@ -6,9 +6,11 @@ use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use super::chosen::Chosen;
-use super::definition::{Case, FiniteCase, Output};
+use super::definition::{BodyCase, Case, FiniteCase, Output};
+use super::elastic::ElasticCase;
 use super::quantity::measure;
-use crate::body::{Elasticity, Interpolation, Material, Support};
+use crate::body::{Elasticity, Interpolation, Support};
+use crate::elastic::Point;
 use crate::parameters::{Parameter, Quantity, Value, Values};
 
 impl Display for Case {
@@ -18,10 +20,7 @@ impl Display for Case {
         }
         for body in &self.bodies {
             let key = format!("body.{}", body.name);
-            match &body.material {
-                Some(material) => print_material(f, &key, material)?,
-                None => writeln!(f, "{key}.rigid = true")?,
-            }
+            print_material(f, &key, body)?;
             print_chosen(f, &format!("{key}.profile"), &body.profile)?;
             if let Some(finite) = &body.finite {
                 print_finite(f, &key, finite)?;
@@ -70,7 +69,27 @@ impl Case {
     }
 }
 
-fn print_material(f: &mut Formatter<'_>, key: &str, material: &Material) -> fmt::Result {
+impl Display for ElasticCase {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if let Some(title) = &self.title {
+            writeln!(f, "title = {}\n", quoted(title))?;
+        }
+        let key = format!("body.{}", self.body.name);
+        print_material(f, &key, &self.body)?;
+        if let Some(finite) = &self.body.finite {
+            print_finite(f, &key, finite)?;
+        }
+        writeln!(f)?;
+        for Point { name, place } in &self.points {
+            let place = place.map(|one| si(one, "m")).join(", ");
+            writeln!(f, "output.points.{name} = [{place}]")?;
+        }
+        Ok(())
+    }
+}
+
+fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Result {
+    let Some(material) = &body.material else { return writeln!(f, "{key}.rigid = true") };
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
 }

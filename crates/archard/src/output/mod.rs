@@ -12,11 +12,15 @@
 //!   that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals.
 //!
+//! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
+//! tractions and stresses, `points.csv` with a row a point, and `summary.json`.
+//!
 //! All of them are complete on the disk after every step, so an interrupted run can be read.
 
 mod appended;
 mod closed_forms;
 mod coefficients;
+mod elastic;
 mod fields;
 mod file;
 mod folder;
@@ -38,6 +42,7 @@ mod fixture;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub use elastic::write_elastic;
 pub use fields::{Field, fields};
 pub use folder::ResultFolder;
 pub use image::Image;

@@ -37,7 +37,8 @@ impl Reader<'_> {
             );
             return None;
         }
-        Some([first, second])
+        let touching = [&first, &second].map(|body| self.touches(&section.key, body));
+        (touching == [true; 2]).then_some([first, second])
     }
 
     fn count_bodies(&mut self, section: &Section<'_>) {
@@ -57,7 +58,8 @@ impl Reader<'_> {
         }
     }
 
-    fn body(&mut self, bodies: &Key, entry: &Entry) -> Option<BodyCase> {
+    /// A body.
+    pub(super) fn body(&mut self, bodies: &Key, entry: &Entry) -> Option<BodyCase> {
         let key = bodies.child(&entry.name);
         let named = is_bare(&entry.name) && entry.name != "total";
         if !named {

@@ -96,11 +96,6 @@ impl Reader<'_> {
                 self.push(Problem::error(key.clone(), message));
             }
         }
-        if meshed.zone.faces.is_empty() {
-            let message = "is missing: the part of the surface that may touch";
-            self.push(Problem::missing(key.child("contact"), message));
-            return None;
-        }
         sound.then_some(meshed)
     }
 
@@ -116,6 +111,18 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+
+    /// Whether a body says where it may touch, if it is meshed.
+    pub(super) fn touches(&mut self, bodies: &Key, body: &BodyCase) -> bool {
+        let Some(finite) = &body.finite else { return true };
+        if finite.meshed().is_ok_and(|meshed| !meshed.zone.faces.is_empty()) {
+            return true;
+        }
+        let key = bodies.child(&body.name).child("mesh").child(finite.mesh.choice.name);
+        let message = "is missing: the part of the surface that may touch";
+        self.push(Problem::missing(key.child("contact"), message));
+        false
     }
 
     /// The planes of symmetry.
@@ -221,7 +228,7 @@ impl Reader<'_> {
     }
 
     /// Three values in a list, along x, y and z.
-    fn three<T>(
+    pub(super) fn three<T>(
         &mut self,
         key: Key,
         node: &Node,

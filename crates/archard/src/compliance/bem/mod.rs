@@ -7,6 +7,7 @@ mod conditions;
 pub mod contact;
 pub mod element;
 mod integrate;
+mod interior;
 mod kelvin;
 mod patch;
 mod rigid;
@@ -16,6 +17,7 @@ mod solid;
 mod surface;
 
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
+pub use interior::{Interior, Response};
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
 pub use solid::{Boundary, Condensed, Solid};

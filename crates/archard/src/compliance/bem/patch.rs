@@ -52,10 +52,25 @@ impl Patch {
         one + s * along_s + t * along_t + s * t * both
     }
 
+    /// Reference coordinates of the middle, the mean of the corners.
+    pub fn middle_reference(&self) -> [f64; 2] {
+        if self.triangle() { [1.0 / 3.0; 2] } else { [0.0; 2] }
+    }
+
+    /// The place of the middle.
+    pub fn middle(&self) -> DVec3 {
+        self.at(self.middle_reference())
+    }
+
     /// Derivatives of the place with respect to s and t.
     pub fn tangents(&self, [s, t]: [f64; 2]) -> [DVec3; 2] {
         let [_, along_s, along_t, both] = self.map;
         [along_s + t * both, along_t + s * both]
+    }
+
+    /// Outward unit normal.
+    pub fn normal(&self, at: [f64; 2]) -> DVec3 {
+        self.area_vector(at).normalize()
     }
 
     /// Outward area vector a unit of reference area.

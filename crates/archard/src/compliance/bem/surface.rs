@@ -7,7 +7,8 @@ use glam::DVec3;
 use super::element::{element, evaluate};
 use super::patch::Patch;
 use super::rules::{Places, Rules};
-use crate::body::{Interpolation, mesh::Mesh};
+use crate::body::Interpolation;
+use crate::body::mesh::{Corners, Mesh};
 
 /// Order of the rule that finds areas; exact on plane faces.
 const AREA_ORDER: usize = 4;
@@ -19,6 +20,8 @@ const AREA_ORDER: usize = 4;
 #[derive(Debug, Clone)]
 pub struct Surface {
     pub(super) patches: Vec<Patch>,
+    /// Vertices of the mesh at the corners of every element.
+    pub(super) corners: Vec<Corners>,
     /// Nodes of displacement and of traction by element and shape function.
     pub(super) local: Vec<[Local; 4]>,
     pub(super) nodes: Vec<DVec3>,
@@ -55,6 +58,7 @@ impl Surface {
     pub fn new(mesh: &Mesh, interpolation: Interpolation, mirrored: [bool; 2]) -> Self {
         let mut surface = Self {
             patches: vec![],
+            corners: vec![],
             local: vec![],
             nodes: vec![],
             tractions: vec![],
@@ -97,6 +101,7 @@ impl Surface {
                 traction.normal += if element.continuous { normal } else { at_node };
             }
             surface.patches.push(patch);
+            surface.corners.push(face.corners);
             surface.local.push(local);
         }
         for traction in &mut surface.tractions {
@@ -147,6 +152,17 @@ impl Surface {
         (0..2).any(|axis| {
             self.mirrored[axis] && self.nodes[node][axis] == 0.0 && direction[axis].abs() > 0.5
         })
+    }
+
+    /// Corners (m) of the parts of an element around each of its nodes, in the order of its shape functions.
+    pub fn parts_of(&self, face: usize) -> Vec<[DVec3; 4]> {
+        let corners = &self.patches[face].corners;
+        let count = corners.len();
+        let middle = corners.iter().sum::<DVec3>() / count as f64;
+        let half = |one: usize, other: usize| 0.5 * (corners[one] + corners[other % count]);
+        (0..count)
+            .map(|at| [corners[at], half(at, at + 1), middle, half(at, at + count - 1)])
+            .collect()
     }
 
     /// The images of a point in the planes of symmetry, itself first, as signs along x, y and z.

@@ -6,10 +6,10 @@ use super::{Condition, Conditions, Given, Solid, Surface};
 use crate::body::mesh::{Corners, Face, Mesh};
 use crate::body::{Interpolation, Material};
 
-const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
+pub(super) const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
 
 /// A unit box of that many quadrilaterals or pairs of triangles an edge, its vertices moved.
-fn cube(divisions: usize, triangles: bool, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
+pub(super) fn cube(divisions: usize, triangles: bool, moved: impl Fn(DVec3) -> DVec3) -> Mesh {
     let (mut vertices, mut faces) = (vec![], vec![]);
     let n = divisions;
     for axis in 0..3 {
@@ -52,7 +52,7 @@ fn cube(divisions: usize, triangles: bool, moved: impl Fn(DVec3) -> DVec3) -> Me
 }
 
 /// A linear field u = gradient (x - origin), and its stress.
-fn stress(gradient: DMat3) -> DMat3 {
+pub(super) fn stress(gradient: DMat3) -> DMat3 {
     let strain = 0.5 * (gradient + gradient.transpose());
     let trace = strain.x_axis.x + strain.y_axis.y + strain.z_axis.z;
     let shear = MATERIAL.shear_modulus();
@@ -60,7 +60,7 @@ fn stress(gradient: DMat3) -> DMat3 {
     2.0 * shear * strain + lame * trace * DMat3::IDENTITY
 }
 
-const GRADIENT: DMat3 = DMat3::from_cols(
+pub(super) const GRADIENT: DMat3 = DMat3::from_cols(
     DVec3::new(0.3, -0.2, 0.15),
     DVec3::new(0.1, -0.4, 0.25),
     DVec3::new(-0.05, 0.35, 0.2),

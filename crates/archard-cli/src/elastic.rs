@@ -1,0 +1,50 @@
+//! An elastic body by itself, through to its result folder.
+
+use std::path::Path;
+use std::time::Instant;
+
+use archard::case::ResolvedElastic;
+use archard::elastic::{Deformed, ElasticBody, von_mises};
+use archard::output::{Totals, write_elastic};
+
+use crate::failure::Failure;
+use crate::number::four;
+use crate::say::say;
+
+/// Computes a body and writes its results into a folder.
+pub fn run(resolved: &ResolvedElastic, dir: &Path, quiet: bool) -> Result<(), Failure> {
+    let ResolvedElastic { case, warnings, .. } = resolved;
+    let wrong = |error: &dyn std::error::Error| Failure::wrong(error.to_string());
+    let body = case.build().map_err(|error| wrong(&error))?;
+    let start = Instant::now();
+    let deformed = body.solve().map_err(|error| wrong(&error))?;
+    let totals = Totals {
+        seconds: start.elapsed().as_secs_f64(),
+        threads: rayon::current_num_threads(),
+        warnings: warnings.iter().map(|warning| warning.title()).collect(),
+        failure: None,
+    };
+    write_elastic(dir, &case.to_string(), (&body, &deformed), &totals)
+        .map_err(|error| wrong(&error))?;
+    if quiet { Ok(()) } else { summarize(&body, &deformed, &totals, dir) }
+}
+
+/// Says what came out and where it is.
+fn summarize(
+    body: &ElasticBody,
+    deformed: &Deformed,
+    totals: &Totals,
+    dir: &Path,
+) -> Result<(), Failure> {
+    let largest = deformed.boundary.displacement.iter().map(|u| u.length()).fold(0.0, f64::max);
+    say(&format!("displacement      {} um at most", four(largest * 1e6)))?;
+    for (point, response) in body.points.iter().zip(&deformed.points) {
+        let [x, y, z] = response.displacement.to_array().map(|u| four(u * 1e6));
+        let stress = four(von_mises(&response.stress) * 1e-6);
+        let name = &point.name;
+        say(&format!("at `{name}`  displacement ({x}, {y}, {z}) um, von Mises {stress} MPa"))?;
+    }
+    let unknowns = deformed.surface.unknowns();
+    say(&format!("time              {:.2} s, {unknowns} unknowns", totals.seconds))?;
+    say(&format!("results           {}", dir.display()))
+}

@@ -1,0 +1,100 @@
+//! A case of one body without contact: what to compute, in SI, and what to expect.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::definition::{BodyCase, BuildError};
+use super::key::Key;
+use super::problem::Problem;
+use crate::elastic::{ElasticBody, ElasticError, Point};
+use crate::parameters::Invalid;
+
+/// A checked case of one elastic body, in SI. It prints as a case file that reads back to the same bits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElasticCase {
+    /// What it is about.
+    pub title: Option<String>,
+    /// The body, which has a mesh.
+    pub body: BodyCase,
+    /// Points where displacement and stress are put out.
+    pub points: Vec<Point>,
+}
+
+/// What the computation of an elastic body will take.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ElasticForecast {
+    /// The surfaces with their numbers of elements.
+    pub surfaces: Vec<(String, usize)>,
+    /// Number of unknowns.
+    pub unknowns: usize,
+    /// Number of points inside.
+    pub points: usize,
+    /// Memory (bytes).
+    pub memory: f64,
+}
+
+/// Memory of the program without a body (bytes).
+const BYTES_OF_THE_PROGRAM: f64 = 10e6;
+/// Memory of an element of the matrix (bytes).
+const BYTES_AN_ELEMENT: f64 = 8.0;
+
+impl ElasticCase {
+    /// Builds the body.
+    ///
+    /// # Errors
+    /// If its mesh cannot be made; that of a checked case can.
+    pub fn build(&self) -> Result<ElasticBody, BuildError> {
+        let missing = |name| BuildError::from(Invalid::new(name, format!("`{name}` is missing")));
+        let finite = self.body.finite.as_ref().ok_or_else(|| missing("mesh"))?.build()?;
+        let material = self.body.material.ok_or_else(|| missing("material"))?;
+        let (name, points) = (self.body.name.clone(), self.points.clone());
+        Ok(ElasticBody { name, material, finite, points })
+    }
+}
+
+/// The forecast of a case and what is wrong with it.
+pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
+    let body = match case.build() {
+        Ok(body) => body,
+        // A case that was read has been built once already.
+        Err(error) => {
+            let problem = Problem::error(Key::default(), error.to_string());
+            return (ElasticForecast::default(), vec![problem]);
+        }
+    };
+    let surface = body.surface();
+    let problems = body.check(&surface).into_iter().map(|error| match &error {
+        ElasticError::Outside { point } => {
+            let key = Key::of(["output", "points", &point.name]);
+            Problem::error(key, "lies outside of the body")
+        }
+        ElasticError::Undetermined(_) | ElasticError::Singular(_) => {
+            let key = Key::of(["body", &case.body.name, "supports"]);
+            Problem::error(key, error.to_string()).at_name()
+        }
+    });
+    let problems = problems.collect();
+    let mesh = &body.finite.meshed.mesh;
+    let elements = |index: usize| mesh.faces.iter().filter(|face| face.surface == index).count();
+    let names = mesh.surfaces.iter().enumerate();
+    let unknowns = surface.unknowns();
+    let forecast = ElasticForecast {
+        surfaces: names.map(|(index, name)| (name.clone(), elements(index))).collect(),
+        unknowns,
+        points: body.points.len(),
+        memory: BYTES_OF_THE_PROGRAM + BYTES_AN_ELEMENT * (unknowns as f64).powi(2),
+    };
+    (forecast, problems)
+}
+
+impl Display for ElasticForecast {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let total: usize = self.surfaces.iter().map(|(_, elements)| elements).sum();
+        writeln!(f, "elements          {total}")?;
+        for (name, elements) in &self.surfaces {
+            writeln!(f, "                  {elements} on `{name}`")?;
+        }
+        writeln!(f, "unknowns          {}", self.unknowns)?;
+        writeln!(f, "points            {}", self.points)?;
+        writeln!(f, "memory            about {:.0} MB", self.memory * 1e-6)
+    }
+}

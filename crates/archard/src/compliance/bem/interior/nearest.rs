@@ -1,0 +1,136 @@
+//! The place of the surface nearest to a point, and whether the point is inside.
+
+use std::array;
+use std::f64::consts::TAU;
+
+use glam::{DMat2, DVec2, DVec3};
+
+use super::super::patch::Patch;
+use super::super::surface::Surface;
+
+/// The place of the surface nearest to a point.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearest {
+    pub face: usize,
+    /// The mirror image it belongs to.
+    pub image: DVec3,
+    /// Reference coordinates on the element.
+    pub reference: [f64; 2],
+    /// The place (m) and how far it is from the point (m).
+    pub at: DVec3,
+    pub distance: f64,
+    /// Length of the element (m).
+    pub size: f64,
+    /// Whether the surface encloses the point.
+    pub inside: bool,
+}
+
+impl Nearest {
+    /// A place of an element itself.
+    pub fn on_element(patch: &Patch, face: usize, reference: [f64; 2]) -> Self {
+        let (at, size) = (patch.at(reference), size(patch));
+        Self { face, image: DVec3::ONE, reference, at, distance: 0.0, size, inside: true }
+    }
+}
+
+/// Length of an element (m).
+fn size(patch: &Patch) -> f64 {
+    2.0 * patch.half[0].max(patch.half[1])
+}
+
+/// Improvements of the place on an element that is no parallelogram.
+const STEPS: usize = 3;
+
+/// The place of the surface and its mirror images nearest to a point; `None` without elements.
+pub(super) fn nearest(surface: &Surface, point: DVec3) -> Option<Nearest> {
+    let mut nearest: Option<Nearest> = None;
+    let mut angle = 0.0;
+    for image in surface.images() {
+        let seen = image * point;
+        for (face, patch) in surface.patches.iter().enumerate() {
+            let place = |corner: usize| patch.corners[corner] - seen;
+            angle += solid_angle([0, 1, 2].map(place));
+            if !patch.triangle() {
+                angle += solid_angle([0, 2, 3].map(place));
+            }
+            let least = nearest.map_or(f64::INFINITY, |nearest| nearest.distance);
+            if seen.distance(patch.centre) - patch.radius >= least {
+                continue;
+            }
+            let reference = on(patch, seen);
+            let distance = patch.at(reference).distance(seen);
+            if distance < least {
+                let on = Nearest::on_element(patch, face, reference);
+                nearest = Some(Nearest { image, at: image * on.at, distance, inside: false, ..on });
+            }
+        }
+    }
+    nearest.map(|nearest| Nearest { inside: angle > TAU, ..nearest })
+}
+
+/// Reference coordinates of the place on an element nearest to a point.
+fn on(patch: &Patch, point: DVec3) -> [f64; 2] {
+    let from = |corners: [usize; 3]| {
+        let shares = on_triangle(point, corners.map(|corner| patch.corners[corner]));
+        let reference: [f64; 2] = array::from_fn(|axis| {
+            shares.iter().zip(corners).map(|(s, c)| s * patch.element.corners[c][axis]).sum()
+        });
+        (patch.at(reference).distance(point), reference)
+    };
+    let first = from([0, 1, 2]);
+    if patch.triangle() {
+        return first.1;
+    }
+    let second = from([0, 2, 3]);
+    let mut reference = DVec2::from(if first.0 <= second.0 { first.1 } else { second.1 });
+    if patch.is_parallelogram() {
+        return reference.into();
+    }
+    for _ in 0..STEPS {
+        let [s, t] = patch.tangents(reference.into());
+        let away = point - patch.at(reference.into());
+        let normal = DMat2::from_cols_array(&[s.dot(s), s.dot(t), s.dot(t), t.dot(t)]).inverse();
+        let step = normal * DVec2::new(s.dot(away), t.dot(away));
+        reference = (reference + step).clamp(DVec2::NEG_ONE, DVec2::ONE);
+    }
+    reference.into()
+}
+
+/// What the corners of a triangle count for at the place nearest to a point (C. Ericson, *Real-Time Collision
+/// Detection*, Morgan Kaufmann 2005, section 5.1.5).
+fn on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
+    let (ab, ac, ap) = (b - a, c - a, point - a);
+    let normal = ab.cross(ac);
+    let square = normal.length_squared();
+    if square > 0.0 {
+        let v = ap.cross(ac).dot(normal) / square;
+        let w = ab.cross(ap).dot(normal) / square;
+        if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
+            return [1.0 - v - w, v, w];
+        }
+    }
+    let edge = |from: usize, to: usize| {
+        let corners = [a, b, c];
+        let along = corners[to] - corners[from];
+        let square = along.length_squared();
+        let share = (point - corners[from]).dot(along) / square;
+        let share = if square > 0.0 { share.clamp(0.0, 1.0) } else { 0.0 };
+        let mut shares = [0.0; 3];
+        (shares[from], shares[to]) = (1.0 - share, share);
+        (point.distance(corners[from] + share * along), shares)
+    };
+    let edges = [edge(0, 1), edge(1, 2), edge(2, 0)];
+    edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or([1.0, 0.0, 0.0], |edge| edge.1)
+}
+
+/// The solid angle a triangle fills as seen from the origin, positive from behind (A. Van Oosterom and J.
+/// Strackee, *IEEE Transactions on Biomedical Engineering* 30 (1983), 125-126).
+fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let lengths = [a, b, c].map(DVec3::length);
+    let volume = a.dot(b.cross(c));
+    let sum = lengths[0] * lengths[1] * lengths[2]
+        + a.dot(b) * lengths[2]
+        + b.dot(c) * lengths[0]
+        + c.dot(a) * lengths[1];
+    2.0 * volume.atan2(sum)
+}

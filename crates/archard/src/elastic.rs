@@ -1,0 +1,170 @@
+//! An elastic body by itself: how loads and supports deform it, without contact.
+//!
+//! An [`ElasticBody`] is solved by boundary elements. What comes out is a [`Deformed`]: displacements,
+//! tractions and stresses on the surface, and displacements and stresses at the points asked for.
+
+use glam::DMat3;
+
+use crate::body::{Finite, Material};
+use crate::compliance::bem::contact::supported;
+use crate::compliance::bem::{
+    Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined,
+};
+use crate::numerics::dense::Singular;
+
+/// A body with its loads and supports.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ElasticBody {
+    /// The user's name for it.
+    pub name: String,
+    /// What it is made of.
+    pub material: Material,
+    /// Its surface and what is known there.
+    pub finite: Finite,
+    /// Points where displacement and stress are wanted.
+    pub points: Vec<Point>,
+}
+
+/// A point of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// The user's name for it.
+    pub name: String,
+    /// Where it is (m).
+    pub place: [f64; 3],
+}
+
+/// What loads and supports make of a body.
+#[derive(Debug, Clone)]
+pub struct Deformed {
+    /// The elements.
+    pub surface: Surface,
+    /// Displacements and tractions on the surface.
+    pub boundary: Boundary,
+    /// Stress (Pa) on the surface, a value a node of tractions.
+    pub stress: Vec<DMat3>,
+    /// Displacement and stress at each point.
+    pub points: Vec<Response>,
+}
+
+/// Why a body cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ElasticError {
+    /// Its supports do not hold it.
+    #[error(transparent)]
+    Undetermined(#[from] Undetermined),
+    /// A point is not in the body.
+    #[error(
+        "the point `{}` at ({}, {}, {}) m lies outside of the body",
+        .point.name, .point.place[0], .point.place[1], .point.place[2]
+    )]
+    Outside {
+        /// The point.
+        point: Point,
+    },
+    /// Its equations have no solution.
+    #[error("{0}; are elements degenerate?")]
+    Singular(#[from] Singular),
+}
+
+impl ElasticBody {
+    /// Its elements.
+    pub fn surface(&self) -> Surface {
+        Surface::new(&self.finite.meshed.mesh, self.finite.interpolation, self.finite.mirrored)
+    }
+
+    /// What is known at the nodes.
+    ///
+    /// # Errors
+    /// If the supports do not hold the body.
+    pub fn conditions(&self, surface: &Surface) -> Result<Conditions, Undetermined> {
+        Conditions::new(surface, |node| supported(&self.finite, node), &[])
+    }
+
+    /// All that can be known to be wrong before the equations are made.
+    pub fn check(&self, surface: &Surface) -> Vec<ElasticError> {
+        let undetermined = self.conditions(surface).err().map(ElasticError::from);
+        let outside =
+            self.points.iter().filter(|point| surface.depth(point.place.into()).is_none());
+        let outside = outside.map(|point| ElasticError::Outside { point: point.clone() });
+        undetermined.into_iter().chain(outside).collect()
+    }
+
+    /// Displacements, tractions and stresses.
+    ///
+    /// # Errors
+    /// If the body is not held, a point lies outside of it, or its equations have no solution.
+    pub fn solve(&self) -> Result<Deformed, ElasticError> {
+        let Self { material, finite, .. } = self;
+        let surface = self.surface();
+        let conditions = self.conditions(&surface)?;
+        let solid = Solid::new(&surface, material, &conditions, finite.tolerance)?;
+        let boundary = solid.boundary(&[]);
+        let interior = Interior::new(&surface, material, &boundary, finite.tolerance);
+        let stress = interior.surface_stress();
+        let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
+        let at = |point: &Point| interior.at(point.place.into()).ok_or_else(|| outside(point));
+        let points = self.points.iter().map(at).collect::<Result<_, _>>()?;
+        Ok(Deformed { surface, boundary, stress, points })
+    }
+}
+
+impl Deformed {
+    /// Force (N) of the tractions on each surface, mirror images left out.
+    pub fn forces(&self) -> Vec<[f64; 3]> {
+        let mut forces = vec![[0.0; 3]; self.surface.names().len()];
+        for (node, traction) in self.surface.traction_nodes().iter().zip(&self.boundary.traction) {
+            let force = (node.area * *traction).to_array();
+            forces[node.surface].iter_mut().zip(force).for_each(|(sum, force)| *sum += force);
+        }
+        forces
+    }
+}
+
+/// Components of the stress by their names, with their places in the matrix.
+pub const STRESSES: [(&str, [usize; 2]); 6] = [
+    ("xx", [0, 0]),
+    ("yy", [1, 1]),
+    ("zz", [2, 2]),
+    ("xy", [0, 1]),
+    ("yz", [1, 2]),
+    ("zx", [2, 0]),
+];
+
+/// The equivalent stress of von Mises (Pa).
+pub fn von_mises(stress: &DMat3) -> f64 {
+    let mean = (stress.x_axis.x + stress.y_axis.y + stress.z_axis.z) / 3.0;
+    let deviator = *stress - mean * DMat3::IDENTITY;
+    let square: f64 = deviator.to_cols_array().iter().map(|value| value * value).sum();
+    (1.5 * square).sqrt()
+}
+
+/// The columns of a response: displacements (m), stresses and the equivalent stress (Pa).
+pub fn row(response: &Response) -> Vec<(String, f64)> {
+    let displacement = response.displacement.to_array().into_iter();
+    let displacement = ["x", "y", "z"]
+        .into_iter()
+        .zip(displacement)
+        .map(|(axis, value)| (format!("displacement_{axis}_m"), value));
+    let stress = STRESSES
+        .iter()
+        .map(|(name, [i, j])| (format!("stress_{name}_Pa"), response.stress.col(*j)[*i]));
+    let equivalent = ("von_mises_Pa".to_owned(), von_mises(&response.stress));
+    displacement.chain(stress).chain([equivalent]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::{DMat3, DVec3};
+
+    use super::von_mises;
+
+    #[test]
+    fn von_mises_knows_tension_shear_and_pressure() {
+        let tension = DMat3::from_diagonal(DVec3::new(0.0, -3.0, 0.0));
+        let shear = DMat3::from_cols(DVec3::Y, DVec3::X, DVec3::ZERO);
+        assert!((von_mises(&tension) - 3.0).abs() < 1e-14);
+        assert!((von_mises(&shear) - 3f64.sqrt()).abs() < 1e-14);
+        assert!(von_mises(&(5.0 * DMat3::IDENTITY)) < 1e-14);
+    }
+}

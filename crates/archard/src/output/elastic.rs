@@ -1,0 +1,102 @@
+//! The results of an elastic body: fields on its surface, and a row for each point inside.
+
+use std::fs;
+use std::path::Path;
+
+use glam::{DMat3, DVec3};
+use serde_json::{Map, Value, json};
+
+use super::table::{Table, number};
+use super::{Error, Field, Surface, Totals, file};
+use crate::compliance::bem::Response;
+use crate::elastic::{Deformed, ElasticBody, row};
+
+/// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder.
+///
+/// # Errors
+/// If the folder or a file in it cannot be written.
+pub fn write_elastic(
+    dir: &Path,
+    case_toml: &str,
+    (body, deformed): (&ElasticBody, &Deformed),
+    totals: &Totals,
+) -> Result<(), Error> {
+    fs::create_dir_all(dir).map_err(|source| Error::Write { path: dir.to_owned(), source })?;
+    file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
+    Surface::of_elastic(body, deformed).write(&dir.join("surface.vtu"))?;
+    if !body.points.is_empty() {
+        write_points(&dir.join("points.csv"), body, deformed)?;
+    }
+    let summary = format!("{:#}\n", summary(body, deformed, totals));
+    file::write_whole(&dir.join("summary.json"), summary.as_bytes())
+}
+
+fn write_points(path: &Path, body: &ElasticBody, deformed: &Deformed) -> Result<(), Error> {
+    let mut table = Table::create(path.to_owned())?;
+    for (point, response) in body.points.iter().zip(&deformed.points) {
+        let [x, y, z] = point.place.map(number);
+        let depth = deformed.surface.depth(point.place.into()).map_or(String::new(), number);
+        let place = [("x_m", x), ("y_m", y), ("z_m", z), ("depth_m", depth)];
+        let row = row(response);
+        let values = row.iter().map(|(column, value)| (column.as_str(), number(*value)));
+        let cells: Vec<(&str, String)> =
+            [("point", point.name.clone())].into_iter().chain(place).chain(values).collect();
+        table.row(&cells)?;
+    }
+    table.flush()
+}
+
+fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
+    let names = deformed.surface.names().iter();
+    let forces: Map<String, Value> =
+        names.zip(deformed.forces()).map(|(name, force)| (name.clone(), json!(force))).collect();
+    let displacement =
+        deformed.boundary.displacement.iter().map(|u| u.length()).fold(0.0, f64::max);
+    json!({
+        "program": "archard",
+        "version": env!("CARGO_PKG_VERSION"),
+        "complete": totals.failure.is_none(),
+        "failure": totals.failure,
+        "body": body.name,
+        "elements": body.finite.meshed.mesh.faces.len(),
+        "unknowns": deformed.surface.unknowns(),
+        "largest_displacement_m": displacement,
+        "force_on_surfaces_N": forces,
+        "seconds": totals.seconds,
+        "threads": totals.threads,
+        "warnings": totals.warnings,
+    })
+}
+
+impl Surface {
+    /// The surface of an elastic body: displacement, traction and stress at the nodes of every element.
+    pub fn of_elastic(body: &ElasticBody, deformed: &Deformed) -> Self {
+        let mut surface = Self { mirrored: body.finite.mirrored, ..Self::default() };
+        let mut columns: Vec<Field> = vec![];
+        let (mut displacements, mut tractions) = (vec![], vec![]);
+        let nodes = deformed.surface.traction_nodes();
+        for face in 0..body.finite.meshed.mesh.faces.len() {
+            let parts = deformed.surface.parts_of(face);
+            for (node, part) in deformed.surface.tractions_of(face).zip(parts) {
+                let displacement: DVec3 = deformed.boundary.displacement[nodes[node].node];
+                let stress: DMat3 = deformed.stress[node];
+                surface.places.push(nodes[node].place.to_array());
+                surface.outlines.push(part.map(|corner| corner.to_array()).to_vec());
+                displacements.push(displacement.to_array());
+                tractions.push(deformed.boundary.traction[node].to_array());
+                let row = row(&Response { displacement, stress });
+                columns.resize_with(row.len(), || Field { name: String::new(), values: vec![] });
+                for (column, (name, value)) in columns.iter_mut().zip(row) {
+                    column.name = name;
+                    column.values.push(value);
+                }
+            }
+        }
+        surface.fields = columns;
+        surface.vectors = vec![
+            ("displacement_m".to_owned(), displacements),
+            ("traction_Pa".to_owned(), tractions),
+        ];
+        surface
+    }
+}
