@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use faer::MatRef;
+use faer::{Mat, MatRef};
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -161,6 +161,13 @@ impl Compliance for Dense {
 
     fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
         self.multiply(2 * self.pairs, 2 * self.pairs, pressure, displacement);
+    }
+
+    fn normal_matrix(&self, pairs: &[usize], _: usize) -> Mat<f64> {
+        let first = 2 * self.pairs;
+        Mat::from_fn(pairs.len(), pairs.len(), |row, column| {
+            self.columns[(first + pairs[column]) * 3 * self.pairs + first + pairs[row]]
+        })
     }
 
     fn normal_self_term(&self) -> f64 {

@@ -9,6 +9,8 @@ mod worn_planes;
 
 use std::fmt::Debug;
 
+use faer::Mat;
+
 use crate::frame::{ContactFrame, Direction, VectorField};
 
 pub use dense::Dense;
@@ -33,6 +35,23 @@ pub trait Compliance: Debug + Send + Sync {
         let zeros = vec![0.0; pressure.len()];
         let tractions = VectorField { t1: zeros.clone(), t2: zeros, n: pressure.to_vec() };
         displacement.copy_from_slice(&self.apply(&tractions).n);
+    }
+
+    /// What `apply_normal` makes of the pressures of some pairs there, as a matrix (m/Pa): row by pair
+    /// displaced, column by pair pressed. By default one application a column.
+    fn normal_matrix(&self, pairs: &[usize], size: usize) -> Mat<f64> {
+        let mut matrix = Mat::zeros(pairs.len(), pairs.len());
+        let (mut pressure, mut displacement) = (vec![0.0; size], vec![0.0; size]);
+        for (column, &pressed) in pairs.iter().enumerate() {
+            pressure[pressed] = 1.0;
+            self.apply_normal(&pressure, &mut displacement);
+            pressure[pressed] = 0.0;
+            pairs
+                .iter()
+                .enumerate()
+                .for_each(|(row, &at)| matrix[(row, column)] = displacement[at]);
+        }
+        matrix
     }
 
     /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone, mirror images left out; the

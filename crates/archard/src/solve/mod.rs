@@ -9,6 +9,7 @@
 //!
 //! A new solver is one file here and one line in [`SOLVERS`].
 
+mod active_set;
 mod conjugate_gradient;
 pub mod joint;
 mod residual;
@@ -101,7 +102,8 @@ pub trait Solver: Debug + Send + Sync {
 }
 
 /// The solvers a case can name; the first is the default.
-pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uzawa::CHOICE];
+pub const SOLVERS: &[Choice<Box<dyn Solver>>] =
+    &[conjugate_gradient::CHOICE, active_set::CHOICE, uzawa::CHOICE];
 
 /// Bound on the residual where a case gives none.
 const TOLERANCE: f64 = 1e-8;

@@ -34,6 +34,8 @@ pub(super) struct System {
     pub matrix: Mat<f64>,
     pub contact: Mat<f64>,
     pub fixed: Mat<f64>,
+    /// How often Kelvin's solution was evaluated.
+    pub evaluations: usize,
 }
 
 /// What the equations are made from.
@@ -92,13 +94,11 @@ impl<'a> Assembly<'a> {
         let known = fixed.as_mut().par_row_chunks_mut(3 * BLOCK);
         let places = &self.surface.nodes;
         let blocks = blocks(places);
-        strips.zip(contacts).zip(known).zip(blocks).for_each(
-            |(((matrix, contact), fixed), nodes)| {
-                let rows = Rows { matrix, contact, fixed };
-                Strip::new(self, nodes).fill(rows);
-            },
-        );
-        System { matrix, contact, fixed }
+        let fill = |(((matrix, contact), fixed), nodes)| {
+            Strip::new(self, nodes).fill(Rows { matrix, contact, fixed })
+        };
+        let evaluations = strips.zip(contacts).zip(known).zip(blocks).map(fill).sum();
+        System { matrix, contact, fixed, evaluations }
     }
 }
 
@@ -123,6 +123,7 @@ struct Strip<'a> {
     places: Places,
     spots: Vec<Spot>,
     sums: Vec<f64>,
+    evaluations: usize,
 }
 
 impl<'a> Strip<'a> {
@@ -141,10 +142,12 @@ impl<'a> Strip<'a> {
             places: Places::default(),
             spots: vec![],
             sums: vec![0.0; 4 * ALL * BLOCK],
+            evaluations: 0,
         }
     }
 
-    fn fill(mut self, mut rows: Rows<'_>) {
+    /// Fills the rows; how often Kelvin's solution was evaluated for it.
+    fn fill(mut self, mut rows: Rows<'_>) -> usize {
         for face in 0..self.assembly.surface.patches.len() {
             self.tractions.fill(0.0);
             self.displacements.fill(0.0);
@@ -154,6 +157,7 @@ impl<'a> Strip<'a> {
             self.write(face, &mut rows);
         }
         self.write_own(&mut rows);
+        self.evaluations
     }
 
     fn point(&self, at: usize, image: DVec3) -> DVec3 {
@@ -200,6 +204,7 @@ impl<'a> Strip<'a> {
         self.assembly.rules.whole(patch, orders, &mut self.places);
         Spot::on(patch, &self.places, &mut self.spots);
         let width = group.len().next_multiple_of(8);
+        self.evaluations += width * self.spots.len();
         let mut points = [[0.0; BLOCK]; 3];
         for index in 0..width {
             let point = self.point(group[index.min(group.len() - 1)], image);
@@ -253,6 +258,7 @@ impl<'a> Strip<'a> {
             }
         }
         self.places.pad();
+        self.evaluations += self.places.s.len();
         let displacement = self.assembly.loaded[face];
         let kelvin = self.assembly.kelvin;
         let places = &self.places;

@@ -11,9 +11,10 @@
 //! Telles and L. C. Wrobel, *Boundary Element Techniques*, Springer 1984, eqs. 5.10 and 5.13).
 //! Displacements are those under a force of the size of the shear modulus.
 
+use std::array::from_fn;
 use std::f64::consts::PI;
 
-use pulp::Simd;
+use pulp::{Arch, Simd, WithSimd};
 
 /// Rows of a kernel's values: xx, xy, xz, yx, ... of T, then xx, yy, zz, xy, xz, yz of U.
 pub(super) const TRACTIONS: usize = 9;
@@ -53,6 +54,45 @@ impl Kelvin {
             one: simd.splat_f64s(1.0),
             three: simd.splat_f64s(3.0),
         }
+    }
+}
+
+/// Evaluates the tractions of Kelvin's solution that many times on points that stay in the cache and does nothing
+/// with them but add them up: what an assembly can at best be measured by.
+pub fn evaluate_alone(evaluations: usize) -> f64 {
+    Arch::new().dispatch(Alone { kelvin: Kelvin::new(0.3, 1.0), evaluations })
+}
+
+struct Alone {
+    kelvin: Kelvin,
+    evaluations: usize,
+}
+
+impl WithSimd for Alone {
+    type Output = f64;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> f64 {
+        const POINTS: usize = 64;
+        let lanes = self.kelvin.lanes(simd);
+        let coordinate = |axis: usize| -> [f64; POINTS] {
+            from_fn(|point| 1.0 + (0.1 + axis as f64) * point as f64)
+        };
+        let points = [0, 1, 2].map(coordinate);
+        let points = points.each_ref().map(|axis| S::as_simd_f64s(axis).0);
+        let normal = [0.6, 0.0, 0.8].map(|part| simd.splat_f64s(part));
+        let mut values = [simd.splat_f64s(0.0); ALL];
+        let mut sums = [simd.splat_f64s(0.0); TRACTIONS];
+        for _ in 0..self.evaluations.div_ceil(POINTS) {
+            for index in 0..points[0].len() {
+                let r = [0, 1, 2].map(|axis| points[axis][index]);
+                lanes.values(simd, r, normal, simd.splat_f64s(1.0), false, &mut values);
+                for (sum, value) in sums.iter_mut().zip(&values) {
+                    *sum = simd.add_f64s(*sum, *value);
+                }
+            }
+        }
+        sums.iter().map(|sum| simd.reduce_sum_f64s(*sum)).sum()
     }
 }
 

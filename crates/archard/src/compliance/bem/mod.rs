@@ -18,6 +18,7 @@ mod surface;
 
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
 pub use interior::{Interior, Response};
+pub use kelvin::evaluate_alone;
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
 pub use solid::{Boundary, Condensed, Solid};

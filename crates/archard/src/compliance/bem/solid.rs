@@ -1,5 +1,7 @@
 //! A body whose equations are solved.
 
+use std::time::{Duration, Instant};
+
 use faer::Mat;
 use glam::DVec3;
 
@@ -18,6 +20,8 @@ pub struct Solid<'a> {
     contact: Mat<f64>,
     fixed: Mat<f64>,
     unit: f64,
+    evaluations: usize,
+    assembly: Duration,
 }
 
 /// Displacements and tractions on the surface of a body, along x, y and z.
@@ -55,10 +59,17 @@ impl<'a> Solid<'a> {
         let length = 0.5 * (high - low).max_element();
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
+        let begun = Instant::now();
         let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system();
+        let (evaluations, assembly) = (system.evaluations, begun.elapsed());
         let factors = Lu::new(system.matrix)?;
         let (contact, fixed) = (system.contact, system.fixed);
-        Ok(Self { surface, conditions, factors, contact, fixed, unit })
+        Ok(Self { surface, conditions, factors, contact, fixed, unit, evaluations, assembly })
+    }
+
+    /// How often Kelvin's solution was evaluated, and the time the assembly took.
+    pub fn assembly(&self) -> (usize, Duration) {
+        (self.evaluations, self.assembly)
     }
 
     /// The compliance of the contact nodes.

@@ -1,0 +1,195 @@
+//! Cost of finite bodies: the stages from a mesh to results, against the parts that cannot be avoided.
+//!
+//! `cargo bench --bench finite` prints the tables of the book's page on performance. Every ratio is of times
+//! taken in the same run.
+
+#![allow(missing_docs, reason = "a program")]
+
+use std::cell::RefCell;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use archard::body::{Finite, Material};
+use archard::case::{Case, CaseFile};
+use archard::compliance::bem::contact::Job;
+use archard::compliance::bem::{Condensed, Solid, evaluate_alone};
+use archard::numerics::dense::{Lu, Singular};
+use archard::output::Store;
+use faer::Mat;
+
+/// Evaluations of the kernel by itself.
+const ALONE: usize = 20_000_000;
+
+/// Times of the stages of one body.
+#[derive(Debug, Clone, Copy, Default)]
+struct Stages {
+    unknowns: usize,
+    evaluations: usize,
+    assembly: Duration,
+    /// Assembly and factors.
+    factors: Duration,
+    condensation: Duration,
+}
+
+fn main() {
+    let alone = kernel_alone();
+    println!("Punch on a cube: assembly, factors, condensation\n");
+    println!(
+        "| elements | unknowns | assembly s | LU s | condensation s | kernel rate | (assembly + LU) / (kernels + LU) |"
+    );
+    println!("|---|---|---|---|---|---|---|");
+    let mut rows = vec![];
+    for elements in [8, 12, 16, 20] {
+        let stages = stages(&case("punch_indentation_block", &elements_of(elements)));
+        let lu = lu_alone(stages.unknowns);
+        let threads = rayon::current_num_threads() as f64;
+        let kernels = stages.evaluations as f64 * alone / threads;
+        let rate = kernels / stages.assembly.as_secs_f64();
+        let ratio = stages.factors.as_secs_f64() / (kernels + lu.as_secs_f64());
+        println!(
+            "| {elements} x {elements} | {} | {:.2} | {:.2} | {:.2} | {:.0} % | {ratio:.2} |",
+            stages.unknowns,
+            stages.assembly.as_secs_f64(),
+            (stages.factors - stages.assembly).as_secs_f64(),
+            stages.condensation.as_secs_f64(),
+            100.0 * rate,
+        );
+        rows.push(stages);
+    }
+    exponents(&rows);
+    println!(
+        "\nWhole runs on 20 x 20 elements, against their own assembly, factors and condensation; and from what was kept\n"
+    );
+    println!("| case | cold s | stages s | ratio | kept s | cold / kept |");
+    println!("|---|---|---|---|---|---|");
+    for name in ["punch_indentation_block", "punch_fretting_block"] {
+        whole(name);
+    }
+    println!(
+        "\nSolvers of the normal problem, cube without friction, 20 x 20 elements, 40 steps\n"
+    );
+    println!("| solver | s | iterations | applications |");
+    println!("|---|---|---|---|");
+    let folder = tempfile::tempdir().expect("a folder");
+    for solver in ["conjugate_gradient", "active_set"] {
+        solve(solver, &Store::new(folder.path()));
+    }
+}
+
+/// The case in a folder, with options.
+fn case(name: &str, options: &[String]) -> Case {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let file = CaseFile::read(&folder).expect("a case");
+    let file = options.iter().fold(file, |file, option| file.set(option));
+    file.resolve().unwrap_or_else(|problems| panic!("{problems:?}")).case
+}
+
+fn elements_of(count: usize) -> [String; 1] {
+    [format!("body.block.mesh.box.contact.elements=[{count}, {count}]")]
+}
+
+/// Seconds of one evaluation of the kernel that stays in the cache, on one thread.
+fn kernel_alone() -> f64 {
+    let begun = Instant::now();
+    let sum = evaluate_alone(ALONE);
+    assert!(sum.is_finite());
+    begun.elapsed().as_secs_f64() / ALONE as f64
+}
+
+/// Factors of a matrix of that size.
+fn lu_alone(size: usize) -> Duration {
+    let matrix = Mat::from_fn(size, size, |i, j| {
+        f64::from(i == j) * 4.0 + ((i * 7919 + j * 104_729) % 1009) as f64 / (1009.0 * size as f64)
+    });
+    let begun = Instant::now();
+    Lu::new(matrix).expect("a regular matrix");
+    begun.elapsed()
+}
+
+/// Builds a case and measures the stages of its body.
+fn stages(case: &Case) -> Stages {
+    let stages = RefCell::new(Stages::default());
+    let condense = |finite: &Finite, material: &Material, job: &Job<'_>| {
+        measured(finite, material, job, &mut stages.borrow_mut())
+    };
+    case.build_with(&condense).expect("a checked case");
+    stages.into_inner()
+}
+
+fn measured(
+    finite: &Finite,
+    material: &Material,
+    job: &Job<'_>,
+    stages: &mut Stages,
+) -> Result<Condensed, Singular> {
+    let begun = Instant::now();
+    let solid = Solid::new(job.surface, material, job.conditions, finite.tolerance)?;
+    let factors = begun.elapsed();
+    let (evaluations, assembly) = solid.assembly();
+    let begun = Instant::now();
+    let condensed = solid.condense();
+    let unknowns = job.surface.unknowns();
+    *stages = Stages { unknowns, evaluations, assembly, factors, condensation: begun.elapsed() };
+    Ok(condensed)
+}
+
+/// How the times grow with the unknowns, from the second row to the last.
+fn exponents(rows: &[Stages]) {
+    let [_, first, .., last] = rows else { return };
+    let exponent = |time: fn(&Stages) -> Duration| {
+        let times = time(last).as_secs_f64() / time(first).as_secs_f64();
+        times.ln() / (last.unknowns as f64 / first.unknowns as f64).ln()
+    };
+    println!(
+        "\nFrom {} to {} unknowns the assembly grows with their power of {:.2}, the factors with {:.2}.",
+        first.unknowns,
+        last.unknowns,
+        exponent(|stages| stages.assembly),
+        exponent(|stages| stages.factors - stages.assembly),
+    );
+}
+
+/// A run from its mesh to its results, and another from what the first kept.
+fn whole(name: &str) {
+    let case = case(name, &[]);
+    let begun = Instant::now();
+    let stages = RefCell::new(Stages::default());
+    let condense = |finite: &Finite, material: &Material, job: &Job<'_>| {
+        measured(finite, material, job, &mut stages.borrow_mut())
+    };
+    case.build_with(&condense).expect("a checked case").run(&mut []).expect("a contact");
+    let cold = begun.elapsed().as_secs_f64();
+    let Stages { factors, condensation, .. } = stages.into_inner();
+    let parts = (factors + condensation).as_secs_f64();
+    let folder = tempfile::tempdir().expect("a folder");
+    let store = Store::new(folder.path());
+    let keep =
+        |finite: &Finite, material: &Material, job: &Job<'_>| store.condense(finite, material, job);
+    case.build_with(&keep).expect("a checked case");
+    let begun = Instant::now();
+    case.build_with(&keep).expect("a checked case");
+    let kept = begun.elapsed().as_secs_f64();
+    println!(
+        "| {name} | {cold:.2} | {parts:.2} | {:.2} | {kept:.3} | {:.0} |",
+        cold / parts,
+        parts / kept
+    );
+}
+
+/// Steps without friction.
+fn solve(solver: &str, store: &Store) {
+    let options = ["friction=".to_owned(), "body.block.wear=".to_owned()];
+    let choice = [format!("solver.{solver}.tolerance=1e-8")];
+    let case = case("punch_indentation_block", &[&options[..], &choice].concat());
+    let keep =
+        |finite: &Finite, material: &Material, job: &Job<'_>| store.condense(finite, material, job);
+    let simulation = case.build_with(&keep).expect("a checked case");
+    let begun = Instant::now();
+    let effort = simulation.run(&mut []).expect("a contact");
+    println!(
+        "| {solver} | {:.3} | {} | {} |",
+        begun.elapsed().as_secs_f64(),
+        effort.iterations,
+        effort.applications
+    );
+}

@@ -1,0 +1,170 @@
+//! Newton steps on the set of pairs in contact, each solved directly.
+//!
+//! The pressures that close the gaps of the pairs in contact are found from the factors of their matrix; pairs
+//! with a negative pressure leave, pairs that overlap join, all at once. If the number of such pairs does not
+//! fall for some steps, only one of them changes at a time until it does, which ends for every matrix whose
+//! principal minors are positive (J. J. Judice and F. M. Pires, *Computers Ops Res.* 21 (1994) 587). The matrix
+//! need not be symmetric.
+//!
+//! A step costs the third power of the number of pairs in contact. It suits meshed bodies, whose matrix is
+//! there; elsewhere making it takes an application a pair.
+
+use faer::Mat;
+
+use super::residual::Measure;
+use super::start::first_guess;
+use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
+use crate::kinematics::Control;
+use crate::numerics::dense::Lu;
+use crate::numerics::vector::{in_pool, update};
+use crate::parameters::Choice;
+
+pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
+    name: "active_set",
+    meaning: "Newton steps on the pairs in contact, solved directly; for meshed bodies",
+    parameters: PARAMETERS,
+    build: |values| Ok(Box::new(ActiveSet { settings: Settings::read(values, TOLERANCE, 500) })),
+};
+
+/// Steps in which the number of pairs that change may fail to fall.
+const PATIENCE: usize = 5;
+
+/// See the module.
+#[derive(Debug)]
+struct ActiveSet {
+    settings: Settings,
+}
+
+impl Solver for ActiveSet {
+    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        in_pool(|| self.iterate(step, start))
+    }
+
+    fn settings(&self) -> Settings {
+        self.settings
+    }
+}
+
+/// Pressures of a set and what follows from them.
+struct State {
+    pressure: Vec<f64>,
+    displacement: Vec<f64>,
+    gap: Vec<f64>,
+    approach: f64,
+    residual: f64,
+}
+
+impl ActiveSet {
+    fn iterate(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        let (pressure, approach) = match start {
+            Some(start) => (start.pressure.to_vec(), start.approach),
+            None => first_guess(step),
+        };
+        let approach = match step.control {
+            Control::Approach(given) => given,
+            Control::Load(_) => approach,
+        };
+        let mut state = state_of(step, pressure, approach);
+        let (mut count, mut applications) = (0, 1);
+        let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
+        let mut contact: Vec<bool> =
+            (0..step.gap.len()).map(|pair| in_contact(&state, pair)).collect();
+        while state.residual > self.settings.tolerance && count < self.settings.max_iterations {
+            count += 1;
+            let Some((pressure, approach)) = close(step, &contact, state.approach) else { break };
+            applications += 1;
+            state = state_of(step, pressure, approach);
+            let wrong: Vec<usize> = (0..contact.len())
+                .filter(|&pair| match contact[pair] {
+                    true => state.pressure[pair] < 0.0,
+                    false => state.gap[pair] < 0.0,
+                })
+                .collect();
+            if wrong.len() < fewest {
+                (fewest, patience) = (wrong.len(), PATIENCE);
+            } else {
+                patience = patience.saturating_sub(1);
+            }
+            let changed = if patience > 0 { &wrong[..] } else { &wrong[wrong.len().max(1) - 1..] };
+            changed.iter().for_each(|&pair| contact[pair] = !contact[pair]);
+        }
+        let full = !step.measure.closed && state.pressure.iter().all(|&pressure| pressure > 0.0);
+        let status = match (state.residual <= self.settings.tolerance, full) {
+            (true, false) => Status::Converged,
+            (true, true) => Status::FrameFull,
+            (false, _) => Status::OutOfIterations,
+        };
+        let State { pressure, displacement, gap, approach, residual } = state;
+        Outcome {
+            status,
+            pressure: pressure.into_iter().map(|pressure| pressure.max(0.0)).collect(),
+            displacement,
+            gap,
+            approach,
+            iterations: count,
+            residual,
+            applications,
+        }
+    }
+}
+
+fn in_contact(state: &State, pair: usize) -> bool {
+    state.pressure[pair] > 0.0 || state.gap[pair] < 0.0
+}
+
+/// The pressures (Pa) that close the gaps of the pairs in contact, and the approach (m) that belongs to them;
+/// `None` where no such pressures are.
+fn close(step: &Step<'_>, contact: &[bool], approach: f64) -> Option<(Vec<f64>, f64)> {
+    let mut pairs: Vec<usize> = (0..contact.len()).filter(|&pair| contact[pair]).collect();
+    if let (true, Control::Load(_)) = (pairs.is_empty(), step.control) {
+        // A load needs a pair to bear it.
+        pairs.extend((0..contact.len()).min_by(|&a, &b| step.gap[a].total_cmp(&step.gap[b])));
+    }
+    let mut pressure = vec![0.0; contact.len()];
+    if let (true, Control::Approach(approach)) = (pairs.is_empty(), step.control) {
+        return Some((pressure, approach));
+    }
+    let mut matrix = step.compliance.normal_matrix(&pairs, contact.len());
+    for (index, &pair) in pairs.iter().enumerate() {
+        matrix[(index, index)] += step.addition[pair];
+    }
+    // What closes the gaps at no approach, and what an approach of one adds.
+    let mut images = Mat::from_fn(pairs.len(), 2, |row, column| match column {
+        0 => -step.gap[pairs[row]],
+        _ => step.measure.closing.at(pairs[row]),
+    });
+    Lu::new(matrix).ok()?.solve_in_place(images.as_mut());
+    let field = |column: usize| {
+        let mut field = vec![0.0; contact.len()];
+        pairs.iter().enumerate().for_each(|(row, &pair)| field[pair] = images[(row, column)]);
+        field
+    };
+    let (still, rate) = (field(0), field(1));
+    let approach = match step.control {
+        Control::Approach(approach) => approach,
+        Control::Load(load) => {
+            let found = (load - step.measure.load(&still)) / step.measure.load(&rate);
+            if found.is_finite() { found } else { approach }
+        }
+    };
+    update(&mut pressure, [&still, &rate], |_, [still, rate]| still + approach * rate);
+    Some((pressure, approach))
+}
+
+/// What follows from pressures, negative ones among them, at an approach.
+fn state_of(step: &Step<'_>, pressure: Vec<f64>, approach: f64) -> State {
+    let mut displacement = vec![0.0; pressure.len()];
+    step.compliance.apply_normal(&pressure, &mut displacement);
+    let gap: Vec<f64> = (0..pressure.len())
+        .map(|pair| {
+            step.gap[pair] + displacement[pair] + step.addition[pair] * pressure[pair]
+                - step.measure.closing.at(pair) * approach
+        })
+        .collect();
+    let met = match step.control {
+        Control::Approach(_) => 0.0,
+        Control::Load(load) => (step.measure.load(&pressure) / load - 1.0).abs(),
+    };
+    let residual = Measure::of(step).residual(step, &pressure, &gap).max(met);
+    State { pressure, displacement, gap, approach, residual }
+}

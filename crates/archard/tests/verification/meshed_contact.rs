@@ -1,0 +1,117 @@
+//! Contact of meshed bodies where half-spaces or each other say what has to come out.
+
+use approx::assert_relative_eq;
+use archard::compliance::Compliance;
+use archard::frame::VectorField;
+use archard::simulation::Simulation;
+use archard::solve::SOLVERS;
+use faer::{Mat, Side};
+
+use crate::common::{case, states};
+
+/// A rigid ball on a block held at its bottom, a quarter of it meshed; the contact has a radius of about 1 mm.
+const BALL_ON_BLOCK: &str = r#"
+[body.ball]
+rigid = true
+profile.sphere = { radius = "50 mm" }
+[body.block]
+material = { young = "210 GPa", poisson = 0.3 }
+mesh.box = { size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [12, 12] } }
+supports = { bottom = "clamped" }
+symmetry = ["x", "y"]
+[motion.indentation]
+approach = "0.02 mm"
+increments = 1
+"#;
+
+/// The load (N) at the end.
+fn load(simulation: &Simulation) -> f64 {
+    states(simulation).unwrap().last().unwrap().0.load
+}
+
+/// The nearer the sides and the bottom, the more they matter; far away, the block is a half-space.
+#[test]
+fn a_block_becomes_a_half_space_as_it_grows() {
+    let half_space = load(&case(BALL_ON_BLOCK, &["body.block.elasticity=half_space"]));
+    let more = [10, 20, 40].map(|side| {
+        let size =
+            format!("body.block.mesh.box.size=[\"{side} mm\", \"{side} mm\", \"{side} mm\"]");
+        load(&case(BALL_ON_BLOCK, &[&size])) / half_space - 1.0
+    });
+    assert!(more[0] > 0.01 && more[2].abs() < 0.01, "{more:?}");
+    for pair in more.windows(2) {
+        assert!(pair[1].abs() < 0.65 * pair[0].abs(), "{more:?}");
+    }
+}
+
+/// Blocks alike that are pressed on each other share the approach.
+#[test]
+fn two_blocks_share_what_one_takes_alone() {
+    let alone = case(
+        BALL_ON_BLOCK,
+        &["body.ball.profile.sphere.radius=100 mm", "motion.indentation.approach=0.01 mm"],
+    );
+    let mesh = r#"body.ball.mesh.box={ size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [12, 12] } }"#;
+    let both = case(
+        BALL_ON_BLOCK,
+        &[
+            "body.ball.rigid=",
+            "body.ball.material={ young = \"210 GPa\", poisson = 0.3 }",
+            mesh,
+            "body.ball.supports={ bottom = \"clamped\" }",
+            "body.ball.symmetry=[\"x\", \"y\"]",
+        ],
+    );
+    // A ball is no parabola: its gap is twice that of a ball of twice the radius to 1e-4.
+    assert_relative_eq!(load(&both), load(&alone), max_relative = 1e-4);
+}
+
+/// Collocation is symmetric to the order of the elements only; every solver finds the same contact all the same.
+#[test]
+fn solvers_agree_on_a_meshed_block() {
+    let loads = SOLVERS.iter().map(|choice| {
+        let solver = format!("solver.{}.tolerance=1e-8", choice.name);
+        load(&case(BALL_ON_BLOCK, &[&solver]))
+    });
+    let loads: Vec<f64> = loads.collect();
+    for other in &loads[1..] {
+        assert_relative_eq!(*other, loads[0], max_relative = 1e-6);
+    }
+}
+
+/// Tractions do work on the displacements they make, and nearly the same on those of each other.
+#[test]
+fn condensed_bodies_are_positive_definite_and_nearly_symmetric() {
+    for (interpolation, most) in [("discontinuous", 0.06), ("continuous", 0.06)] {
+        let option = format!("body.block.boundary_elements.interpolation={interpolation}");
+        let problem = case(BALL_ON_BLOCK, &[&option]).problem;
+        let pairs = problem.frame.len();
+        let work = Mat::from_fn(3 * pairs, 3 * pairs, {
+            let columns: Vec<Vec<f64>> =
+                (0..3 * pairs).map(|column| image(&*problem.compliance, pairs, column)).collect();
+            let frame = &problem.frame;
+            move |row, column| frame.area(row % pairs) * columns[column][row]
+        });
+        let even = Mat::from_fn(3 * pairs, 3 * pairs, |row, column| {
+            0.5 * (work[(row, column)] + work[(column, row)])
+        });
+        let asymmetry = (&work - &even).norm_l2() / even.norm_l2();
+        assert!(asymmetry < most, "{interpolation}: {asymmetry}");
+        let values = even.self_adjoint_eigenvalues(Side::Lower).unwrap();
+        let largest = values[values.len() - 1];
+        // Nodes on planes of symmetry do not move across them.
+        let negative = values.iter().filter(|&&value| value < -1e-9 * largest).count();
+        assert_eq!(negative, 0, "{interpolation}: {:?}", &values[..3]);
+        if interpolation == "discontinuous" {
+            assert!(values[0] > 1e-3 * largest, "{:e} of {largest:e}", values[0]);
+        }
+    }
+}
+
+/// Displacements along t1, t2 and n of all pairs under one unit traction.
+fn image(compliance: &dyn Compliance, pairs: usize, column: usize) -> Vec<f64> {
+    let mut unit = VectorField::zeros(pairs);
+    let VectorField { t1, t2, n } = &mut unit;
+    [t1, t2, n][column / pairs][column % pairs] = 1.0;
+    compliance.apply(&unit).components().concat()
+}
