@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use archard::body::{Finite, Material};
 use archard::case::{Case, CaseFile};
 use archard::compliance::bem::contact::Job;
-use archard::compliance::bem::{Condensed, Solid, evaluate_alone};
+use archard::compliance::bem::{Assembled, Condensed, evaluate_alone};
 use archard::numerics::dense::{Lu, Singular};
 use archard::output::Store;
 use faer::Mat;
@@ -123,9 +123,10 @@ fn measured(
     stages: &mut Stages,
 ) -> Result<Condensed, Singular> {
     let begun = Instant::now();
-    let solid = Solid::new(job.surface, material, job.conditions, finite.tolerance)?;
+    let equations = Assembled::new(job.surface, material, job.conditions, finite.tolerance);
+    let (evaluations, assembly) = (equations.evaluations(), begun.elapsed());
+    let solid = equations.factorise()?;
     let factors = begun.elapsed();
-    let (evaluations, assembly) = solid.assembly();
     let begun = Instant::now();
     let condensed = solid.condense();
     let unknowns = job.surface.unknowns();

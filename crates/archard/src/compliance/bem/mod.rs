@@ -21,7 +21,7 @@ pub use interior::{Interior, Response};
 pub use kelvin::evaluate_alone;
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
-pub use solid::{Boundary, Condensed, Solid};
+pub use solid::{Assembled, Boundary, Condensed, Solid};
 pub use surface::{Surface, TractionNode};
 
 #[cfg(test)]

@@ -1,11 +1,9 @@
 //! A body whose equations are solved.
 
-use std::time::{Duration, Instant};
-
 use faer::Mat;
 use glam::DVec3;
 
-use super::assemble::Assembly;
+use super::assemble::{Assembly, System};
 use super::conditions::{Conditions, Given};
 use super::kelvin::Kelvin;
 use super::surface::Surface;
@@ -20,8 +18,14 @@ pub struct Solid<'a> {
     contact: Mat<f64>,
     fixed: Mat<f64>,
     unit: f64,
-    evaluations: usize,
-    assembly: Duration,
+}
+
+/// A body whose equations are assembled.
+pub struct Assembled<'a> {
+    surface: &'a Surface,
+    conditions: &'a Conditions,
+    system: System,
+    unit: f64,
 }
 
 /// Displacements and tractions on the surface of a body, along x, y and z.
@@ -43,6 +47,40 @@ pub struct Condensed {
     pub free: Vec<f64>,
 }
 
+impl<'a> Assembled<'a> {
+    /// Assembles the equations, integrals to that relative tolerance.
+    pub fn new(
+        surface: &'a Surface,
+        material: &Material,
+        conditions: &'a Conditions,
+        tolerance: f64,
+    ) -> Self {
+        let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
+        let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
+        let length = 0.5 * (high - low).max_element();
+        let unit = length / material.shear_modulus();
+        let kelvin = Kelvin::new(material.poisson, length);
+        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system();
+        Self { surface, conditions, system, unit }
+    }
+
+    /// How often Kelvin's solution was evaluated.
+    pub fn evaluations(&self) -> usize {
+        self.system.evaluations
+    }
+
+    /// Factorises the equations.
+    ///
+    /// # Errors
+    /// If they have no unique solution.
+    pub fn factorise(self) -> Result<Solid<'a>, Singular> {
+        let Self { surface, conditions, system, unit } = self;
+        let factors = Lu::new(system.matrix)?;
+        let (contact, fixed) = (system.contact, system.fixed);
+        Ok(Solid { surface, conditions, factors, contact, fixed, unit })
+    }
+}
+
 impl<'a> Solid<'a> {
     /// Assembles and factorises the equations, integrals to that relative tolerance.
     ///
@@ -54,22 +92,7 @@ impl<'a> Solid<'a> {
         conditions: &'a Conditions,
         tolerance: f64,
     ) -> Result<Self, Singular> {
-        let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
-        let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
-        let length = 0.5 * (high - low).max_element();
-        let unit = length / material.shear_modulus();
-        let kelvin = Kelvin::new(material.poisson, length);
-        let begun = Instant::now();
-        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system();
-        let (evaluations, assembly) = (system.evaluations, begun.elapsed());
-        let factors = Lu::new(system.matrix)?;
-        let (contact, fixed) = (system.contact, system.fixed);
-        Ok(Self { surface, conditions, factors, contact, fixed, unit, evaluations, assembly })
-    }
-
-    /// How often Kelvin's solution was evaluated, and the time the assembly took.
-    pub fn assembly(&self) -> (usize, Duration) {
-        (self.evaluations, self.assembly)
+        Assembled::new(surface, material, conditions, tolerance).factorise()
     }
 
     /// The compliance of the contact nodes.
