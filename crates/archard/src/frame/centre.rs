@@ -156,8 +156,9 @@ mod tests {
         let field: Vec<f64> = line.iter().map(|[x, ..]| 2.0 + x).collect();
         assert_relative_eq!(Centre::of(&line, [false; 2]).value(&field), 2.0, epsilon = 1e-14);
         // The nearest lie on two lines, which say nothing of curvature across them.
-        let slender: Vec<_> =
-            (0..96).map(|i| [f64::from(i % 16) - 7.5, 2.7 * f64::from(i / 16) + 1.35, 0.0]).collect();
+        let slender: Vec<_> = (0..96)
+            .map(|i| [f64::from(i % 16) - 7.5, 2.7 * f64::from(i / 16) + 1.35, 0.0])
+            .collect();
         let field: Vec<f64> = slender.iter().map(|[x, y, _]| 300.0 - x * x - y * y).collect();
         let value = Centre::of(&slender, [false, true]).value(&field);
         assert_relative_eq!(value, 300.0 - 0.25 - 1.35 * 1.35, epsilon = 1e-9);
