@@ -27,6 +27,7 @@ pub const CASES: &[Builtin] = &[
         "twin_disc_accelerated",
         include_str!("../../../cases/twin_disc_accelerated/case.toml"),
     ),
+    without_files("roller_finite", include_str!("../../../cases/roller_finite/case.toml")),
     without_files("cattaneo_mindlin", include_str!("../../../cases/cattaneo_mindlin/case.toml")),
     without_files("spence", include_str!("../../../cases/spence/case.toml")),
     without_files("punch_indentation", include_str!("../../../cases/punch_indentation/case.toml")),

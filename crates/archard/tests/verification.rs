@@ -10,6 +10,7 @@ mod verification {
     mod hertz;
     mod loading_paths;
     mod meshed_contact;
+    mod meshed_rolling;
     mod own_wear_law;
     mod pin_on_disc;
     mod punch;

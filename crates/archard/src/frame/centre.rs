@@ -8,6 +8,8 @@ const FITTED: usize = 12;
 const SAME: f64 = 1e-6;
 /// Reach of the weights of the fit relative to the farthest pair.
 const REACH: f64 = 1.4;
+/// Error of a fit for quadratics from which on it is one of rounding.
+const EXACT: f64 = 1e-9;
 
 /// Weights of the pairs that say what a field is at x = y = 0.
 #[derive(Debug, Clone, Default)]
@@ -94,9 +96,14 @@ fn fit(images: &[Image]) -> Option<Vec<(usize, f64)>> {
         weight(image) * factors.iter().zip(terms).map(|(factor, term)| factor * term).sum::<f64>()
     };
     let weights: Vec<(usize, f64)> = images.iter().map(|one| (one.pair, value(one))).collect();
-    // Pairs on a line, say, determine no parabola; rounding may still find one.
+    // Pairs on a line or on two, say, determine no parabola; rounding may still find one.
     let size: f64 = weights.iter().map(|(_, weight)| weight.abs()).sum();
-    (size.is_finite() && size < 10.0).then_some(weights)
+    let exact = (0..unit.len()).all(|term| {
+        let found: f64 =
+            images.iter().zip(&weights).map(|(one, (_, weight))| weight * terms(one)[term]).sum();
+        (found - unit[term]).abs() < EXACT
+    });
+    (exact && size < 10.0).then_some(weights)
 }
 
 /// One weight a pair.
@@ -148,6 +155,13 @@ mod tests {
         let line: Vec<_> = (0..20).map(|i| [f64::from(i) - 9.5, 0.0, 0.0]).collect();
         let field: Vec<f64> = line.iter().map(|[x, ..]| 2.0 + x).collect();
         assert_relative_eq!(Centre::of(&line, [false; 2]).value(&field), 2.0, epsilon = 1e-14);
+        // The nearest lie on two lines, which say nothing of curvature across them.
+        let slender: Vec<_> = (0..96)
+            .map(|i| [f64::from(i % 16) - 7.5, 2.7 * f64::from(i / 16) + 1.35, 0.0])
+            .collect();
+        let field: Vec<f64> = slender.iter().map(|[x, y, _]| 300.0 - x * x - y * y).collect();
+        let value = Centre::of(&slender, [false, true]).value(&field);
+        assert_relative_eq!(value, 300.0 - 0.25 - 1.35 * 1.35, epsilon = 1e-9);
         let mut places = scattered(60);
         places[7] = [0.0; 3];
         let field: Vec<f64> = (0..60).map(|i| f64::from(i == 7)).collect();

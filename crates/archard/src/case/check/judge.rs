@@ -154,6 +154,9 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let (key, word) = (parts.frame_key("size"), parts.frame_word());
     let contact = forecast.contact.as_ref()?;
     if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {
+        if ends_there(parts, axis) {
+            return None;
+        }
         let message = format!(
             "the bodies touch along a line that runs through both edges of the {word} along {}: they are computed as if cut off there",
             ["x", "y"][axis]
@@ -175,6 +178,18 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         let needed = reach.map(|axis| ROOM * axis);
         Problem::warning(key, message)
             .help(format!("the worn contact needs about `size = {}`", size_list_up(needed)))
+    })
+}
+
+/// Whether both bodies are finite and end along an axis where the zone does.
+fn ends_there(parts: &Parts<'_>, axis: usize) -> bool {
+    let half = 0.5 * parts.case.frame.size[axis];
+    parts.case.bodies.iter().zip(&parts.meshes).all(|(body, made)| {
+        let (Some(finite), Some(made)) = (&body.finite, made) else { return false };
+        let mut vertices = made.meshed.mesh.vertices.iter();
+        finite.elasticity == Elasticity::BoundaryElements
+            && !made.meshed.placed
+            && vertices.all(|vertex| vertex[axis].abs() <= half * (1.0 + 1e-9))
     })
 }
 

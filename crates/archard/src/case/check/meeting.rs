@@ -25,12 +25,24 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
             problems.extend(lopsided(parts, [first, second], meeting.pairs()));
             problems.extend(unlike_elements(parts));
             if parts.motion.kinematics.rolling().is_some() && !meeting.has_rows() {
-                let key = Key::of(["motion", parts.case.motion.choice.name]);
-                problems.push(Problem::error(key, Error::NoRows.to_string()).at_name());
+                problems.push(without_rows(parts, [first, second]));
             }
         }
     }
     problems
+}
+
+/// Rolling on pairs that form no rows.
+fn without_rows(parts: &Parts<'_>, [first, second]: [&Body; 2]) -> Problem {
+    let key = Key::of(["motion", parts.case.motion.choice.name]);
+    let problem = Problem::error(key, Error::NoRows.to_string()).at_name();
+    if second.finite.is_some() && Meeting::of([second, first]).is_ok_and(|other| other.has_rows()) {
+        let name = &parts.case.bodies[1].name;
+        return problem.help(format!(
+            "name `{name}` first: pairs are nodes of the first meshed body, and its zone is plane"
+        ));
+    }
+    problem
 }
 
 /// The key of something of a body.
