@@ -9,6 +9,7 @@ mod verification {
     mod fretting_wear;
     mod hertz;
     mod loading_paths;
+    mod meshes_that_do_not_match;
     mod own_wear_law;
     mod pin_on_disc;
     mod punch;

@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::normals::normals;
 use super::outline::outlines;
 use super::{super::surface::Surface, along};
 use crate::body::{Body, Finite, Interpolation};
@@ -40,7 +41,8 @@ impl<'a> Host<'a> {
         let (nodes, elements) = nodes_of(finite, &surface);
         let first = which == 0;
         let sign = if first { 1.0 } else { -1.0 };
-        let normal = |traction: usize| sign * surface.tractions[traction].normal;
+        let normals = normals(finite, &surface);
+        let normal = |traction: usize| sign * normals[traction];
         let axes = axes(finite, sign, &surface, &nodes);
         let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < PLANE);
         let basis = |traction: usize| {
