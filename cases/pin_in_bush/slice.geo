@@ -10,15 +10,15 @@ mm = 0.001;
 pin = 10 * mm;
 clearance = 0.02 * mm;
 width = 1 * mm;
-// Elements of 4 degrees from below; those of the zone, and those further up of 23 degrees.
+// Elements of 4 degrees in the zone, from below; larger ones above it.
 step = 4 * Pi / 180;
 zone = body == 0 ? 16 : 15;
-above = 5;
+above = body == 0 ? 5 : 9;
 If (body == 0)
   inner = 1 * mm;
   outer = pin;
-  layers = 7;
-  ratio = 1.5;
+  layers = 8;
+  ratio = 1.1;
 Else
   inner = pin + clearance;
   outer = 80 * mm;
