@@ -1,18 +1,17 @@
 // Half of a slice of a pin (body = 0) or of the bush around it (body = 1), axis along y, open on the planes
 // x = 0 and y = 0.
 //
-//     gmsh -2 slice.geo -setnumber body 0 -o pin.msh
-//     gmsh -2 slice.geo -setnumber body 1 -o bush.msh
-//
-// Both have the same elements where they touch, so that corner faces corner.
-DefineConstant[ body = {0, Name "body"} ];
+//     gmsh -2 -format msh22 slice.geo -setnumber body 0 -o pin.msh
+//     gmsh -2 -format msh22 slice.geo -setnumber body 1 -o bush.msh
+//     gmsh -2 -format msh22 slice.geo -setnumber body 0 -setnumber degrees 5 -o pin_of_5_degrees.msh
+DefineConstant[ body = {0, Name "body"}, degrees = {4, Name "degrees"} ];
 mm = 0.001;
 pin = 10 * mm;
 clearance = 0.02 * mm;
 width = 1 * mm;
-// Elements of 4 degrees in the zone, from below; larger ones above it.
-step = 4 * Pi / 180;
-zone = body == 0 ? 16 : 15;
+// Elements of so many degrees in the zone, from below; larger ones above it.
+step = degrees * Pi / 180;
+zone = Ceil((body == 0 ? 64 : 60) / degrees);
 above = body == 0 ? 5 : 9;
 If (body == 0)
   inner = 1 * mm;

@@ -60,6 +60,10 @@ pub const CASES: &[Builtin] = &[
         files: &[
             ("bush.msh", include_bytes!("../../../cases/pin_in_bush/bush.msh")),
             ("pin.msh", include_bytes!("../../../cases/pin_in_bush/pin.msh")),
+            (
+                "pin_of_5_degrees.msh",
+                include_bytes!("../../../cases/pin_in_bush/pin_of_5_degrees.msh"),
+            ),
         ],
     },
 ];

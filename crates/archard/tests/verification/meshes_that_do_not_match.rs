@@ -46,11 +46,7 @@ fn pressures_do_not_swing() {
         for (column, within) in
             [("load_N", 1e-3), ("peak_pressure_Pa", 0.02), ("centre_pressure_Pa", 0.02)]
         {
-            assert_relative_eq!(
-                rows.last(column),
-                matching.last(column),
-                max_relative = within
-            );
+            assert_relative_eq!(rows.last(column), matching.last(column), max_relative = within);
         }
         // Against a rigid punch it is of the order of 10 mJ.
         assert!(rows.last("dissipated_J") < 1e-6, "{}", rows.last("dissipated_J"));
