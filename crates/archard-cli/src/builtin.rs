@@ -55,6 +55,18 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../../../cases/hollow_sphere/case.toml"),
         files: &[("octant.msh", include_bytes!("../../../cases/hollow_sphere/octant.msh"))],
     },
+    Builtin {
+        name: "pin_in_bush",
+        text: include_str!("../../../cases/pin_in_bush/case.toml"),
+        files: &[
+            ("bush.msh", include_bytes!("../../../cases/pin_in_bush/bush.msh")),
+            ("pin.msh", include_bytes!("../../../cases/pin_in_bush/pin.msh")),
+            (
+                "pin_of_5_degrees.msh",
+                include_bytes!("../../../cases/pin_in_bush/pin_of_5_degrees.msh"),
+            ),
+        ],
+    },
 ];
 
 const fn without_files(name: &'static str, text: &'static str) -> Builtin {

@@ -11,6 +11,7 @@ mod verification {
     mod loading_paths;
     mod meshed_contact;
     mod meshed_rolling;
+    mod meshes_that_do_not_match;
     mod own_wear_law;
     mod pin_on_disc;
     mod punch;

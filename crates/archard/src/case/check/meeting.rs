@@ -1,8 +1,8 @@
 //! Whether meshed bodies lie opposite each other, are held, and suit the motion.
 
 use super::Parts;
-use super::words::{both, length};
-use crate::body::{Body, Elasticity};
+use super::words::both;
+use crate::body::Body;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -23,7 +23,6 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, [first, second], meeting.pairs()));
-            problems.extend(unlike_elements(parts));
             if parts.motion.kinematics.rolling().is_some() && !meeting.has_rows() {
                 problems.push(without_rows(parts, [first, second]));
             }
@@ -163,38 +162,6 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
     let key = Key::of(["motion", parts.case.motion.choice.name]);
     let help = format!("take \"{axis}\" out of `body.{}.symmetry`", body.name);
     Some(Problem::error(key, message).at_name().help(help))
-}
-
-/// Elements of two meshes between which pressures swing: those of the second body have to be as wide as those of
-/// the first, or a whole number of them has.
-fn unlike_elements(parts: &Parts<'_>) -> Option<Problem> {
-    let [first, second] = &parts.case.bodies;
-    let widths = [width(first)?, width(second)?];
-    if second.finite.as_ref()?.elasticity == Elasticity::HalfSpace {
-        return None;
-    }
-    let axis = (0..2).find(|&axis| {
-        let ratio = widths[0][axis] / widths[1][axis];
-        ratio.round() < 1.0 || (ratio - ratio.round()).abs() > 1e-6 * ratio
-    })?;
-    let message = format!(
-        "elements of the zone are {} wide along {}, and those of `{}` {}: between meshes that do not match pressures swing from pair to pair, though load and approach are right",
-        length(widths[1][axis]),
-        AXES[axis],
-        first.name,
-        length(widths[0][axis])
-    );
-    Some(
-        Problem::warning(parts.zone_key(second, "elements"), message)
-            .help("take elements as wide as those of the other body, or half as wide"),
-    )
-}
-
-/// Widths of the elements of a zone along x and y (m), where a generator lays them.
-fn width(body: &BodyCase) -> Option<[f64; 2]> {
-    let contact = body.finite.as_ref()?.mesh.values.section("contact")?;
-    let (size, elements) = (contact.pair("size")?, contact.pair("elements")?);
-    Some([size[0] / elements[0], size[1] / elements[1]])
 }
 
 /// A profile that is not symmetric where a mesh is.

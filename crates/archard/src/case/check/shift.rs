@@ -5,7 +5,8 @@ use super::forecast::Forecast;
 use super::judge::stable;
 use super::words::{length, size_list_up, three};
 use super::{Parts, Solves};
-use crate::case::definition::Output;
+use crate::body::Elasticity;
+use crate::case::definition::{FiniteCase, Output};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
@@ -92,6 +93,12 @@ fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
     Some(parts.friction_coefficient(pressure) * load)
 }
 
+/// Whether a body deforms as its shape tells: those of one elasticity then slip as well.
+fn shaped(parts: &Parts<'_>) -> bool {
+    let by_shape = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
+    parts.case.bodies.iter().any(|body| body.finite.as_ref().is_some_and(by_shape))
+}
+
 /// Friction and wear that cannot show where bodies of one elasticity are pressed together.
 fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
     let mut problems = vec![];
@@ -101,7 +108,7 @@ fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
             problems.push(Problem::warning(key(parts, name), message));
         }
     }
-    if shift.moves() || parts.dundurs_beta() != 0.0 {
+    if shift.moves() || parts.dundurs_beta() != 0.0 || shaped(parts) {
         return problems;
     }
     const REASON: &str = "bodies of one elasticity that are only pressed together do not slip";

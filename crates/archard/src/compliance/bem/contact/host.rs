@@ -2,6 +2,7 @@
 
 use glam::DVec3;
 
+use super::normals::Normals;
 use super::outline::outlines;
 use super::{super::surface::Surface, along};
 use crate::body::{Body, Finite, Interpolation};
@@ -23,6 +24,7 @@ pub(super) struct Host<'a> {
     pub plane: bool,
     /// Numbers of pairs along x and y where they form a grid.
     pub elements: Option<[usize; 2]>,
+    normals: Normals,
 }
 
 /// Normals closer to that of the frame than this are taken for it.
@@ -40,7 +42,9 @@ impl<'a> Host<'a> {
         let (nodes, elements) = nodes_of(finite, &surface);
         let first = which == 0;
         let sign = if first { 1.0 } else { -1.0 };
-        let normal = |traction: usize| sign * surface.tractions[traction].normal;
+        let normals = Normals::new(finite, &surface);
+        let at_nodes = normals.at_nodes(finite, &surface);
+        let normal = |traction: usize| sign * at_nodes[traction];
         let axes = axes(finite, sign, &surface, &nodes);
         let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < PLANE);
         let basis = |traction: usize| {
@@ -60,7 +64,28 @@ impl<'a> Host<'a> {
             [t1, t2, n]
         };
         let contact = nodes.into_iter().map(|node| (node, basis(node))).collect();
-        Some(Self { finite, surface, first, which, axes, contact, plane, elements })
+        Some(Self { finite, surface, first, which, axes, contact, plane, elements, normals })
+    }
+
+    /// How far the smooth surface rises (m) above a place on an element of the zone, by its index there.
+    pub fn rise(&self, index: usize, at: [f64; 2]) -> f64 {
+        if self.plane {
+            return 0.0;
+        }
+        let face = self.finite.meshed.zone.faces[index];
+        self.normals.rise(index, &self.surface.patches[face], at)
+    }
+
+    /// The same at the pairs.
+    fn rises(&self) -> Vec<f64> {
+        let mut rises = vec![0.0; self.surface.tractions.len()];
+        for (index, &face) in self.finite.meshed.zone.faces.iter().enumerate() {
+            let nodes = self.surface.patches[face].element.nodes;
+            for (node, at) in self.surface.tractions_of(face).zip(nodes) {
+                rises[node] = self.rise(index, *at);
+            }
+        }
+        self.contact.iter().map(|(node, _)| rises[*node]).collect()
     }
 
     /// The place of a contact node in the axes of the frame (m).
@@ -87,6 +112,7 @@ impl<'a> Host<'a> {
     pub fn pairs(&self) -> Pairs {
         let count = self.contact.len();
         let height = |pair: usize| if self.first { -1.0 } else { 1.0 } * self.place(pair).z;
+        let rises = self.rises();
         let bases = if self.plane {
             vec![]
         } else {
@@ -100,7 +126,7 @@ impl<'a> Host<'a> {
                 .map(|(node, _)| self.images() * self.surface.tractions[*node].area)
                 .collect(),
             bases,
-            gap: (0..count).map(|pair| height(pair) * self.closing(pair)).collect(),
+            gap: (0..count).map(|pair| height(pair) * self.closing(pair) - rises[pair]).collect(),
             outlines: outlines(self),
             elements: self.elements,
             mirrored: self.surface.mirrored,

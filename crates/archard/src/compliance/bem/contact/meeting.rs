@@ -85,7 +85,12 @@ impl<'a> Meeting<'a> {
         {
             let normal = transfer.displacements(&own.free);
             pairs.gap.iter_mut().zip(&normal).for_each(|(gap, free)| *gap += sign * free);
-            parts.push(transfer.compliance(&own.compliance));
+            // What is near is done at the pairs themselves, what is left is smooth.
+            if let Some(material) = &bodies[other.which].material {
+                let near = half_space::on_the_surface(&other, material, other.which);
+                let left = transfer.compliance(&(own.compliance - near));
+                parts.extend([left, half_space::on_the_surface(&host, material, other.which)]);
+            }
         }
         for (which, body) in bodies.into_iter().enumerate() {
             if let (true, Some(material)) = (is_half_space(body), &body.material) {

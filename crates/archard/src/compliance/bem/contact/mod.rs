@@ -8,6 +8,7 @@ mod fingerprint;
 mod half_space;
 mod host;
 mod meeting;
+mod normals;
 mod outline;
 mod project;
 mod transfer;

@@ -92,7 +92,8 @@ impl Transfer {
             let direction = if steep { n } else { DVec3::Z };
             let hit = project(place, direction, &patches).ok_or_else(|| off(place))?;
             let sign = if host.first { 1.0 } else { -1.0 };
-            let distance = sign * hit.distance * direction.dot(n);
+            let rise = other.rise(hit.patch, hit.at);
+            let distance = sign * hit.distance * direction.dot(n) - rise;
             // The pairs have counted the distance to z = 0 already.
             gap.push(distance + sign * place.z * host.closing(pair));
         }
