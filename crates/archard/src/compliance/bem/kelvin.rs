@@ -84,8 +84,8 @@ impl WithSimd for Alone {
         let mut values = [simd.splat_f64s(0.0); ALL];
         let mut sums = [simd.splat_f64s(0.0); TRACTIONS];
         for _ in 0..self.evaluations.div_ceil(POINTS) {
-            for index in 0..points[0].len() {
-                let r = [0, 1, 2].map(|axis| points[axis][index]);
+            for ((&x, &y), &z) in points[0].iter().zip(points[1]).zip(points[2]) {
+                let r = [x, y, z];
                 lanes.values(simd, r, normal, simd.splat_f64s(1.0), false, &mut values);
                 for (sum, value) in sums.iter_mut().zip(&values) {
                     *sum = simd.add_f64s(*sum, *value);

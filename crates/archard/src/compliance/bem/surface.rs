@@ -105,8 +105,8 @@ impl Surface {
             surface.local.push(local);
         }
         for traction in &mut surface.tractions {
-            for axis in 0..2 {
-                if mirrored[axis] && traction.place[axis] == 0.0 {
+            for (axis, _) in mirrored.iter().enumerate().filter(|(_, mirrored)| **mirrored) {
+                if traction.place[axis] == 0.0 {
                     traction.normal[axis] = 0.0;
                 }
             }
