@@ -19,8 +19,11 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use archard::body::{Finite, Material};
 use archard::case::{CaseFile, Task};
+use archard::compliance::bem::contact::Job;
 use archard::elastic;
+use archard::output::Store;
 use archard::units::{self, Dimension, Measure};
 use toml::de::{DeTable, DeValue};
 
@@ -118,7 +121,7 @@ struct Results {
 }
 
 /// The results of the case in a folder, run with these options.
-fn run(folder: &Path, options: &[String]) -> Result<Results, String> {
+fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, String> {
     let file = CaseFile::read(folder).map_err(|error| error.to_string())?;
     let file = options.iter().fold(file, |file, option| file.set(option));
     let task = file.task().map_err(|problems| {
@@ -134,7 +137,11 @@ fn run(folder: &Path, options: &[String]) -> Result<Results, String> {
             return Ok(Results { points, rows });
         }
     };
-    let simulation = resolved.case.build().map_err(|error| error.to_string())?;
+    // Cases of the same body share its compliance.
+    let condense =
+        |finite: &Finite, material: &Material, job: &Job<'_>| store.condense(finite, material, job);
+    let built = resolved.case.build_with(&condense);
+    let simulation = built.map_err(|error| error.to_string())?;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(Results { points: vec![], rows })
@@ -155,7 +162,7 @@ fn number(Results { points, rows }: &Results, expected: &Expected) -> Option<f64
 }
 
 /// What a case gives otherwise than it has to.
-fn mismatches(folder: &Path) -> Vec<String> {
+fn mismatches(folder: &Path, store: &Store) -> Vec<String> {
     let Ok(file) = fs::read_to_string(folder.join("expected.toml")) else {
         return vec!["there is no expected.toml".to_owned()];
     };
@@ -164,7 +171,7 @@ fn mismatches(folder: &Path) -> Vec<String> {
     let mut mismatches = vec![];
     for one in &expected {
         if !runs.iter().any(|(options, _)| *options == one.options) {
-            runs.push((&one.options, run(folder, &one.options)));
+            runs.push((&one.options, run(folder, &one.options, store)));
         }
         let results = &runs.iter().find(|(options, _)| *options == one.options).unwrap().1;
         let at = one.at.as_ref().or(one.point.as_ref());
@@ -196,12 +203,16 @@ fn mismatches(folder: &Path) -> Vec<String> {
 #[test]
 fn every_case_gives_what_it_has_to() {
     let folders = folders();
+    let kept = tempfile::tempdir().unwrap();
+    let store = Store::new(kept.path());
     assert!(folders.len() >= 3, "{folders:?}");
     let report: Vec<String> = folders
         .iter()
         .flat_map(|folder| {
             let name = folder.file_name().unwrap().to_string_lossy().into_owned();
-            mismatches(folder).into_iter().map(move |mismatch| format!("{name}: {mismatch}"))
+            mismatches(folder, &store)
+                .into_iter()
+                .map(move |mismatch| format!("{name}: {mismatch}"))
         })
         .collect();
     assert!(report.is_empty(), "\n{}", report.join("\n"));
