@@ -60,7 +60,7 @@ fn main() {
     println!(
         "\nWhole runs on 20 x 20 elements, against their own assembly, factors and condensation; and from what was kept\n"
     );
-    println!("| case | cold s | stages s | ratio | kept s | cold / kept |");
+    println!("| case | cold s | stages s | ratio | kept s | stages / kept |");
     println!("|---|---|---|---|---|---|");
     for name in ["punch_indentation_block", "punch_fretting_block"] {
         whole(name);

@@ -16,7 +16,7 @@ rigid = true
 profile.sphere = { radius = "50 mm" }
 [body.block]
 material = { young = "210 GPa", poisson = 0.3 }
-mesh.box = { size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [12, 12] } }
+mesh.box = { size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [8, 8] } }
 supports = { bottom = "clamped" }
 symmetry = ["x", "y"]
 [motion.indentation]
@@ -51,7 +51,7 @@ fn two_blocks_share_what_one_takes_alone() {
         BALL_ON_BLOCK,
         &["body.ball.profile.sphere.radius=100 mm", "motion.indentation.approach=0.01 mm"],
     );
-    let mesh = r#"body.ball.mesh.box={ size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [12, 12] } }"#;
+    let mesh = r#"body.ball.mesh.box={ size = ["10 mm", "10 mm", "10 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [8, 8] } }"#;
     let both = case(
         BALL_ON_BLOCK,
         &[
@@ -84,7 +84,8 @@ fn solvers_agree_on_a_meshed_block() {
 fn condensed_bodies_are_positive_definite_and_nearly_symmetric() {
     for (interpolation, most) in [("discontinuous", 0.06), ("continuous", 0.06)] {
         let option = format!("body.block.boundary_elements.interpolation={interpolation}");
-        let problem = case(BALL_ON_BLOCK, &[&option]).problem;
+        let finer = "body.block.mesh.box.contact.elements=[12, 12]";
+        let problem = case(BALL_ON_BLOCK, &[&option, finer]).problem;
         let pairs = problem.frame.len();
         let work = Mat::from_fn(3 * pairs, 3 * pairs, {
             let columns: Vec<Vec<f64>> =
