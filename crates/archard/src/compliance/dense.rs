@@ -39,8 +39,7 @@ impl Dense {
     /// The sum of the compliances of bodies that have the same pairs, each with row 3 i + d for the displacement (m) of
     /// pair i along direction d of its basis and column 3 j + e for the traction (Pa) of pair j along e.
     ///
-    /// Collocation leaves them a little unsymmetric, by the order of the elements (see [`Dense::asymmetry`]),
-    /// and they stay so: made symmetric, they would turn an even pressure into tangential displacements that
+    /// Collocation leaves them a little unsymmetric, by the order of the elements, and they stay so: made symmetric, they would turn an even pressure into tangential displacements that
     /// alternate from node to node.
     pub fn new(bodies: &[MatRef<'_, f64>]) -> Self {
         let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
@@ -62,19 +61,6 @@ impl Dense {
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
         Self { pairs, columns, normal_self_term, tangential_self_term, couples }
-    }
-
-    /// How far two tractions' work on each other's displacements differs, relative to all of it.
-    pub fn asymmetry(body: MatRef<'_, f64>, frame: &ContactFrame) -> f64 {
-        let work = |row: usize, column: usize| frame.area(row / 3) * body[(row, column)];
-        let (mut difference, mut all) = (0.0, 0.0);
-        for row in 0..body.nrows() {
-            for column in 0..body.ncols() {
-                difference += (work(row, column) - work(column, row)).powi(2);
-                all += work(row, column).powi(2);
-            }
-        }
-        f64::sqrt(difference / all)
     }
 
     /// The displacements that tractions in a range of columns make in a range of rows.

@@ -129,7 +129,7 @@ impl Rules {
         }
     }
 
-    /// Adds rules on parts of the element for a place near it.
+    /// Adds rules on parts of the element for a place beside it, on all of it for one that is far.
     pub fn near(&self, patch: &Patch, point: DVec3, places: &mut Places) {
         let mut waiting = vec![(whole_of(patch), 0)];
         while let Some((part, depth)) = waiting.pop() {

@@ -18,7 +18,7 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
 use super::super::element::evaluate;
-use super::super::patch::{Patch, distance};
+use super::super::patch::Patch;
 use super::super::rules::{Places, Rules};
 use super::host::Host;
 use crate::body::Material;
@@ -64,10 +64,7 @@ struct Zone {
 
 impl Zone {
     fn compliance(&self, host: &Host<'_>, material: &Material, which: usize) -> Mat<f64> {
-        let mut pair_of = vec![None; host.surface.tractions.len()];
-        for (pair, (node, _)) in host.contact.iter().enumerate() {
-            pair_of[*node] = Some(pair);
-        }
+        let pair_of = host.pair_of();
         let kernel = Kernel { shear: material.shear_modulus(), poisson: material.poisson };
         // Normals of the elements point out of the host.
         let into = if which == host.which { -1.0 } else { 1.0 };
@@ -85,10 +82,6 @@ impl Zone {
                     places.clear();
                     match own.filter(|_| seen == point) {
                         Some(own) => rules.polar(patch, patch.element.nodes[own], &mut places),
-                        None if Rules::far(patch, distance(seen, &patch.corners)) => {
-                            let orders = rules.orders(patch, distance(seen, &patch.corners));
-                            rules.whole(patch, orders, &mut places);
-                        }
                         None => rules.near(patch, seen, &mut places),
                     }
                     let columns: Vec<Option<usize>> =

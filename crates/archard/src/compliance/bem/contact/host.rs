@@ -88,6 +88,15 @@ impl<'a> Host<'a> {
         self.contact.iter().map(|(node, _)| rises[*node]).collect()
     }
 
+    /// The pair of each node of tractions; none away from the zone.
+    pub fn pair_of(&self) -> Vec<Option<usize>> {
+        let mut pair_of = vec![None; self.surface.tractions.len()];
+        for (pair, (node, _)) in self.contact.iter().enumerate() {
+            pair_of[*node] = Some(pair);
+        }
+        pair_of
+    }
+
     /// The place of a contact node in the axes of the frame (m).
     pub fn place(&self, pair: usize) -> DVec3 {
         self.in_frame(self.surface.tractions[self.contact[pair].0].place)

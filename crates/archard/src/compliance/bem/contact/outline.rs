@@ -8,19 +8,11 @@ use crate::body::Interpolation;
 /// Corners (m) of the part of every pair, in the axes of the frame.
 pub(super) fn outlines(host: &Host<'_>) -> Vec<Vec<[f64; 3]>> {
     let mut parts: Vec<Vec<[DVec3; 4]>> = vec![vec![]; host.contact.len()];
-    let mut pair_of = vec![None; host.surface.tractions.len()];
-    for (pair, (node, _)) in host.contact.iter().enumerate() {
-        pair_of[*node] = Some(pair);
-    }
+    let pair_of = host.pair_of();
     for &face in &host.finite.meshed.zone.faces {
-        let corners = &host.surface.patches[face].corners;
-        let count = corners.len();
-        let middle = corners.iter().sum::<DVec3>() / count as f64;
-        for (index, node) in host.surface.tractions_of(face).enumerate() {
-            let (before, after) = ((index + count - 1) % count, (index + 1) % count);
-            let half = |other: usize| 0.5 * (corners[index] + corners[other]);
+        for (node, part) in host.surface.tractions_of(face).zip(host.surface.parts_of(face)) {
             if let Some(pair) = pair_of[node] {
-                parts[pair].push([corners[index], half(after), middle, half(before)]);
+                parts[pair].push(part);
             }
         }
     }

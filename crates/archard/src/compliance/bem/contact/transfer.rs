@@ -44,10 +44,7 @@ impl Transfer {
         let patches = zone(other);
         let own = zone(host);
         let local = |host: &Host<'_>| {
-            let mut pair_of = vec![None; host.surface.tractions.len()];
-            for (pair, (node, _)) in host.contact.iter().enumerate() {
-                pair_of[*node] = Some(pair);
-            }
+            let pair_of = host.pair_of();
             let zone = host.finite.meshed.zone.faces.iter();
             zone.map(|&face| host.surface.tractions_of(face).map(|node| pair_of[node]).collect())
                 .collect::<Vec<Vec<Option<usize>>>>()

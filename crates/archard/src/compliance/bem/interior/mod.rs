@@ -24,7 +24,6 @@ use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
 use super::element::evaluate;
-use super::patch::distance;
 use super::rules::{Places, Rules};
 use super::solid::Boundary;
 use super::surface::Surface;
@@ -207,13 +206,8 @@ impl<'a> Interior<'a> {
             let mut sum = [DMat3::ZERO, DMat3::ZERO];
             for image in &images {
                 let seen = *image * point;
-                let away = distance(seen, &patch.corners);
                 places.clear();
-                if Rules::far(patch, away) {
-                    self.rules.whole(patch, self.rules.orders(patch, away), &mut places);
-                } else {
-                    self.rules.near(patch, seen, &mut places);
-                }
+                self.rules.near(patch, seen, &mut places);
                 for ((&s, &t), weight) in places.s.iter().zip(&places.t).zip(&places.weight) {
                     let place = *image * patch.at([s, t]);
                     let area_vector = *weight * *image * patch.area_vector([s, t]);
