@@ -376,42 +376,7 @@ impl ContactFrame {
             Shape::Uniform(grid) => grid,
             Shape::Described(described) => return described.centre.value(field),
         };
-        let nearest = grid.weigh(field, centre_nearest).0;
-        match grid.weigh(field, centre_smooth) {
-            (value, true) => value,
-            (_, false) => nearest,
-        }
-    }
-}
-
-impl Grid {
-    /// Weighs the values around the centre, and whether none of them is zero.
-    fn weigh(&self, field: &[f64], weights: fn(usize) -> Vec<(usize, f64)>) -> (f64, bool) {
-        let [along_x, along_y] = self.elements.map(weights);
-        let (mut sum, mut whole) = (0.0, true);
-        for (iy, weight_y) in &along_y {
-            for (ix, weight_x) in &along_x {
-                let value = field[ix + self.elements[0] * iy];
-                sum += weight_x * weight_y * value;
-                whole &= value != 0.0;
-            }
-        }
-        (sum, whole)
-    }
-}
-
-/// Weights of the one or two places at the middle of `n`.
-fn centre_nearest(n: usize) -> Vec<(usize, f64)> {
-    if n.is_multiple_of(2) { vec![(n / 2 - 1, 0.5), (n / 2, 0.5)] } else { vec![(n / 2, 1.0)] }
-}
-
-/// Weights that are exact for cubics, where there are places enough.
-fn centre_smooth(n: usize) -> Vec<(usize, f64)> {
-    if n.is_multiple_of(2) && n >= 4 {
-        let weights = [-1.0, 9.0, 9.0, -1.0].into_iter().enumerate();
-        weights.map(|(i, weight)| (n / 2 - 2 + i, weight / 16.0)).collect()
-    } else {
-        centre_nearest(n)
+        grid.at_centre(field)
     }
 }
 
