@@ -89,9 +89,17 @@ pub(crate) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
     }
 }
 
-/// Distance of a point from a triangle (C. Ericson, *Real-Time Collision Detection*, Morgan Kaufmann 2005,
-/// section 5.1.5).
-fn from_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
+/// Distance of a point from a triangle.
+fn from_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
+    let shares = on_triangle(point, corners);
+    let nearest: DVec3 =
+        shares.into_iter().zip(corners).map(|(share, corner)| share * corner).sum();
+    point.distance(nearest)
+}
+
+/// What the corners of a triangle count for at the place nearest to a point (C. Ericson, *Real-Time Collision
+/// Detection*, Morgan Kaufmann 2005, section 5.1.5).
+pub(super) fn on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, point - a);
     let normal = ab.cross(ac);
     let square = normal.length_squared();
@@ -99,15 +107,19 @@ fn from_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> f64 {
         let v = ap.cross(ac).dot(normal) / square;
         let w = ab.cross(ap).dot(normal) / square;
         if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
-            return (ap.dot(normal) / square.sqrt()).abs();
+            return [1.0 - v - w, v, w];
         }
     }
-    from_edge(point, a, b).min(from_edge(point, b, c)).min(from_edge(point, c, a))
-}
-
-fn from_edge(point: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let along = b - a;
-    let square = along.length_squared();
-    let share = if square > 0.0 { ((point - a).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
-    point.distance(a + share * along)
+    let edge = |from: usize, to: usize| {
+        let corners = [a, b, c];
+        let along = corners[to] - corners[from];
+        let square = along.length_squared();
+        let share = (point - corners[from]).dot(along) / square;
+        let share = if square > 0.0 { share.clamp(0.0, 1.0) } else { 0.0 };
+        let mut shares = [0.0; 3];
+        (shares[from], shares[to]) = (1.0 - share, share);
+        (point.distance(corners[from] + share * along), shares)
+    };
+    let edges = [edge(0, 1), edge(1, 2), edge(2, 0)];
+    edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or([1.0, 0.0, 0.0], |edge| edge.1)
 }

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DVec2, DVec3};
 
-use super::super::patch::Patch;
+use super::super::patch::{Patch, on_triangle};
 use super::super::surface::Surface;
 
 /// The place of the surface nearest to a point.
@@ -94,33 +94,6 @@ fn on(patch: &Patch, point: DVec3) -> [f64; 2] {
         reference = (reference + step).clamp(DVec2::NEG_ONE, DVec2::ONE);
     }
     reference.into()
-}
-
-/// What the corners of a triangle count for at the place nearest to a point (C. Ericson, *Real-Time Collision
-/// Detection*, Morgan Kaufmann 2005, section 5.1.5).
-fn on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
-    let (ab, ac, ap) = (b - a, c - a, point - a);
-    let normal = ab.cross(ac);
-    let square = normal.length_squared();
-    if square > 0.0 {
-        let v = ap.cross(ac).dot(normal) / square;
-        let w = ab.cross(ap).dot(normal) / square;
-        if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
-            return [1.0 - v - w, v, w];
-        }
-    }
-    let edge = |from: usize, to: usize| {
-        let corners = [a, b, c];
-        let along = corners[to] - corners[from];
-        let square = along.length_squared();
-        let share = (point - corners[from]).dot(along) / square;
-        let share = if square > 0.0 { share.clamp(0.0, 1.0) } else { 0.0 };
-        let mut shares = [0.0; 3];
-        (shares[from], shares[to]) = (1.0 - share, share);
-        (point.distance(corners[from] + share * along), shares)
-    };
-    let edges = [edge(0, 1), edge(1, 2), edge(2, 0)];
-    edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or([1.0, 0.0, 0.0], |edge| edge.1)
 }
 
 /// The solid angle a triangle fills as seen from the origin, positive from behind (A. Van Oosterom and J.
