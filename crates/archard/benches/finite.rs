@@ -12,19 +12,21 @@ use std::time::{Duration, Instant};
 use archard::body::{Finite, Material};
 use archard::case::{Case, CaseFile};
 use archard::compliance::bem::contact::Job;
-use archard::compliance::bem::{Assembled, Condensed, evaluate_alone};
+use archard::compliance::bem::{
+    Assembled, Condensed, Evaluations, evaluate_alone, integrate_alone,
+};
 use archard::numerics::dense::{Lu, Singular};
 use archard::output::Store;
 use faer::Mat;
 
-/// Evaluations of the kernel by itself.
+/// Evaluations of the kernel by itself, of each kind.
 const ALONE: usize = 20_000_000;
 
 /// Times of the stages of one body.
 #[derive(Debug, Clone, Copy, Default)]
 struct Stages {
     unknowns: usize,
-    evaluations: usize,
+    evaluations: Evaluations,
     assembly: Duration,
     /// Assembly and factors.
     factors: Duration,
@@ -32,27 +34,28 @@ struct Stages {
 }
 
 fn main() {
-    let alone = kernel_alone();
+    let (kernel, products) = (Rate::of(evaluate_alone), Rate::of(integrate_alone));
     println!("Punch on a cube: assembly, factors, condensation\n");
     println!(
-        "| elements | unknowns | assembly s | LU s | condensation s | kernel rate | (assembly + LU) / (kernels + LU) |"
+        "| elements | unknowns | assembly s | LU s | condensation s | kernel rate | with products | (assembly + LU) / (kernels + LU) |"
     );
-    println!("|---|---|---|---|---|---|---|");
+    println!("|---|---|---|---|---|---|---|---|");
     let mut rows = vec![];
     for elements in [8, 12, 16, 20] {
         let stages = stages(&case("punch_indentation_block", &elements_of(elements)));
         let lu = lu_alone(stages.unknowns);
         let threads = rayon::current_num_threads() as f64;
-        let kernels = stages.evaluations as f64 * alone / threads;
-        let rate = kernels / stages.assembly.as_secs_f64();
+        let [kernels, integrals] =
+            [kernel, products].map(|rate| rate.time(stages.evaluations) / threads);
+        let [rate, integrated] =
+            [kernels, integrals].map(|time| 100.0 * time / stages.assembly.as_secs_f64());
         let ratio = stages.factors.as_secs_f64() / (kernels + lu.as_secs_f64());
         println!(
-            "| {elements} x {elements} | {} | {:.2} | {:.2} | {:.2} | {:.0} % | {ratio:.2} |",
+            "| {elements} x {elements} | {} | {:.2} | {:.2} | {:.2} | {rate:.0} % | {integrated:.0} % | {ratio:.2} |",
             stages.unknowns,
             stages.assembly.as_secs_f64(),
             (stages.factors - stages.assembly).as_secs_f64(),
             stages.condensation.as_secs_f64(),
-            100.0 * rate,
         );
         rows.push(stages);
     }
@@ -88,12 +91,29 @@ fn elements_of(count: usize) -> [String; 1] {
     [format!("body.block.mesh.box.contact.elements=[{count}, {count}]")]
 }
 
-/// Seconds of one evaluation of the kernel that stays in the cache, on one thread.
-fn kernel_alone() -> f64 {
-    let begun = Instant::now();
-    let sum = evaluate_alone(ALONE);
-    assert!(sum.is_finite());
-    begun.elapsed().as_secs_f64() / ALONE as f64
+/// Seconds of one evaluation of each kind, on one thread.
+#[derive(Debug, Clone, Copy)]
+struct Rate {
+    tractions: f64,
+    both: f64,
+}
+
+impl Rate {
+    fn of(run: fn(Evaluations) -> f64) -> Self {
+        let time = |evaluations: Evaluations| {
+            let begun = Instant::now();
+            assert!(run(evaluations).is_finite());
+            begun.elapsed().as_secs_f64() / ALONE as f64
+        };
+        Self {
+            tractions: time(Evaluations { tractions: ALONE, both: 0 }),
+            both: time(Evaluations { tractions: 0, both: ALONE }),
+        }
+    }
+
+    fn time(self, evaluations: Evaluations) -> f64 {
+        evaluations.tractions as f64 * self.tractions + evaluations.both as f64 * self.both
+    }
 }
 
 /// Factors of a matrix of that size.

@@ -6,13 +6,14 @@
 use glam::DVec3;
 use pulp::{Simd, WithSimd};
 
+use super::blocks::BLOCK;
 use super::element::evaluate;
-use super::kelvin::{ALL, Kelvin, TRACTIONS};
+use super::kelvin::{ALL, DISPLACEMENT, Kelvin, TRACTIONS};
 use super::patch::Patch;
 use super::rules::Places;
 
 /// Places evaluated before their values are multiplied by the shape functions.
-const CHUNK: usize = 8;
+const CHUNK: usize = 16;
 
 /// A place on an element in space.
 #[derive(Debug, Clone, Copy)]
@@ -50,12 +51,22 @@ pub(super) struct Tile<'a> {
     /// Coordinates of the points, a multiple of eight of them.
     pub points: [&'a [f64]; 3],
     pub spots: &'a [Spot],
-    /// Shape functions in use.
+    /// Shape functions in use, three or four.
     pub nodes: usize,
     /// Whether the displacements are wanted beside the tractions.
     pub displacement: bool,
-    /// The integrals: for each node and each row of the kernel, a value a point.
-    pub sums: &'a mut [f64],
+    /// The planes the points were mirrored at: -1 along their normals.
+    pub image: [f64; 3],
+    pub sums: Sums<'a>,
+}
+
+/// What integrals are added to, a value a point and [`BLOCK`] of them in a row: a row for each node and
+/// component xx, xy, xz, yx, ...
+pub(super) struct Sums<'a> {
+    pub tractions: &'a mut [f64],
+    pub displacements: &'a mut [f64],
+    /// What a rigid displacement makes of them: a row a component.
+    pub rigid: &'a mut [f64],
 }
 
 impl WithSimd for Tile<'_> {
@@ -63,15 +74,19 @@ impl WithSimd for Tile<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let lanes = self.kelvin.lanes(simd);
-        let [x, y, z] = self.points.map(|points| S::as_simd_f64s(points).0);
-        let width = x.len();
-        let (sums, _) = S::as_mut_simd_f64s(self.sums);
-        let rows = if self.displacement { ALL } else { TRACTIONS };
+        let Self { kelvin, points, spots, nodes, displacement, image, sums } = self;
+        let lanes = kelvin.lanes(simd);
+        let x = S::as_simd_f64s(points[0]).0;
+        let y = S::as_simd_f64s(points[1]).0;
+        let z = S::as_simd_f64s(points[2]).0;
+        let tractions = S::as_mut_simd_f64s(sums.tractions).0;
+        let displacements = S::as_mut_simd_f64s(sums.displacements).0;
+        let rigid = S::as_mut_simd_f64s(sums.rigid).0;
+        let stride = BLOCK / S::F64_LANES;
         let zero = simd.splat_f64s(0.0);
         let mut values = [[zero; ALL]; CHUNK];
-        for point in 0..width {
-            for (chunk, spots) in self.spots.chunks(CHUNK).enumerate() {
+        for point in 0..x.len() {
+            for spots in spots.chunks(CHUNK) {
                 for (spot, values) in spots.iter().zip(&mut values) {
                     let r = [
                         simd.sub_f64s(simd.splat_f64s(spot.place[0]), x[point]),
@@ -83,22 +98,57 @@ impl WithSimd for Tile<'_> {
                         simd.splat_f64s(spot.area_vector[1]),
                         simd.splat_f64s(spot.area_vector[2]),
                     ];
-                    lanes.values(simd, r, n, simd.splat_f64s(spot.area), self.displacement, values);
+                    lanes.values(simd, r, n, simd.splat_f64s(spot.area), displacement, values);
                 }
-                for row in 0..rows {
-                    for node in 0..self.nodes {
-                        let at = (node * ALL + row) * width + point;
-                        let mut sum = if chunk == 0 { zero } else { sums[at] };
-                        for (spot, values) in spots.iter().zip(&values) {
-                            let shape = simd.splat_f64s(spot.shape[node]);
-                            sum = simd.mul_add_e_f64s(shape, values[row], sum);
-                        }
-                        sums[at] = sum;
+                let values = &values[..spots.len()];
+                let mut total = [zero; TRACTIONS];
+                for node in 0..nodes {
+                    let shape = |spot: usize| simd.splat_f64s(spots[spot].shape[node]);
+                    let rows = 9 * node * stride + point;
+                    let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
+                    for component in 0..9 {
+                        let sign = simd.splat_f64s(image[component / 3]);
+                        let sum = &mut tractions[rows + component * stride];
+                        *sum = simd.mul_add_e_f64s(sign, products[component], *sum);
+                        total[component] = simd.add_f64s(total[component], products[component]);
                     }
+                    if displacement {
+                        let products: [_; ALL - TRACTIONS] =
+                            weighted(simd, values, TRACTIONS, shape);
+                        for component in 0..9 {
+                            let (i, j) = (component / 3, component % 3);
+                            let product = products[DISPLACEMENT[i][j] - TRACTIONS];
+                            let sum = &mut displacements[rows + component * stride];
+                            *sum = simd.mul_add_e_f64s(simd.splat_f64s(image[i]), product, *sum);
+                        }
+                    }
+                }
+                for component in 0..9 {
+                    let mirror = simd.splat_f64s(image[component / 3] * image[component % 3]);
+                    let sum = &mut rigid[component * stride + point];
+                    *sum = simd.mul_add_e_f64s(mirror, total[component], *sum);
                 }
             }
         }
     }
+}
+
+/// The sums over the places of some rows of values times a shape function.
+#[inline(always)]
+fn weighted<S: Simd, const ROWS: usize>(
+    simd: S,
+    values: &[[S::f64s; ALL]],
+    first: usize,
+    shape: impl Fn(usize) -> S::f64s,
+) -> [S::f64s; ROWS] {
+    let mut sums = [simd.splat_f64s(0.0); ROWS];
+    for (place, values) in values.iter().enumerate() {
+        let shape = shape(place);
+        for row in 0..ROWS {
+            sums[row] = simd.mul_add_e_f64s(shape, values[first + row], sums[row]);
+        }
+    }
+    sums
 }
 
 /// The integrals for each node and each row of the kernel.
@@ -120,50 +170,78 @@ impl WithSimd for Beam<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) -> Integrals {
         let lanes = self.kelvin.lanes(simd);
-        let splat = |value: f64| simd.splat_f64s(value);
-        let map = self.patch.map.map(|term| term.to_array().map(splat));
-        let point = self.point.to_array().map(splat);
-        let zero = splat(0.0);
-        let mut shape = [[zero; 4]; 4];
-        for (shape, polynomial) in shape.iter_mut().zip(self.patch.element.shape) {
-            *shape = polynomial.map(splat);
-        }
-        let nodes = self.patch.element.shape.len();
-        let rows = if self.displacement { ALL } else { TRACTIONS };
-        let Places { s, t, weight } = self.places;
-        let [s, t, weight] = [s, t, weight].map(|list| S::as_simd_f64s(list).0);
-        let mut sums = [[zero; ALL]; 4];
-        let mut values = [zero; ALL];
-        for ((&s, &t), &weight) in s.iter().zip(t).zip(weight) {
-            let both = simd.mul_f64s(s, t);
-            let mut r = [zero; 3];
-            let (mut along_s, mut along_t) = ([zero; 3], [zero; 3]);
+        let zero = simd.splat_f64s(0.0);
+        let (mut map, mut polynomials) = ([[zero; 3]; 4], [[zero; 4]; 4]);
+        for (map, term) in map.iter_mut().zip(&self.patch.map) {
             for axis in 0..3 {
-                along_s[axis] = simd.mul_add_e_f64s(map[3][axis], t, map[1][axis]);
-                along_t[axis] = simd.mul_add_e_f64s(map[3][axis], s, map[2][axis]);
-                let place = simd.mul_add_e_f64s(map[1][axis], s, map[0][axis]);
-                let place = simd.mul_add_e_f64s(t, along_t[axis], place);
-                r[axis] = simd.sub_f64s(place, point[axis]);
+                map[axis] = simd.splat_f64s(term[axis]);
             }
-            let cross = |i: usize, j: usize| {
-                let product = simd.mul_f64s(along_s[j], along_t[i]);
-                let product = simd.sub_f64s(simd.mul_f64s(along_s[i], along_t[j]), product);
-                simd.mul_f64s(weight, product)
-            };
-            let n = [cross(1, 2), cross(2, 0), cross(0, 1)];
-            let square = simd.mul_f64s(n[0], n[0]);
-            let square = simd.mul_add_e_f64s(n[1], n[1], square);
-            let area = simd.sqrt_f64s(simd.mul_add_e_f64s(n[2], n[2], square));
-            lanes.values(simd, r, n, area, self.displacement, &mut values);
-            for (sums, shape) in sums.iter_mut().zip(&shape).take(nodes) {
-                let share = simd.mul_add_e_f64s(shape[1], s, shape[0]);
-                let share = simd.mul_add_e_f64s(shape[2], t, share);
-                let share = simd.mul_add_e_f64s(shape[3], both, share);
-                for (sum, value) in sums.iter_mut().zip(&values).take(rows) {
-                    *sum = simd.mul_add_e_f64s(share, *value, *sum);
+        }
+        for (splat, polynomial) in polynomials.iter_mut().zip(self.patch.element.shape) {
+            for (splat, coefficient) in splat.iter_mut().zip(polynomial) {
+                *splat = simd.splat_f64s(*coefficient);
+            }
+        }
+        let nodes = self.patch.element.nodes.len();
+        let point = self.point.to_array();
+        let s = S::as_simd_f64s(&self.places.s).0;
+        let t = S::as_simd_f64s(&self.places.t).0;
+        let weight = S::as_simd_f64s(&self.places.weight).0;
+        let mut sums = [[zero; ALL]; 4];
+        let (mut values, mut shapes) = ([[zero; ALL]; CHUNK], [[zero; 4]; CHUNK]);
+        for ((s, t), weight) in s.chunks(CHUNK).zip(t.chunks(CHUNK)).zip(weight.chunks(CHUNK)) {
+            for place in 0..s.len() {
+                let (s, t, weight) = (s[place], t[place], weight[place]);
+                let (mut r, mut along_s, mut along_t) = ([zero; 3], [zero; 3], [zero; 3]);
+                for axis in 0..3 {
+                    along_s[axis] = simd.mul_add_e_f64s(map[3][axis], t, map[1][axis]);
+                    along_t[axis] = simd.mul_add_e_f64s(map[3][axis], s, map[2][axis]);
+                    let at = simd.mul_add_e_f64s(map[1][axis], s, map[0][axis]);
+                    let at = simd.mul_add_e_f64s(t, along_t[axis], at);
+                    r[axis] = simd.sub_f64s(at, simd.splat_f64s(point[axis]));
+                }
+                let (a, b) = (along_s, along_t);
+                let mut n = [zero; 3];
+                for (axis, n) in n.iter_mut().enumerate() {
+                    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+                    let product = simd.mul_f64s(a[j], b[i]);
+                    let product = simd.sub_f64s(simd.mul_f64s(a[i], b[j]), product);
+                    *n = simd.mul_f64s(weight, product);
+                }
+                let square = simd.mul_f64s(n[0], n[0]);
+                let square = simd.mul_add_e_f64s(n[1], n[1], square);
+                let area = simd.sqrt_f64s(simd.mul_add_e_f64s(n[2], n[2], square));
+                lanes.values(simd, r, n, area, self.displacement, &mut values[place]);
+                let both = simd.mul_f64s(s, t);
+                for (shape, [one, along_s, along_t, along_both]) in
+                    shapes[place].iter_mut().zip(&polynomials)
+                {
+                    let share = simd.mul_add_e_f64s(*along_s, s, *one);
+                    let share = simd.mul_add_e_f64s(*along_t, t, share);
+                    *shape = simd.mul_add_e_f64s(*along_both, both, share);
+                }
+            }
+            let (values, shapes) = (&values[..s.len()], &shapes[..s.len()]);
+            for (node, sums) in sums.iter_mut().enumerate().take(nodes) {
+                let shape = |place: usize| shapes[place][node];
+                let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
+                for (sum, product) in sums.iter_mut().zip(&products) {
+                    *sum = simd.add_f64s(*sum, *product);
+                }
+                if self.displacement {
+                    let products: [_; ALL - TRACTIONS] = weighted(simd, values, TRACTIONS, shape);
+                    for (sum, product) in sums[TRACTIONS..].iter_mut().zip(&products) {
+                        *sum = simd.add_f64s(*sum, *product);
+                    }
                 }
             }
         }
-        sums.map(|sums| sums.map(|sum| simd.reduce_sum_f64s(sum)))
+        let mut integrals = [[0.0; ALL]; 4];
+        for (integrals, sums) in integrals.iter_mut().zip(&sums) {
+            for (integral, sum) in integrals.iter_mut().zip(sums) {
+                *integral = simd.reduce_sum_f64s(*sum);
+            }
+        }
+        integrals
     }
 }

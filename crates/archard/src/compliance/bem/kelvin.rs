@@ -11,10 +11,10 @@
 //! Telles and L. C. Wrobel, *Boundary Element Techniques*, Springer 1984, eqs. 5.10 and 5.13).
 //! Displacements are those under a force of the size of the shear modulus.
 
-use std::array::from_fn;
 use std::f64::consts::PI;
+use std::iter::Sum;
 
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Simd;
 
 /// Rows of a kernel's values: xx, xy, xz, yx, ... of T, then xx, yy, zz, xy, xz, yz of U.
 pub(super) const TRACTIONS: usize = 9;
@@ -57,42 +57,28 @@ impl Kelvin {
     }
 }
 
-/// Evaluates the tractions of Kelvin's solution that many times on points that stay in the cache and does nothing
-/// with them but add them up: what an assembly can at best be measured by.
-pub fn evaluate_alone(evaluations: usize) -> f64 {
-    Arch::new().dispatch(Alone { kelvin: Kelvin::new(0.3, 1.0), evaluations })
+/// How often Kelvin's solution was evaluated.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Evaluations {
+    /// Its tractions alone.
+    pub tractions: usize,
+    /// Its displacements with them.
+    pub both: usize,
 }
 
-struct Alone {
-    kelvin: Kelvin,
-    evaluations: usize,
+impl Evaluations {
+    /// Adds evaluations, with displacements or without.
+    pub(super) fn count(&mut self, evaluations: usize, displacement: bool) {
+        *(if displacement { &mut self.both } else { &mut self.tractions }) += evaluations;
+    }
 }
 
-impl WithSimd for Alone {
-    type Output = f64;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> f64 {
-        const POINTS: usize = 64;
-        let lanes = self.kelvin.lanes(simd);
-        let coordinate = |axis: usize| -> [f64; POINTS] {
-            from_fn(|point| 1.0 + (0.1 + axis as f64) * point as f64)
-        };
-        let points = [0, 1, 2].map(coordinate);
-        let points = points.each_ref().map(|axis| S::as_simd_f64s(axis).0);
-        let normal = [0.6, 0.0, 0.8].map(|part| simd.splat_f64s(part));
-        let mut values = [simd.splat_f64s(0.0); ALL];
-        let mut sums = [simd.splat_f64s(0.0); TRACTIONS];
-        for _ in 0..self.evaluations.div_ceil(POINTS) {
-            for ((&x, &y), &z) in points[0].iter().zip(points[1]).zip(points[2]) {
-                let r = [x, y, z];
-                lanes.values(simd, r, normal, simd.splat_f64s(1.0), false, &mut values);
-                for (sum, value) in sums.iter_mut().zip(&values) {
-                    *sum = simd.add_f64s(*sum, *value);
-                }
-            }
-        }
-        sums.iter().map(|sum| simd.reduce_sum_f64s(*sum)).sum()
+impl Sum for Evaluations {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), |sum, more| Self {
+            tractions: sum.tractions + more.tractions,
+            both: sum.both + more.both,
+        })
     }
 }
 
@@ -126,7 +112,9 @@ impl<S: Simd> Lanes<S> {
             simd.mul_add_e_f64s(r[1], r[1], simd.mul_f64s(r[0], r[0])),
         );
         let inverse = simd.div_f64s(self.one, simd.sqrt_f64s(square));
-        let [x, y, z] = [0, 1, 2].map(|i| simd.mul_f64s(r[i], inverse));
+        let x = simd.mul_f64s(r[0], inverse);
+        let y = simd.mul_f64s(r[1], inverse);
+        let z = simd.mul_f64s(r[2], inverse);
         let along =
             simd.mul_add_e_f64s(z, n[2], simd.mul_add_e_f64s(y, n[1], simd.mul_f64s(x, n[0])));
         let factor = simd.mul_f64s(self.traction, simd.mul_f64s(inverse, inverse));
@@ -134,25 +122,28 @@ impl<S: Simd> Lanes<S> {
         let diagonal = simd.mul_f64s(self.one_two, normal);
         let three = simd.mul_f64s(self.three, normal);
         let skew = simd.mul_f64s(self.one_two, factor);
-        let [nx, ny, nz] = n.map(|n| simd.mul_f64s(skew, n));
-        let [tx, ty, tz] = [x, y, z].map(|e| simd.mul_f64s(three, e));
+        let (nx, ny) = (simd.mul_f64s(skew, n[0]), simd.mul_f64s(skew, n[1]));
+        let nz = simd.mul_f64s(skew, n[2]);
+        let (tx, ty) = (simd.mul_f64s(three, x), simd.mul_f64s(three, y));
+        let tz = simd.mul_f64s(three, z);
         values[0] = simd.mul_add_e_f64s(tx, x, diagonal);
         values[4] = simd.mul_add_e_f64s(ty, y, diagonal);
         values[8] = simd.mul_add_e_f64s(tz, z, diagonal);
-        let mut pair =
-            |row: usize, column: usize, t: S::f64s, [e, f]: [S::f64s; 2], [m, n]: [S::f64s; 2]| {
-                let even = simd.mul_f64s(t, f);
-                let odd = simd.sub_f64s(simd.mul_f64s(e, n), simd.mul_f64s(f, m));
-                values[3 * row + column] = simd.sub_f64s(even, odd);
-                values[3 * column + row] = simd.add_f64s(even, odd);
-            };
-        pair(0, 1, tx, [x, y], [nx, ny]);
-        pair(0, 2, tx, [x, z], [nx, nz]);
-        pair(1, 2, ty, [y, z], [ny, nz]);
+        // Those of a pair differ by the sign of e_i n_j - e_j n_i.
+        let odd = simd.sub_f64s(simd.mul_f64s(x, ny), simd.mul_f64s(y, nx));
+        values[1] = simd.sub_f64s(simd.mul_f64s(tx, y), odd);
+        values[3] = simd.mul_add_e_f64s(tx, y, odd);
+        let odd = simd.sub_f64s(simd.mul_f64s(x, nz), simd.mul_f64s(z, nx));
+        values[2] = simd.sub_f64s(simd.mul_f64s(tx, z), odd);
+        values[6] = simd.mul_add_e_f64s(tx, z, odd);
+        let odd = simd.sub_f64s(simd.mul_f64s(y, nz), simd.mul_f64s(z, ny));
+        values[5] = simd.sub_f64s(simd.mul_f64s(ty, z), odd);
+        values[7] = simd.mul_add_e_f64s(ty, z, odd);
         if with_displacement {
             let factor = simd.mul_f64s(self.displacement, simd.mul_f64s(area, inverse));
             let diagonal = simd.mul_f64s(self.three_four, factor);
-            let [ux, uy, uz] = [x, y, z].map(|e| simd.mul_f64s(factor, e));
+            let (ux, uy) = (simd.mul_f64s(factor, x), simd.mul_f64s(factor, y));
+            let uz = simd.mul_f64s(factor, z);
             values[9] = simd.mul_add_e_f64s(ux, x, diagonal);
             values[10] = simd.mul_add_e_f64s(uy, y, diagonal);
             values[11] = simd.mul_add_e_f64s(uz, z, diagonal);

@@ -1,6 +1,7 @@
 //! A finite body by boundary elements: its surface is divided into elements, and Kelvin's solution tells how
 //! tractions and displacements on them belong together.
 
+mod alone;
 mod assemble;
 mod blocks;
 mod conditions;
@@ -14,11 +15,13 @@ mod rigid;
 mod rules;
 mod size;
 mod solid;
+mod strip;
 mod surface;
 
+pub use alone::{evaluate_alone, integrate_alone};
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
 pub use interior::{Interior, Response};
-pub use kelvin::evaluate_alone;
+pub use kelvin::Evaluations;
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
 pub use solid::{Assembled, Boundary, Condensed, Solid};

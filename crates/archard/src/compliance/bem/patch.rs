@@ -1,6 +1,6 @@
 //! A boundary element in space.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
 use super::element::Element;
 
@@ -17,6 +17,33 @@ pub(super) struct Patch {
     pub radius: f64,
     /// Half the longest extent along s and along t.
     pub half: [f64; 2],
+    pub bounds: Bounds,
+}
+
+/// The box around an element, along its first edge, across it and along the normal.
+#[derive(Debug, Clone)]
+pub(super) struct Bounds {
+    axes: DMat3,
+    centre: DVec3,
+    half: DVec3,
+}
+
+impl Bounds {
+    fn new(corners: &[DVec3]) -> Self {
+        let first = (corners[1] - corners[0]).normalize();
+        let last = corners[corners.len() - 1] - corners[0];
+        let normal = first.cross(last).normalize();
+        let axes = DMat3::from_cols(first, normal.cross(first), normal).transpose();
+        let seen = corners.iter().map(|corner| axes * *corner);
+        let low = seen.clone().fold(DVec3::INFINITY, DVec3::min);
+        let high = seen.fold(DVec3::NEG_INFINITY, DVec3::max);
+        Self { axes, centre: 0.5 * (low + high), half: 0.5 * (high - low) }
+    }
+
+    /// Distance of a point from the box, which is no more than that from the element.
+    pub fn distance(&self, point: DVec3) -> f64 {
+        ((self.axes * point - self.centre).abs() - self.half).max(DVec3::ZERO).length()
+    }
 }
 
 impl Patch {
@@ -34,7 +61,8 @@ impl Patch {
             3 => [side(0, 1).max(side(1, 2)), side(0, 2).max(side(1, 2))],
             _ => [side(0, 1).max(side(3, 2)), side(0, 3).max(side(1, 2))],
         };
-        Self { element, map, corners, centre, radius, half }
+        let bounds = Bounds::new(&corners);
+        Self { element, map, corners, centre, radius, half, bounds }
     }
 
     pub fn triangle(&self) -> bool {

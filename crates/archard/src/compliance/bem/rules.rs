@@ -26,9 +26,10 @@ const HALVINGS: usize = 60;
 /// Rules for one tolerance.
 #[derive(Debug, Clone)]
 pub(super) struct Rules {
-    tolerance: f64,
     /// Rules by order.
     line: Vec<Vec<(f64, f64)>>,
+    /// The distance from which an order does, relative to half the element's extent.
+    reach: Vec<f64>,
 }
 
 /// Places on an element's reference face, and the reference area each stands for.
@@ -77,15 +78,16 @@ impl Rules {
     /// Rules for that relative error of the integrals.
     pub fn new(tolerance: f64) -> Self {
         let line = (0..=ORDERS.1).map(gauss_legendre).collect();
-        Self { tolerance: SAFETY * tolerance, line }
+        let digits = 0.5 * (1.0 / (SAFETY * tolerance)).ln();
+        let reach = (0..=ORDERS.1).map(|order| (digits / order as f64).sinh()).collect();
+        Self { line, reach }
     }
 
     /// The order for a place that far away, relative to half the element's extent: a Gauss rule converges as
-    /// the ellipse does whose foci are the ends and on which the place lies.
+    /// the ellipse does whose foci are the ends and on which the place lies, a factor (d + sqrt(1 + d^2))^-2 an
+    /// order.
     pub fn order(&self, distance: f64) -> usize {
-        let axes = distance + (1.0 + distance * distance).sqrt();
-        let order = (0.5 * (1.0 / self.tolerance).ln() / axes.ln()).ceil();
-        (order as usize).clamp(ORDERS.0, ORDERS.1)
+        (ORDERS.0..ORDERS.1).find(|&order| distance >= self.reach[order]).unwrap_or(ORDERS.1)
     }
 
     /// Orders along s and t for a place that far away (m).

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::assemble::{Assembly, System};
 use super::conditions::{Conditions, Given};
-use super::kelvin::Kelvin;
+use super::kelvin::{Evaluations, Kelvin};
 use super::surface::Surface;
 use crate::body::Material;
 use crate::numerics::dense::{Lu, Singular};
@@ -65,7 +65,7 @@ impl<'a> Assembled<'a> {
     }
 
     /// How often Kelvin's solution was evaluated.
-    pub fn evaluations(&self) -> usize {
+    pub fn evaluations(&self) -> Evaluations {
         self.system.evaluations
     }
 

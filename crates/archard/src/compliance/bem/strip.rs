@@ -1,0 +1,218 @@
+//! The integrals of a block of nodes over one element after the other.
+//!
+//! Elements far from the block are seen alike by all of its nodes, which go through the places of one rule
+//! together. Nearer ones are integrated for groups of nodes with the same rule, the nearest for each node by
+//! itself.
+
+use glam::DVec3;
+
+use super::assemble::Assembly;
+use super::blocks::BLOCK;
+use super::integrate::{Beam, Integrals, Spot, Sums, Tile};
+use super::kelvin::{DISPLACEMENT, Evaluations};
+use super::rules::{Places, Rules};
+
+/// Nodes below which each does better against many places at once than all against one place.
+const FEW: usize = 3;
+/// How far a block has to be from an element, relative to half its extent, to be treated as one.
+const APART: f64 = 3.0;
+
+/// A block of nodes on its way through the elements.
+pub(super) struct Strip<'a> {
+    assembly: &'a Assembly<'a>,
+    pub nodes: Vec<usize>,
+    centre: DVec3,
+    radius: f64,
+    /// Integrals over the last element; what a rigid displacement makes of those so far.
+    pub sums: Stock,
+    /// Those of some of the nodes on their way there.
+    some: Stock,
+    /// Nodes near to an element, by the orders of their rules.
+    near: Vec<([usize; 2], usize)>,
+    places: Places,
+    spots: Vec<Spot>,
+    pub evaluations: Evaluations,
+}
+
+/// See [`Sums`].
+pub(super) struct Stock {
+    pub tractions: Vec<f64>,
+    pub displacements: Vec<f64>,
+    pub rigid: Vec<f64>,
+}
+
+impl Stock {
+    pub fn new() -> Self {
+        let zeros = |rows: usize| vec![0.0; rows * BLOCK];
+        Self { tractions: zeros(36), displacements: zeros(36), rigid: zeros(9) }
+    }
+
+    /// Makes the first values of all rows zero.
+    fn clear(&mut self, width: usize) {
+        for rows in [&mut self.tractions, &mut self.displacements, &mut self.rigid] {
+            rows.chunks_exact_mut(BLOCK).for_each(|row| row[..width].fill(0.0));
+        }
+    }
+
+    /// Adds the first values of another's rows to those of these nodes.
+    fn add(&mut self, other: &Self, nodes: &[usize], displacements: bool) {
+        let add = |to: &mut [f64], from: &[f64]| {
+            for (to, from) in to.chunks_exact_mut(BLOCK).zip(from.chunks_exact(BLOCK)) {
+                nodes.iter().zip(from).for_each(|(&at, value)| to[at] += value);
+            }
+        };
+        add(&mut self.tractions, &other.tractions);
+        add(&mut self.rigid, &other.rigid);
+        if displacements {
+            add(&mut self.displacements, &other.displacements);
+        }
+    }
+
+    pub fn lend(&mut self) -> Sums<'_> {
+        let Self { tractions, displacements, rigid } = self;
+        Sums { tractions, displacements, rigid }
+    }
+}
+
+impl<'a> Strip<'a> {
+    pub fn new(assembly: &'a Assembly<'a>, nodes: Vec<usize>) -> Self {
+        let place = |node: usize| assembly.surface.nodes[node];
+        let centre = nodes.iter().map(|&node| place(node)).sum::<DVec3>() / nodes.len() as f64;
+        let radius = nodes.iter().map(|&node| place(node).distance(centre)).fold(0.0, f64::max);
+        Self {
+            assembly,
+            nodes,
+            centre,
+            radius,
+            sums: Stock::new(),
+            some: Stock::new(),
+            near: vec![],
+            places: Places::default(),
+            spots: vec![],
+            evaluations: Evaluations::default(),
+        }
+    }
+
+    /// Integrates over an element, seen from all images of the nodes.
+    pub fn integrate(&mut self, face: usize) {
+        self.sums.tractions.fill(0.0);
+        self.sums.displacements.fill(0.0);
+        for image in &self.assembly.images {
+            self.integrate_image(face, *image);
+        }
+    }
+
+    fn point(&self, at: usize, image: DVec3) -> DVec3 {
+        image * self.assembly.surface.nodes[self.nodes[at]]
+    }
+
+    /// Adds the integrals over an element, seen from an image of the nodes.
+    fn integrate_image(&mut self, face: usize, image: DVec3) {
+        let assembly = self.assembly;
+        let Assembly { surface, rules, .. } = assembly;
+        let patch = &surface.patches[face];
+        let away = (image * self.centre).distance(patch.centre) - self.radius - patch.radius;
+        if away >= APART * patch.half[0].max(patch.half[1]) {
+            let all: Vec<usize> = (0..self.nodes.len()).collect();
+            self.tile(face, image, rules.orders(patch, away), &all);
+            return;
+        }
+        let mut near = std::mem::take(&mut self.near);
+        near.clear();
+        let locals = &surface.local[face][..patch.element.nodes.len()];
+        for at in 0..self.nodes.len() {
+            let node = self.nodes[at];
+            let point = surface.nodes[node];
+            let own = locals.iter().position(|local| local.node == node);
+            if own.is_some() && image * point == point {
+                self.beam(face, image, at, own);
+                continue;
+            }
+            let away = patch.bounds.distance(image * point);
+            if Rules::far(patch, away) {
+                near.push((rules.orders(patch, away), at));
+            } else {
+                self.beam(face, image, at, None);
+            }
+        }
+        near.sort_unstable();
+        for group in near.chunk_by(|one, other| one.0 == other.0) {
+            if group.len() < FEW {
+                group.iter().for_each(|(_, at)| self.beam(face, image, *at, None));
+            } else {
+                let nodes: Vec<usize> = group.iter().map(|(_, at)| *at).collect();
+                self.tile(face, image, group[0].0, &nodes);
+            }
+        }
+        self.near = near;
+    }
+
+    /// Nodes, all of the block or some, against the places of a rule.
+    fn tile(&mut self, face: usize, image: DVec3, orders: [usize; 2], group: &[usize]) {
+        let patch = &self.assembly.surface.patches[face];
+        self.places.clear();
+        self.assembly.rules.whole(patch, orders, &mut self.places);
+        Spot::on(patch, &self.places, &mut self.spots);
+        let width = group.len().next_multiple_of(8);
+        let mut points = [[0.0; BLOCK]; 3];
+        for index in 0..width {
+            let point = self.point(group[index.min(group.len() - 1)], image);
+            for (points, coordinate) in points.iter_mut().zip(point.to_array()) {
+                points[index] = coordinate;
+            }
+        }
+        let displacement = self.assembly.loaded[face];
+        self.evaluations.count(width * self.spots.len(), displacement);
+        let whole = group.len() == self.nodes.len();
+        if !whole {
+            self.some.clear(width);
+        }
+        self.assembly.arch.dispatch(Tile {
+            kelvin: self.assembly.kelvin,
+            points: points.each_ref().map(|points| &points[..width]),
+            spots: &self.spots,
+            nodes: patch.element.nodes.len(),
+            displacement,
+            image: image.to_array(),
+            sums: if whole { self.sums.lend() } else { self.some.lend() },
+        });
+        if !whole {
+            self.sums.add(&self.some, group, displacement);
+        }
+    }
+
+    /// One node against places around it, or on the element it lies on itself.
+    fn beam(&mut self, face: usize, image: DVec3, at: usize, own: Option<usize>) {
+        let patch = &self.assembly.surface.patches[face];
+        let point = self.point(at, image);
+        self.places.clear();
+        match own {
+            None => self.assembly.rules.near(patch, point, &mut self.places),
+            Some(own) => {
+                self.assembly.rules.polar(patch, patch.element.nodes[own], &mut self.places);
+            }
+        }
+        self.places.pad();
+        let displacement = self.assembly.loaded[face];
+        self.evaluations.count(self.places.len(), displacement);
+        let kelvin = self.assembly.kelvin;
+        let places = &self.places;
+        let beam = Beam { kelvin, point, patch, places, displacement };
+        let integrals: Integrals = self.assembly.arch.dispatch(beam);
+        for (node, values) in integrals[..patch.element.nodes.len()].iter().enumerate() {
+            for i in 0..3 {
+                for j in 0..3 {
+                    let component = 3 * i + j;
+                    let slot = (9 * node + component) * BLOCK + at;
+                    self.sums.displacements[slot] += image[i] * values[DISPLACEMENT[i][j]];
+                    // The own traction, strongly singular, follows from all others.
+                    if own != Some(node) {
+                        self.sums.tractions[slot] += image[i] * values[component];
+                        let mirror = image[i] * image[j];
+                        self.sums.rigid[component * BLOCK + at] += mirror * values[component];
+                    }
+                }
+            }
+        }
+    }
+}
