@@ -2,9 +2,11 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use super::check::memory;
 use super::definition::{BodyCase, BuildError};
 use super::key::Key;
 use super::problem::Problem;
+use crate::compliance::bem::Size;
 use crate::elastic::{ElasticBody, ElasticError, Point};
 use crate::parameters::Invalid;
 
@@ -34,8 +36,6 @@ pub struct ElasticForecast {
 
 /// Memory of the program without a body (bytes).
 const BYTES_OF_THE_PROGRAM: f64 = 10e6;
-/// Memory of an element of the matrix (bytes).
-const BYTES_AN_ELEMENT: f64 = 8.0;
 
 impl ElasticCase {
     /// Builds the body.
@@ -72,16 +72,17 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
             Problem::error(key, error.to_string()).at_name()
         }
     });
-    let problems = problems.collect();
+    let unknowns = surface.unknowns();
+    let memory = BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
+    let problems = problems.chain(memory::of_body(&case.body, memory)).collect();
     let mesh = &body.finite.meshed.mesh;
     let elements = |index: usize| mesh.faces.iter().filter(|face| face.surface == index).count();
     let names = mesh.surfaces.iter().enumerate();
-    let unknowns = surface.unknowns();
     let forecast = ElasticForecast {
         surfaces: names.map(|(index, name)| (name.clone(), elements(index))).collect(),
         unknowns,
         points: body.points.len(),
-        memory: BYTES_OF_THE_PROGRAM + BYTES_AN_ELEMENT * (unknowns as f64).powi(2),
+        memory,
     };
     (forecast, problems)
 }

@@ -3,6 +3,7 @@
 use super::Parts;
 use crate::body::mesh::Shape;
 use crate::case::chosen::Chosen;
+use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 
@@ -40,10 +41,13 @@ const FEWER: &str = "take fewer elements: half as many along both sides take a s
 
 /// What is wrong with the memory (bytes) that meshed bodies take.
 pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
-    let key = parts.largest().and_then(|body| {
-        let mesh = &body.finite.as_ref()?.mesh;
-        Some(key(Key::of(["body", &body.name, "mesh"]), mesh))
-    })?;
+    parts.largest().and_then(|body| of_body(body, memory))
+}
+
+/// What is wrong with the memory (bytes) that a case takes whose largest mesh is that of a body.
+pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> {
+    let mesh = &body.finite.as_ref()?.mesh;
+    let key = key(Key::of(["body", &body.name, "mesh"]), mesh);
     judged(memory, available()).map(|problem| Problem { key, ..problem })
 }
 

@@ -91,3 +91,80 @@ fn around(finite: &Finite, surface: &Surface) -> Vec<Vec<DVec3>> {
     }
     around
 }
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::{Normals, Surface};
+    use crate::body::mesh::{Corners, Face, Mesh, Meshed, Zone};
+    use crate::body::{Elasticity, Finite, Interpolation};
+
+    const RADIUS: f64 = 2.0;
+
+    /// A patch of four by four elements on a sphere about the origin, their corners an angle of about that apart.
+    fn patch(angle: f64) -> Finite {
+        let vertices = (0..25).map(|vertex| {
+            let [x, y] = [vertex % 5, vertex / 5].map(|i| angle * (f64::from(i) - 1.7));
+            (RADIUS * DVec3::new(x, y, 1.0).normalize()).to_array()
+        });
+        let face = |face: usize| {
+            let first = 5 * (face / 4) + face % 4;
+            let corners = Corners::Quad([first, first + 1, first + 6, first + 5]);
+            Face { corners, surface: 0 }
+        };
+        let mesh = Mesh {
+            vertices: vertices.collect(),
+            faces: (0..16).map(face).collect(),
+            surfaces: vec!["cap".to_owned()],
+        };
+        // The four in the middle, all of whose corners have elements all around.
+        let zone = Zone { faces: vec![5, 6, 9, 10], grid: None };
+        Finite {
+            meshed: Meshed { mesh, zone, placed: true },
+            supports: vec![],
+            mirrored: [false; 2],
+            interpolation: Interpolation::Discontinuous,
+            tolerance: 1e-6,
+            elasticity: Elasticity::BoundaryElements,
+        }
+    }
+
+    /// The largest errors of normals at the corners and at nodes, and of the rise relative to the radius.
+    fn errors(angle: f64) -> [f64; 3] {
+        let finite = patch(angle);
+        let surface = Surface::new(&finite.meshed.mesh, finite.interpolation, finite.mirrored);
+        let normals = Normals::new(&finite, &surface);
+        let mut errors = [0.0f64; 3];
+        for (index, &face) in finite.meshed.zone.faces.iter().enumerate() {
+            let patch = &surface.patches[face];
+            for (corner, normal) in patch.corners.iter().zip(&normals.corners[index]) {
+                errors[0] = errors[0].max(normal.distance(corner.normalize()));
+            }
+            for at in [[0.0, 0.0], [0.5, -0.5], [0.9, 0.3]] {
+                let place = patch.at(at);
+                let above = RADIUS - place.length();
+                assert!(above > 0.0);
+                let rise = normals.rise(index, patch, at);
+                errors[2] = errors[2].max((rise - above).abs() / RADIUS);
+            }
+        }
+        for (node, normal) in normals.at_nodes(&finite, &surface).into_iter().enumerate() {
+            if normal != DVec3::ZERO {
+                let place = surface.tractions[node].place;
+                errors[1] = errors[1].max(normal.distance(place.normalize()));
+            }
+        }
+        errors
+    }
+
+    /// Normals are exact on a sphere at corners (Max), and between them, where normals and places are the same
+    /// mean of those of the corners; the rise follows with the fourth power of the size of the elements.
+    #[test]
+    fn a_sphere_is_as_smooth_as_it_is_meant() {
+        let (coarse, fine) = (errors(0.2), errors(0.1));
+        assert!(coarse[0] < 1e-12 && fine[0] < 1e-12, "{coarse:?} {fine:?}");
+        assert!(coarse[1] < 1e-12 && fine[1] < 1e-12, "{coarse:?} {fine:?}");
+        assert!(coarse[2] < 2e-4 && fine[2] < 0.08 * coarse[2], "{coarse:?} {fine:?}");
+    }
+}

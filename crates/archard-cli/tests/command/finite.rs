@@ -1,0 +1,115 @@
+//! Finite bodies: what is kept of them, what `check` says of them, and bodies without contact.
+
+use std::fs;
+use std::path::PathBuf;
+
+use tempfile::TempDir;
+
+use super::{archard, case, printed, said};
+
+/// A small block under a punch, its compliances in a folder of their own.
+fn run_block(dir: &TempDir, output: &str) -> String {
+    let case = case("punch_indentation_block");
+    let arguments = [
+        "run",
+        case.to_str().unwrap(),
+        "-o",
+        output,
+        "--cache",
+        "kept",
+        "--set",
+        "body.block.mesh.box.contact.elements=[4, 4]",
+        "--set",
+        "motion.indentation.increments=4",
+        "--quiet",
+    ];
+    archard(dir, &arguments).success();
+    fs::read_to_string(dir.path().join(output).join("history.csv")).unwrap()
+}
+
+#[test]
+fn compliances_are_kept_and_give_the_same_bits() {
+    let dir = TempDir::new().unwrap();
+    let kept = || -> Vec<PathBuf> {
+        let entries = fs::read_dir(dir.path().join("kept")).unwrap();
+        entries.map(|entry| entry.unwrap().path()).collect()
+    };
+    let first = run_block(&dir, "first");
+    let [file] = &kept()[..] else { panic!("{:?}", kept()) };
+    let sound = fs::read(file).unwrap();
+    assert_eq!(run_block(&dir, "second"), first);
+    assert_eq!(kept().len(), 1);
+    // Damage is found, and what was damaged computed and kept again.
+    let mut damaged = sound.clone();
+    let middle = damaged.len() / 2;
+    damaged[middle] ^= 1;
+    fs::write(file, &damaged).unwrap();
+    assert_eq!(run_block(&dir, "third"), first);
+    assert_eq!(fs::read(file).unwrap(), sound);
+    // As is a file cut short.
+    fs::write(file, &sound[..middle]).unwrap();
+    assert_eq!(run_block(&dir, "fourth"), first);
+    assert_eq!(fs::read(file).unwrap(), sound);
+}
+
+#[test]
+fn another_material_has_a_compliance_of_its_own_and_friction_has_not() {
+    let dir = TempDir::new().unwrap();
+    let case = case("punch_indentation_block");
+    let run = |option: &str| {
+        let small = "body.block.mesh.box.contact.elements=[4, 4]";
+        let steps = "motion.indentation.increments=2";
+        let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--cache", "kept", "--quiet"];
+        let options = ["--set", small, "--set", steps, "--set", option];
+        archard(&dir, &[&arguments[..], &options].concat()).success();
+        fs::read_dir(dir.path().join("kept")).unwrap().count()
+    };
+    assert_eq!(run("friction.coulomb.coefficient=0.3"), 1);
+    assert_eq!(run("friction.coulomb.coefficient=0.1"), 1);
+    assert_eq!(run("body.block.material.young=200 GPa"), 2);
+    // A half-space needs none.
+    assert_eq!(run("body.block.elasticity=half_space"), 2);
+}
+
+#[test]
+fn check_compares_a_meshed_body_with_a_half_space() {
+    let dir = TempDir::new().unwrap();
+    let checked = archard(&dir, &["check", case("punch_indentation_block").to_str().unwrap()]);
+    let checked = checked.success();
+    let printed = printed(&checked);
+    for line in [
+        "Hertz contact     radius 83.7 mm",
+        "% of the approach where `block` ends, 500 mm away",
+        "half-space        in place of `block`: about 1.3 % more approach",
+        "of `block`\n",
+        "pairs             400\n",
+        "No warnings.",
+    ] {
+        assert!(printed.contains(line), "{line} is not in\n{printed}");
+    }
+}
+
+#[test]
+fn an_elastic_body_is_checked_and_run() {
+    let dir = TempDir::new().unwrap();
+    archard(&dir, &["new", "patch_test"]).success();
+    let checked = printed(&archard(&dir, &["check", "patch_test"]).success());
+    for line in ["output.points.on_x1 = [\"1 m\", \"0.4 m\", \"0.7 m\"]", "`cut`", "unknowns"] {
+        assert!(checked.contains(line), "{line} is not in\n{checked}");
+    }
+    let ran = printed(&archard(&dir, &["run", "patch_test"]).success());
+    assert!(ran.contains("at `inside`"), "{ran}");
+    let results = dir.path().join("results/patch_test");
+    let points = fs::read_to_string(results.join("points.csv")).unwrap();
+    let header = "point,x_m,y_m,z_m,depth_m,displacement_x_m,displacement_y_m,displacement_z_m,\
+        stress_xx_Pa,stress_yy_Pa,stress_zz_Pa,stress_xy_Pa,stress_yz_Pa,stress_zx_Pa,von_mises_Pa";
+    assert_eq!(points.lines().next(), Some(header));
+    assert_eq!(points.lines().count(), 4);
+    let surface = archard::output::Surface::read(&results.join("surface.vtu")).unwrap();
+    let stress = surface.field("stress_zz_Pa").expect("a field");
+    assert!(stress.iter().all(|stress| (stress - 1.5e6).abs() < 50.0), "{stress:?}");
+    archard(&dir, &["run", "results/patch_test", "-o", "again", "-q"]).success();
+    assert_eq!(fs::read_to_string(dir.path().join("again/points.csv")).unwrap(), points);
+    let refused = archard(&dir, &["plot", "results/patch_test"]).code(2);
+    assert!(said(&refused).contains("open its surface.vtu"), "{}", said(&refused));
+}
