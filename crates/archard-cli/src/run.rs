@@ -7,7 +7,7 @@ use std::time::Instant;
 use archard::body::Body;
 use archard::case::{Resolved, Task};
 use archard::kinematics::{Rolling, Shift};
-use archard::output::{ResultFolder, Totals};
+use archard::output::{Inside, ResultFolder, Totals};
 use archard::simulation::{Effort, Error, Simulation};
 
 use crate::arguments::Run;
@@ -46,7 +46,8 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     };
     let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
     let mut watch = Watch::set();
-    let outcome = simulation.run(&mut [&mut folder, &mut follower, &mut watch]);
+    let mut inside = Inside::at(case.points.clone());
+    let outcome = simulation.run(&mut [&mut folder, &mut follower, &mut inside, &mut watch]);
     follower.finish();
     let totals = Totals {
         seconds: start.elapsed().as_secs_f64(),
@@ -56,6 +57,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     };
     folder.finish(&totals).map_err(|error| Failure::wrong(error.to_string()))?;
     let effort = outcome.map_err(|error| failure(error, &dir))?;
+    inside
+        .write(&dir, simulation.problem.bodies.each_ref())
+        .map_err(|error| Failure::wrong(error.to_string()))?;
     if arguments.quiet {
         return Ok(());
     }

@@ -1,15 +1,17 @@
-//! An elastic body by itself: how loads and supports deform it, without contact.
+//! An elastic body: how loads and supports deform it, without contact or under the tractions of one.
 //!
 //! An [`ElasticBody`] is solved by boundary elements. What comes out is a [`Deformed`]: displacements,
-//! tractions and stresses on the surface, and displacements and stresses at the points asked for.
+//! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
+//! in contact is one too, once its tractions are known: [`Deformed::in_contact`].
 
 use glam::DMat3;
 
-use crate::body::{Finite, Material};
-use crate::compliance::bem::contact::supported;
+use crate::body::{Body, Finite, Material};
+use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
 use crate::compliance::bem::{
     Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined,
 };
+use crate::frame::VectorField;
 use crate::numerics::dense::Singular;
 
 /// A body with its loads and supports.
@@ -65,6 +67,9 @@ pub enum ElasticError {
     /// Its equations have no solution.
     #[error("{0}; are elements degenerate?")]
     Singular(#[from] Singular),
+    /// It cannot touch the other body.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
 }
 
 impl ElasticBody {
@@ -98,18 +103,50 @@ impl ElasticBody {
         let Self { material, finite, .. } = self;
         let surface = self.surface();
         let conditions = self.conditions(&surface)?;
-        let solid = Solid::new(&surface, material, &conditions, finite.tolerance)?;
-        let boundary = solid.boundary(&[]);
-        let interior = Interior::new(&surface, material, &boundary, finite.tolerance);
-        let stress = interior.surface_stress();
-        let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
-        let at = |point: &Point| interior.at(point.place.into()).ok_or_else(|| outside(point));
-        let points = self.points.iter().map(at).collect::<Result<_, _>>()?;
-        Ok(Deformed { surface, boundary, stress, points })
+        let job = Job { surface: &surface, conditions: &conditions };
+        Deformed::of((material, finite.tolerance), &job, &[], &self.points)
     }
 }
 
 impl Deformed {
+    /// A meshed body in contact, under tractions of the pairs (Pa) on body 1 and its own loads; `None` where
+    /// something else than boundary elements tells how it deforms. `which` is its index, 0 or 1.
+    ///
+    /// # Errors
+    /// If the bodies cannot touch, a point lies outside of the body, or its equations have no solution.
+    pub fn in_contact(
+        bodies: [&Body; 2],
+        which: usize,
+        tractions: &VectorField,
+        points: &[Point],
+    ) -> Result<Option<Self>, ElasticError> {
+        let meeting = Meeting::of(bodies)?;
+        let Body { material: Some(material), finite: Some(finite), .. } = bodies[which] else {
+            return Ok(None);
+        };
+        let Some((job, acting)) = meeting.acting_on(which, tractions) else { return Ok(None) };
+        Self::of((material, finite.tolerance), &job, &acting, points).map(Some)
+    }
+
+    /// Solves equations, integrals to that relative tolerance, under tractions of contact.
+    fn of(
+        (material, tolerance): (&Material, f64),
+        job: &Job<'_>,
+        acting: &[f64],
+        points: &[Point],
+    ) -> Result<Self, ElasticError> {
+        let surface = job.surface;
+        let solid = Solid::new(surface, material, job.conditions, tolerance)?;
+        let boundary = solid.boundary(acting);
+        drop(solid);
+        let interior = Interior::new(surface, material, &boundary, tolerance);
+        let stress = interior.surface_stress();
+        let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
+        let at = |point: &Point| interior.at(point.place.into()).ok_or_else(|| outside(point));
+        let points = points.iter().map(at).collect::<Result<_, _>>()?;
+        Ok(Self { surface: surface.clone(), boundary, stress, points })
+    }
+
     /// Force (N) of the tractions on each surface, mirror images left out.
     pub fn forces(&self) -> Vec<[f64; 3]> {
         let mut forces = vec![[0.0; 3]; self.surface.names().len()];

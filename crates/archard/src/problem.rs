@@ -143,6 +143,16 @@ impl ContactState {
         }
     }
 
+    /// Tractions on body 1 (Pa) in the bases of the pairs; those of friction as far as they are known.
+    pub fn tractions(&self) -> VectorField {
+        let n: Vec<f64> = self.pressure.iter().map(|pressure| -pressure).collect();
+        let [t1, t2] = match &self.tangential {
+            Some(tangential) => tangential.traction.clone(),
+            None => [vec![0.0; n.len()], vec![0.0; n.len()]],
+        };
+        VectorField { t1, t2, n }
+    }
+
     /// Total wear depth (m), one value a pair.
     pub fn total_worn(&self) -> Vec<f64> {
         self.worn[0].iter().zip(&self.worn[1]).map(|(a, b)| a + b).collect()

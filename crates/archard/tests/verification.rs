@@ -22,5 +22,6 @@ mod verification {
     mod similarity;
     mod spence;
     mod step_by_error;
+    mod stresses_under_contact;
     mod unequal_pairs;
 }

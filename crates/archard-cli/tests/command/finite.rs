@@ -72,6 +72,33 @@ fn another_material_has_a_compliance_of_its_own_and_friction_has_not() {
 }
 
 #[test]
+fn stresses_inside_of_a_body_in_contact_are_put_out() {
+    let dir = TempDir::new().unwrap();
+    let case = case("punch_indentation_block");
+    let points =
+        r#"output.points.block={ top = ["0 m", "0 m", "0 m"], below = ["0 m", "0 m", "-50 mm"] }"#;
+    let small = "body.block.mesh.box.contact.elements=[8, 8]";
+    let steps = "motion.indentation.increments=1";
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q"];
+    let options = ["--set", small, "--set", steps, "--set", points];
+    archard(&dir, &[&arguments[..], &options].concat()).success();
+    let out = dir.path().join("out");
+    let table = fs::read_to_string(out.join("points.csv")).unwrap();
+    assert!(table.starts_with("body,point,x_m,y_m,z_m,depth_m,displacement_x_m"), "{table}");
+    let below = table.lines().find(|line| line.starts_with("block,below,")).expect("a row");
+    let stress: f64 = below.split(',').nth(11).unwrap().parse().unwrap();
+    // Hertz: the peak pressure is 129 MPa, the radius 84 mm.
+    assert!((stress / (-129e6 / (1.0 + (50.0f64 / 84.0).powi(2))) - 1.0).abs() < 0.05, "{below}");
+    let surface = archard::output::Surface::read(&out.join("surface_2.vtu")).unwrap();
+    let stress = surface.field("stress_zz_Pa").expect("a field");
+    assert!(stress.iter().fold(0.0, |least: f64, stress| least.min(*stress)) < -110e6);
+    // A run without points leaves none of an earlier one.
+    let options = ["--set", small, "--set", steps];
+    archard(&dir, &[&arguments[..], &options].concat()).success();
+    assert!(!out.join("points.csv").exists() && !out.join("surface_2.vtu").exists());
+}
+
+#[test]
 fn check_compares_a_meshed_body_with_a_half_space() {
     let dir = TempDir::new().unwrap();
     let checked = archard(&dir, &["check", case("punch_indentation_block").to_str().unwrap()]);

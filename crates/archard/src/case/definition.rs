@@ -5,6 +5,7 @@ use crate::body::mesh::{MeshError, Meshed, Shape};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
 use crate::compliance::{Compliance, HalfSpace};
+use crate::elastic::Point;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
 use crate::kinematics::Motion;
@@ -34,6 +35,8 @@ pub struct Case {
     pub friction_solver: Chosen<Box<dyn FrictionSolver>>,
     /// When fields are put out.
     pub output: Output,
+    /// Points of each body where displacement and stress are put out at the end.
+    pub points: [Vec<Point>; 2],
 }
 
 /// One body of a case.

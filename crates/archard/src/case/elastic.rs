@@ -67,7 +67,7 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
             let key = Key::of(["output", "points", &point.name]);
             Problem::error(key, "lies outside of the body")
         }
-        ElasticError::Undetermined(_) | ElasticError::Singular(_) => {
+        _ => {
             let key = Key::of(["body", &case.body.name, "supports"]);
             Problem::error(key, error.to_string()).at_name()
         }

@@ -43,7 +43,11 @@ impl Display for Case {
         if self.friction.is_some() {
             print_chosen(f, "friction_solver", &self.friction_solver)?;
         }
-        self.print_output(f)
+        self.print_output(f)?;
+        for (body, points) in self.bodies.iter().zip(&self.points) {
+            print_points(f, &format!("output.points.{}", body.name), points)?;
+        }
+        Ok(())
     }
 }
 
@@ -80,12 +84,16 @@ impl Display for ElasticCase {
             print_finite(f, &key, finite)?;
         }
         writeln!(f)?;
-        for Point { name, place } in &self.points {
-            let place = place.map(|one| si(one, "m")).join(", ");
-            writeln!(f, "output.points.{name} = [{place}]")?;
-        }
-        Ok(())
+        print_points(f, "output.points", &self.points)
     }
+}
+
+fn print_points(f: &mut Formatter<'_>, key: &str, points: &[Point]) -> fmt::Result {
+    for Point { name, place } in points {
+        let place = place.map(|one| si(one, "m")).join(", ");
+        writeln!(f, "{key}.{name} = [{place}]")?;
+    }
+    Ok(())
 }
 
 fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Result {

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 use super::table::{Table, number};
 use super::{Error, Field, Surface, Totals, file};
 use crate::compliance::bem::Response;
-use crate::elastic::{Deformed, ElasticBody, row};
+use crate::elastic::{Deformed, ElasticBody, Point, row};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder.
 ///
@@ -23,27 +23,38 @@ pub fn write_elastic(
 ) -> Result<(), Error> {
     fs::create_dir_all(dir).map_err(|source| Error::Write { path: dir.to_owned(), source })?;
     file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
-    Surface::of_elastic(body, deformed).write(&dir.join("surface.vtu"))?;
+    Surface::of_elastic(deformed).write(&dir.join("surface.vtu"))?;
     if !body.points.is_empty() {
-        write_points(&dir.join("points.csv"), body, deformed)?;
+        let mut table = Table::create(dir.join(POINTS))?;
+        write_points(&mut table, &[], &body.points, deformed)?;
+        table.flush()?;
     }
     let summary = format!("{:#}\n", summary(body, deformed, totals));
     file::write_whole(&dir.join("summary.json"), summary.as_bytes())
 }
 
-fn write_points(path: &Path, body: &ElasticBody, deformed: &Deformed) -> Result<(), Error> {
-    let mut table = Table::create(path.to_owned())?;
-    for (point, response) in body.points.iter().zip(&deformed.points) {
+/// The file of what is found at points.
+pub(super) const POINTS: &str = "points.csv";
+
+/// Adds a row a point, with the same cells in front of each.
+pub(super) fn write_points(
+    table: &mut Table,
+    first: &[(&str, String)],
+    points: &[Point],
+    deformed: &Deformed,
+) -> Result<(), Error> {
+    for (point, response) in points.iter().zip(&deformed.points) {
         let [x, y, z] = point.place.map(number);
         let depth = deformed.surface.depth(point.place.into()).map_or(String::new(), number);
         let place = [("x_m", x), ("y_m", y), ("z_m", z), ("depth_m", depth)];
         let row = row(response);
         let values = row.iter().map(|(column, value)| (column.as_str(), number(*value)));
+        let name = [("point", point.name.clone())];
         let cells: Vec<(&str, String)> =
-            [("point", point.name.clone())].into_iter().chain(place).chain(values).collect();
+            first.iter().cloned().chain(name).chain(place).chain(values).collect();
         table.row(&cells)?;
     }
-    table.flush()
+    Ok(())
 }
 
 fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
@@ -70,12 +81,12 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
 
 impl Surface {
     /// The surface of an elastic body: displacement, traction and stress at the nodes of every element.
-    pub fn of_elastic(body: &ElasticBody, deformed: &Deformed) -> Self {
-        let mut surface = Self { mirrored: body.finite.mirrored, ..Self::default() };
+    pub fn of_elastic(deformed: &Deformed) -> Self {
+        let mut surface = Self { mirrored: deformed.surface.mirrored(), ..Self::default() };
         let mut columns: Vec<Field> = vec![];
         let (mut displacements, mut tractions) = (vec![], vec![]);
         let nodes = deformed.surface.traction_nodes();
-        for face in 0..body.finite.meshed.mesh.faces.len() {
+        for face in 0..deformed.surface.elements() {
             let parts = deformed.surface.parts_of(face);
             for (node, part) in deformed.surface.tractions_of(face).zip(parts) {
                 let displacement: DVec3 = deformed.boundary.displacement[nodes[node].node];

@@ -12,6 +12,9 @@
 //!   that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals.
 //!
+//! Where points inside of bodies in contact are asked for, [`Inside`] adds `points.csv`, a row a point, and
+//! `surface_1.vtu` or `surface_2.vtu` with displacements, tractions and stresses, at the end.
+//!
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, and `summary.json`.
 //!
@@ -26,6 +29,7 @@ mod file;
 mod folder;
 mod fretting_loop;
 mod image;
+mod inside;
 mod pvd;
 mod sections;
 mod store;
@@ -46,6 +50,7 @@ pub use elastic::write_elastic;
 pub use fields::{Field, fields};
 pub use folder::ResultFolder;
 pub use image::Image;
+pub use inside::{Inside, InsideError};
 pub use store::Store;
 pub use summary::Totals;
 pub use surface::Surface;

@@ -78,6 +78,11 @@ fn meshed_cases_read_back_to_the_same_bits() {
         reads_back(&punch(options).case);
     }
     reads_back(&resolve(&file(SPHERE)).case);
+    let point = r#"output.points.block.below=["0 mm", "1 mm", "-20 mm"]"#;
+    let points = punch(&[point]).case.points;
+    assert!(points[0].is_empty());
+    assert_eq!((&points[1][0].name[..], points[1][0].place), ("below", [0.0, 1e-3, -0.02]));
+    reads_back(&punch(&[point]).case);
 }
 
 /// A quarter of the block has 4 x 4 elements in the zone, four nodes each; three unknowns a node.

@@ -7,6 +7,7 @@ mod cycles;
 mod finite;
 mod forecast;
 mod geometry;
+mod inside;
 mod judge;
 mod made;
 mod meeting;
@@ -178,6 +179,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         problems.extend(memory::problems(parts, forecast.memory));
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {
             problems.extend(meeting::problems(parts));
+            problems.extend(inside::problems(parts));
         }
         if problems.iter().any(|problem| problem.severity == Severity::Error) {
             return problems;

@@ -53,13 +53,18 @@ impl Reader<'_> {
         }
     }
 
-    /// The points where displacement and stress are put out, by their names.
+    /// The points where displacement and stress are put out.
     fn points(&mut self, root: &Section<'_>) -> Option<Vec<Point>> {
         let Some((key, entry)) = root.get("output") else { return Some(vec![]) };
         let section = self.as_table(key, &entry.node)?;
         self.unknown(&section, "key", &["points"]);
         let Some((key, entry)) = section.get("points") else { return Some(vec![]) };
         let section = self.as_table(key, &entry.node)?;
+        self.places_by_name(&section)
+    }
+
+    /// Places in a body by their names.
+    pub(super) fn places_by_name(&mut self, section: &Section<'_>) -> Option<Vec<Point>> {
         let mut points = vec![];
         for entry in &section.table.0 {
             let key = section.key.child(&entry.name);

@@ -46,6 +46,7 @@ impl Reader<'_> {
         let solver = self.solver(root, "solver", SOLVERS);
         let friction_solver = self.friction_solver(root);
         let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
+        let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
         Some(Case {
             title: title?,
             bodies: bodies?,
@@ -55,6 +56,7 @@ impl Reader<'_> {
             solver: solver?,
             friction_solver: friction_solver?,
             output: output?,
+            points: points?,
         })
     }
 

@@ -1,11 +1,13 @@
 //! When a case puts out fields.
 
-use crate::case::definition::Output;
+use crate::body::Elasticity;
+use crate::case::definition::{BodyCase, FiniteCase, Output};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
+use crate::elastic::Point;
 use crate::kinematics::Motion;
 use crate::parameters::{Quantity, Values};
 
@@ -16,7 +18,7 @@ impl Reader<'_> {
         let default = Output::Every(tenth(motion));
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", &["every", "at"]);
+        self.unknown(&section, "key", &["every", "at", "points"]);
         let quantity = motion.kinematics.progress().quantity;
         match (section.get("every"), section.get("at")) {
             (None, None) => Some(default),
@@ -31,6 +33,46 @@ impl Reader<'_> {
             }
             (None, Some((key, entry))) => self.places(key, entry, quantity, motion.extent),
         }
+    }
+
+    /// The points of each body where displacement and stress are put out.
+    pub(super) fn points_of_bodies(
+        &mut self,
+        root: &Section<'_>,
+        bodies: &[BodyCase; 2],
+    ) -> Option<[Vec<Point>; 2]> {
+        let mut points = [vec![], vec![]];
+        let Some((key, entry)) = root.get("output") else { return Some(points) };
+        // Complained about already if it is none.
+        let Item::Table(output) = &entry.node.item else { return Some(points) };
+        let Some((key, entry)) = (Section { key, table: output }).get("points") else {
+            return Some(points);
+        };
+        let section = self.as_table(key, &entry.node)?;
+        let before = self.problems.len();
+        for entry in &section.table.0 {
+            let key = section.key.child(&entry.name);
+            let Some(body) = bodies.iter().position(|body| body.name == entry.name) else {
+                let names = bodies.each_ref().map(|body| format!("`{}`", body.name)).join(" or ");
+                let message = "is the name of no body";
+                let help = format!(
+                    "points are those of a body: `output.points.BODY.NAME = [\"0 m\", \"0 m\", \"-1 mm\"]`, with {names} for BODY"
+                );
+                self.push(Problem::error(key, message).at_name().help(help));
+                continue;
+            };
+            let deforms = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
+            if bodies[body].material.is_none() || !bodies[body].finite.as_ref().is_some_and(deforms)
+            {
+                let message = "has no stress to put out: that takes an elastic body with a `mesh`, and `elasticity` left out";
+                self.push(Problem::error(key, message).at_name());
+                continue;
+            }
+            if let Some(section) = self.as_table(key, &entry.node) {
+                points[body] = self.places_by_name(&section).unwrap_or_default();
+            }
+        }
+        (self.problems.len() == before).then_some(points)
     }
 
     /// An interval between outputs that does not ask for more of them than anyone would look at.

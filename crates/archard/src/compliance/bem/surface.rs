@@ -131,6 +131,16 @@ impl Surface {
         &self.tractions
     }
 
+    /// Number of elements.
+    pub fn elements(&self) -> usize {
+        self.patches.len()
+    }
+
+    /// Whether x = 0 and y = 0 are planes of symmetry.
+    pub fn mirrored(&self) -> [bool; 2] {
+        self.mirrored
+    }
+
     /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
         3 * self.nodes.len()

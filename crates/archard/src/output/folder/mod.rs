@@ -10,7 +10,9 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::closed_forms::ClosedForms;
+use super::elastic::POINTS;
 use super::fretting_loop::FrettingLoop;
+use super::inside::SURFACES;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
@@ -148,9 +150,9 @@ impl Observer for ResultFolder {
 /// Removes what an earlier run left and this one might not overwrite.
 fn clear(dir: &Path, fields: &Path) -> Result<(), Error> {
     let refused = |source| Error::Write { path: fields.to_owned(), source };
-    let mut old = ["summary.json", "fields.pvd", WORN_PROFILES, FRETTING_LOOP]
-        .map(|name| dir.join(name))
-        .to_vec();
+    let names = ["summary.json", "fields.pvd", WORN_PROFILES, FRETTING_LOOP, POINTS];
+    let mut old: Vec<PathBuf> =
+        names.into_iter().chain(SURFACES).map(|name| dir.join(name)).collect();
     for entry in fs::read_dir(fields).map_err(refused)? {
         let path = entry.map_err(refused)?.path();
         if is_output(&path) {

@@ -9,7 +9,7 @@ use super::transfer::Transfer;
 use super::{Condense, Contact, ContactError, Job, half_space, supported};
 use crate::body::{Body, Elasticity};
 use crate::compliance::Dense;
-use crate::frame::{ContactFrame, OffTheSurface, Pairs};
+use crate::frame::{ContactFrame, OffTheSurface, Pairs, VectorField};
 
 /// Two bodies, one of them meshed at least, and the pairs where they may touch.
 pub struct Meeting<'a> {
@@ -64,6 +64,25 @@ impl<'a> Meeting<'a> {
     /// Whether the pairs form rows on a plane, as rolling asks for.
     pub fn has_rows(&self) -> bool {
         self.pairs.elements.is_some() && self.pairs.bases.is_empty()
+    }
+
+    /// The equations of a meshed body and the tractions (Pa) on it, three a contact node in their bases, where
+    /// those of the pairs are given; `None` if something else tells how it deforms.
+    pub fn acting_on(&self, which: usize, tractions: &VectorField) -> Option<(Job<'_>, Vec<f64>)> {
+        let of_pairs = |pair: usize| tractions.components().map(|along| along[pair]);
+        let pairs: Vec<f64> = (0..self.pairs.gap.len()).flat_map(of_pairs).collect();
+        let (side, mut acting) = match &self.opposite {
+            Some((side, transfer)) if side.host.which == which => (side, transfer.act(&pairs)),
+            _ => (&self.host, pairs),
+        };
+        if side.host.which != which {
+            return None;
+        }
+        if which == 1 {
+            acting.iter_mut().for_each(|traction| *traction = -*traction);
+        }
+        let (surface, conditions) = (&side.host.surface, side.conditions.as_ref()?);
+        Some((Job { surface, conditions }, acting))
     }
 
     /// The contact, with what tells how meshed bodies deform.

@@ -128,6 +128,20 @@ impl Transfer {
         (0..self.rows.len()).map(normal).collect()
     }
 
+    /// The tractions (Pa) of the other body's nodes in their bases, three a node, under those of the pairs.
+    pub fn act(&self, pairs: &[f64]) -> Vec<f64> {
+        let mut nodal = vec![0.0; 3 * self.other_areas.len()];
+        for (pair, row) in self.rows.iter().enumerate() {
+            for &(node, share) in row {
+                for e in 0..3 {
+                    let along = (0..3).map(|d| self.turn(pair, node, d, e) * pairs[3 * pair + d]);
+                    nodal[3 * node + e] += share * along.sum::<f64>() / self.other_areas[node];
+                }
+            }
+        }
+        nodal
+    }
+
     /// The compliance of the other body at the pairs.
     pub fn compliance(&self, nodal: &Mat<f64>) -> Mat<f64> {
         let pairs = self.rows.len();

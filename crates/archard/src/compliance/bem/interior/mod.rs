@@ -56,8 +56,8 @@ pub struct Response {
 ///
 /// Displacements are as accurate as those of the surface, at any depth. Stresses are from a depth of a quarter of the
 /// nearest element on; above that the identity would show the steps and edges between elements rather than the
-/// body. Stresses there lie on the line through those at that depth and at twice as much: an error of second order
-/// in the size of the elements. Where another side is too close for that, at edges and in thin walls, they are found
+/// body. Stresses there lie on the line through those at that depth and at twice as much, with the known traction at
+/// the surface: an error of second order in the size of the elements. Where another side is too close for that, at edges and in thin walls, they are found
 /// between those of the identity and those that follow at the surface from the traction and the slopes of the
 /// displacement.
 #[derive(Debug)]
@@ -140,8 +140,9 @@ impl<'a> Interior<'a> {
         sums.into_iter().map(|(weight, sum)| sum * weight.recip()).collect()
     }
 
-    /// The stress (Pa) in that part of the least depth below a place of the surface, on the line through the
-    /// stresses at that depth and at twice as much; `None` where these are too close to another side.
+    /// The stress (Pa) in that part of the least depth below a place of the surface: on the line through the
+    /// stresses at that depth and at twice as much, from where it meets the surface corrected by the traction
+    /// there; `None` where these are too close to another side.
     fn shallow(&self, place: &Nearest, inward: DVec3, share: f64) -> Option<DMat3> {
         let step = SHALLOW * place.size;
         let below = |times: f64| {
@@ -151,7 +152,19 @@ impl<'a> Interior<'a> {
             deep.then(|| self.integrate(point, &self.linear(&nearest)).stress)
         };
         let (first, second) = (below(1.0)?, below(2.0)?);
-        Some(first + (1.0 - share) * (first - second))
+        let surface = self.bearing(place, first + (first - second));
+        Some(surface + share * (first - surface))
+    }
+
+    /// The stress (Pa) at a place of the surface with the traction there, which is known, for what the stress
+    /// says of it.
+    fn bearing(&self, place: &Nearest, stress: DMat3) -> DMat3 {
+        let normal = place.image * self.surface.patches[place.face].normal(place.reference);
+        let [_, traction] = self.values(place.face, place.reference);
+        let missing = place.image * traction - stress * normal;
+        let outer = |a: DVec3, b: DVec3| DMat3::from_cols(b.x * a, b.y * a, b.z * a);
+        let both = outer(missing, normal) + outer(normal, missing);
+        stress + both - missing.dot(normal) * outer(normal, normal)
     }
 
     /// Displacement and traction at a place of an element.
