@@ -66,12 +66,11 @@ fn friction(problem: &ContactProblem, state: &ContactState, tangential: &Tangent
 
 /// Whether particles on their way to a pair are under pressure at either end of it.
 fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
-    let touches = |pair: usize| state.pressure[pair] > 0.0;
-    let elements = problem.frame.elements();
-    let ahead = |pair: usize| problem.kinematics.rolling()?.direction.ahead(pair, elements);
-    (0..state.pressure.len())
-        .map(|pair| touches(pair) || ahead(pair).is_some_and(touches))
-        .collect()
+    let rolling = problem.kinematics.rolling();
+    match rolling.and_then(|rolling| problem.frame.flow(rolling.direction).ok()) {
+        Some(flow) => flow.on_the_way(&state.pressure).iter().map(|mean| *mean > 0.0).collect(),
+        None => state.pressure.iter().map(|pressure| *pressure > 0.0).collect(),
+    }
 }
 
 /// Worn height (m) of a body, one value a pair.
