@@ -41,13 +41,18 @@ impl Plane {
 /// The rows of a grid.
 pub(super) fn rows(frame: &ContactFrame, direction: Direction) -> Vec<Plane> {
     let across = 1 - direction.axis;
-    let images: f64 = images(frame.mirrored());
-    let length =
-        frame.size()[direction.axis] / if frame.mirrored()[direction.axis] { 2.0 } else { 1.0 };
-    let plane = |pairs: Vec<usize>| Plane {
-        place: pairs.first().map_or(0.0, |&pair| frame.place(pair)[across]),
-        width: pairs.iter().map(|&pair| frame.area(pair)).sum::<f64>() / (images * length),
-        passages: pairs.into_iter().map(|pair| Passage { pair, share: 1.0, times: 1.0 }).collect(),
+    let plane = |pairs: Vec<usize>| {
+        let first = pairs.first().copied().unwrap_or_default();
+        let corners = frame.outline(first).into_iter().map(|corner| corner[across]);
+        let lowest = corners.clone().fold(f64::INFINITY, f64::min);
+        Plane {
+            place: frame.place(first)[across],
+            width: corners.fold(f64::NEG_INFINITY, f64::max) - lowest,
+            passages: pairs
+                .into_iter()
+                .map(|pair| Passage { pair, share: 1.0, times: 1.0 })
+                .collect(),
+        }
     };
     direction.planes(frame.elements()).map(|pairs| plane(pairs.collect())).collect()
 }
@@ -66,23 +71,16 @@ pub(super) fn strips(direction: Direction, pairs: &Pairs, side: f64) -> Vec<Plan
         Plane { place: 0.5 * (low + high), width, passages: vec![] }
     };
     let mut planes: Vec<Plane> = (0..count as usize).map(plane).collect();
-    let passages = 1.0 / (images(pairs.mirrored) * width * side);
     for (pair, outline) in pairs.outlines.iter().enumerate() {
         let parts: Vec<f64> =
             (0..planes.len()).map(|index| area_within(outline, across, strip(index))).collect();
         let whole: f64 = parts.iter().sum();
         for (plane, part) in planes.iter_mut().zip(parts).filter(|(_, part)| *part != 0.0) {
-            let share = part / whole;
-            let times = share * pairs.areas[pair] * passages;
-            plane.passages.push(Passage { pair, share, times });
+            let times = part.abs() / (width * side);
+            plane.passages.push(Passage { pair, share: part / whole, times });
         }
     }
     planes
-}
-
-/// How many images a pair has, itself among them.
-fn images(mirrored: [bool; 2]) -> f64 {
-    mirrored.map(|mirrored| if mirrored { 2.0 } else { 1.0 }).iter().product()
 }
 
 /// The area of a polygon seen along z between two values of a coordinate, positive in one sense of its corners.
@@ -176,7 +174,11 @@ mod tests {
                 let volume = frame.integrate(&field) / flow.advance();
                 assert_relative_eq!(section, volume, max_relative = 1e-12);
                 let length = frame.size()[axis];
-                assert_relative_eq!(frame.integrate(&depth), length * section, max_relative = 1e-12);
+                assert_relative_eq!(
+                    frame.integrate(&depth),
+                    length * section,
+                    max_relative = 1e-12
+                );
                 let (even, _) = spread(&vec![1.0; frame.len()]);
                 for depth in even {
                     assert_relative_eq!(depth, length / flow.advance(), max_relative = 1e-12);

@@ -26,8 +26,8 @@ impl Field {
 /// of body 1 and raises that of body 2, and the height of body 2 less that of body 1 is the gap of
 /// the worn, undeformed surfaces.
 ///
-/// Slip is that of body 2 over body 1 in the last increment, or in rolling while the contact rolls on by one
-/// element, of the particles that come from the element ahead; it is zero where nothing touches. `stick` is 1 where the contact
+/// Slip is that of body 2 over body 1 in the last increment, or in rolling on the passage of particles to each pair
+/// ([`Flow`](crate::frame::Flow)); it is zero where nothing touches. `stick` is 1 where the contact
 /// sticks and 0 where it slips or is open.
 pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     let mut fields = vec![

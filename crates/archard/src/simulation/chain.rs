@@ -1,5 +1,6 @@
 //! Wear in time: one history of wear, carried from step to step by one contact solve a step.
 
+use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::kinematics::Control;
@@ -125,7 +126,7 @@ impl Chain {
     pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
         if let Some(rolling) = problem.kinematics.rolling() {
             let flow = problem.frame.flow(rolling.direction)?;
-            return Ok(self.deepest_plane(problem, flow, advance));
+            return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
         let slip = problem.kinematics.slip(advance);
         let depth = |&pressure: &f64| total_depth(problem, Rubbing { pressure, slip });

@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod chain;
+mod collected;
 mod cycles;
 mod history;
 mod march;

@@ -1,11 +1,10 @@
 //! Contact and wear in steady rolling.
 //!
-//! Rubbing is collected along the planes of rolling: a particle on its passage to a pair slides the slip of that
-//! passage under the mean of the pressures at both ends, and it is rubbed until it has left the last pair under
-//! pressure. With that pairing of pressure and slip the worn section equals the work of the creepage, as it does
-//! in nature: in rows to the last digits. Both profiles wear evenly around, so that a plane has one depth.
+//! Pressures, friction and the wear of an implicit step of revolutions, which is [collected](super::collected) along
+//! the planes of rolling.
 
 use super::chain::{Chain, Leg};
+use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::{Compliance, WornPlanes};
 use crate::frame::{Flow, Passage, VectorField};
@@ -14,7 +13,6 @@ use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
 use crate::solve::Status;
 use crate::solve::tangential::{self, Held};
-use crate::wear::Rubbing;
 
 /// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
 /// taken as consistent.
@@ -23,57 +21,6 @@ const CONSISTENT: f64 = 1e-8;
 const PASSES: usize = 50;
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest.
 const FORESEEN: f64 = 0.02;
-
-/// Wear of the planes under the contact as it is, in one revolution.
-struct Collected {
-    /// Depth worn off body 1 and body 2 (m), one value a plane.
-    depths: Vec<[f64; 2]>,
-    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
-    slopes: Vec<f64>,
-    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a plane.
-    pressures: Vec<f64>,
-}
-
-impl Collected {
-    fn of(chain: &Chain, problem: &ContactProblem, flow: Flow<'_>) -> Self {
-        let pressure = &chain.state.pressure;
-        let slip = chain.state.tangential.as_ref().map(|tangential| &tangential.slip);
-        let weight = problem.frame.measure().weight;
-        let means = flow.on_the_way(pressure);
-        let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
-        for plane in flow.planes().iter() {
-            let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
-            for &Passage { pair, share, times } in &plane.passages {
-                let mean = means[pair];
-                sum += share * weight.at(pair) * pressure[pair];
-                let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
-                let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
-                let worn = problem.wear_depths(rubbing);
-                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
-                slope += times * problem.wear_slope(rubbing) * mean;
-            }
-            collected.depths.push(depths);
-            collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
-            collected.pressures.push(sum);
-        }
-        collected.spread_slopes();
-        collected
-    }
-
-    /// Gives planes that do not touch yet the slope of the nearest that do.
-    fn spread_slopes(&mut self) {
-        let touching: Vec<usize> =
-            (0..self.pressures.len()).filter(|&plane| self.pressures[plane] > 0.0).collect();
-        let (Some(&first), Some(&last)) = (touching.first(), touching.last()) else { return };
-        let (low, high) = (self.slopes[first], self.slopes[last]);
-        self.slopes[..first].fill(low);
-        self.slopes[last..].fill(high);
-    }
-
-    fn total(&self, plane: usize) -> f64 {
-        self.depths[plane].iter().sum()
-    }
-}
 
 impl Chain {
     /// Finds pressures and friction that belong together.
@@ -269,7 +216,7 @@ impl Chain {
         let problem = &simulation.problem;
         let flow = problem.frame.flow(rolling.direction)?;
         let undeformed = self.undeformed_gap(problem);
-        let mut collected = Collected::of(self, problem, flow);
+        let mut collected = Collected::of(&self.state, problem, flow);
         for _ in 0..PASSES {
             let slopes: Vec<f64> =
                 collected.slopes.iter().map(|slope| leg.advance * slope).collect();
@@ -299,7 +246,7 @@ impl Chain {
                 other => other.map(|()| worn)?,
             };
             worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
-            let now = Collected::of(self, problem, flow);
+            let now = Collected::of(&self.state, problem, flow);
             let foreseen = |plane: usize| {
                 constant(plane) / leg.advance + collected.slopes[plane] * now.pressures[plane]
             };
@@ -354,17 +301,5 @@ impl Chain {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
         tangential.creep_power(problem, rolling) / coefficient
-    }
-
-    /// Deepest wear (m) of a plane over some revolutions under the present contact.
-    pub(super) fn deepest_plane(
-        &self,
-        problem: &ContactProblem,
-        flow: Flow<'_>,
-        advance: f64,
-    ) -> f64 {
-        let collected = Collected::of(self, problem, flow);
-        let depth = |plane: usize| advance * collected.total(plane);
-        (0..collected.depths.len()).map(depth).fold(0.0, f64::max)
     }
 }
