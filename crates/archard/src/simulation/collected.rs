@@ -29,7 +29,7 @@ impl Collected {
         let slip = state.tangential.as_ref().map(|tangential| &tangential.slip);
         let weight = problem.frame.measure().weight;
         let means = flow.on_the_way(pressure);
-        let scale = if flow.has_rows() { 1.0 } else { lost(state, problem, flow, &means) };
+        let scale = if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, &means) };
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
         for plane in flow.planes().iter() {
             let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
@@ -74,7 +74,12 @@ impl Collected {
 
 /// Work of the rigid slip on the tractions relative to that of friction on the slip: one for the bodies themselves,
 /// more where a derivative on scattered pairs diffuses the displacements.
-fn lost(state: &ContactState, problem: &ContactProblem, flow: Flow<'_>, means: &[f64]) -> f64 {
+fn work_ratio(
+    state: &ContactState,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+    means: &[f64],
+) -> f64 {
     let (Some(tangential), Some(friction)) = (&state.tangential, &problem.friction) else {
         return 1.0;
     };

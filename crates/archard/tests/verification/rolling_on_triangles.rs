@@ -19,6 +19,10 @@ const SHEAR: f64 = 210e9 / 2.6;
 
 /// The ball on the block of n x n elements in rows.
 fn in_rows(elements: usize, nodes: &str, friction: f64, motion: &str) -> Simulation {
+    block(elements, nodes, friction, motion, "[]")
+}
+
+fn block(elements: usize, nodes: &str, friction: f64, motion: &str, symmetry: &str) -> Simulation {
     let text = format!(
         r#"
         [body.ball]
@@ -28,6 +32,7 @@ fn in_rows(elements: usize, nodes: &str, friction: f64, motion: &str) -> Simulat
         [body.block]
         material = {{ young = "210 GPa", poisson = 0.3 }}
         elasticity = "half_space"
+        symmetry = {symmetry}
         boundary_elements.interpolation = "{nodes}"
         mesh.box.size = ["16 mm", "16 mm", "16 mm"]
         mesh.box.contact.size = ["0.52 mm", "0.52 mm"]
@@ -44,7 +49,11 @@ fn in_rows(elements: usize, nodes: &str, friction: f64, motion: &str) -> Simulat
 
 /// The same on triangles.
 fn on_triangles(elements: usize, nodes: &str, friction: f64, motion: &str) -> Simulation {
-    let mut simulation = in_rows(elements, nodes, friction, motion);
+    in_triangles(in_rows(elements, nodes, friction, motion), elements)
+}
+
+/// Makes triangles of a block in rows.
+fn in_triangles(mut simulation: Simulation, elements: usize) -> Simulation {
     let problem = &mut simulation.problem;
     let finite = problem.bodies[1].finite.as_mut().expect("the block has a mesh");
     let (mesh, zone) = (&mut finite.meshed.mesh, &mut finite.meshed.zone);
@@ -56,10 +65,12 @@ fn on_triangles(elements: usize, nodes: &str, friction: f64, motion: &str) -> Si
         for corner in [a, b, c, d] {
             let [x, y, _] = mesh.vertices[corner];
             let inside = x.abs().max(y.abs()) < 0.26e-3 * (1.0 - 1e-6);
+            // Corners on the plane of symmetry keep to it.
+            let lateral = if finite.mirrored[1] && y == 0.0 { 0.0 } else { 0.2 * side };
             if inside && !std::mem::replace(&mut moved[corner], true) {
                 let noise = |factor: f64| (factor * (corner * corner + 7 * corner) as f64).sin();
                 mesh.vertices[corner][0] = x + 0.2 * side * noise(1.3);
-                mesh.vertices[corner][1] = y + 0.2 * side * noise(2.1);
+                mesh.vertices[corner][1] = y + lateral * noise(2.1);
             }
         }
         let surface = mesh.faces[face].surface;
@@ -163,4 +174,17 @@ fn long_steps_on_triangles() {
         run(&on_triangles(12, "continuous", 0.3, &motion)).last("worn_section_ball_m2")
     };
     assert_relative_eq!(depth(1000), depth(100), max_relative = 0.05);
+}
+
+/// Half of a symmetric block bears with its mirror images what the whole does, to what Kalker's value is known to, and
+/// wears the section of the creepage.
+#[test]
+fn half_of_a_block_rolls_with_its_image() {
+    let creepage = 0.2 * 0.3 * LOAD / (SHEAR * RADIUS * RADIUS);
+    let motion = format!("revolutions = 1\nstep = 1\ncreepage = {creepage}");
+    let half = block(12, "discontinuous", 0.3, &motion, "[\"y\"]");
+    let rows = run(&in_triangles(half, 12));
+    assert_relative_eq!(rows.column("force_x_N")[0] / (0.3 * LOAD), 0.664, max_relative = 0.012);
+    let section = 1e-12 / 0.3 * rows.last("frictional_power_per_speed_N");
+    assert_relative_eq!(rows.last("worn_section_ball_m2"), section, max_relative = 1e-9);
 }
