@@ -115,7 +115,8 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::StepTooSmall { .. } => Failure::NotConverged(message),
         Error::FrameFull { .. }
         | Error::NotSymmetric { .. }
-        | Error::NoRows
+        | Error::NotPlane
+        | Error::NotPassed(_)
         | Error::NotJoint
         | Error::Observer(_) => Failure::Wrong(message),
     }

@@ -66,8 +66,8 @@ pub struct ContactState {
 pub struct Tangential {
     /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
     pub traction: [Vec<f64>; 2],
-    /// Slip of body 2 over body 1 (m), along t1 and t2, one value a pair; in rolling, on the way from
-    /// the pair ahead, and outside the contact what the surfaces slide without touching.
+    /// Slip of body 2 over body 1 (m), along t1 and t2, one value a pair; in rolling, on the
+    /// passage to each pair, and outside the contact what the surfaces slide without touching.
     pub slip: [Vec<f64>; 2],
     /// Creepage along the direction of rolling and across it, given or found; zero where nothing rolls.
     pub creepage: [f64; 2],

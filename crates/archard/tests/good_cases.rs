@@ -1,5 +1,7 @@
 //! Right cases: what they mean, whatever way they are written.
 
+mod common;
+
 mod good_cases {
     pub mod fretting;
     mod meshed;

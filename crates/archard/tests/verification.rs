@@ -17,6 +17,7 @@ mod verification {
     mod punch;
     mod punch_cycles;
     mod rolling;
+    mod rolling_on_triangles;
     mod rough;
     mod running_in;
     mod similarity;

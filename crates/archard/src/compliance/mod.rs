@@ -11,7 +11,7 @@ use std::fmt::Debug;
 
 use faer::Mat;
 
-use crate::frame::{ContactFrame, Direction, VectorField};
+use crate::frame::{ContactFrame, Flow, VectorField};
 
 pub use dense::Dense;
 pub use half_space::HalfSpace;
@@ -69,14 +69,10 @@ pub trait Compliance: Debug + Send + Sync {
         true
     }
 
-    /// How tangential tractions change the slip while the contact rolls on by one element of the frame; where
-    /// those are unequal, by the [mean](ContactFrame::advance) of them at the rate of each pair.
-    fn rolling<'a>(
-        &'a self,
-        frame: &'a ContactFrame,
-        direction: Direction,
-    ) -> Box<dyn SlipMap + 'a> {
-        Box::new(Differenced::new(self, frame, direction))
+    /// How tangential tractions change the slip in the passage to each pair; where passages are unequal, in one of
+    /// the [mean](Flow::advance) length at the rate of each pair.
+    fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {
+        Box::new(Differenced::new(self, flow))
     }
 
     /// How tangential tractions change the slip of bodies that are shifted against each other.

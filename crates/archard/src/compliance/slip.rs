@@ -3,12 +3,13 @@
 use std::fmt::Debug;
 
 use super::Compliance;
-use crate::frame::{ContactFrame, Direction, VectorField};
+use crate::frame::{ContactFrame, Flow, VectorField};
 
 /// A linear map from tangential tractions (Pa) to the slip (m) they take away.
 ///
-/// In steady rolling the slip is that of a particle on its way from the pair ahead: the difference of
-/// the elastic displacements of the two. The map is monotone, t . B t >= 0, but nearly skew.
+/// In steady rolling the slip is that of a particle on its passage to a pair: what it gains of the elastic
+/// displacements, in rows their difference from the pair ahead, where the map is monotone, t . B t >= 0, but nearly
+/// skew.
 pub trait SlipMap: Debug + Send + Sync {
     /// The slip (m) that tractions (Pa) take away, along t1 and t2, one value a pair.
     fn apply(&self, tractions: [&[f64]; 2], slip: [&mut [f64]; 2]);
@@ -64,45 +65,36 @@ pub struct Rub {
 /// Self terms beside the diagonal of slipping pairs.
 const SLIPPING: f64 = 2.0;
 
-/// Steady rolling on any compliance of a frame whose pairs form a grid.
+/// Steady rolling on any compliance.
 #[derive(Debug)]
 pub(super) struct Differenced<'a, C: ?Sized> {
     compliance: &'a C,
-    elements: [usize; 2],
-    direction: Direction,
-    /// The mean distance to the pair ahead relative to that of each pair; none where all are the same.
+    flow: Flow<'a>,
+    /// The mean length of passages relative to that of each; none where all are the same.
     rate: Option<Vec<f64>>,
     own: f64,
 }
 
 impl<'a, C: Compliance + ?Sized> Differenced<'a, C> {
-    pub fn new(compliance: &'a C, frame: &ContactFrame, direction: Direction) -> Self {
-        let elements = frame.elements();
-        let mean = frame.advance(direction);
-        let rate = frame
-            .advances(direction)
-            .map(|advances| advances.iter().map(|advance| mean / advance).collect());
-        let mut map = Self { compliance, elements, direction, rate, own: 0.0 };
-        // Never a foremost pair, which has none ahead.
-        let middle = direction
-            .planes(elements)
-            .nth(elements[1 - direction.axis] / 2)
-            .and_then(|mut plane| plane.nth(elements[direction.axis] / 2))
-            .unwrap_or_default();
-        map.own = own(frame.len(), middle, |tractions| map.taken(tractions));
+    pub fn new(compliance: &'a C, flow: Flow<'a>) -> Self {
+        let mean = flow.advance();
+        let rate =
+            flow.advances().map(|advances| advances.iter().map(|advance| mean / advance).collect());
+        let mut map = Self { compliance, flow, rate, own: 0.0 };
+        map.own = own(flow.frame().len(), flow.middle(), |tractions| map.taken(tractions));
         map
     }
 
     /// The slip that tractions take away.
     fn taken(&self, tractions: &VectorField) -> [Vec<f64>; 2] {
         let displacement = self.compliance.apply(tractions);
-        [displacement.t1, displacement.t2].map(|displacement| {
-            let mut gained = self.direction.gained(&displacement, self.elements);
-            if let Some(rate) = &self.rate {
+        let mut gained = self.flow.gained([&displacement.t1, &displacement.t2]);
+        if let Some(rate) = &self.rate {
+            for gained in &mut gained {
                 gained.iter_mut().zip(rate).for_each(|(gained, rate)| *gained *= rate);
             }
-            gained
-        })
+        }
+        gained
     }
 }
 

@@ -2,12 +2,13 @@
 //!
 //! Over some revolutions a plane wears by its slope times the sum of its pressures, and that opens the gap
 //! along the whole plane: a matrix of rank one beside the elastic compliance, plane by plane. It is
-//! symmetric and positive, so that an implicit step of wear is one normal contact problem.
+//! symmetric and positive, so that an implicit step of wear is one normal contact problem. Where planes share
+//! pairs, the elastic preconditioner has to do.
 
 use std::cell::RefCell;
 
 use super::{Compliance, Preconditioner};
-use crate::frame::{Direction, VectorField};
+use crate::frame::{self, Flow, VectorField};
 use crate::numerics::dense::Cholesky;
 use crate::numerics::vector::Values;
 
@@ -30,6 +31,8 @@ pub struct WornPlanes<'a> {
     between: Vec<f64>,
     /// Whether preconditioners keep to the contact given instead of following the iteration's.
     steady: bool,
+    /// Whether each plane has pairs of its own.
+    rows: bool,
     /// Areas of the pairs relative to the mean.
     weight: Values<'a>,
 }
@@ -37,44 +40,47 @@ pub struct WornPlanes<'a> {
 /// A plane of rolling.
 #[derive(Debug)]
 struct Plane {
-    /// All its pairs, and those in contact.
+    /// All its pairs, how much of each lies in it, and those in contact.
     pairs: Vec<usize>,
+    shares: Vec<f64>,
     contact: Vec<usize>,
     /// Wear (m) of the plane under a unit pressure (Pa) on one pair of mean area.
     slope: f64,
 }
 
 impl<'a> WornPlanes<'a> {
-    /// Planes along a direction on a grid of that many elements, that wear by these slopes (m/Pa) while about
-    /// the pairs under the given pressure are in contact.
+    /// Planes of rolling that wear by these slopes (m/Pa) while about the pairs under the given pressure are in
+    /// contact.
     pub fn new(
         elastic: &'a dyn Compliance,
-        direction: Direction,
-        elements: [usize; 2],
+        flow: Flow<'a>,
         slopes: &[f64],
         pressure: &[f64],
     ) -> Self {
-        let planes = direction.planes(elements).zip(slopes);
-        let mut planes: Vec<Plane> = planes
-            .map(|(pairs, &slope)| Plane {
-                contact: pairs.clone().filter(|&pair| pressure[pair] > 0.0).collect(),
-                pairs: pairs.collect(),
+        let rows = flow.has_rows();
+        let plane = |(plane, &slope): (&frame::Plane, &f64)| {
+            let pairs: Vec<usize> = plane.passages.iter().map(|one| one.pair).collect();
+            Plane {
+                contact: pairs.iter().copied().filter(|&pair| pressure[pair] > 0.0).collect(),
+                pairs,
+                shares: plane.passages.iter().map(|one| one.share).collect(),
                 slope,
-            })
-            .collect();
-        spread_contact(&mut planes);
-        let between = between(elastic, &planes, pressure.len());
-        Self { elastic, planes, between, steady: false, weight: Values::All(1.0) }
-    }
-
-    /// The same on pairs of areas that have these ratios to their mean.
-    pub fn weighed(self, weight: Values<'a>) -> Self {
-        Self { weight, ..self }
+            }
+        };
+        let mut planes: Vec<Plane> = flow.planes().iter().zip(slopes).map(plane).collect();
+        let mut between = vec![];
+        if rows {
+            spread_contact(&mut planes);
+            between = self::between(elastic, &planes, pressure.len());
+        }
+        let weight = flow.frame().measure().weight;
+        Self { elastic, planes, between, steady: false, rows, weight }
     }
 
     /// Sum of the pressures (Pa) of a plane, weighted by areas.
     fn sum(&self, plane: &Plane, pressure: &[f64]) -> f64 {
-        plane.pairs.iter().map(|&pair| self.weight.at(pair) * pressure[pair]).sum()
+        let parts = plane.pairs.iter().zip(&plane.shares);
+        parts.map(|(&pair, share)| share * self.weight.at(pair) * pressure[pair]).sum()
     }
 
     /// The same with preconditioners that keep to the contact given: slower, but sure where following the
@@ -83,10 +89,13 @@ impl<'a> WornPlanes<'a> {
         Self { steady: true, ..self }
     }
 
-    /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each plane those
+    /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each row those
     /// that were there, or in the nearest plane that touched, scaled to what the plane takes of the
     /// load as the wear goes on. `None` where they are hardly others, or not found.
     pub fn foresee(&self, gap: &[f64], total: f64, pressure: &[f64]) -> Option<Vec<f64>> {
+        if !self.rows {
+            return None;
+        }
         let mean = |plane: &Plane| {
             plane.contact.iter().map(|&pair| gap[pair]).sum::<f64>() / plane.contact.len() as f64
         };
@@ -120,7 +129,8 @@ impl<'a> WornPlanes<'a> {
             let sum = self.sum(plane, pressure);
             if sum != 0.0 {
                 let depth = factor * plane.slope * sum;
-                plane.pairs.iter().for_each(|&pair| displacement[pair] += depth);
+                let parts = plane.pairs.iter().zip(&plane.shares);
+                parts.for_each(|(&pair, share)| displacement[pair] += share * depth);
             }
         }
     }
@@ -253,6 +263,9 @@ impl Compliance for WornPlanes<'_> {
     /// the deviations, and the means are few enough to be solved for.
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         let elastic = self.elastic.normal_preconditioner(addition);
+        if !self.rows {
+            return elastic;
+        }
         Box::new(ByPlanes { elastic, worn: self, addition, contact: RefCell::default() })
     }
 }

@@ -16,15 +16,20 @@
 //!   frame stores none of that, so that millions of pairs stay cheap.
 
 mod centre;
+mod cloud;
 mod direction;
 mod field;
+mod flow;
 mod measure;
 mod pairs;
+mod plane;
 
 pub use direction::Direction;
 pub use field::VectorField;
+pub use flow::Flow;
 pub use measure::Measure;
 pub use pairs::{Pairs, PairsError};
+pub use plane::{Passage, Plane};
 
 use rayon::prelude::*;
 
@@ -256,29 +261,6 @@ impl ContactFrame {
             Shape::Uniform(Grid { elements: [nx, ny], .. }) => nx / 2 + nx * (ny / 2),
             Shape::Described(described) => described.largest,
         }
-    }
-
-    /// How far a contact rolls on the average from one pair to the next (m).
-    pub fn advance(&self, direction: Direction) -> f64 {
-        match &self.shape {
-            Shape::Uniform(grid) => grid.spacing()[direction.axis],
-            Shape::Described(described) => {
-                let images = if described.pairs.mirrored[direction.axis] { 2 } else { 1 };
-                described.size[direction.axis] / (images * self.elements()[direction.axis]) as f64
-            }
-        }
-    }
-
-    /// How far it rolls from each pair to the one ahead (m), from the foremost as far as to them; `None` where
-    /// that is the same everywhere.
-    pub fn advances(&self, direction: Direction) -> Option<Vec<f64>> {
-        if self.is_uniform() {
-            return None;
-        }
-        let places: Vec<f64> =
-            (0..self.len()).map(|pair| self.place(pair)[direction.axis]).collect();
-        let gained = direction.gained(&places, self.elements());
-        Some(gained.iter().map(|gained| gained.abs()).collect())
     }
 
     /// The unit vectors t1, t2 and n of a pair in the axes of the frame.

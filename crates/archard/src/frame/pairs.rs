@@ -1,6 +1,6 @@
 //! Pairs that are described one by one, as those of meshed bodies are.
 
-use super::{ContactFrame, Shape, centre::Centre};
+use super::{ContactFrame, Shape, centre::Centre, cloud::Clouds};
 
 /// Pairs that may touch, in the axes of the frame, one entry a pair in each list.
 ///
@@ -157,6 +157,7 @@ pub(super) struct Described {
     /// Size along x and y (m), mirror images included.
     pub size: [f64; 2],
     pub centre: Centre,
+    pub clouds: Clouds,
     pub largest: usize,
 }
 
@@ -175,6 +176,7 @@ impl ContactFrame {
             closing: pairs.bases.iter().map(|[_, _, n]| n[2]).collect(),
             size: [0, 1].map(|axis| extent(&pairs, axis)),
             centre: Centre::of(&pairs.places, pairs.mirrored),
+            clouds: Clouds::default(),
             largest: largest(&pairs),
             pairs,
         };

@@ -6,7 +6,7 @@
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
 use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control};
-use crate::frame::{ContactFrame, Direction};
+use crate::frame::{Direction, Flow};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -163,33 +163,34 @@ impl Rolling {
         Self { longitudinal, lateral, spin: progress * self.spin, ..*self }
     }
 
-    /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their way to each
-    /// pair from the one ahead, one value a pair; without what drives by force.
-    pub fn rigid_slip(&self, frame: &ContactFrame) -> [Vec<f64>; 2] {
+    /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their passage to each pair,
+    /// one value a pair; without what drives by force.
+    pub fn rigid_slip(&self, flow: Flow<'_>) -> [Vec<f64>; 2] {
         let given = |drive: Drive| match drive {
             Drive::Creepage(creepage) => creepage,
             Drive::Force(_) => 0.0,
         };
         let (forward, lateral) = (self.direction.forward(), self.direction.lateral());
-        let (mean, advances) = (self.advance(frame), frame.advances(self.direction));
-        let slip = |pair: usize| {
-            let advance = advances.as_ref().map_or(mean, |advances| advances[pair]);
-            let place = frame.place(pair);
+        let pairs = flow.frame().len();
+        let advances = flow.advances().unwrap_or_else(|| vec![flow.advance(); pairs]);
+        // What spin displaces a particle by until it is at a pair, since it was at x = 0 on its path against x: its
+        // gain has the same error of the difference as that of the elastic displacements, none where it is linear.
+        let turned = |pair: usize| {
+            let place = flow.frame().place(pair);
             let along = |unit: [f64; 2]| place[0] * unit[0] + place[1] * unit[1];
-            // Half way from the pair ahead.
-            let (x, y) = (along(forward) + 0.5 * advance, along(lateral));
-            let longitudinal = given(self.longitudinal) - self.spin * y;
-            let lateral_slip = given(self.lateral) + self.spin * x;
-            [0, 1]
-                .map(|axis| advance * (longitudinal * forward[axis] + lateral_slip * lateral[axis]))
+            let (x, y) = (along(forward), along(lateral));
+            [0, 1].map(|axis| self.spin * (x * y * forward[axis] - 0.5 * x * x * lateral[axis]))
         };
-        let slips: Vec<[f64; 2]> = (0..frame.len()).map(slip).collect();
-        [0, 1].map(|axis| slips.iter().map(|slip| slip[axis]).collect())
-    }
-
-    /// How far the contact rolls on the average from one pair to the next (m).
-    pub fn advance(&self, frame: &ContactFrame) -> f64 {
-        frame.advance(self.direction)
+        let turned: Vec<[f64; 2]> = (0..pairs).map(turned).collect();
+        let [one, two] =
+            [0, 1].map(|axis| turned.iter().map(|both| both[axis]).collect::<Vec<_>>());
+        let mut slip = flow.gained([&one, &two]);
+        for (axis, slip) in slip.iter_mut().enumerate() {
+            let creepage =
+                given(self.longitudinal) * forward[axis] + given(self.lateral) * lateral[axis];
+            slip.iter_mut().zip(&advances).for_each(|(slip, advance)| *slip += advance * creepage);
+        }
+        slip
     }
 }
 

@@ -26,8 +26,8 @@ impl Field {
 /// of body 1 and raises that of body 2, and the height of body 2 less that of body 1 is the gap of
 /// the worn, undeformed surfaces.
 ///
-/// Slip is that of body 2 over body 1 in the last increment, or in rolling while the contact rolls on by one
-/// element, of the particles that come from the element ahead; it is zero where nothing touches. `stick` is 1 where the contact
+/// Slip is that of body 2 over body 1 in the last increment, or in rolling on the passage of particles to each pair
+/// ([`Flow`](crate::frame::Flow)); it is zero where nothing touches. `stick` is 1 where the contact
 /// sticks and 0 where it slips or is open.
 pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     let mut fields = vec![
@@ -66,12 +66,11 @@ fn friction(problem: &ContactProblem, state: &ContactState, tangential: &Tangent
 
 /// Whether particles on their way to a pair are under pressure at either end of it.
 fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
-    let touches = |pair: usize| state.pressure[pair] > 0.0;
-    let elements = problem.frame.elements();
-    let ahead = |pair: usize| problem.kinematics.rolling()?.direction.ahead(pair, elements);
-    (0..state.pressure.len())
-        .map(|pair| touches(pair) || ahead(pair).is_some_and(touches))
-        .collect()
+    let rolling = problem.kinematics.rolling();
+    match rolling.and_then(|rolling| problem.frame.flow(rolling.direction).ok()) {
+        Some(flow) => flow.on_the_way(&state.pressure).iter().map(|mean| *mean > 0.0).collect(),
+        None => state.pressure.iter().map(|pressure| *pressure > 0.0).collect(),
+    }
 }
 
 /// Worn height (m) of a body, one value a pair.

@@ -191,7 +191,7 @@ impl Run {
             FRICTION * pressure[pair] * if leads { 0.5 } else { 1.0 }
         };
         let traction: Vec<f64> = (0..frame.len()).map(traction).collect();
-        let advance = rolling.advance(frame);
+        let advance = frame.flow(rolling.direction).unwrap().advance();
         let mut worn = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
         for plane in rolling.direction.planes(elements) {
             let sum: f64 = plane.clone().map(|pair| traction[pair]).sum();

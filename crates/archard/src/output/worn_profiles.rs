@@ -3,7 +3,7 @@
 use super::Error;
 use super::fields::height;
 use super::table::{Table, number};
-use crate::frame::Direction;
+use crate::frame::{Direction, Plane};
 use crate::problem::{ContactProblem, ContactState};
 
 /// The bodies across the direction of rolling, on the plane through the middle of the frame.
@@ -25,21 +25,21 @@ impl<'a> WornProfiles<'a> {
         let Self { problem, state, direction } = *self;
         let (axis, frame) = (direction.axis, &problem.frame);
         let progress = (problem.kinematics.progress().column.to_owned(), state.progress);
-        // Planes wear evenly, so that any of its pairs tells what a plane has lost.
-        let first = direction.planes(frame.elements()).filter_map(|mut plane| plane.next());
-        let mut planes: Vec<(usize, [f64; 2])> =
-            first.map(|pair| (pair, frame.place(pair))).collect();
+        let Ok(flow) = frame.flow(direction) else { return Ok(()) };
+        let planes = flow.planes();
+        let mut places: Vec<(&Plane, f64)> =
+            planes.iter().map(|plane| (plane, plane.place)).collect();
         if frame.mirrored()[1 - axis] {
-            let image = |&(pair, [x, y]): &(usize, [f64; 2])| (pair, [-x, -y]);
-            planes.extend(planes.iter().map(image).collect::<Vec<_>>());
-            planes.sort_by(|a, b| a.1[1 - axis].total_cmp(&b.1[1 - axis]));
+            places.extend(planes.iter().map(|plane| (plane, -plane.place)));
+            places.sort_by(|a, b| a.1.total_cmp(&b.1));
         }
-        for (pair, mut place) in planes {
-            place[axis] = 0.0;
+        for (plane, across) in places {
+            let mut place = [0.0; 2];
+            place[1 - axis] = across;
             let mut row = vec![progress.clone()];
             row.push((["y_m", "x_m"][axis].to_owned(), place[1 - axis]));
             for (index, body) in problem.bodies.iter().enumerate() {
-                let (name, worn) = (&body.name, state.worn[index][pair]);
+                let (name, worn) = (&body.name, plane.mean(&state.worn[index]));
                 row.push((format!("height_{name}_before_m"), height(problem, index, place, 0.0)));
                 row.push((format!("height_{name}_m"), height(problem, index, place, worn)));
                 row.push((format!("wear_{name}_m"), worn));

@@ -90,20 +90,23 @@ impl Adaptive {
     ///
     /// The first step wears the root of the tolerance times the elastic approach: the depth over which
     /// the contact starts to change.
-    pub fn new(simulation: &Simulation, initial: &Chain, tolerance: f64) -> Self {
+    ///
+    /// # Errors
+    /// If bodies cannot roll on the frame.
+    pub fn new(simulation: &Simulation, initial: &Chain, tolerance: f64) -> Result<Self, Error> {
         let extent = simulation.schedule.extent;
         let probe = SMALLEST * extent;
         let problem = &simulation.problem;
-        let rate = initial.deepest_wear(problem, probe) / probe;
+        let rate = initial.deepest_wear(problem, probe)? / probe;
         let first = tolerance.sqrt() * initial.state.approach / rate;
-        Self {
+        Ok(Self {
             tolerance,
             coarse: initial.clone(),
             fine: initial.clone(),
             worn: initial.state.worn.clone(),
             step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
             error: 0.0,
-        }
+        })
     }
 
     /// Carries both histories one accepted step on, not beyond `target`; returns the state to put

@@ -1,5 +1,6 @@
 //! Wear in time: one history of wear, carried from step to step by one contact solve a step.
 
+use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::kinematics::Control;
@@ -122,13 +123,14 @@ impl Chain {
     }
 
     /// Deepest wear (m) that an advance under the present contact makes.
-    pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> f64 {
+    pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
         if let Some(rolling) = problem.kinematics.rolling() {
-            return self.deepest_plane(problem, rolling, advance);
+            let flow = problem.frame.flow(rolling.direction)?;
+            return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
         let slip = problem.kinematics.slip(advance);
         let depth = |&pressure: &f64| total_depth(problem, Rubbing { pressure, slip });
-        self.state.pressure.iter().map(depth).fold(0.0, f64::max)
+        Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
 
     /// Gap of the worn, undeformed surfaces at zero approach (m), shifted as they are.

@@ -53,8 +53,10 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
 
 /// Worn section across the direction of rolling (m^2).
 pub fn section(problem: &ContactProblem, rolling: &Rolling, worn: &[f64]) -> f64 {
-    let along = problem.frame.size()[rolling.direction.axis];
-    problem.frame.integrate(worn) / along
+    let frame = &problem.frame;
+    let Ok(flow) = frame.flow(rolling.direction) else { return f64::NAN };
+    let images = if frame.mirrored()[1 - rolling.direction.axis] { 2.0 } else { 1.0 };
+    images * flow.planes().iter().map(|plane| plane.width * plane.mean(worn)).sum::<f64>()
 }
 
 /// Creepages, forces on body 1 and what they dissipate.

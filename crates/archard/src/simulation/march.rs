@@ -62,7 +62,7 @@ impl<'a> March<'a> {
             chain.press(simulation, leg, &mut effort)?;
         }
         let adaptive = match schedule.stepping {
-            Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &chain, tolerance)),
+            Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &chain, tolerance)?),
             Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => None,
         };
         Ok(Self { simulation, chain, adaptive, effort, due: &schedule.outputs, output: true })

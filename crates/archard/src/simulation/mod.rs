@@ -2,6 +2,7 @@
 
 mod adaptive;
 mod chain;
+mod collected;
 mod cycles;
 mod history;
 mod march;
@@ -14,6 +15,7 @@ pub use history::row;
 pub(crate) use suits::crossed;
 
 use crate::kinematics::{Control, Progress, Stepping};
+use crate::numerics::upwind::DegenerateCloud;
 use crate::problem::{ContactProblem, ContactState};
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
@@ -179,9 +181,12 @@ pub enum Error {
         /// The axis across the plane.
         axis: &'static str,
     },
-    /// Rolling on a frame whose pairs do not lie in plane rows.
-    #[error("bodies roll only on plane frames whose elements lie in rows along x and y")]
-    NoRows,
+    /// Rolling on a curved frame.
+    #[error("bodies roll only where the frame, or the zone of the mesh, is plane")]
+    NotPlane,
+    /// Rolling on pairs that determine no derivative along the direction of rolling.
+    #[error("particles do not pass from pair to pair: {0}")]
+    NotPassed(#[from] DegenerateCloud),
     /// Friction of unlike bodies on a curved frame by a solver that cannot find it together with the pressures.
     #[error(
         "friction on a curved surface acts on the pressures; use a `friction_solver` that finds both at once: newton"

@@ -1,21 +1,18 @@
 //! Contact and wear in steady rolling.
 //!
-//! Rubbing is collected along the planes of rolling: a particle on its way from the pair ahead slides the
-//! slip of that passage under the mean of both pressures, and it is rubbed until it has left the last pair
-//! under pressure. With that pairing of pressure and slip the worn section equals the work of the
-//! creepage to the last digits, as it does in nature. Both profiles wear evenly around, so that a plane has
-//! one depth.
+//! Pressures, friction and the wear of an implicit step of revolutions, which is [collected](super::collected) along
+//! the planes of rolling.
 
 use super::chain::{Chain, Leg};
+use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::{Compliance, WornPlanes};
-use crate::frame::VectorField;
+use crate::frame::{Flow, Passage, VectorField};
 use crate::kinematics::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
 use crate::solve::Status;
 use crate::solve::tangential::{self, Held};
-use crate::wear::Rubbing;
 
 /// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
 /// taken as consistent.
@@ -24,58 +21,6 @@ const CONSISTENT: f64 = 1e-8;
 const PASSES: usize = 50;
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest.
 const FORESEEN: f64 = 0.02;
-
-/// Wear of the planes under the contact as it is, in one revolution.
-struct Collected {
-    /// Depth worn off body 1 and body 2 (m), one value a plane.
-    depths: Vec<[f64; 2]>,
-    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
-    slopes: Vec<f64>,
-    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a plane.
-    pressures: Vec<f64>,
-}
-
-impl Collected {
-    fn of(chain: &Chain, problem: &ContactProblem, rolling: &Rolling) -> Self {
-        let elements = problem.frame.elements();
-        let pressure = &chain.state.pressure;
-        let slip = chain.state.tangential.as_ref().map(|tangential| &tangential.slip);
-        let weight = problem.frame.measure().weight;
-        let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
-        for plane in rolling.direction.planes(elements) {
-            let (mut depths, mut slope, mut sum, mut ahead) = ([0.0; 2], 0.0, 0.0, 0.0);
-            for pair in plane {
-                let mean = 0.5 * (pressure[pair] + ahead);
-                ahead = pressure[pair];
-                sum += weight.at(pair) * ahead;
-                let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
-                let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
-                let worn = problem.wear_depths(rubbing);
-                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += worn);
-                slope += problem.wear_slope(rubbing) * mean;
-            }
-            collected.depths.push(depths);
-            collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
-            collected.pressures.push(sum);
-        }
-        collected.spread_slopes();
-        collected
-    }
-
-    /// Gives planes that do not touch yet the slope of the nearest that do.
-    fn spread_slopes(&mut self) {
-        let touching: Vec<usize> =
-            (0..self.pressures.len()).filter(|&plane| self.pressures[plane] > 0.0).collect();
-        let (Some(&first), Some(&last)) = (touching.first(), touching.last()) else { return };
-        let (low, high) = (self.slopes[first], self.slopes[last]);
-        self.slopes[..first].fill(low);
-        self.slopes[last..].fill(high);
-    }
-
-    fn total(&self, plane: usize) -> f64 {
-        self.depths[plane].iter().sum()
-    }
-}
 
 impl Chain {
     /// Finds pressures and friction that belong together.
@@ -137,8 +82,9 @@ impl Chain {
         let Some(rolling) = problem.kinematics.rolling() else { return Ok(()) };
         let rolling = &rolling.at(leg.progress);
         let frame = &problem.frame;
-        let advance = rolling.advance(frame);
-        let mut rigid = self.rigid_slip(problem, rolling);
+        let flow = frame.flow(rolling.direction)?;
+        let advance = flow.advance();
+        let mut rigid = self.rigid_slip(problem, rolling, flow);
         let Some(friction) = &problem.friction else {
             let given =
                 |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
@@ -161,9 +107,9 @@ impl Chain {
             Drive::Force(force) => Some(Held { direction, force }),
         };
         let held: Vec<Held> = units.into_iter().zip(drives).filter_map(held).collect();
-        let map = problem.compliance.rolling(frame, rolling.direction);
+        let map = problem.compliance.rolling(flow);
         // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
-        let advances = frame.advances(rolling.direction);
+        let advances = flow.advances();
         if let Some(advances) = &advances {
             for slip in &mut rigid {
                 vector::update(slip, [advances], |slip, [own]| slip * advance / own);
@@ -221,10 +167,14 @@ impl Chain {
 
     /// Slip (m) before any traction: of the rigid bodies, of their worn radii where those count, and of
     /// the strains that pressures make in unlike bodies.
-    fn rigid_slip(&self, problem: &ContactProblem, rolling: &Rolling) -> [Vec<f64>; 2] {
-        let frame = &problem.frame;
-        let mut slip = rolling.rigid_slip(frame);
-        let (axis, advance) = (rolling.direction.axis, rolling.advance(frame));
+    fn rigid_slip(
+        &self,
+        problem: &ContactProblem,
+        rolling: &Rolling,
+        flow: Flow<'_>,
+    ) -> [Vec<f64>; 2] {
+        let mut slip = rolling.rigid_slip(flow);
+        let axis = rolling.direction.axis;
         let forward = rolling.direction.forward();
         if rolling.worn_radius {
             let curvature = |body: usize| {
@@ -232,8 +182,8 @@ impl Chain {
             };
             let [one, two] = [curvature(0), curvature(1)];
             let worn = &self.state.worn;
-            let advances = frame.advances(rolling.direction);
-            let advances = advances.unwrap_or_else(|| vec![advance; frame.len()]);
+            let all = || vec![flow.advance(); problem.frame.len()];
+            let advances = flow.advances().unwrap_or_else(all);
             let fields = [&advances[..], &worn[0], &worn[1]];
             vector::update(&mut slip[axis], fields, |slip, [advance, first, second]| {
                 slip + advance * forward[axis] * (two * second - one * first)
@@ -244,9 +194,9 @@ impl Chain {
             let zeros = || vec![0.0; n.len()];
             let strained =
                 problem.compliance.apply(&VectorField { t1: zeros(), t2: zeros(), n: n.clone() });
-            for (slip, strained) in slip.iter_mut().zip([&strained.t1, &strained.t2]) {
-                let gained = rolling.direction.gained(strained, frame.elements());
-                vector::update(slip, [&gained], |slip, [gained]| slip + gained);
+            let gained = flow.gained([&strained.t1, &strained.t2]);
+            for (slip, gained) in slip.iter_mut().zip(&gained) {
+                vector::update(slip, [gained], |slip, [gained]| slip + gained);
             }
         }
         slip
@@ -264,9 +214,9 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let elements = problem.frame.elements();
+        let flow = problem.frame.flow(rolling.direction)?;
         let undeformed = self.undeformed_gap(problem);
-        let mut collected = Collected::of(self, problem, rolling);
+        let mut collected = Collected::of(&self.state, problem, flow);
         for _ in 0..PASSES {
             let slopes: Vec<f64> =
                 collected.slopes.iter().map(|slope| leg.advance * slope).collect();
@@ -276,21 +226,15 @@ impl Chain {
                         - collected.slopes[plane] * collected.pressures[plane])
             };
             let mut gap = undeformed.clone();
-            for (index, plane) in rolling.direction.planes(elements).enumerate() {
-                plane.for_each(|pair| gap[pair] += constant(index));
+            for (index, plane) in flow.planes().iter().enumerate() {
+                let depth = constant(index);
+                plane.passages.iter().for_each(|one| gap[one.pair] += one.share * depth);
             }
             let pressure = self.state.pressure.clone();
             let measure = problem.frame.measure();
             let [total] =
                 vector::sum_with([measure.weight], [&pressure], |[w], [pressure]| [w * pressure]);
-            let worn = WornPlanes::new(
-                &*problem.compliance,
-                rolling.direction,
-                elements,
-                &slopes,
-                &pressure,
-            )
-            .weighed(measure.weight);
+            let worn = WornPlanes::new(&*problem.compliance, flow, &slopes, &pressure);
             self.start_from(worn.foresee(&gap, total, &pressure), problem);
             worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
             let worn = match self.roll_on(simulation, leg, &gap, &worn, effort) {
@@ -302,7 +246,7 @@ impl Chain {
                 other => other.map(|()| worn)?,
             };
             worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
-            let now = Collected::of(self, problem, rolling);
+            let now = Collected::of(&self.state, problem, flow);
             let foreseen = |plane: usize| {
                 constant(plane) / leg.advance + collected.slopes[plane] * now.pressures[plane]
             };
@@ -313,7 +257,8 @@ impl Chain {
             }
             collected = now;
             if error <= FORESEEN * deepest {
-                self.wear_down(&collected, problem, rolling, leg);
+                self.wear_down(&collected, flow, leg);
+                self.load_distance += leg.advance * self.creep_work(problem, rolling);
                 return Ok(());
             }
         }
@@ -332,22 +277,14 @@ impl Chain {
         }
     }
 
-    fn wear_down(
-        &mut self,
-        collected: &Collected,
-        problem: &ContactProblem,
-        rolling: &Rolling,
-        leg: Leg,
-    ) {
-        let planes = rolling.direction.planes(problem.frame.elements());
-        for (plane, depths) in planes.zip(&collected.depths) {
-            for pair in plane {
+    fn wear_down(&mut self, collected: &Collected, flow: Flow<'_>, leg: Leg) {
+        for (plane, depths) in flow.planes().iter().zip(&collected.depths) {
+            for &Passage { pair, share, .. } in &plane.passages {
                 for (worn, depth) in self.state.worn.iter_mut().zip(depths) {
-                    worn[pair] += leg.advance * depth;
+                    worn[pair] += leg.advance * share * depth;
                 }
             }
         }
-        self.load_distance += leg.advance * self.creep_work(problem, rolling);
     }
 
     /// Work of the creepages over the coefficient of friction (N): what is worn a revolution is this
@@ -364,17 +301,5 @@ impl Chain {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
         tangential.creep_power(problem, rolling) / coefficient
-    }
-
-    /// Deepest wear (m) of a plane over some revolutions under the present contact.
-    pub(super) fn deepest_plane(
-        &self,
-        problem: &ContactProblem,
-        rolling: &Rolling,
-        advance: f64,
-    ) -> f64 {
-        let collected = Collected::of(self, problem, rolling);
-        let depth = |plane: usize| advance * collected.total(plane);
-        (0..collected.depths.len()).map(depth).fold(0.0, f64::max)
     }
 }

@@ -1,5 +1,5 @@
 //! Whether a frame suits a motion: symmetric halves move along their plane of symmetry only, and rolling needs
-//! rows of pairs.
+//! a plane of pairs that particles pass.
 
 use super::{Error, Simulation};
 use crate::kinematics::{Drive, Guide, Kinematics, Rolling, Shift};
@@ -11,8 +11,11 @@ impl Simulation {
     /// Whether the motion is possible on the frame.
     pub(super) fn check_frame(&self) -> Result<(), Error> {
         let (kinematics, frame) = (&*self.problem.kinematics, &self.problem.frame);
-        if kinematics.rolling().is_some() && !(frame.is_grid() && frame.is_plane()) {
-            return Err(Error::NoRows);
+        if let Some(rolling) = kinematics.rolling() {
+            if !frame.is_plane() {
+                return Err(Error::NotPlane);
+            }
+            frame.flow(rolling.direction)?;
         }
         crossed(kinematics, frame.mirrored())
             .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))

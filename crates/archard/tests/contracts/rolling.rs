@@ -4,7 +4,7 @@ use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornPlanes};
-use archard::frame::{ContactFrame, Direction, VectorField};
+use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
 use archard::friction::FRICTION;
 use archard::kinematics::Control;
 use archard::solve::tangential::{self, FRICTION_SOLVERS, Held};
@@ -127,8 +127,8 @@ fn for_each_map(frame: &ContactFrame, mut show: impl FnMut(&dyn SlipMap, Directi
     for compliance in compliances(frame) {
         let plain = Plain(&compliance);
         for direction in DIRECTIONS {
-            show(&*compliance.rolling(frame, direction), direction);
-            show(&*plain.rolling(frame, direction), direction);
+            show(&*compliance.rolling(frame.flow(direction).unwrap()), direction);
+            show(&*plain.rolling(frame.flow(direction).unwrap()), direction);
         }
     }
 }
@@ -185,14 +185,73 @@ fn half_spaces_roll_as_any_compliance_does() {
     for compliance in compliances(&frame) {
         for direction in DIRECTIONS {
             let plain = Plain(&compliance);
-            let map = compliance.rolling(&frame, direction);
+            let map = compliance.rolling(frame.flow(direction).unwrap());
             let found = apply(&*map, &all);
-            let expected = apply(&*plain.rolling(&frame, direction), &all);
+            let expected = apply(&*plain.rolling(frame.flow(direction).unwrap()), &all);
             for (pair, (found, expected)) in
                 found.concat().iter().zip(expected.concat()).enumerate()
             {
                 if direction.ahead(pair % PAIRS, ELEMENTS).is_some() {
                     assert_relative_eq!(*found, expected, epsilon = 1e-12 * map.own());
+                }
+            }
+        }
+    }
+}
+
+/// The pairs of a frame without their rows.
+fn as_a_cloud(frame: &ContactFrame) -> ContactFrame {
+    let all = 0..frame.len();
+    let place = |pair| {
+        let [x, y] = frame.place(pair);
+        [x, y, 0.0]
+    };
+    let pairs = Pairs {
+        places: all.clone().map(place).collect(),
+        areas: all.clone().map(|pair| frame.area(pair)).collect(),
+        gap: frame.gap().to_vec(),
+        outlines: all.map(|pair| frame.outline(pair)).collect(),
+        ..Pairs::default()
+    };
+    ContactFrame::described(pairs).unwrap()
+}
+
+/// Where pairs lie in rows and nothing says so, particles pass them all the same: the slip over a length is that of
+/// rows, rubbing is that of the passage from the pair ahead, and the strips are the rows.
+#[test]
+fn pairs_in_rows_roll_as_any_do() {
+    let frame = small_frame();
+    let cloud = as_a_cloud(&frame);
+    let numbers = arbitrary(1);
+    let all = [0, 1].map(|axis| (0..PAIRS).map(|pair| numbers[2 * pair + axis]).collect());
+    let pressure: Vec<f64> = numbers[..PAIRS].iter().map(|number| number.abs()).collect();
+    for compliance in compliances(&frame) {
+        for direction in DIRECTIONS {
+            let plain = Plain(&compliance);
+            let flows = [&frame, &cloud].map(|frame| frame.flow(direction).unwrap());
+            let [rows, other] = flows.map(|flow| {
+                let map = plain.rolling(flow);
+                (apply(&*map, &all).concat(), map.own(), flow.advance())
+            });
+            for (one, other_one) in rows.0.iter().zip(&other.0) {
+                let [one, other] = [one / rows.2, other_one / other.2];
+                assert_relative_eq!(one, other, epsilon = 1e-10 * rows.1 / rows.2);
+            }
+            let means = flows.map(|flow| flow.on_the_way(&pressure));
+            for pair in (0..PAIRS).filter(|&pair| direction.ahead(pair, ELEMENTS).is_some()) {
+                assert_relative_eq!(means[0][pair], means[1][pair], epsilon = 1e-12);
+            }
+            let [rows, strips] = flows.map(|flow| (flow.planes(), flow.advance()));
+            assert_eq!(rows.0.len(), strips.0.len());
+            for (row, strip) in rows.0.iter().zip(strips.0.iter()) {
+                assert_relative_eq!(row.width, strip.width, max_relative = 1e-12);
+                assert_relative_eq!(row.place, strip.place, epsilon = 1e-12 * row.width);
+                for one in &strip.passages {
+                    let of_row = row.passages.iter().find(|other| other.pair == one.pair);
+                    let (share, times) = of_row.map_or((0.0, 0.0), |one| (one.share, one.times));
+                    assert_relative_eq!(one.share, share, epsilon = 1e-12);
+                    let [found, known] = [one.times * strips.1, times * rows.1];
+                    assert_relative_eq!(found, known, epsilon = 1e-12 * rows.1);
                 }
             }
         }
@@ -229,7 +288,7 @@ fn friction_solvers_agree() {
     let zeros = vec![0.0; frame.len()];
     let [largest, bears] = [norm([&limit, &zeros]), frame.integrate(&limit)];
     for direction in DIRECTIONS {
-        let map = compliance.rolling(&frame, direction);
+        let map = compliance.rolling(frame.flow(direction).unwrap());
         let unit = map.own() * 0.6 * hertz.peak_pressure;
         for Drives { slip, spin, forces } in DRIVES {
             let turned = |pair: usize| {
@@ -302,7 +361,8 @@ fn planes_that_wear_are_symmetric_and_positive() {
         for direction in DIRECTIONS {
             for slope in [0.0, 0.1, 1e6].map(|factor| factor * elastic.normal_self_term()) {
                 let slopes = slopes(ELEMENTS[1 - direction.axis], slope);
-                let worn = WornPlanes::new(&elastic, direction, ELEMENTS, &slopes, &pressure);
+                let worn =
+                    WornPlanes::new(&elastic, frame.flow(direction).unwrap(), &slopes, &pressure);
                 let image = |pressure: &[f64]| {
                     let mut displacement = vec![0.0; PAIRS];
                     worn.apply_normal(pressure, &mut displacement);
@@ -348,7 +408,7 @@ fn iterations_of_a_step(direction: Direction, self_terms: f64) -> usize {
     let rest = at_rest(&problem, &addition, Control::Load(300.0));
     let unworn = solver("conjugate_gradient", 1e-8).solve(&rest, None);
     let slopes = vec![self_terms * elastic.normal_self_term(); elements[1 - direction.axis]];
-    let worn = WornPlanes::new(elastic, direction, elements, &slopes, &unworn.pressure);
+    let worn = WornPlanes::new(elastic, frame.flow(direction).unwrap(), &slopes, &unworn.pressure);
     let total = unworn.pressure.iter().sum();
     let foreseen = worn.foresee(frame.gap(), total, &unworn.pressure);
     let pressure = foreseen.unwrap_or(unworn.pressure);

@@ -4,6 +4,7 @@ use approx::assert_relative_eq;
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::case::{Finiteness, Resolved};
 
+use crate::common::Rows;
 use crate::{file, reads_back, resolve};
 
 /// A rigid punch on a quarter of a block.
@@ -179,4 +180,42 @@ fn what_a_half_space_would_change_is_estimated() {
     assert!((0.15..0.21).contains(&plate), "{plate}");
     let column = share("[\"0.5 m\", \"0.5 m\", \"2 m\"]");
     assert!((-0.8..-0.62).contains(&column), "{column}");
+}
+
+/// A ball that rolls on a rail meshed by Gmsh, in triangles, and wears it.
+const RAIL: &str = r#"
+[body.rail]
+material = { young = "210 GPa", poisson = 0.3 }
+mesh.file = { path = "meshes/rail.msh", contact = "zone", unit = "mm" }
+supports = { bottom = "clamped" }
+boundary_elements = { interpolation = "continuous", tolerance = 1e-4 }
+wear.archard = { coefficient = "1e-12 1/Pa" }
+[body.ball]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.sphere = { radius = "20 mm" }
+[friction.coulomb]
+coefficient = 0.3
+[motion.rolling]
+load = "61.538 N"
+creepage = 0.00114285
+revolutions = 100
+step = 50
+"#;
+
+/// Kalker's force at 0.2 mu F / (G a^2), 0.664 mu F, which 8 elements over the width of the contact exceed by
+/// several percent; and the section that the creepage wears at it, between a triangle and a rectangle over the width
+/// of the contact.
+#[test]
+fn a_ball_rolls_on_a_mesh_of_triangles() {
+    let resolved = resolve(&file(RAIL));
+    assert!(resolved.warnings.is_empty(), "{:?}", resolved.warnings);
+    let mut rows = Rows::default();
+    resolved.case.build().unwrap().run(&mut [&mut rows]).unwrap();
+    let force = rows.column("force_x_N");
+    assert_relative_eq!(force[0], 0.664 * 0.3 * 61.538, max_relative = 0.05);
+    let worn = 1e-12 / 0.3 * 0.00114285 * 50.0 * (force[1] + force[2]);
+    // The pressures stretch the rail and the ball by different amounts, as both are not half-spaces: 1.2 %.
+    assert_relative_eq!(rows.last("worn_section_rail_m2"), worn, max_relative = 0.02);
+    let track = rows.last("wear_depth_m") * 0.4e-3;
+    assert!((0.5..1.0).contains(&(worn / track)), "{}", worn / track);
 }

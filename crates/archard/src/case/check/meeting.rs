@@ -23,19 +23,19 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, [first, second], meeting.pairs()));
-            if parts.motion.kinematics.rolling().is_some() && !meeting.has_rows() {
-                problems.push(without_rows(parts, [first, second]));
+            if parts.motion.kinematics.rolling().is_some() && !meeting.is_plane() {
+                problems.push(on_a_curve(parts, [first, second]));
             }
         }
     }
     problems
 }
 
-/// Rolling on pairs that form no rows.
-fn without_rows(parts: &Parts<'_>, [first, second]: [&Body; 2]) -> Problem {
+/// Rolling on a curved zone.
+fn on_a_curve(parts: &Parts<'_>, [first, second]: [&Body; 2]) -> Problem {
     let key = Key::of(["motion", parts.case.motion.choice.name]);
-    let problem = Problem::error(key, Error::NoRows.to_string()).at_name();
-    if second.finite.is_some() && Meeting::of([second, first]).is_ok_and(|other| other.has_rows()) {
+    let problem = Problem::error(key, Error::NotPlane.to_string()).at_name();
+    if second.finite.is_some() && Meeting::of([second, first]).is_ok_and(|other| other.is_plane()) {
         let name = &parts.case.bodies[1].name;
         return problem.help(format!(
             "name `{name}` first: pairs are nodes of the first meshed body, and its zone is plane"

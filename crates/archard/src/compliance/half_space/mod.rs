@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::body::Material;
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Direction, VectorField};
+use crate::frame::{ContactFrame, Flow, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 use influence::{Constants, Influence};
@@ -178,8 +178,8 @@ impl Compliance for HalfSpace {
         self.influence.couples()
     }
 
-    fn rolling<'a>(&'a self, _: &'a ContactFrame, direction: Direction) -> Box<dyn SlipMap + 'a> {
-        Box::new(Rolling::new(self, direction))
+    fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {
+        Box::new(Rolling::new(self, flow.direction()))
     }
 
     fn shifting<'a>(&'a self, _: &'a ContactFrame) -> Box<dyn SlipMap + 'a> {

@@ -28,13 +28,14 @@ mod stencil;
 mod tests;
 
 use cloud::Cloud;
-use stencil::Row;
+use stencil::{Row, Shares};
 
 /// The derivative along a direction on a fixed cloud of points.
 #[derive(Debug, Clone)]
 pub struct Derivative {
     /// A row of the sparse operator has two neighbours at most.
     rows: Vec<Row>,
+    shares: Vec<Shares>,
     extrapolated: Vec<usize>,
 }
 
@@ -80,15 +81,17 @@ impl Derivative {
     /// If the points carry no such derivative.
     pub fn along(places: &[[f64; 2]], direction: [f64; 2]) -> Result<Self, DegenerateCloud> {
         let cloud = Cloud::new(places, direction)?;
-        let (mut rows, mut extrapolated) = (Vec::with_capacity(places.len()), vec![]);
+        let (mut rows, mut shares) = (Vec::with_capacity(places.len()), vec![]);
+        let mut extrapolated = vec![];
         for point in 0..places.len() {
             let stencil = cloud.stencil(point)?;
             rows.push(stencil.row);
+            shares.push(stencil.shares);
             if stencil.extrapolates {
                 extrapolated.push(point);
             }
         }
-        Ok(Self { rows, extrapolated })
+        Ok(Self { rows, shares, extrapolated })
     }
 
     /// The points, rising, whose derivative is not a positive combination of differences from
@@ -101,6 +104,15 @@ impl Derivative {
     pub fn apply(&self, values: &[f64], out: &mut [f64]) {
         for ((out, row), value) in out.iter_mut().zip(&self.rows).zip(values) {
             *out = row.iter().map(|&(other, weight)| weight * (value - values[other])).sum();
+        }
+    }
+
+    /// Sets `out` to the values where particles come from: the mean over the neighbours, each weighed by
+    /// what it contributes to the derivative of the place along the direction.
+    /// On a grid passed along an axis, the value of the point before.
+    pub fn upstream(&self, values: &[f64], out: &mut [f64]) {
+        for ((out, row), shares) in out.iter_mut().zip(&self.rows).zip(&self.shares) {
+            *out = row.iter().zip(shares).map(|(&(other, _), share)| share * values[other]).sum();
         }
     }
 

@@ -17,6 +17,8 @@ const ROUNDING: f64 = 1e-10;
 
 /// Neighbours with their coefficients (1 / unit of the places), which may be zero.
 pub(super) type Row = [(usize, f64); 2];
+/// What each neighbour of a row contributes to the derivative of the place along the direction; one together.
+pub(super) type Shares = [f64; 2];
 
 /// A neighbour and where it lies from the point, along and across the direction.
 #[derive(Debug, Clone, Copy)]
@@ -41,6 +43,7 @@ impl Neighbour {
 #[derive(Debug)]
 pub(super) struct Stencil {
     pub row: Row,
+    pub shares: Shares,
     cost: f64,
     /// Sum of coefficients times squared distance (unit of the places).
     pub spread: f64,
@@ -75,7 +78,11 @@ impl Stencil {
 
     fn new(terms: [(&Neighbour, f64); 2]) -> Self {
         let row = terms.map(|(neighbour, weight)| (neighbour.point, weight));
-        let mut stencil = Self { row, cost: 0.0, spread: 0.0, extrapolates: false };
+        let shares = terms.map(|(neighbour, weight)| {
+            let share = -weight * neighbour.offset[0];
+            if share.abs() > ROUNDING { share } else { 0.0 }
+        });
+        let mut stencil = Self { row, shares, cost: 0.0, spread: 0.0, extrapolates: false };
         for (neighbour, weight) in terms {
             let (distance, size) = (neighbour.distance(), weight.abs());
             let upwind = weight >= 0.0 && neighbour.offset[0] < 0.0;

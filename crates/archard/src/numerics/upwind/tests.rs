@@ -64,6 +64,27 @@ fn a_turned_grid_has_the_upwind_difference() {
 }
 
 #[test]
+fn particles_come_from_the_point_before_or_from_between_others() {
+    let places = grid([9, 7], [1.0; 2], 0.0);
+    let values: Vec<f64> = places.iter().map(|[x, y]| (x * x + 3.0 * y).sin()).collect();
+    let upstream = |places: &[[f64; 2]], values: &[f64], angle| {
+        let mut out = vec![f64::NAN; values.len()];
+        Derivative::along(places, unit(angle)).unwrap().upstream(values, &mut out);
+        out
+    };
+    for (point, found) in upstream(&places, &values, 0.0).into_iter().enumerate() {
+        let before = if point % 9 == 0 { point + 1 } else { point - 1 };
+        assert_relative_eq!(found, values[before], epsilon = 1e-14);
+    }
+    let places = grid([9, 7], [1.0; 2], 0.2);
+    for angle in ANGLES {
+        for mean in upstream(&places, &vec![1.0; places.len()], angle) {
+            assert_relative_eq!(mean, 1.0, epsilon = 1e-9);
+        }
+    }
+}
+
+#[test]
 fn linear_fields_are_exact_up_to_the_border() {
     for shaken in [0.0, 0.2, 0.5] {
         let places = grid([20, 15], [1.0, 0.7], shaken);

@@ -61,9 +61,9 @@ impl<'a> Meeting<'a> {
         &self.pairs
     }
 
-    /// Whether the pairs form rows on a plane, as rolling asks for.
-    pub fn has_rows(&self) -> bool {
-        self.pairs.elements.is_some() && self.pairs.bases.is_empty()
+    /// Whether the pairs lie on a plane, as rolling asks for.
+    pub fn is_plane(&self) -> bool {
+        self.pairs.bases.is_empty()
     }
 
     /// The equations of a meshed body and the tractions (Pa) on it, three a contact node in their bases, where

@@ -1,0 +1,108 @@
+//! Wear collected along the planes of rolling.
+//!
+//! A particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
+//! and it is rubbed until it has left the last pair under pressure. With that pairing of pressure and slip the worn
+//! section equals the work of the creepage in rows of pairs, as it does in nature, to the last digits. Between
+//! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
+//! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
+
+use crate::frame::{Flow, Passage, VectorField};
+use crate::problem::{ContactProblem, ContactState};
+use crate::wear::Rubbing;
+
+/// The most by which wear is scaled for the work that is lost.
+const MOST_LOST: f64 = 2.0;
+
+/// Wear of the planes under the contact as it is, in one revolution.
+pub(super) struct Collected {
+    /// Depth worn off body 1 and body 2 (m), one value a plane.
+    pub depths: Vec<[f64; 2]>,
+    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
+    pub slopes: Vec<f64>,
+    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a plane.
+    pub pressures: Vec<f64>,
+}
+
+impl Collected {
+    pub fn of(state: &ContactState, problem: &ContactProblem, flow: Flow<'_>) -> Self {
+        let pressure = &state.pressure;
+        let slip = state.tangential.as_ref().map(|tangential| &tangential.slip);
+        let weight = problem.frame.measure().weight;
+        let means = flow.on_the_way(pressure);
+        let scale = if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, &means) };
+        let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
+        for plane in flow.planes().iter() {
+            let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
+            for &Passage { pair, share, times } in &plane.passages {
+                let mean = means[pair];
+                sum += share * weight.at(pair) * pressure[pair];
+                let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
+                let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
+                let times = scale * times;
+                let worn = problem.wear_depths(rubbing);
+                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
+                slope += times * problem.wear_slope(rubbing) * mean;
+            }
+            collected.depths.push(depths);
+            collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
+            collected.pressures.push(sum);
+        }
+        collected.spread_slopes();
+        collected
+    }
+
+    /// Gives planes that do not touch yet the slope of the nearest that do.
+    fn spread_slopes(&mut self) {
+        let touching: Vec<usize> =
+            (0..self.pressures.len()).filter(|&plane| self.pressures[plane] > 0.0).collect();
+        let (Some(&first), Some(&last)) = (touching.first(), touching.last()) else { return };
+        let (low, high) = (self.slopes[first], self.slopes[last]);
+        self.slopes[..first].fill(low);
+        self.slopes[last..].fill(high);
+    }
+
+    /// Depth (m) of a plane on both bodies.
+    pub fn total(&self, plane: usize) -> f64 {
+        self.depths[plane].iter().sum()
+    }
+
+    /// Depth (m) of the deepest plane on both bodies.
+    pub fn deepest(&self) -> f64 {
+        (0..self.depths.len()).map(|plane| self.total(plane)).fold(0.0, f64::max)
+    }
+}
+
+/// Work of the rigid slip on the tractions relative to that of friction on the slip: one for the bodies themselves,
+/// more where a derivative on scattered pairs diffuses the displacements.
+fn work_ratio(
+    state: &ContactState,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+    means: &[f64],
+) -> f64 {
+    let (Some(tangential), Some(friction)) = (&state.tangential, &problem.friction) else {
+        return 1.0;
+    };
+    let [t1, t2] = tangential.traction.clone();
+    let n = vec![0.0; t1.len()];
+    let displacement = problem.compliance.apply(&VectorField { t1, t2, n });
+    let taken = flow.gained([&displacement.t1, &displacement.t2]);
+    let slips = |pair: usize| tangential.slip.each_ref().map(|slip| slip[pair]);
+    let rigid = |pair: usize| -> f64 {
+        let works =
+            |axis: usize| tangential.traction[axis][pair] * (slips(pair)[axis] + taken[axis][pair]);
+        problem.frame.area(pair) * (works(0) + works(1))
+    };
+    let rubbed = |one: &Passage| {
+        let [x, y] = slips(one.pair);
+        one.times * friction.limit(means[one.pair].max(0.0)) * x.hypot(y)
+    };
+    let rigid: f64 = (0..means.len()).map(rigid).sum();
+    let planes = flow.planes();
+    let rubbed = planes.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());
+    let images = if problem.frame.mirrored()[1 - flow.direction().axis] { 2.0 } else { 1.0 };
+    let rubbed = images * flow.advance() * rubbed.sum::<f64>();
+    let ratio = rigid / rubbed;
+    // What hardly slips works by its residuals.
+    if ratio.is_finite() { ratio.clamp(1.0 / MOST_LOST, MOST_LOST) } else { 1.0 }
+}
