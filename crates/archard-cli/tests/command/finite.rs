@@ -79,7 +79,8 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
         r#"output.points.block={ top = ["0 m", "0 m", "0 m"], below = ["0 m", "0 m", "-50 mm"] }"#;
     let small = "body.block.mesh.box.contact.elements=[8, 8]";
     let steps = "motion.indentation.increments=1";
-    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q"];
+    let alone = ["--set", "friction=", "--set", "body.block.wear="];
+    let arguments = [&["run", case.to_str().unwrap(), "-o", "out", "-q"], &alone[..]].concat();
     let options = ["--set", small, "--set", steps, "--set", points];
     archard(&dir, &[&arguments[..], &options].concat()).success();
     let out = dir.path().join("out");
@@ -87,8 +88,8 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     assert!(table.starts_with("body,point,x_m,y_m,z_m,depth_m,displacement_x_m"), "{table}");
     let below = table.lines().find(|line| line.starts_with("block,below,")).expect("a row");
     let stress: f64 = below.split(',').nth(11).unwrap().parse().unwrap();
-    // Hertz: the peak pressure is 129 MPa, the radius 84 mm.
-    assert!((stress / (-129e6 / (1.0 + (50.0f64 / 84.0).powi(2))) - 1.0).abs() < 0.05, "{below}");
+    // Hertz: the peak pressure is 123 MPa, the radius 83.7 mm.
+    assert!((stress / (-123e6 / (1.0 + (50.0f64 / 83.7).powi(2))) - 1.0).abs() < 0.03, "{below}");
     let surface = archard::output::Surface::read(&out.join("surface_2.vtu")).unwrap();
     let stress = surface.field("stress_zz_Pa").expect("a field");
     assert!(stress.iter().fold(0.0, |least: f64, stress| least.min(*stress)) < -110e6);
