@@ -1,5 +1,6 @@
 //! Numerical tools that know nothing of mechanics.
 
+pub mod bordered;
 pub mod convolution;
 pub mod dense;
 pub mod gmres;
