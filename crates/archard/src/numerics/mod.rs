@@ -6,5 +6,6 @@ pub mod dense;
 pub mod gmres;
 pub mod interpolate;
 pub mod quadrature;
+pub mod single;
 pub mod upwind;
 pub mod vector;
