@@ -74,7 +74,7 @@ fn main() {
     println!("| solver | s | iterations | applications |");
     println!("|---|---|---|---|");
     let folder = tempfile::tempdir().expect("a folder");
-    for solver in ["conjugate_gradient", "active_set"] {
+    for solver in ["conjugate_gradient", "active_set", "gauss_seidel"] {
         solve(solver, &Store::new(folder.path()));
     }
 }

@@ -156,6 +156,18 @@ impl Compliance for Dense {
         })
     }
 
+    fn matrix(&self, pairs: &[usize]) -> Option<Mat<f64>> {
+        let at = |direction: usize| pairs.iter().map(move |pair| direction * self.pairs + pair);
+        let places: Vec<usize> = (0..3).flat_map(at).collect();
+        let mut matrix = Mat::zeros(places.len(), places.len());
+        for (column, &place) in places.iter().enumerate() {
+            let from = &self.columns[place * 3 * self.pairs..][..3 * self.pairs];
+            let values = matrix.col_as_slice_mut(column).iter_mut();
+            values.zip(&places).for_each(|(value, &row)| *value = from[row]);
+        }
+        Some(matrix)
+    }
+
     fn normal_self_term(&self) -> f64 {
         self.normal_self_term
     }

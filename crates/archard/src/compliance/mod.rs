@@ -54,6 +54,12 @@ pub trait Compliance: Debug + Send + Sync {
         matrix
     }
 
+    /// What `apply` makes of the tractions of some pairs there, as a matrix (m/Pa): row by pair displaced, column
+    /// by pair drawn, along t1 of all of them, then along t2, then along n. `None` where no matrix is at hand.
+    fn matrix(&self, _pairs: &[usize]) -> Option<Mat<f64>> {
+        None
+    }
+
     /// Normal displacement (m) of a pair under a unit pressure (Pa) on it alone, mirror images left out; the
     /// largest of unequal pairs.
     fn normal_self_term(&self) -> f64;

@@ -7,7 +7,13 @@ use faer::linalg::triangular_solve::{
     solve_unit_lower_triangular_in_place, solve_upper_triangular_in_place,
 };
 use faer::perm::{Perm, permute_rows_in_place, permute_rows_in_place_scratch};
+use faer::traits::RealField;
 use faer::{Mat, MatMut, Par, Side};
+
+use super::single::substitute;
+
+/// Unknowns below which one thread is quicker than several.
+const ALONE: usize = 1024;
 
 /// The factors of a symmetric positive definite matrix.
 #[derive(Debug, Clone)]
@@ -27,10 +33,11 @@ impl Cholesky {
     }
 }
 
-/// The factors of a square matrix, kept in its place; rows are exchanged for the largest pivots.
+/// The factors of a square matrix, kept in its place; rows are exchanged for the largest pivots. In single
+/// precision they are made, read and kept at half the cost, for systems that are solved by iteration.
 #[derive(Debug)]
-pub struct Lu {
-    factors: Mat<f64>,
+pub struct Lu<T = f64> {
+    factors: Mat<T>,
     rows: Perm<usize>,
 }
 
@@ -42,22 +49,22 @@ pub struct Singular {
     pub size: usize,
 }
 
-impl Lu {
+impl<T: RealField + Copy + Into<f64>> Lu<T> {
     /// Factorises a square matrix in its place.
     ///
     /// # Errors
     /// If a pivot is zero or not a number.
-    pub fn new(mut matrix: Mat<f64>) -> Result<Self, Singular> {
+    pub fn new(mut matrix: Mat<T>) -> Result<Self, Singular> {
         let size = matrix.nrows();
         let (mut forward, mut backward) = (vec![0usize; size], vec![0usize; size]);
-        let par = Par::rayon(0);
-        let need = factor::lu_in_place_scratch::<usize, f64>(size, size, par, Default::default());
+        let par = if size < ALONE { Par::Seq } else { Par::rayon(0) };
+        let need = factor::lu_in_place_scratch::<usize, T>(size, size, par, Default::default());
         let mut memory = MemBuffer::new(need);
         let stack = MemStack::new(&mut memory);
         let settings = Default::default();
         factor::lu_in_place(matrix.as_mut(), &mut forward, &mut backward, par, stack, settings);
         let sound = (0..size).all(|index| {
-            let pivot = matrix[(index, index)];
+            let pivot: f64 = matrix[(index, index)].into();
             pivot != 0.0 && pivot.is_finite()
         });
         if !sound {
@@ -73,10 +80,10 @@ impl Lu {
     }
 
     /// Replaces images by the vectors that have them, one a column.
-    pub fn solve_in_place(&self, mut images: MatMut<'_, f64>) {
+    pub fn solve_in_place(&self, mut images: MatMut<'_, T>) {
         let (size, columns) = (self.factors.nrows(), images.ncols());
         let par = if columns > 8 { Par::rayon(0) } else { Par::Seq };
-        let need = solve::solve_in_place_scratch::<usize, f64>(size, columns, par);
+        let need = solve::solve_in_place_scratch::<usize, T>(size, columns, par);
         let mut memory = MemBuffer::new(need);
         let factors = self.factors.as_ref();
         let stack = MemStack::new(&mut memory);
@@ -85,10 +92,10 @@ impl Lu {
 
     /// Replaces the last `count` rows of images by those of the vectors that have them, one a column; the
     /// others are left without meaning.
-    pub fn solve_last(&self, mut images: MatMut<'_, f64>, count: usize) {
+    pub fn solve_last(&self, mut images: MatMut<'_, T>, count: usize) {
         let (size, columns) = (self.factors.nrows(), images.ncols());
         let par = if columns > 8 { Par::rayon(0) } else { Par::Seq };
-        let need = permute_rows_in_place_scratch::<usize, f64>(size, columns);
+        let need = permute_rows_in_place_scratch::<usize, T>(size, columns);
         let mut memory = MemBuffer::new(need);
         let stack = MemStack::new(&mut memory);
         permute_rows_in_place(images.as_mut(), self.rows.as_ref(), stack);
@@ -97,6 +104,16 @@ impl Lu {
         let first = size - count.min(size);
         let last = factors.submatrix(first, first, size - first, size - first);
         solve_upper_triangular_in_place(last, images.subrows_mut(first, size - first), par);
+    }
+}
+
+impl Lu<f32> {
+    /// Replaces a single image by the vector that has it.
+    pub fn solve(&self, image: &mut [f32]) {
+        let (forward, _) = self.rows.as_ref().arrays();
+        let permuted: Vec<f32> = forward.iter().map(|&row| image[row]).collect();
+        image.copy_from_slice(&permuted);
+        substitute(&self.factors, image);
     }
 }
 
@@ -131,7 +148,13 @@ mod tests {
                 assert_relative_eq!(last[(row, column)], all[(row, column)], epsilon = 1e-12);
             }
         }
-        assert!(Lu::new(Mat::zeros(3, 3)).is_err());
+        assert!(Lu::new(Mat::<f64>::zeros(3, 3)).is_err());
+        let single = Lu::new(Mat::from_fn(size, size, |i, j| matrix()[(i, j)] as f32));
+        let mut image: Vec<f32> = (0..size).map(|i| images()[(i, 1)] as f32).collect();
+        single.expect("regular").solve(&mut image);
+        for row in 0..size {
+            assert_relative_eq!(f64::from(image[row]), all[(row, 1)], max_relative = 1e-4);
+        }
     }
 
     #[test]

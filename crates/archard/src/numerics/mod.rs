@@ -1,9 +1,11 @@
 //! Numerical tools that know nothing of mechanics.
 
+pub mod bordered;
 pub mod convolution;
 pub mod dense;
 pub mod gmres;
 pub mod interpolate;
 pub mod quadrature;
+pub mod single;
 pub mod upwind;
 pub mod vector;

@@ -6,8 +6,9 @@
 //! principal minors are positive (J. J. Judice and F. M. Pires, *Computers Ops Res.* 21 (1994) 587). The matrix
 //! need not be symmetric.
 //!
-//! A step costs the third power of the number of pairs in contact. It suits meshed bodies, whose matrix is
-//! there; elsewhere making it takes an application a pair.
+//! New factors cost the third power of the number of pairs in contact. The factors of one step serve the next
+//! ones of the solve, [bordered](crate::numerics::bordered) by the pairs that have joined or left since, as long as
+//! those are few. It suits meshed bodies, whose matrix is there; elsewhere making it takes an application a pair.
 
 use faer::Mat;
 
@@ -15,7 +16,8 @@ use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::kinematics::Control;
-use crate::numerics::dense::Lu;
+use crate::numerics::bordered::Bordered;
+use crate::numerics::dense::{Lu, Singular};
 use crate::numerics::vector::{in_pool, update};
 use crate::parameters::Choice;
 
@@ -28,6 +30,8 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
 
 /// Steps in which the number of pairs that change may fail to fall.
 const PATIENCE: usize = 5;
+/// Share of the pairs in contact that may have joined or left before new factors are cheaper than a border.
+const BORDER: f64 = 0.1;
 
 /// See the module.
 #[derive(Debug)]
@@ -67,11 +71,13 @@ impl ActiveSet {
         let mut state = state_of(step, pressure, approach);
         let (mut count, mut applications) = (0, 1);
         let (mut fewest, mut patience) = (usize::MAX, PATIENCE);
+        let mut kept = None;
         let mut contact: Vec<bool> =
             (0..step.gap.len()).map(|pair| in_contact(&state, pair)).collect();
         while state.residual > self.settings.tolerance && count < self.settings.max_iterations {
             count += 1;
-            let Some((pressure, approach)) = close(step, &contact, state.approach) else { break };
+            let closed = close(step, &contact, state.approach, &mut kept);
+            let Ok((pressure, approach)) = closed else { break };
             applications += 1;
             state = state_of(step, pressure, approach);
             let wrong: Vec<usize> = (0..contact.len())
@@ -112,9 +118,92 @@ fn in_contact(state: &State, pair: usize) -> bool {
     state.pressure[pair] > 0.0 || state.gap[pair] < 0.0
 }
 
-/// The pressures (Pa) that close the gaps of the pairs in contact, and the approach (m) that belongs to them;
-/// `None` where no such pressures are.
-fn close(step: &Step<'_>, contact: &[bool], approach: f64) -> Option<(Vec<f64>, f64)> {
+/// The factors of the pairs that were in contact when they were made.
+struct Kept {
+    pairs: Vec<usize>,
+    lu: Lu,
+}
+
+impl Kept {
+    fn of(step: &Step<'_>, pairs: &[usize]) -> Result<Self, Singular> {
+        Ok(Self { pairs: pairs.to_vec(), lu: Lu::new(matrix_of(step, pairs))? })
+    }
+
+    /// The vectors of pairs now in contact that have some images there, one a column; `None` where too many of
+    /// the pairs are others.
+    fn solve(&self, step: &Step<'_>, pairs: &[usize], images: &Mat<f64>) -> Option<Mat<f64>> {
+        let apart = |these: &[usize], those: &[usize]| -> Vec<usize> {
+            these.iter().copied().filter(|pair| those.binary_search(pair).is_err()).collect()
+        };
+        let (joined, left) = (apart(pairs, &self.pairs), apart(&self.pairs, pairs));
+        let (within, border) = (self.pairs.len(), joined.len() + left.len());
+        if border as f64 > BORDER * pairs.len() as f64 {
+            return None;
+        }
+        let place = |these: &[usize], pair: usize| these.binary_search(&pair).ok();
+        let image = |pair: usize, column: usize| {
+            place(pairs, pair).map_or(0.0, |row| images[(row, column)])
+        };
+        let count = images.ncols();
+        let mut inner = Mat::from_fn(within, count, |row, column| image(self.pairs[row], column));
+        // What leaves has no row any more, and no pressure.
+        let mut outer = Mat::from_fn(border, count, |row, column| {
+            joined.get(row).map_or(0.0, |&pair| image(pair, column))
+        });
+        if border == 0 {
+            self.lu.solve_in_place(inner.as_mut());
+        } else {
+            let all = [&self.pairs[..], &joined].concat();
+            let matrix = if joined.is_empty() { Mat::new() } else { matrix_of(step, &all) };
+            let leaves =
+                |index: usize, at: usize| f64::from(left[index - joined.len()] == self.pairs[at]);
+            let columns = Mat::from_fn(within, border, |row, column| {
+                if column < joined.len() {
+                    matrix[(row, within + column)]
+                } else {
+                    leaves(column, row)
+                }
+            });
+            let rows = Mat::from_fn(border, within, |row, column| {
+                if row < joined.len() {
+                    matrix[(within + row, column)]
+                } else {
+                    leaves(row, column)
+                }
+            });
+            let corner = Mat::from_fn(border, border, |row, column| {
+                if row.max(column) < joined.len() {
+                    matrix[(within + row, within + column)]
+                } else {
+                    0.0
+                }
+            });
+            let bordered = Bordered::new(&self.lu, columns, rows, corner.as_ref()).ok()?;
+            bordered.solve_in_place(inner.as_mut(), outer.as_mut());
+        }
+        Some(Mat::from_fn(pairs.len(), count, |row, column| match place(&self.pairs, pairs[row]) {
+            Some(row) => inner[(row, column)],
+            None => place(&joined, pairs[row]).map_or(0.0, |row| outer[(row, column)]),
+        }))
+    }
+}
+
+/// Gap of pairs under the pressures of each other (m/Pa).
+fn matrix_of(step: &Step<'_>, pairs: &[usize]) -> Mat<f64> {
+    let mut matrix = step.compliance.normal_matrix(pairs, step.gap.len());
+    for (index, &pair) in pairs.iter().enumerate() {
+        matrix[(index, index)] += step.addition[pair];
+    }
+    matrix
+}
+
+/// The pressures (Pa) that close the gaps of the pairs in contact, and the approach (m) that belongs to them.
+fn close(
+    step: &Step<'_>,
+    contact: &[bool],
+    approach: f64,
+    kept: &mut Option<Kept>,
+) -> Result<(Vec<f64>, f64), Singular> {
     let mut pairs: Vec<usize> = (0..contact.len()).filter(|&pair| contact[pair]).collect();
     if let (true, Control::Load(_)) = (pairs.is_empty(), step.control) {
         // A load needs a pair to bear it.
@@ -122,18 +211,17 @@ fn close(step: &Step<'_>, contact: &[bool], approach: f64) -> Option<(Vec<f64>, 
     }
     let mut pressure = vec![0.0; contact.len()];
     if let (true, Control::Approach(approach)) = (pairs.is_empty(), step.control) {
-        return Some((pressure, approach));
-    }
-    let mut matrix = step.compliance.normal_matrix(&pairs, contact.len());
-    for (index, &pair) in pairs.iter().enumerate() {
-        matrix[(index, index)] += step.addition[pair];
+        return Ok((pressure, approach));
     }
     // What closes the gaps at no approach, and what an approach of one adds.
     let mut images = Mat::from_fn(pairs.len(), 2, |row, column| match column {
         0 => -step.gap[pairs[row]],
         _ => step.measure.closing.at(pairs[row]),
     });
-    Lu::new(matrix).ok()?.solve_in_place(images.as_mut());
+    match kept.as_ref().and_then(|kept| kept.solve(step, &pairs, &images)) {
+        Some(solved) => images = solved,
+        None => kept.insert(Kept::of(step, &pairs)?).lu.solve_in_place(images.as_mut()),
+    }
     let field = |column: usize| {
         let mut field = vec![0.0; contact.len()];
         pairs.iter().enumerate().for_each(|(row, &pair)| field[pair] = images[(row, column)]);
@@ -148,7 +236,7 @@ fn close(step: &Step<'_>, contact: &[bool], approach: f64) -> Option<(Vec<f64>, 
         }
     };
     update(&mut pressure, [&still, &rate], |_, [still, rate]| still + approach * rate);
-    Some((pressure, approach))
+    Ok((pressure, approach))
 }
 
 /// What follows from pressures, negative ones among them, at an approach.

@@ -11,6 +11,7 @@
 
 mod active_set;
 mod conjugate_gradient;
+mod gauss_seidel;
 pub mod joint;
 mod residual;
 mod start;
@@ -103,7 +104,7 @@ pub trait Solver: Debug + Send + Sync {
 
 /// The solvers a case can name; the first is the default.
 pub const SOLVERS: &[Choice<Box<dyn Solver>>] =
-    &[conjugate_gradient::CHOICE, active_set::CHOICE, uzawa::CHOICE];
+    &[conjugate_gradient::CHOICE, active_set::CHOICE, gauss_seidel::CHOICE, uzawa::CHOICE];
 
 /// Bound on the residual where a case gives none.
 const TOLERANCE: f64 = 1e-8;

@@ -38,6 +38,7 @@ impl Rig {
             control: leg.control,
             rigid: [&rigid[0], &rigid[1]],
             held: &held,
+            again: known.is_some(),
         };
         let start = match known.and_then(|known| known.joint.clone()) {
             Some(start) => start,
@@ -107,7 +108,7 @@ impl Rig {
         effort.applications += 1;
         let displacement = problem.compliance.apply(&traction);
         let approach = self.chain.state.approach;
-        Ok(joint::Solution { traction, displacement, approach, found: vec![] })
+        Ok(joint::Solution { traction, displacement, approach, found: vec![], factors: None })
     }
 
     /// Pressures and friction of unlike bodies, one after the other until they agree.

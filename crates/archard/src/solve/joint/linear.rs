@@ -10,9 +10,12 @@
 //! ```
 //!
 //! The preconditioner takes the directions apart: that of the normal problem, and
-//! [`SlipMap::undo`](crate::compliance::SlipMap::undo).
+//! [`SlipMap::undo`](crate::compliance::SlipMap::undo). Where there are [`Factors`] from a solution nearby, they take
+//! the place of both, and as long as no other pairs have come into contact the images are those of their matrix;
+//! what the compliance makes of the change is computed once at the end.
 
 use super::border::Border;
+use super::factors::Factors;
 use super::regime::{LEAST, Regime, Touch, components};
 use super::state::State;
 use super::{Solution, Step};
@@ -24,7 +27,7 @@ use crate::numerics::vector::{map, update};
 /// Residual of the linear system, relative to its right-hand side, while more than `SETTLED` of the pairs in
 /// contact change what they do; after that what the aim needs.
 const LOOSE: f64 = 0.1;
-const TIGHT: f64 = 0.02;
+pub(super) const TIGHT: f64 = 0.02;
 const SETTLED: f64 = 0.01;
 /// Krylov iterations of one step.
 const KRYLOV: usize = 80;
@@ -38,6 +41,8 @@ pub(super) struct Linear<'s> {
     border: Border,
     fixed_displacement: Option<VectorField>,
     tried: Vec<VectorField>,
+    /// Whether images come from the factors' matrix, so that what was tried is not kept.
+    covered: bool,
     pub applications: usize,
 }
 
@@ -45,20 +50,35 @@ pub(super) struct Linear<'s> {
 struct Inverse<'s> {
     normal: Box<dyn Preconditioner + 's>,
     tangential: Box<dyn SlipMap + 's>,
+    factors: Option<&'s Factors>,
 }
 
 impl<'s> Linear<'s> {
-    pub fn about(state: &State, step: &'s Step<'s>) -> Self {
-        let regime = Regime::of(state, step);
+    pub fn about(
+        state: &State,
+        step: &'s Step<'s>,
+        regime: Regime,
+        factors: Option<&'s Factors>,
+    ) -> Self {
         let inverse = Inverse {
             normal: step.compliance.normal_preconditioner(0.0),
             tangential: step.compliance.shifting(step.frame),
+            factors,
         };
         let border = Border::of(state, step, &regime, |rows| inverse.apply(rows, &regime));
         let fixed_displacement = None;
         let (tried, applications) = (vec![], 0);
-        let mut linear =
-            Self { step, inverse, regime, border, fixed_displacement, tried, applications };
+        let covered = factors.is_some_and(|factors| factors.cover(&regime));
+        let mut linear = Self {
+            step,
+            inverse,
+            regime,
+            border,
+            fixed_displacement,
+            tried,
+            covered,
+            applications,
+        };
         linear.apply_fixed();
         linear
     }
@@ -79,7 +99,7 @@ impl<'s> Linear<'s> {
     pub fn tolerance(&self, last: &[Touch], residual: f64, aim: f64) -> f64 {
         let changes = self.regime.touch.iter().zip(last).filter(|(now, before)| now != before);
         let settled = changes.count() as f64 <= (SETTLED * self.regime.touching() as f64).max(1.0);
-        let enough = 0.2 * aim / residual;
+        let enough = 0.4 * aim / residual;
         let tolerance = if settled { TIGHT.min(residual) } else { LOOSE };
         tolerance.max(enough).min(LOOSE)
     }
@@ -91,14 +111,24 @@ impl<'s> Linear<'s> {
         let gmres::Solution { vector, weights } = gmres::solve(self, &right, tolerance, KRYLOV);
         let mut traction = self.regime.tractions(&self.regime.unknown(&vector));
         add(&mut traction, &self.regime.fixed, 1.0);
-        let known = self.fixed_displacement.take();
-        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(pairs));
-        for (tried, weight) in self.tried.iter().zip(weights) {
-            add(&mut displacement, tried, weight);
-        }
+        let displacement = self.displacement(&traction, &weights);
         let mut border = vector[3 * pairs..].iter().map(|value| self.border.unit * value);
         let approach = if self.border.loaded { border.next().unwrap_or_default() } else { 0.0 };
-        Solution { traction, displacement, approach, found: border.collect() }
+        Solution { traction, displacement, approach, found: border.collect(), factors: None }
+    }
+
+    /// What the compliance makes of the change of the tractions: from what was tried, where that is known.
+    fn displacement(&mut self, traction: &VectorField, weights: &[f64]) -> VectorField {
+        if self.covered {
+            self.applications += 1;
+            return self.step.compliance.apply(traction);
+        }
+        let known = self.fixed_displacement.take();
+        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(traction.n.len()));
+        for (tried, &weight) in self.tried.iter().zip(weights) {
+            add(&mut displacement, tried, weight);
+        }
+        displacement
     }
 }
 
@@ -116,6 +146,9 @@ impl Inverse<'_> {
         let (second, third) = rest.split_at_mut(pairs);
         self.tangential.undo([&one, &two], &regime.rub, [first, second]);
         self.normal.apply(n, third);
+        if let Some(factors) = self.factors {
+            factors.solve([&one, &two, n], [first, second, third]);
+        }
         regime.unknown(&result).components().concat()
     }
 }
@@ -124,10 +157,16 @@ impl System for Linear<'_> {
     fn apply(&mut self, vector: &[f64]) -> Vec<f64> {
         let unknown = self.regime.unknown(vector);
         let tractions = self.regime.tractions(&unknown);
-        let displacement = self.step.compliance.apply(&tractions);
         self.applications += 1;
-        let mut rows = self.regime.rows(&displacement, &unknown);
-        self.tried.push(displacement);
+        let known = self.inverse.factors.filter(|_| self.covered);
+        let mut rows = if let Some(factors) = known {
+            self.regime.rows(&factors.image(&tractions), &unknown)
+        } else {
+            let displacement = self.step.compliance.apply(&tractions);
+            let rows = self.regime.rows(&displacement, &unknown);
+            self.tried.push(displacement);
+            rows
+        };
         for (column, value) in self.border.columns.iter().zip(&vector[rows.len()..]) {
             let slip = self.border.unit * value;
             update(&mut rows, [column], |row, [column]| row + slip * column);

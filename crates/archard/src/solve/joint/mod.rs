@@ -7,9 +7,12 @@
 //! shift both open gaps and make pairs slip, each as the bases of the pairs have it.
 
 mod border;
+mod factors;
 mod linear;
 mod regime;
 mod state;
+
+use std::sync::Arc;
 
 use super::{Settings, Status};
 use crate::compliance::Compliance;
@@ -18,7 +21,9 @@ use crate::friction::Friction;
 use crate::kinematics::Control;
 use crate::solve::tangential::Held;
 
-use linear::Linear;
+pub use factors::Factors;
+use linear::{Linear, TIGHT};
+use regime::{Regime, Touch};
 use state::State;
 
 /// One step of contact and friction.
@@ -38,10 +43,12 @@ pub struct Step<'a> {
     pub rigid: [&'a [f64]; 2],
     /// Directions along which the force is given, two at most.
     pub held: &'a [Held],
+    /// Whether it comes again, nearly the same, so that it is worth while to keep what makes that faster.
+    pub again: bool,
 }
 
 /// Tractions and what belongs to them.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Solution {
     /// Tractions on body 1 (Pa); the normal ones are zero or negative.
     pub traction: VectorField,
@@ -51,6 +58,8 @@ pub struct Solution {
     pub approach: f64,
     /// Uniform slip (m) along each direction whose force is given.
     pub found: Vec<f64>,
+    /// What is kept to solve others near it faster.
+    pub factors: Option<Arc<Factors>>,
 }
 
 /// What a solve found and what it took.
@@ -74,30 +83,96 @@ pub struct Outcome {
 /// Shortest step tried.
 const SHORTEST: f64 = 0.05;
 
+/// Applications in one Newton step beyond which new factors pay at the next occasion.
+const STALE: usize = 9;
+
 /// Semismooth Newton steps on pressures and friction together, each by Krylov iterations (P. Alart and A.
 /// Curnier, *Comput. Methods Appl. Mech. Engrg.* 92 (1991) 353).
 pub(super) fn solve(step: &Step<'_>, start: &Solution, settings: Settings) -> Outcome {
-    let mut state = State::new(step, start);
-    let (mut count, mut applications) = (0, 0);
-    let mut last = vec![];
-    while state.residual > settings.tolerance && count < settings.max_iterations {
-        count += 1;
-        let mut linear = Linear::about(&state, step);
-        let tolerance = linear.tolerance(&last, state.residual, settings.tolerance);
-        last.clone_from(&linear.regime.touch);
-        let change = linear.solve(tolerance);
-        applications += linear.applications;
-        let Some(next) = shorten(&state, &change, step) else { break };
-        state = next;
-    }
-    let converged = state.residual <= settings.tolerance;
-    let full = !step.frame.measure().closed && state.solution.traction.n.iter().all(|&n| n < 0.0);
-    let status = match (converged, full) {
-        (true, false) => Status::Converged,
-        (true, true) => Status::FrameFull,
-        (false, _) => Status::OutOfIterations,
+    let mut newton = Newton {
+        step,
+        settings,
+        factors: start.factors.clone(),
+        state: State::new(step, start),
+        last: vec![],
+        count: 0,
+        applications: 0,
+        most: 0,
     };
-    state.finish(status, count, applications)
+    newton.repeat();
+    while newton.unfinished() && newton.advance() {}
+    newton.finish()
+}
+
+/// Newton steps under way.
+struct Newton<'s> {
+    step: &'s Step<'s>,
+    settings: Settings,
+    factors: Option<Arc<Factors>>,
+    state: State,
+    /// What the pairs did at the last step.
+    last: Vec<Touch>,
+    count: usize,
+    /// Applications of the compliance, and the most that one step took.
+    applications: usize,
+    most: usize,
+}
+
+impl Newton<'_> {
+    fn unfinished(&self) -> bool {
+        self.state.residual > self.settings.tolerance && self.count < self.settings.max_iterations
+    }
+
+    /// A step in which the pairs do what they did where the factors are from, if that brings them nearer.
+    fn repeat(&mut self) {
+        let Some(factors) = self.factors.clone().filter(|_| self.unfinished()) else { return };
+        let change = self.change(factors.regime(&self.state, self.step), Some(TIGHT));
+        let next = self.state.moved(&change, 1.0, self.step);
+        if next.residual < self.state.residual {
+            self.state = next;
+        } else {
+            self.last.clear();
+        }
+    }
+
+    /// A step, and whether it brought anything.
+    fn advance(&mut self) -> bool {
+        let change = self.change(Regime::of(&self.state, self.step), None);
+        let next = shorten(&self.state, &change, self.step);
+        next.map(|next| self.state = next).is_some()
+    }
+
+    /// The change that the pairs ask for while they do something, to a tolerance that may be left to what they did
+    /// before.
+    fn change(&mut self, regime: Regime, tolerance: Option<f64>) -> Solution {
+        let mut linear = Linear::about(&self.state, self.step, regime, self.factors.as_deref());
+        let (residual, aim) = (self.state.residual, self.settings.tolerance);
+        let tolerance = tolerance.unwrap_or_else(|| linear.tolerance(&self.last, residual, aim));
+        let change = linear.solve(tolerance);
+        self.count += 1;
+        self.applications += linear.applications;
+        self.most = self.most.max(linear.applications);
+        self.last = linear.regime.touch;
+        change
+    }
+
+    fn finish(mut self) -> Outcome {
+        let Self { step, ref state, .. } = self;
+        if step.again && self.most > STALE {
+            let factors = Factors::of(&Regime::of(state, step), step, state.own[1]);
+            self.factors = factors.map(Arc::new);
+        }
+        let traction = &state.solution.traction;
+        let full = !step.frame.measure().closed && traction.n.iter().all(|&n| n < 0.0);
+        let status = match (state.residual <= self.settings.tolerance, full) {
+            (true, false) => Status::Converged,
+            (true, true) => Status::FrameFull,
+            (false, _) => Status::OutOfIterations,
+        };
+        let mut state = self.state;
+        state.solution.factors = self.factors;
+        state.finish(status, self.count, self.applications)
+    }
 }
 
 /// The state after as much of a change as lowers the residual; `None` where hardly any does.

@@ -14,7 +14,18 @@ pub(super) enum Touch {
     Sticks,
 }
 
+/// How a slipping pair slips.
+pub(super) struct Sliding {
+    /// Unit vector along the augmented traction.
+    pub along: [f64; 2],
+    /// How the limit changes with the pressure.
+    pub slope: f64,
+    /// c (|q| - limit) / limit (m/Pa).
+    pub diagonal: f64,
+}
+
 /// What the pairs do, and how their equations read. Vectors hold values along t1, t2 and n.
+#[derive(Debug, Clone)]
 pub(super) struct Regime {
     pub touch: Vec<Touch>,
     pub rub: Rub,
@@ -46,43 +57,72 @@ impl Regime {
             right: vec![0.0; 3 * pairs],
         };
         (0..pairs).for_each(|pair| regime.classify(pair, state, step));
+        regime.aim_at(state, step);
         regime
     }
 
     fn classify(&mut self, pair: usize, state: &State, step: &Step<'_>) {
-        let pairs = self.touch.len();
-        let VectorField { t1, t2, n } = &state.solution.traction;
-        let t = [t1[pair], t2[pair]];
         let pressure = state.augmented(pair);
         if pressure <= 0.0 {
-            self.fixed.n[pair] = -n[pair];
-            (self.fixed.t1[pair], self.fixed.t2[pair]) = (-t[0], -t[1]);
             return;
         }
-        self.right[2 * pairs + pair] = state.gap[pair];
         let limit = step.friction.limit(pressure);
-        let s = [state.slip[0][pair], state.slip[1][pair]];
-        let q = [0, 1].map(|axis| t[axis] + s[axis] / state.own[1]);
+        let q = state.augmented_traction(pair);
         let length = q[0].hypot(q[1]);
         if length <= limit {
             self.touch[pair] = Touch::Sticks;
             self.rub.stick[pair] = 1.0;
-            (self.right[pair], self.right[pairs + pair]) = (s[0], s[1]);
             return;
         }
         self.touch[pair] = Touch::Slips;
-        let unit = q.map(|value| value / length);
-        let (share, slope) = (limit / length, step.friction.slope(pressure));
+        let share = limit / length;
         self.rub.slip[pair] = 1.0;
         self.rub.diagonal[pair] = state.own[1] * (1.0 - share) / share.max(LEAST);
         (self.share[pair], self.diagonal[pair]) = (share, state.own[1] * (1.0 - share));
-        (self.along[0][pair], self.along[1][pair], self.slope[pair]) = (unit[0], unit[1], slope);
-        // On the limit of the pressure as it is; what the pressure changes by changes the limit.
-        let bound = limit + slope * (-n[pair] - pressure);
-        let short = bound - (t[0] * unit[0] + t[1] * unit[1]);
-        (self.fixed.t1[pair], self.fixed.t2[pair]) = (short * unit[0], short * unit[1]);
-        let across = s[1] * unit[0] - s[0] * unit[1];
-        (self.right[pair], self.right[pairs + pair]) = (-across * unit[1], across * unit[0]);
+        (self.along[0][pair], self.along[1][pair]) = (q[0] / length, q[1] / length);
+        self.slope[pair] = step.friction.slope(pressure);
+    }
+
+    /// What the rows ask for at a state, be it that of which the pairs do so or one near it.
+    pub fn aim_at(&mut self, state: &State, step: &Step<'_>) {
+        let pairs = self.touch.len();
+        let VectorField { t1, t2, n } = &state.solution.traction;
+        for pair in 0..pairs {
+            let t = [t1[pair], t2[pair]];
+            let s = [state.slip[0][pair], state.slip[1][pair]];
+            let (fixed, slip) = match self.touch[pair] {
+                Touch::Open => {
+                    self.fixed.n[pair] = -n[pair];
+                    (t.map(|t| -t), [0.0; 2])
+                }
+                Touch::Sticks => ([0.0; 2], s),
+                Touch::Slips => {
+                    let unit = [self.along[0][pair], self.along[1][pair]];
+                    let pressure = state.augmented(pair).max(0.0);
+                    // On the limit of the pressure as it is; what the pressure changes by changes the limit.
+                    let change = self.slope[pair] * (-n[pair] - pressure);
+                    let bound = step.friction.limit(pressure) + change;
+                    let short = bound - (t[0] * unit[0] + t[1] * unit[1]);
+                    let across = |[x, y]: [f64; 2]| y * unit[0] - x * unit[1];
+                    let slip = self.share[pair] * across(s) - self.diagonal[pair] * across(t);
+                    (unit.map(|unit| short * unit), [-slip * unit[1], slip * unit[0]])
+                }
+            };
+            [self.fixed.t1[pair], self.fixed.t2[pair]] = fixed;
+            [self.right[pair], self.right[pairs + pair]] = slip;
+            if self.touch[pair] != Touch::Open {
+                self.right[2 * pairs + pair] = state.gap[pair];
+            }
+        }
+    }
+
+    /// How a pair slips; `None` where it does not.
+    pub fn sliding(&self, pair: usize) -> Option<Sliding> {
+        (self.touch[pair] == Touch::Slips).then(|| Sliding {
+            along: [self.along[0][pair], self.along[1][pair]],
+            slope: self.slope[pair],
+            diagonal: self.rub.diagonal[pair],
+        })
     }
 
     /// Number of pairs in contact.

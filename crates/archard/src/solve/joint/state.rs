@@ -67,6 +67,7 @@ impl State {
             displacement: field(&before.displacement, &change.displacement),
             approach: before.approach + length * change.approach,
             found: along(&before.found, &change.found),
+            factors: None,
         };
         Self::of(solution, self.own, step)
     }
@@ -74,6 +75,13 @@ impl State {
     /// Pressure (Pa) that gap and pressure of a pair amount to: positive where it is in contact.
     pub fn augmented(&self, pair: usize) -> f64 {
         -self.solution.traction.n[pair] - self.gap[pair] / self.own[0]
+    }
+
+    /// Tangential traction (Pa) that slip and traction of a pair amount to: beyond the limit where it slips.
+    pub fn augmented_traction(&self, pair: usize) -> [f64; 2] {
+        let VectorField { t1, t2, .. } = &self.solution.traction;
+        let along = |axis: usize, traction: f64| traction + self.slip[axis][pair] / self.own[1];
+        [along(0, t1[pair]), along(1, t2[pair])]
     }
 
     /// Forces (N) that are missing: the load, if it is given, and those held.
@@ -105,10 +113,8 @@ impl State {
             total += weight * pressure.abs();
             let limit = step.friction.limit(pressure.max(0.0));
             if limit > 0.0 || t1[pair] != 0.0 || t2[pair] != 0.0 {
-                let t = [t1[pair], t2[pair]];
-                let q = [0, 1].map(|axis| t[axis] + self.slip[axis][pair] / self.own[1]);
-                let [x, y] = onto_disc(q, limit);
-                beside += weight * ((t[0] - x).powi(2) + (t[1] - y).powi(2));
+                let [x, y] = onto_disc(self.augmented_traction(pair), limit);
+                beside += weight * ((t1[pair] - x).powi(2) + (t2[pair] - y).powi(2));
                 borne += weight * (limit * limit);
                 held += weight * limit;
             }

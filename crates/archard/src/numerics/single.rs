@@ -1,0 +1,124 @@
+//! Products and substitution in single precision, for a vector at a time: several columns of the matrix at once,
+//! each of which is read once.
+
+use faer::Mat;
+use pulp::{Arch, Simd, WithSimd};
+
+/// Columns that are taken off at once.
+const AT_ONCE: usize = 8;
+
+/// The image of a vector.
+pub fn multiply(matrix: &Mat<f32>, vector: &[f32]) -> Vec<f32> {
+    let arch = Arch::new();
+    let mut image = vec![0.0; matrix.nrows()];
+    let less: Vec<f32> = vector.iter().map(|value| -value).collect();
+    for (block, known) in less.chunks(AT_ONCE).enumerate() {
+        take_off_all(arch, matrix, block * AT_ONCE, 0, known, &mut image);
+    }
+    image
+}
+
+/// Replaces an image by the vector that a matrix makes it of. The factors of the matrix stand in one place: a lower
+/// triangle with ones on its diagonal, left out, and an upper one.
+pub(super) fn substitute(factors: &Mat<f32>, image: &mut [f32]) {
+    let arch = Arch::new();
+    let size = image.len();
+    for start in (0..size).step_by(AT_ONCE) {
+        let end = (start + AT_ONCE).min(size);
+        for column in start..end {
+            let values = &factors.col_as_slice(column)[column + 1..end];
+            let (head, tail) = image.split_at_mut(column + 1);
+            take_off(tail, values, head[column]);
+        }
+        let (known, rest) = image.split_at_mut(end);
+        take_off_all(arch, factors, start, end, &known[start..], rest);
+    }
+    for start in (0..size).step_by(AT_ONCE).rev() {
+        let end = (start + AT_ONCE).min(size);
+        for column in (start..end).rev() {
+            let values = factors.col_as_slice(column);
+            image[column] /= values[column];
+            let (head, tail) = image.split_at_mut(column);
+            take_off(&mut head[start..], &values[start..column], tail[0]);
+        }
+        let (rest, known) = image.split_at_mut(start);
+        take_off_all(arch, factors, start, 0, &known[..end - start], rest);
+    }
+}
+
+fn take_off(image: &mut [f32], column: &[f32], factor: f32) {
+    image.iter_mut().zip(column).for_each(|(image, value)| *image -= factor * value);
+}
+
+/// Takes the columns from `start` on, times what is known of their unknowns, off the rows from `row` on.
+fn take_off_all(
+    arch: Arch,
+    factors: &Mat<f32>,
+    start: usize,
+    row: usize,
+    known: &[f32],
+    rest: &mut [f32],
+) {
+    let length = rest.len();
+    let column = |index: usize| &factors.col_as_slice(start + index)[row..row + length];
+    match <[f32; AT_ONCE]>::try_from(known) {
+        Ok(known) => {
+            let columns = std::array::from_fn(column);
+            arch.dispatch(Columns { columns, known, rest });
+        }
+        Err(_) => {
+            known
+                .iter()
+                .enumerate()
+                .for_each(|(index, known)| take_off(rest, column(index), *known));
+        }
+    }
+}
+
+/// Takes multiples of columns off.
+struct Columns<'a> {
+    columns: [&'a [f32]; AT_ONCE],
+    known: [f32; AT_ONCE],
+    rest: &'a mut [f32],
+}
+
+impl WithSimd for Columns<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Self { columns, known, rest } = self;
+        let factors = known.map(|known| simd.splat_f32s(-known));
+        let (head, tail) = S::as_mut_simd_f32s(rest);
+        let split = columns[0].len() - tail.len();
+        let heads = columns.map(|column| &S::as_simd_f32s(column).0[..head.len()]);
+        for (index, rest) in head.iter_mut().enumerate() {
+            let mut sum = *rest;
+            for (factor, column) in factors.iter().zip(&heads) {
+                sum = simd.mul_add_e_f32s(*factor, column[index], sum);
+            }
+            *rest = sum;
+        }
+        for (known, column) in known.iter().zip(&columns) {
+            take_off(tail, &column[split..], *known);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use faer::Mat;
+
+    use super::multiply;
+
+    #[test]
+    fn products_take_every_column_once() {
+        let matrix = Mat::from_fn(19, 21, |i, j| (i * j % 7) as f32);
+        let vector: Vec<f32> = (0..21_u8).map(|j| f32::from(j % 5)).collect();
+        let image = multiply(&matrix, &vector);
+        for (row, value) in image.iter().enumerate() {
+            let sum: f32 = (0..21).map(|column| matrix[(row, column)] * vector[column]).sum();
+            assert_eq!(*value, sum);
+        }
+    }
+}

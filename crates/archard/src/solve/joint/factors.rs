@@ -1,0 +1,122 @@
+//! Factors of the linear system about a solution, kept to precondition the systems about those near it.
+//!
+//! What pairs do changes little from one cycle to the same place of the next: a few of them join or leave at the
+//! edge of the contact, a few more begin or cease to slip, and the directions of slip turn. With the factors of
+//! the system as it was, the Krylov iteration has only these to put right. Worth while where the compliance is a
+//! matrix; elsewhere there are none.
+
+use faer::Mat;
+
+use super::Step;
+use super::regime::{Regime, Sliding, Touch};
+use super::state::State;
+use crate::frame::VectorField;
+use crate::numerics::dense::Lu;
+use crate::numerics::single;
+
+/// Most unknowns whose matrix and factors are kept: 18 MiB for each place of a cycle.
+const MOST: usize = 1536;
+
+/// See the module.
+#[derive(Debug)]
+pub struct Factors {
+    /// The pairs that were in contact.
+    pairs: Vec<usize>,
+    /// Their compliance and the factors, in single precision: Newton's steps make up for it.
+    matrix: Mat<f32>,
+    lu: Lu<f32>,
+    /// What they did.
+    regime: Regime,
+}
+
+impl Factors {
+    /// Of the rows of the pairs in contact, each along t1, t2 and n; `None` where the compliance has no matrix
+    /// or it would be too large.
+    pub(super) fn of(regime: &Regime, step: &Step<'_>, own: f64) -> Option<Self> {
+        let touching = |&pair: &usize| regime.touch[pair] != Touch::Open;
+        let pairs: Vec<usize> = (0..regime.touch.len()).filter(touching).collect();
+        let count = pairs.len();
+        if count == 0 || 3 * count > MOST {
+            return None;
+        }
+        let whole = step.compliance.matrix(&pairs)?;
+        let mut matrix = Mat::zeros(3 * count, 3 * count);
+        for column in 0..3 * count {
+            let values = matrix.col_as_slice_mut(column).iter_mut();
+            values.zip(whole.col_as_slice(column)).for_each(|(one, value)| *one = *value as f32);
+        }
+        let mut system = matrix.clone();
+        for (index, &pair) in pairs.iter().enumerate() {
+            if let Some(sliding) = regime.sliding(pair) {
+                let places = [index, count + index, 2 * count + index];
+                sliding.put_in(&mut system, places, own as f32);
+            }
+        }
+        Some(Self { pairs, matrix, lu: Lu::new(system).ok()?, regime: regime.clone() })
+    }
+
+    /// What the pairs did, asking for what a state near theirs lacks.
+    pub(super) fn regime(&self, state: &State, step: &Step<'_>) -> Regime {
+        let mut regime = self.regime.clone();
+        regime.aim_at(state, step);
+        regime
+    }
+
+    /// Whether all pairs that are in contact now were so then.
+    pub(super) fn cover(&self, regime: &Regime) -> bool {
+        let [then, now] = [&self.regime, regime].map(|regime| regime.touch.iter());
+        then.zip(now).all(|(then, now)| *now == Touch::Open || *then != Touch::Open)
+    }
+
+    /// Displacements (m) of the pairs that were in contact, under tractions (Pa) on them alone.
+    pub(super) fn image(&self, tractions: &VectorField) -> VectorField {
+        let vector = self.gather(tractions.components());
+        let mut field = VectorField::zeros(tractions.n.len());
+        let VectorField { t1, t2, n } = &mut field;
+        self.scatter(&single::multiply(&self.matrix, &vector), [t1, t2, n]);
+        field
+    }
+
+    /// Replaces, on the pairs that were in contact, tractions by those that the rows answer to.
+    pub(super) fn solve(&self, rows: [&[f64]; 3], tractions: [&mut [f64]; 3]) {
+        let mut image = self.gather(rows);
+        self.lu.solve(&mut image);
+        self.scatter(&image, tractions);
+    }
+
+    fn gather(&self, parts: [&[f64]; 3]) -> Vec<f32> {
+        let values = |part: &'_ [f64]| self.pairs.iter().map(|&pair| part[pair] as f32).collect();
+        parts.map(values).into_iter().flat_map(|part: Vec<f32>| part).collect()
+    }
+
+    fn scatter(&self, values: &[f32], parts: [&mut [f64]; 3]) {
+        for (values, part) in values.chunks(self.pairs.len()).zip(parts) {
+            self.pairs.iter().zip(values).for_each(|(&pair, value)| part[pair] = (*value).into());
+        }
+    }
+}
+
+impl Sliding {
+    /// Leaves of the tangential rows and columns of a pair the part across its slip, lets its limit follow its
+    /// pressure, and gives the part along its slip, which is known, a row of its own.
+    fn put_in(&self, matrix: &mut Mat<f32>, [one, two, n]: [usize; 3], own: f32) {
+        let [u, v] = self.along.map(|component| component as f32);
+        let (slope, diagonal) = (self.slope as f32, self.diagonal as f32);
+        for row in 0..matrix.nrows() {
+            let [a, b] = [matrix[(row, one)], matrix[(row, two)]];
+            let along = u * a + v * b;
+            matrix[(row, n)] -= slope * along;
+            (matrix[(row, one)], matrix[(row, two)]) = (a - along * u, b - along * v);
+        }
+        for column in 0..matrix.ncols() {
+            let [a, b] = [matrix[(one, column)], matrix[(two, column)]];
+            let along = u * a + v * b;
+            (matrix[(one, column)], matrix[(two, column)]) = (a - along * u, b - along * v);
+        }
+        let parts = [(one, one, u * u), (one, two, u * v), (two, one, u * v), (two, two, v * v)];
+        for (row, column, along) in parts {
+            let across = f32::from(u8::from(row == column)) - along;
+            matrix[(row, column)] += diagonal * across + own * along;
+        }
+    }
+}
