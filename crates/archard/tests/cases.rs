@@ -17,7 +17,10 @@
 mod common;
 
 use std::fs;
+use std::num::NonZero;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
 
 use archard::body::{Finite, Material};
 use archard::case::{CaseFile, Task};
@@ -206,15 +209,22 @@ fn every_case_gives_what_it_has_to() {
     let kept = tempfile::tempdir().unwrap();
     let store = Store::new(kept.path());
     assert!(folders.len() >= 3, "{folders:?}");
-    let report: Vec<String> = folders
-        .iter()
-        .flat_map(|folder| {
-            let name = folder.file_name().unwrap().to_string_lossy().into_owned();
-            mismatches(folder, &store)
-                .into_iter()
-                .map(move |mismatch| format!("{name}: {mismatch}"))
-        })
-        .collect();
+    // Most cases are too small to keep several processors busy: each takes one after the other.
+    let (waiting, report) = (Mutex::new(folders.iter()), Mutex::new(vec![]));
+    let work = || {
+        loop {
+            let Some(folder) = waiting.lock().unwrap().next() else { return };
+            let name = folder.file_name().unwrap().to_string_lossy();
+            let found = mismatches(folder, &store);
+            report.lock().unwrap().extend(found.iter().map(|found| format!("{name}: {found}")));
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..thread::available_parallelism().map_or(1, NonZero::get) {
+            scope.spawn(work);
+        }
+    });
+    let report = report.into_inner().unwrap();
     assert!(report.is_empty(), "\n{}", report.join("\n"));
 }
 
