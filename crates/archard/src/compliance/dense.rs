@@ -22,7 +22,7 @@ pub struct Dense {
 }
 
 /// Rows that go through the columns together, and values of the matrix that are worth a thread.
-const ROWS: usize = 256;
+const ROWS: usize = 128;
 const WORK: usize = 1 << 18;
 /// Columns that are added at once.
 const AT_ONCE: usize = 4;

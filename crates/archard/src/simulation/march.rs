@@ -5,6 +5,7 @@ use super::chain::{Chain, Leg};
 use super::cycles::Cycles;
 use super::{Effort, Error, Observer, Report, Simulation};
 use crate::kinematics::{Control, Stepping};
+use crate::numerics::vector::in_pool;
 
 /// Two values of progress closer than this, relative to the extent, are the same.
 const SAME: f64 = 1e-9;
@@ -15,6 +16,11 @@ impl Simulation {
     /// # Errors
     /// If the frame does not suit the motion, a contact does not converge, fills the frame, or an observer cannot go on.
     pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
+        // Within the pool once, not anew for each of many small solves.
+        in_pool(|| self.carry_through(observers))
+    }
+
+    fn carry_through(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
         self.check_frame()?;
         if let Some(shift) = self.problem.kinematics.shift() {
             return Cycles::new(self, shift).run(observers);

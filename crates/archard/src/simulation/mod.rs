@@ -93,7 +93,7 @@ pub struct Effort {
 }
 
 /// Someone who follows a run: writes files, draws a bar.
-pub trait Observer {
+pub trait Observer: Send {
     /// Takes notice of a state. An error stops the run.
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>>;
 }

@@ -16,12 +16,16 @@ use crate::numerics::single;
 
 /// Most unknowns whose matrix and factors are kept: 18 MiB for each place of a cycle.
 const MOST: usize = 1536;
+/// How far below zero the augmented pressure of a pair may be that nearly touches, relative to the largest.
+const NEAR: f64 = 0.1;
 
 /// See the module.
 #[derive(Debug)]
 pub struct Factors {
-    /// The pairs that were in contact.
+    /// The pairs that were in contact, and those that nearly were.
     pairs: Vec<usize>,
+    /// Which those are, a value a pair of the frame.
+    within: Vec<bool>,
     /// Their compliance and the factors, in single precision: Newton's steps make up for it.
     matrix: Mat<f32>,
     lu: Lu<f32>,
@@ -32,9 +36,13 @@ pub struct Factors {
 impl Factors {
     /// Of the rows of the pairs in contact, each along t1, t2 and n; `None` where the compliance has no matrix
     /// or it would be too large.
-    pub(super) fn of(regime: &Regime, step: &Step<'_>, own: f64) -> Option<Self> {
-        let touching = |&pair: &usize| regime.touch[pair] != Touch::Open;
-        let pairs: Vec<usize> = (0..regime.touch.len()).filter(touching).collect();
+    pub(super) fn of(state: &State, step: &Step<'_>) -> Option<Self> {
+        let (regime, own) = (Regime::of(state, step), state.own[1]);
+        let augmented: Vec<f64> = (0..regime.touch.len()).map(|i| state.augmented(i)).collect();
+        let least = -NEAR * augmented.iter().copied().fold(0.0, f64::max);
+        let near = |pair: usize| regime.touch[pair] != Touch::Open || augmented[pair] > least;
+        let within: Vec<bool> = (0..augmented.len()).map(near).collect();
+        let pairs: Vec<usize> = (0..within.len()).filter(|&pair| within[pair]).collect();
         let count = pairs.len();
         if count == 0 || 3 * count > MOST {
             return None;
@@ -47,12 +55,14 @@ impl Factors {
         }
         let mut system = matrix.clone();
         for (index, &pair) in pairs.iter().enumerate() {
+            let places = [index, count + index, 2 * count + index];
             if let Some(sliding) = regime.sliding(pair) {
-                let places = [index, count + index, 2 * count + index];
                 sliding.put_in(&mut system, places, own as f32);
+            } else if regime.touch[pair] == Touch::Open {
+                leave_out(&mut system, places, own as f32);
             }
         }
-        Some(Self { pairs, matrix, lu: Lu::new(system).ok()?, regime: regime.clone() })
+        Some(Self { pairs, within, matrix, lu: Lu::new(system).ok()?, regime })
     }
 
     /// What the pairs did, asking for what a state near theirs lacks.
@@ -62,13 +72,12 @@ impl Factors {
         regime
     }
 
-    /// Whether all pairs that are in contact now were so then.
+    /// Whether all pairs that are in contact now were so then, or nearly.
     pub(super) fn cover(&self, regime: &Regime) -> bool {
-        let [then, now] = [&self.regime, regime].map(|regime| regime.touch.iter());
-        then.zip(now).all(|(then, now)| *now == Touch::Open || *then != Touch::Open)
+        regime.touch.iter().zip(&self.within).all(|(now, within)| *now == Touch::Open || *within)
     }
 
-    /// Displacements (m) of the pairs that were in contact, under tractions (Pa) on them alone.
+    /// Displacements (m) of these pairs under tractions (Pa) on them alone.
     pub(super) fn image(&self, tractions: &VectorField) -> VectorField {
         let vector = self.gather(tractions.components());
         let mut field = VectorField::zeros(tractions.n.len());
@@ -77,7 +86,7 @@ impl Factors {
         field
     }
 
-    /// Replaces, on the pairs that were in contact, tractions by those that the rows answer to.
+    /// Replaces, on these pairs, tractions by those that the rows answer to.
     pub(super) fn solve(&self, rows: [&[f64]; 3], tractions: [&mut [f64]; 3]) {
         let mut image = self.gather(rows);
         self.lu.solve(&mut image);
@@ -93,6 +102,17 @@ impl Factors {
         for (values, part) in values.chunks(self.pairs.len()).zip(parts) {
             self.pairs.iter().zip(values).for_each(|(&pair, value)| part[pair] = (*value).into());
         }
+    }
+}
+
+/// Leaves a row and a column of their own to each direction of a pair.
+fn leave_out(matrix: &mut Mat<f32>, places: [usize; 3], own: f32) {
+    for place in places {
+        for other in 0..matrix.nrows() {
+            matrix[(place, other)] = 0.0;
+            matrix[(other, place)] = 0.0;
+        }
+        matrix[(place, place)] = own;
     }
 }
 

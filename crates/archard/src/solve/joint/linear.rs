@@ -89,10 +89,16 @@ impl<'s> Linear<'s> {
             return;
         }
         self.applications += 1;
-        let displacement = self.step.compliance.apply(fixed);
+        let known = self.inverse.factors.filter(|_| self.covered);
+        let displacement = match known {
+            Some(factors) => factors.image(fixed),
+            None => self.step.compliance.apply(fixed),
+        };
         let taken = self.regime.rows(&displacement, &VectorField::zeros(fixed.n.len()));
         update(&mut self.regime.right, [&taken], |right, [taken]| right - taken);
-        self.fixed_displacement = Some(displacement);
+        if known.is_none() {
+            self.fixed_displacement = Some(displacement);
+        }
     }
 
     /// How well to solve: roughly while contact and stick still change much.

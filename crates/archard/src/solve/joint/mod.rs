@@ -159,8 +159,7 @@ impl Newton<'_> {
     fn finish(mut self) -> Outcome {
         let Self { step, ref state, .. } = self;
         if step.again && self.most > STALE {
-            let factors = Factors::of(&Regime::of(state, step), step, state.own[1]);
-            self.factors = factors.map(Arc::new);
+            self.factors = Factors::of(state, step).map(Arc::new);
         }
         let traction = &state.solution.traction;
         let full = !step.frame.measure().closed && traction.n.iter().all(|&n| n < 0.0);
