@@ -47,6 +47,11 @@ impl Solver for ActiveSet {
     fn settings(&self) -> Settings {
         self.settings
     }
+
+    /// The factors that are kept and those that take their place.
+    fn memory(&self, _pairs: f64, in_contact: f64) -> f64 {
+        16.0 * in_contact * in_contact
+    }
 }
 
 /// Pressures of a set and what follows from them.

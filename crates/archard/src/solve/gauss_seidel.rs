@@ -63,6 +63,11 @@ impl Solver for GaussSeidel {
     fn settings(&self) -> Settings {
         self.settings
     }
+
+    /// The matrix of all pairs.
+    fn memory(&self, pairs: f64, _in_contact: f64) -> f64 {
+        8.0 * pairs * pairs
+    }
 }
 
 /// The state of an iteration.

@@ -100,6 +100,11 @@ pub trait Solver: Debug + Send + Sync {
 
     /// What it was told.
     fn settings(&self) -> Settings;
+
+    /// Memory (bytes) that it takes beside some fields, of so many pairs and those of them in contact.
+    fn memory(&self, _pairs: f64, _in_contact: f64) -> f64 {
+        0.0
+    }
 }
 
 /// The solvers a case can name; the first is the default.

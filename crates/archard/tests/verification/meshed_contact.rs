@@ -10,7 +10,7 @@ use faer::{Mat, Side};
 use crate::common::{case, states};
 
 /// A rigid ball on a block held at its bottom, a quarter of it meshed; the contact has a radius of about 1 mm.
-const BALL_ON_BLOCK: &str = r#"
+pub const BALL_ON_BLOCK: &str = r#"
 [body.ball]
 rigid = true
 profile.sphere = { radius = "50 mm" }

@@ -5,22 +5,11 @@ use std::f64::consts::PI;
 use archard::elastic::{Deformed, Point};
 use archard::simulation::Simulation;
 
+use super::meshed_contact::BALL_ON_BLOCK;
 use crate::common::{case, states};
 
-/// A rigid ball on a quarter of a block that is nearly a half-space; the contact has a radius of 1 mm.
-const BALL_ON_BLOCK: &str = r#"
-[body.ball]
-rigid = true
-profile.sphere = { radius = "50 mm" }
-[body.block]
-material = { young = "210 GPa", poisson = 0.3 }
-mesh.box = { size = ["40 mm", "40 mm", "40 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [8, 8] } }
-supports = { bottom = "clamped" }
-symmetry = ["x", "y"]
-[motion.indentation]
-approach = "0.02 mm"
-increments = 1
-"#;
+/// A block that is nearly a half-space; the contact has a radius of 1 mm.
+const LARGE: &str = r#"body.block.mesh.box.size=["40 mm", "40 mm", "40 mm"]"#;
 
 /// The load (N) at the end, and what it makes of a body.
 fn under(simulation: &Simulation, which: usize, points: &[Point]) -> (f64, Deformed) {
@@ -63,7 +52,7 @@ fn errors(elastic: f64, load: f64, deformed: &Deformed, depths: &[f64]) -> [f64;
 #[test]
 fn a_ball_stresses_the_inside_of_a_block_as_hertz_says() {
     let depths = [0.48e-3, 1e-3, 2e-3, 1e-12];
-    let simulation = case(BALL_ON_BLOCK, &[]);
+    let simulation = case(BALL_ON_BLOCK, &[LARGE]);
     let (load, mut deformed) = under(&simulation, 1, &on_the_axis(&depths));
     let surface = errors(1.0, load, &deformed, &depths);
     deformed.points.pop();
@@ -81,6 +70,7 @@ fn stresses_in_both_bodies_are_those_of_each_other() {
     let both = case(
         BALL_ON_BLOCK,
         &[
+            LARGE,
             "body.ball.rigid=",
             "body.ball.material={ young = \"210 GPa\", poisson = 0.3 }",
             r#"body.ball.mesh.box={ size = ["40 mm", "40 mm", "40 mm"], contact = { face = "top", size = ["2.6 mm", "2.6 mm"], elements = [6, 6] } }"#,

@@ -12,6 +12,7 @@ use super::partial_slip::{Fretting, stick_ratio};
 use super::words::{length, pressure, three};
 use crate::compliance::bem;
 use crate::kinematics::{Shift, Stepping};
+use crate::solve::joint::factors_memory;
 
 // Peak resident memory of whole runs by `/usr/bin/time -v archard run`, the larger of one and two
 // threads, with 256, 512 and 768 elements squared: `hertz` 22, 69 and 148 MB; `pin_on_disc` in steps of
@@ -66,6 +67,8 @@ pub struct Forecast {
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
     pub memory: f64,
+    /// What of it the solver of the pressures takes for matrices (bytes).
+    pub of_solver: f64,
 }
 
 /// A number of contact solves.
@@ -106,6 +109,7 @@ impl Forecast {
             unknowns: unknowns(parts),
             finiteness: Finiteness::of(parts, contact.as_ref()),
             memory: memory(parts, contact.as_ref()),
+            of_solver: of_solver(parts, contact.as_ref()),
         }
     }
 
@@ -146,7 +150,26 @@ fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             None => 0.0,
         },
     };
-    BYTES_OF_THE_PROGRAM + meshed + (BYTES_A_PAIR + histories + friction) * pairs
+    let solver = of_solver(parts, contact) + of_factors(parts, contact);
+    BYTES_OF_THE_PROGRAM + meshed + solver + (BYTES_A_PAIR + histories + friction) * pairs
+}
+
+/// Memory (bytes) of the factors that meshed bodies with friction keep for each increment of a cycle.
+fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+    match parts.motion.kinematics.shift() {
+        Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
+            let in_contact = share_in_contact(parts, contact) * parts.pairs() as f64;
+            shift.cycle.len() as f64 * factors_memory(in_contact)
+        }
+        _ => 0.0,
+    }
+}
+
+/// Memory (bytes) that the solver of the pressures takes for matrices.
+fn of_solver(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+    let pairs = parts.pairs() as f64;
+    let in_contact = share_in_contact(parts, contact) * pairs;
+    parts.case.solver.build().map_or(0.0, |solver| solver.memory(pairs, in_contact))
 }
 
 /// Memory for each pair (bytes) of bodies that are pressed and shifted: the solutions of a cycle, which the

@@ -174,7 +174,8 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
 
 /// What is wrong or doubtful; nothing else is worth checking where the bodies do not meet.
 fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
-    let mut problems = vec![];
+    let mut problems: Vec<Problem> =
+        memory::of_solver(parts, forecast.of_solver).into_iter().collect();
     if parts.case.is_meshed() {
         problems.extend(memory::problems(parts, forecast.memory));
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {

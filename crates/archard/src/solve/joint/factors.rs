@@ -33,6 +33,12 @@ pub struct Factors {
     regime: Regime,
 }
 
+/// Memory (bytes) of what is kept for each place of a cycle with so many pairs in contact.
+pub fn factors_memory(in_contact: f64) -> f64 {
+    let unknowns = 3.0 * in_contact;
+    if unknowns > MOST as f64 { 0.0 } else { 8.0 * unknowns * unknowns }
+}
+
 impl Factors {
     /// Of the rows of the pairs in contact, each along t1, t2 and n; `None` where the compliance has no matrix
     /// or it would be too large.

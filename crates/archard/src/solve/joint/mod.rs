@@ -21,7 +21,7 @@ use crate::friction::Friction;
 use crate::kinematics::Control;
 use crate::solve::tangential::Held;
 
-pub use factors::Factors;
+pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
 use regime::{Regime, Touch};
 use state::State;
