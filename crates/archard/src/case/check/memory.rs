@@ -49,7 +49,7 @@ pub(super) fn of_solver(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
     let problem = too_large(memory, available())?;
     let key = Key::of(["solver", parts.case.solver.choice.name]);
     let help = "leave it out: the default needs no matrix; or take fewer elements";
-    Some(Problem { key, help: None, ..problem }.at_name().help(help))
+    Some(Problem { key, ..problem }.at_name().help(help))
 }
 
 /// What is wrong with the memory (bytes) that a case takes whose largest mesh is that of a body.

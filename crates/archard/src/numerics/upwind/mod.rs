@@ -115,15 +115,4 @@ impl Derivative {
             *out = row.iter().zip(shares).map(|(&(other, _), share)| share * values[other]).sum();
         }
     }
-
-    /// Sets `out` to what the transposed operator makes of `values`, both with one value a point.
-    pub fn apply_transposed(&self, values: &[f64], out: &mut [f64]) {
-        out.fill(0.0);
-        for (point, (row, value)) in self.rows.iter().zip(values).enumerate() {
-            for &(other, weight) in row {
-                out[point] += weight * value;
-                out[other] -= weight * value;
-            }
-        }
-    }
 }

@@ -192,17 +192,6 @@ fn all_but_entering_points_look_upstream() {
 }
 
 #[test]
-fn the_transposed_is_the_adjoint() {
-    let places = grid([9, 7], [1.0; 2], 0.2);
-    let derivative = Derivative::along(&places, unit(0.7)).unwrap();
-    let mut noise = noise();
-    let [a, b] = [0, 1].map(|_| places.iter().map(|_| noise()).collect::<Vec<f64>>());
-    let mut transposed = vec![f64::NAN; places.len()];
-    derivative.apply_transposed(&a, &mut transposed);
-    assert_relative_eq!(dot(&a, &applied(&derivative, &b)), dot(&transposed, &b), epsilon = 1e-12);
-}
-
-#[test]
 fn one_line_will_do_if_it_is_passed_along() {
     let line: Vec<[f64; 2]> = (0..6).map(|i| [f64::from(i), 2.0 * f64::from(i)]).collect();
     let derivative = Derivative::along(&line, [1.0, 2.0]).unwrap();
