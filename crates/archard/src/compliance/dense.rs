@@ -8,6 +8,7 @@ use rayon::prelude::*;
 
 use super::Compliance;
 use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::large::Large;
 
 /// The compliance of both bodies as one matrix on the tractions along t1, t2 and n.
 ///
@@ -15,15 +16,17 @@ use crate::frame::{ContactFrame, VectorField};
 pub struct Dense {
     pairs: usize,
     /// Columns of the matrix one after the other: along t1 of all pairs, along t2, along n; so the rows.
-    columns: Vec<f64>,
+    columns: Large<f64>,
     normal_self_term: f64,
     tangential_self_term: f64,
     couples: bool,
 }
 
-/// Rows that go through the columns together, and values of the matrix that are worth a thread.
-const ROWS: usize = 128;
-const WORK: usize = 1 << 18;
+/// Rows that go through the columns together: as many as a thread has, for memory is read in long runs then, as long
+/// as their sums stay in the nearest cache.
+const ROWS: (usize, usize) = (128, 2048);
+/// Values of the matrix that are worth a thread.
+const WORK: usize = 1 << 21;
 /// Columns that are added at once.
 const AT_ONCE: usize = 4;
 /// Coupling of normal and tangential directions, relative to the largest value, that is rounding.
@@ -43,8 +46,8 @@ impl Dense {
     /// alternate from node to node.
     pub fn new(bodies: &[MatRef<'_, f64>]) -> Self {
         let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
-        let mut columns = vec![0.0; 9 * pairs * pairs];
-        columns.par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
+        let mut columns = Large::zeros(3 * pairs, 3 * pairs);
+        columns.values_mut().par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
             let (e, j) = (column / pairs, column % pairs);
             for (row, value) in values.iter_mut().enumerate() {
                 let (d, i) = (row / pairs, row % pairs);
@@ -52,12 +55,13 @@ impl Dense {
             }
         });
         let own = |d: usize| {
-            let diagonal = (0..pairs).map(|pair| columns[(d * pairs + pair) * (3 * pairs + 1)]);
+            let diagonal =
+                (0..pairs).map(|pair| columns.values()[(d * pairs + pair) * (3 * pairs + 1)]);
             diagonal.fold(0.0, f64::max)
         };
         let (normal_self_term, tangential_self_term) = (own(2), own(0).max(own(1)));
         let coupled = |row: usize, column: usize| {
-            columns[column * 3 * pairs + row].abs() > ROUNDING * normal_self_term
+            columns.values()[column * 3 * pairs + row].abs() > ROUNDING * normal_self_term
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
         Self { pairs, columns, normal_self_term, tangential_self_term, couples }
@@ -72,18 +76,21 @@ impl Dense {
             .filter(|(_, value)| **value != 0.0)
             .map(|(column, &value)| {
                 let start = (first_column + column) * height + first_row;
-                (value, &self.columns[start..start + image.len()])
+                (value, &self.columns.values()[start..start + image.len()])
             })
             .collect();
         let arch = Arch::new();
+        let alone = pressed.len() * image.len() < WORK;
+        let threads = if alone { 1 } else { rayon::current_num_threads() };
+        let rows = image.len().div_ceil(threads).next_multiple_of(8).clamp(ROWS.0, ROWS.1);
         let add = |(chunk, sums): (usize, &mut [f64])| {
             sums.fill(0.0);
-            arch.dispatch(Columns { columns: &pressed, first: chunk * ROWS, sums });
+            arch.dispatch(Columns { columns: &pressed, first: chunk * rows, sums });
         };
-        if pressed.len() * image.len() < WORK {
-            image.chunks_mut(ROWS).enumerate().for_each(add);
+        if alone {
+            image.chunks_mut(rows).enumerate().for_each(add);
         } else {
-            image.par_chunks_mut(ROWS).enumerate().for_each(add);
+            image.par_chunks_mut(rows).enumerate().for_each(add);
         }
     }
 }
@@ -152,7 +159,7 @@ impl Compliance for Dense {
     fn normal_matrix(&self, pairs: &[usize], _: usize) -> Mat<f64> {
         let first = 2 * self.pairs;
         Mat::from_fn(pairs.len(), pairs.len(), |row, column| {
-            self.columns[(first + pairs[column]) * 3 * self.pairs + first + pairs[row]]
+            self.columns.values()[(first + pairs[column]) * 3 * self.pairs + first + pairs[row]]
         })
     }
 
@@ -161,7 +168,7 @@ impl Compliance for Dense {
         let places: Vec<usize> = (0..3).flat_map(at).collect();
         let mut matrix = Mat::zeros(places.len(), places.len());
         for (column, &place) in places.iter().enumerate() {
-            let from = &self.columns[place * 3 * self.pairs..][..3 * self.pairs];
+            let from = &self.columns.values()[place * 3 * self.pairs..][..3 * self.pairs];
             let values = matrix.col_as_slice_mut(column).iter_mut();
             values.zip(&places).for_each(|(value, &row)| *value = from[row]);
         }

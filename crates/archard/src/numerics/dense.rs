@@ -9,7 +9,9 @@ use faer::linalg::triangular_solve::{
 use faer::perm::{Perm, permute_rows_in_place, permute_rows_in_place_scratch};
 use faer::traits::RealField;
 use faer::{Mat, MatMut, Par, Side};
+use pulp::bytemuck::Pod;
 
+use super::large::Large;
 use super::single::substitute;
 
 /// Unknowns below which one thread is quicker than several.
@@ -37,7 +39,7 @@ impl Cholesky {
 /// precision they are made, read and kept at half the cost, for systems that are solved by iteration.
 #[derive(Debug)]
 pub struct Lu<T = f64> {
-    factors: Mat<T>,
+    factors: Large<T>,
     rows: Perm<usize>,
 }
 
@@ -49,12 +51,13 @@ pub struct Singular {
     pub size: usize,
 }
 
-impl<T: RealField + Copy + Into<f64>> Lu<T> {
-    /// Factorises a square matrix in its place.
+impl<T: RealField + Pod + Into<f64>> Lu<T> {
+    /// Factorises a square matrix, in its place if that is large.
     ///
     /// # Errors
     /// If a pivot is zero or not a number.
-    pub fn new(mut matrix: Mat<T>) -> Result<Self, Singular> {
+    pub fn new(matrix: impl Into<Large<T>>) -> Result<Self, Singular> {
+        let mut matrix = matrix.into();
         let size = matrix.nrows();
         let (mut forward, mut backward) = (vec![0usize; size], vec![0usize; size]);
         let par = if size < ALONE { Par::Seq } else { Par::rayon(0) };
@@ -64,7 +67,7 @@ impl<T: RealField + Copy + Into<f64>> Lu<T> {
         let settings = Default::default();
         factor::lu_in_place(matrix.as_mut(), &mut forward, &mut backward, par, stack, settings);
         let sound = (0..size).all(|index| {
-            let pivot: f64 = matrix[(index, index)].into();
+            let pivot: f64 = matrix.as_ref()[(index, index)].into();
             pivot != 0.0 && pivot.is_finite()
         });
         if !sound {
@@ -113,7 +116,7 @@ impl Lu<f32> {
         let (forward, _) = self.rows.as_ref().arrays();
         let permuted: Vec<f32> = forward.iter().map(|&row| image[row]).collect();
         image.copy_from_slice(&permuted);
-        substitute(&self.factors, image);
+        substitute(self.factors.as_ref(), image);
     }
 }
 

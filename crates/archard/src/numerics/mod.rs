@@ -5,6 +5,7 @@ pub mod convolution;
 pub mod dense;
 pub mod gmres;
 pub mod interpolate;
+pub mod large;
 pub mod quadrature;
 pub mod single;
 pub mod upwind;

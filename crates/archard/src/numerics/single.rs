@@ -1,32 +1,21 @@
-//! Products and substitution in single precision, for a vector at a time: several columns of the matrix at once,
-//! each of which is read once.
+//! Substitution in single precision, for a vector at a time: several columns of the factors at once, each of which
+//! is read once.
 
-use faer::Mat;
+use faer::MatRef;
 use pulp::{Arch, Simd, WithSimd};
 
 /// Columns that are taken off at once.
 const AT_ONCE: usize = 8;
 
-/// The image of a vector.
-pub fn multiply(matrix: &Mat<f32>, vector: &[f32]) -> Vec<f32> {
-    let arch = Arch::new();
-    let mut image = vec![0.0; matrix.nrows()];
-    let less: Vec<f32> = vector.iter().map(|value| -value).collect();
-    for (block, known) in less.chunks(AT_ONCE).enumerate() {
-        take_off_all(arch, matrix, block * AT_ONCE, 0, known, &mut image);
-    }
-    image
-}
-
 /// Replaces an image by the vector that a matrix makes it of. The factors of the matrix stand in one place: a lower
 /// triangle with ones on its diagonal, left out, and an upper one.
-pub(super) fn substitute(factors: &Mat<f32>, image: &mut [f32]) {
+pub(super) fn substitute(factors: MatRef<'_, f32>, image: &mut [f32]) {
     let arch = Arch::new();
     let size = image.len();
     for start in (0..size).step_by(AT_ONCE) {
         let end = (start + AT_ONCE).min(size);
         for column in start..end {
-            let values = &factors.col_as_slice(column)[column + 1..end];
+            let values = &column_of(factors, column)[column + 1..end];
             let (head, tail) = image.split_at_mut(column + 1);
             take_off(tail, values, head[column]);
         }
@@ -36,7 +25,7 @@ pub(super) fn substitute(factors: &Mat<f32>, image: &mut [f32]) {
     for start in (0..size).step_by(AT_ONCE).rev() {
         let end = (start + AT_ONCE).min(size);
         for column in (start..end).rev() {
-            let values = factors.col_as_slice(column);
+            let values = column_of(factors, column);
             image[column] /= values[column];
             let (head, tail) = image.split_at_mut(column);
             take_off(&mut head[start..], &values[start..column], tail[0]);
@@ -46,6 +35,11 @@ pub(super) fn substitute(factors: &Mat<f32>, image: &mut [f32]) {
     }
 }
 
+/// The values of a column, none where they are not in a row.
+fn column_of(matrix: MatRef<'_, f32>, index: usize) -> &[f32] {
+    matrix.col(index).try_as_col_major().map(|column| column.as_slice()).unwrap_or_default()
+}
+
 fn take_off(image: &mut [f32], column: &[f32], factor: f32) {
     image.iter_mut().zip(column).for_each(|(image, value)| *image -= factor * value);
 }
@@ -53,14 +47,14 @@ fn take_off(image: &mut [f32], column: &[f32], factor: f32) {
 /// Takes the columns from `start` on, times what is known of their unknowns, off the rows from `row` on.
 fn take_off_all(
     arch: Arch,
-    factors: &Mat<f32>,
+    factors: MatRef<'_, f32>,
     start: usize,
     row: usize,
     known: &[f32],
     rest: &mut [f32],
 ) {
     let length = rest.len();
-    let column = |index: usize| &factors.col_as_slice(start + index)[row..row + length];
+    let column = |index: usize| &column_of(factors, start + index)[row..row + length];
     match <[f32; AT_ONCE]>::try_from(known) {
         Ok(known) => {
             let columns = std::array::from_fn(column);
@@ -101,24 +95,6 @@ impl WithSimd for Columns<'_> {
         }
         for (known, column) in known.iter().zip(&columns) {
             take_off(tail, &column[split..], *known);
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use faer::Mat;
-
-    use super::multiply;
-
-    #[test]
-    fn products_take_every_column_once() {
-        let matrix = Mat::from_fn(19, 21, |i, j| (i * j % 7) as f32);
-        let vector: Vec<f32> = (0..21_u8).map(|j| f32::from(j % 5)).collect();
-        let image = multiply(&matrix, &vector);
-        for (row, value) in image.iter().enumerate() {
-            let sum: f32 = (0..21).map(|column| matrix[(row, column)] * vector[column]).sum();
-            assert_eq!(*value, sum);
         }
     }
 }

@@ -22,14 +22,15 @@ use super::kelvin::{Evaluations, Kelvin};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
 use super::surface::Surface;
+use crate::numerics::large::Large;
 
 /// The equations: matrix * sought = contact * tractions there + fixed.
 ///
 /// Along each direction of a node's basis its displacement (m) is sought or, where that is known, its
 /// traction in units of shear modulus / length; tractions of contact are in that unit.
 pub(super) struct System {
-    pub matrix: Mat<f64>,
-    pub contact: Mat<f64>,
+    pub matrix: Large<f64>,
+    pub contact: Large<f64>,
     pub fixed: Mat<f64>,
     /// How often Kelvin's solution was evaluated.
     pub evaluations: Evaluations,
@@ -79,8 +80,8 @@ impl<'a> Assembly<'a> {
     /// Makes the equations; blocks of nodes in parallel.
     pub fn system(&self) -> System {
         let unknowns = self.surface.unknowns();
-        let mut matrix = Mat::zeros(unknowns, unknowns);
-        let mut contact = Mat::zeros(unknowns, 3 * self.conditions.contact.len());
+        let mut matrix = Large::zeros(unknowns, unknowns);
+        let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len());
         let mut fixed = Mat::zeros(unknowns, 1);
         let strips = matrix.as_mut().par_row_chunks_mut(3 * BLOCK);
         let contacts = contact.as_mut().par_row_chunks_mut(3 * BLOCK);

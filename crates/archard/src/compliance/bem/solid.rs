@@ -9,13 +9,14 @@ use super::kelvin::{Evaluations, Kelvin};
 use super::surface::Surface;
 use crate::body::Material;
 use crate::numerics::dense::{Lu, Singular};
+use crate::numerics::large::Large;
 
 /// A body with its factorised equations.
 pub struct Solid<'a> {
     surface: &'a Surface,
     conditions: &'a Conditions,
     factors: Lu,
-    contact: Mat<f64>,
+    contact: Large<f64>,
     fixed: Mat<f64>,
     unit: f64,
 }
@@ -127,7 +128,7 @@ impl<'a> Solid<'a> {
             if across[index] || across[column] {
                 return 0.0;
             }
-            unit * row(index, &|place| contact[(place, column)])
+            unit * row(index, &|place| contact.as_ref()[(place, column)])
         });
         let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();
         Condensed { compliance, free }
@@ -139,7 +140,7 @@ impl<'a> Solid<'a> {
         let mut sought = self.fixed.clone();
         for (column, &traction) in tractions.iter().enumerate() {
             for row in 0..sought.nrows() {
-                sought[(row, 0)] += self.unit * traction * self.contact[(row, column)];
+                sought[(row, 0)] += self.unit * traction * self.contact.as_ref()[(row, column)];
             }
         }
         self.factors.solve_in_place(sought.as_mut());

@@ -5,16 +5,15 @@
 //! the system as it was, the Krylov iteration has only these to put right. Worth while where the compliance is a
 //! matrix; elsewhere there are none.
 
-use faer::Mat;
+use faer::MatMut;
 
 use super::Step;
 use super::regime::{Regime, Sliding, Touch};
 use super::state::State;
-use crate::frame::VectorField;
 use crate::numerics::dense::Lu;
-use crate::numerics::single;
+use crate::numerics::large::Large;
 
-/// Most unknowns whose matrix and factors are kept: 18 MiB for each place of a cycle.
+/// Most unknowns whose matrix and factors are kept: 9 MiB for each place of a cycle.
 const MOST: usize = 1536;
 /// How far below zero the augmented pressure of a pair may be that nearly touches, relative to the largest.
 const NEAR: f64 = 0.1;
@@ -24,10 +23,7 @@ const NEAR: f64 = 0.1;
 pub struct Factors {
     /// The pairs that were in contact, and those that nearly were.
     pairs: Vec<usize>,
-    /// Which those are, a value a pair of the frame.
-    within: Vec<bool>,
-    /// Their compliance and the factors, in single precision: Newton's steps make up for it.
-    matrix: Mat<f32>,
+    /// In single precision: Newton's steps make up for it.
     lu: Lu<f32>,
     /// What they did.
     regime: Regime,
@@ -36,7 +32,7 @@ pub struct Factors {
 /// Memory (bytes) of what is kept for each place of a cycle with so many pairs in contact.
 pub fn factors_memory(in_contact: f64) -> f64 {
     let unknowns = 3.0 * in_contact;
-    if unknowns > MOST as f64 { 0.0 } else { 8.0 * unknowns * unknowns }
+    if unknowns > MOST as f64 { 0.0 } else { 4.0 * unknowns * unknowns }
 }
 
 impl Factors {
@@ -47,28 +43,26 @@ impl Factors {
         let augmented: Vec<f64> = (0..regime.touch.len()).map(|i| state.augmented(i)).collect();
         let least = -NEAR * augmented.iter().copied().fold(0.0, f64::max);
         let near = |pair: usize| regime.touch[pair] != Touch::Open || augmented[pair] > least;
-        let within: Vec<bool> = (0..augmented.len()).map(near).collect();
-        let pairs: Vec<usize> = (0..within.len()).filter(|&pair| within[pair]).collect();
+        let pairs: Vec<usize> = (0..augmented.len()).filter(|&pair| near(pair)).collect();
         let count = pairs.len();
         if count == 0 || 3 * count > MOST {
             return None;
         }
         let whole = step.compliance.matrix(&pairs)?;
-        let mut matrix = Mat::zeros(3 * count, 3 * count);
-        for column in 0..3 * count {
-            let values = matrix.col_as_slice_mut(column).iter_mut();
-            values.zip(whole.col_as_slice(column)).for_each(|(one, value)| *one = *value as f32);
+        let mut system = Large::zeros(3 * count, 3 * count);
+        for (column, values) in system.values_mut().chunks_exact_mut(3 * count).enumerate() {
+            let whole = whole.col_as_slice(column);
+            values.iter_mut().zip(whole).for_each(|(one, value)| *one = *value as f32);
         }
-        let mut system = matrix.clone();
         for (index, &pair) in pairs.iter().enumerate() {
             let places = [index, count + index, 2 * count + index];
             if let Some(sliding) = regime.sliding(pair) {
-                sliding.put_in(&mut system, places, own as f32);
+                sliding.put_in(system.as_mut(), places, own as f32);
             } else if regime.touch[pair] == Touch::Open {
-                leave_out(&mut system, places, own as f32);
+                leave_out(system.as_mut(), places, own as f32);
             }
         }
-        Some(Self { pairs, within, matrix, lu: Lu::new(system).ok()?, regime })
+        Some(Self { pairs, lu: Lu::new(system).ok()?, regime })
     }
 
     /// What the pairs did, asking for what a state near theirs lacks.
@@ -76,20 +70,6 @@ impl Factors {
         let mut regime = self.regime.clone();
         regime.aim_at(state, step);
         regime
-    }
-
-    /// Whether all pairs that are in contact now were so then, or nearly.
-    pub(super) fn cover(&self, regime: &Regime) -> bool {
-        regime.touch.iter().zip(&self.within).all(|(now, within)| *now == Touch::Open || *within)
-    }
-
-    /// Displacements (m) of these pairs under tractions (Pa) on them alone.
-    pub(super) fn image(&self, tractions: &VectorField) -> VectorField {
-        let vector = self.gather(tractions.components());
-        let mut field = VectorField::zeros(tractions.n.len());
-        let VectorField { t1, t2, n } = &mut field;
-        self.scatter(&single::multiply(&self.matrix, &vector), [t1, t2, n]);
-        field
     }
 
     /// Replaces, on these pairs, tractions by those that the rows answer to.
@@ -112,7 +92,7 @@ impl Factors {
 }
 
 /// Leaves a row and a column of their own to each direction of a pair.
-fn leave_out(matrix: &mut Mat<f32>, places: [usize; 3], own: f32) {
+fn leave_out(mut matrix: MatMut<'_, f32>, places: [usize; 3], own: f32) {
     for place in places {
         for other in 0..matrix.nrows() {
             matrix[(place, other)] = 0.0;
@@ -125,7 +105,7 @@ fn leave_out(matrix: &mut Mat<f32>, places: [usize; 3], own: f32) {
 impl Sliding {
     /// Leaves of the tangential rows and columns of a pair the part across its slip, lets its limit follow its
     /// pressure, and gives the part along its slip, which is known, a row of its own.
-    fn put_in(&self, matrix: &mut Mat<f32>, [one, two, n]: [usize; 3], own: f32) {
+    fn put_in(&self, mut matrix: MatMut<'_, f32>, [one, two, n]: [usize; 3], own: f32) {
         let [u, v] = self.along.map(|component| component as f32);
         let (slope, diagonal) = (self.slope as f32, self.diagonal as f32);
         for row in 0..matrix.nrows() {

@@ -11,8 +11,7 @@
 //!
 //! The preconditioner takes the directions apart: that of the normal problem, and
 //! [`SlipMap::undo`](crate::compliance::SlipMap::undo). Where there are [`Factors`] from a solution nearby, they take
-//! the place of both, and as long as no other pairs have come into contact the images are those of their matrix;
-//! what the compliance makes of the change is computed once at the end.
+//! the place of both.
 
 use super::border::Border;
 use super::factors::Factors;
@@ -41,8 +40,6 @@ pub(super) struct Linear<'s> {
     border: Border,
     fixed_displacement: Option<VectorField>,
     tried: Vec<VectorField>,
-    /// Whether images come from the factors' matrix, so that what was tried is not kept.
-    covered: bool,
     pub applications: usize,
 }
 
@@ -68,17 +65,8 @@ impl<'s> Linear<'s> {
         let border = Border::of(state, step, &regime, |rows| inverse.apply(rows, &regime));
         let fixed_displacement = None;
         let (tried, applications) = (vec![], 0);
-        let covered = factors.is_some_and(|factors| factors.cover(&regime));
-        let mut linear = Self {
-            step,
-            inverse,
-            regime,
-            border,
-            fixed_displacement,
-            tried,
-            covered,
-            applications,
-        };
+        let mut linear =
+            Self { step, inverse, regime, border, fixed_displacement, tried, applications };
         linear.apply_fixed();
         linear
     }
@@ -89,16 +77,10 @@ impl<'s> Linear<'s> {
             return;
         }
         self.applications += 1;
-        let known = self.inverse.factors.filter(|_| self.covered);
-        let displacement = match known {
-            Some(factors) => factors.image(fixed),
-            None => self.step.compliance.apply(fixed),
-        };
+        let displacement = self.step.compliance.apply(fixed);
         let taken = self.regime.rows(&displacement, &VectorField::zeros(fixed.n.len()));
         update(&mut self.regime.right, [&taken], |right, [taken]| right - taken);
-        if known.is_none() {
-            self.fixed_displacement = Some(displacement);
-        }
+        self.fixed_displacement = Some(displacement);
     }
 
     /// How well to solve: roughly while contact and stick still change much.
@@ -117,20 +99,16 @@ impl<'s> Linear<'s> {
         let gmres::Solution { vector, weights } = gmres::solve(self, &right, tolerance, KRYLOV);
         let mut traction = self.regime.tractions(&self.regime.unknown(&vector));
         add(&mut traction, &self.regime.fixed, 1.0);
-        let displacement = self.displacement(&traction, &weights);
+        let displacement = self.displacement(pairs, &weights);
         let mut border = vector[3 * pairs..].iter().map(|value| self.border.unit * value);
         let approach = if self.border.loaded { border.next().unwrap_or_default() } else { 0.0 };
         Solution { traction, displacement, approach, found: border.collect(), factors: None }
     }
 
-    /// What the compliance makes of the change of the tractions: from what was tried, where that is known.
-    fn displacement(&mut self, traction: &VectorField, weights: &[f64]) -> VectorField {
-        if self.covered {
-            self.applications += 1;
-            return self.step.compliance.apply(traction);
-        }
+    /// What the compliance makes of the change of the tractions, from what was tried.
+    fn displacement(&mut self, pairs: usize, weights: &[f64]) -> VectorField {
         let known = self.fixed_displacement.take();
-        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(traction.n.len()));
+        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(pairs));
         for (tried, &weight) in self.tried.iter().zip(weights) {
             add(&mut displacement, tried, weight);
         }
@@ -164,15 +142,9 @@ impl System for Linear<'_> {
         let unknown = self.regime.unknown(vector);
         let tractions = self.regime.tractions(&unknown);
         self.applications += 1;
-        let known = self.inverse.factors.filter(|_| self.covered);
-        let mut rows = if let Some(factors) = known {
-            self.regime.rows(&factors.image(&tractions), &unknown)
-        } else {
-            let displacement = self.step.compliance.apply(&tractions);
-            let rows = self.regime.rows(&displacement, &unknown);
-            self.tried.push(displacement);
-            rows
-        };
+        let displacement = self.step.compliance.apply(&tractions);
+        let mut rows = self.regime.rows(&displacement, &unknown);
+        self.tried.push(displacement);
         for (column, value) in self.border.columns.iter().zip(&vector[rows.len()..]) {
             let slip = self.border.unit * value;
             update(&mut rows, [column], |row, [column]| row + slip * column);
