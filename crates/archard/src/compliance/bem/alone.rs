@@ -79,7 +79,14 @@ impl WithSimd for Alone {
             for point in 0..x.len() {
                 let r = [simd.add_f64s(x[point], shift), y[point], z[point]];
                 let area = simd.splat_f64s(1.0);
-                lanes.values(simd, r, normal, area, self.displacement, &mut values);
+                lanes.values(
+                    simd,
+                    lanes.direction(simd, r),
+                    normal,
+                    area,
+                    self.displacement,
+                    &mut values,
+                );
                 for (sum, value) in sums.iter_mut().zip(&values) {
                     *sum = simd.add_f64s(*sum, *value);
                 }

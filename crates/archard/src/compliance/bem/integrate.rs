@@ -67,7 +67,12 @@ pub(super) struct Sums<'a> {
     pub displacements: &'a mut [f64],
     /// What a rigid displacement makes of them: a row a component.
     pub rigid: &'a mut [f64],
+    /// Of the length [`SCRATCH`]; left without meaning.
+    pub scratch: &'a mut [f64],
 }
+
+/// Values of the kernel at the places of a chunk, in the widest vectors there are, and what they come from.
+pub(super) const SCRATCH: usize = 8 * CHUNK * (ALL + 4);
 
 impl WithSimd for Tile<'_> {
     type Output = ();
@@ -84,48 +89,59 @@ impl WithSimd for Tile<'_> {
         let rigid = S::as_mut_simd_f64s(sums.rigid).0;
         let stride = BLOCK / S::F64_LANES;
         let zero = simd.splat_f64s(0.0);
-        let mut values = [[zero; ALL]; CHUNK];
+        let (values, directions) = S::as_mut_simd_f64s(sums.scratch).0.split_at_mut(CHUNK * ALL);
+        let (values, directions) =
+            (values.as_chunks_mut::<ALL>().0, directions.as_chunks_mut::<4>().0);
         for point in 0..x.len() {
             for spots in spots.chunks(CHUNK) {
-                for (spot, values) in spots.iter().zip(&mut values) {
+                for (spot, direction) in spots.iter().zip(&mut *directions) {
                     let r = [
                         simd.sub_f64s(simd.splat_f64s(spot.place[0]), x[point]),
                         simd.sub_f64s(simd.splat_f64s(spot.place[1]), y[point]),
                         simd.sub_f64s(simd.splat_f64s(spot.place[2]), z[point]),
                     ];
+                    *direction = lanes.direction(simd, r);
+                }
+                for ((spot, values), direction) in spots.iter().zip(&mut *values).zip(&*directions)
+                {
                     let n = [
                         simd.splat_f64s(spot.area_vector[0]),
                         simd.splat_f64s(spot.area_vector[1]),
                         simd.splat_f64s(spot.area_vector[2]),
                     ];
-                    lanes.values(simd, r, n, simd.splat_f64s(spot.area), displacement, values);
+                    let area = simd.splat_f64s(spot.area);
+                    lanes.values(simd, *direction, n, area, displacement, values);
                 }
                 let values = &values[..spots.len()];
                 let mut total = [zero; TRACTIONS];
                 for node in 0..nodes {
                     let shape = |spot: usize| simd.splat_f64s(spots[spot].shape[node]);
-                    let rows = 9 * node * stride + point;
+                    let first = 9 * node * stride + point;
+                    let rows = first..first + 8 * stride + 1;
                     let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
+                    let tractions = &mut tractions[rows.clone()];
                     for component in 0..9 {
                         let sign = simd.splat_f64s(image[component / 3]);
-                        let sum = &mut tractions[rows + component * stride];
+                        let sum = &mut tractions[component * stride];
                         *sum = simd.mul_add_e_f64s(sign, products[component], *sum);
                         total[component] = simd.add_f64s(total[component], products[component]);
                     }
                     if displacement {
                         let products: [_; ALL - TRACTIONS] =
                             weighted(simd, values, TRACTIONS, shape);
+                        let displacements = &mut displacements[rows];
                         for component in 0..9 {
                             let (i, j) = (component / 3, component % 3);
                             let product = products[DISPLACEMENT[i][j] - TRACTIONS];
-                            let sum = &mut displacements[rows + component * stride];
+                            let sum = &mut displacements[component * stride];
                             *sum = simd.mul_add_e_f64s(simd.splat_f64s(image[i]), product, *sum);
                         }
                     }
                 }
+                let rigid = &mut rigid[point..point + 8 * stride + 1];
                 for component in 0..9 {
                     let mirror = simd.splat_f64s(image[component / 3] * image[component % 3]);
-                    let sum = &mut rigid[component * stride + point];
+                    let sum = &mut rigid[component * stride];
                     *sum = simd.mul_add_e_f64s(mirror, total[component], *sum);
                 }
             }
@@ -162,6 +178,8 @@ pub(super) struct Beam<'a> {
     /// A multiple of eight.
     pub places: &'a Places,
     pub displacement: bool,
+    /// Of the length [`SCRATCH`]; left without meaning.
+    pub scratch: &'a mut [f64],
 }
 
 impl WithSimd for Beam<'_> {
@@ -188,7 +206,8 @@ impl WithSimd for Beam<'_> {
         let t = S::as_simd_f64s(&self.places.t).0;
         let weight = S::as_simd_f64s(&self.places.weight).0;
         let mut sums = [[zero; ALL]; 4];
-        let (mut values, mut shapes) = ([[zero; ALL]; CHUNK], [[zero; 4]; CHUNK]);
+        let (values, shapes) = S::as_mut_simd_f64s(self.scratch).0.split_at_mut(CHUNK * ALL);
+        let (values, shapes) = (values.as_chunks_mut::<ALL>().0, shapes.as_chunks_mut::<4>().0);
         for ((s, t), weight) in s.chunks(CHUNK).zip(t.chunks(CHUNK)).zip(weight.chunks(CHUNK)) {
             for place in 0..s.len() {
                 let (s, t, weight) = (s[place], t[place], weight[place]);
@@ -211,7 +230,8 @@ impl WithSimd for Beam<'_> {
                 let square = simd.mul_f64s(n[0], n[0]);
                 let square = simd.mul_add_e_f64s(n[1], n[1], square);
                 let area = simd.sqrt_f64s(simd.mul_add_e_f64s(n[2], n[2], square));
-                lanes.values(simd, r, n, area, self.displacement, &mut values[place]);
+                let direction = lanes.direction(simd, r);
+                lanes.values(simd, direction, n, area, self.displacement, &mut values[place]);
                 let both = simd.mul_f64s(s, t);
                 for (shape, [one, along_s, along_t, along_both]) in
                     shapes[place].iter_mut().zip(&polynomials)

@@ -94,27 +94,32 @@ pub(super) struct Lanes<S: Simd> {
 }
 
 impl<S: Simd> Lanes<S> {
-    /// Values times an area, with r = y - x, the area vector along n and the area; those of U only where
-    /// `with_displacement`.
+    /// The direction e of r = y - x, and 1 / |r|: root and quotient of many places at once do not wait for each
+    /// other.
     #[inline(always)]
-    pub fn values(
-        &self,
-        simd: S,
-        r: [S::f64s; 3],
-        n: [S::f64s; 3],
-        area: S::f64s,
-        with_displacement: bool,
-        values: &mut [S::f64s; ALL],
-    ) {
+    pub fn direction(&self, simd: S, r: [S::f64s; 3]) -> [S::f64s; 4] {
         let square = simd.mul_add_e_f64s(
             r[2],
             r[2],
             simd.mul_add_e_f64s(r[1], r[1], simd.mul_f64s(r[0], r[0])),
         );
         let inverse = simd.div_f64s(self.one, simd.sqrt_f64s(square));
-        let x = simd.mul_f64s(r[0], inverse);
-        let y = simd.mul_f64s(r[1], inverse);
-        let z = simd.mul_f64s(r[2], inverse);
+        let along = |axis: usize| simd.mul_f64s(r[axis], inverse);
+        [along(0), along(1), along(2), inverse]
+    }
+
+    /// Values times an area, from the [direction](Self::direction), the area vector along n and the area; those of
+    /// U only where `with_displacement`.
+    #[inline(always)]
+    pub fn values(
+        &self,
+        simd: S,
+        [x, y, z, inverse]: [S::f64s; 4],
+        n: [S::f64s; 3],
+        area: S::f64s,
+        with_displacement: bool,
+        values: &mut [S::f64s; ALL],
+    ) {
         let along =
             simd.mul_add_e_f64s(z, n[2], simd.mul_add_e_f64s(y, n[1], simd.mul_f64s(x, n[0])));
         let factor = simd.mul_f64s(self.traction, simd.mul_f64s(inverse, inverse));

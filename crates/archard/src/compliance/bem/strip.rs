@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::assemble::Assembly;
 use super::blocks::BLOCK;
-use super::integrate::{Beam, Integrals, Spot, Sums, Tile};
+use super::integrate::{Beam, Integrals, SCRATCH, Spot, Sums, Tile};
 use super::kelvin::{DISPLACEMENT, Evaluations};
 use super::rules::{Places, Rules};
 
@@ -21,6 +21,8 @@ const APART: f64 = 3.0;
 pub(super) struct Strip<'a> {
     assembly: &'a Assembly<'a>,
     pub nodes: Vec<usize>,
+    /// Their places, seen from each image.
+    points: Vec<Points>,
     centre: DVec3,
     radius: f64,
     /// Integrals over the last element; what a rigid displacement makes of those so far.
@@ -34,17 +36,47 @@ pub(super) struct Strip<'a> {
     pub evaluations: Evaluations,
 }
 
+/// Coordinates of places, filled up with the last of them.
+struct Points([[f64; BLOCK]; 3]);
+
+impl Points {
+    fn new(places: impl Iterator<Item = DVec3>) -> Self {
+        let mut points = [[0.0; BLOCK]; 3];
+        let mut filled = 0;
+        for place in places.take(BLOCK) {
+            (0..3).for_each(|axis| points[axis][filled] = place[axis]);
+            filled += 1;
+        }
+        for points in &mut points {
+            let last = points[filled.saturating_sub(1)];
+            points[filled..].fill(last);
+        }
+        Self(points)
+    }
+
+    /// Those of some of the places.
+    fn of(&self, some: &[usize]) -> Self {
+        Self::new(some.iter().map(|&at| DVec3::from(self.0.map(|points| points[at]))))
+    }
+
+    fn up_to(&self, width: usize) -> [&[f64]; 3] {
+        self.0.each_ref().map(|points| &points[..width])
+    }
+}
+
 /// See [`Sums`].
 pub(super) struct Stock {
     pub tractions: Vec<f64>,
     pub displacements: Vec<f64>,
     pub rigid: Vec<f64>,
+    scratch: Vec<f64>,
 }
 
 impl Stock {
     pub fn new() -> Self {
         let zeros = |rows: usize| vec![0.0; rows * BLOCK];
-        Self { tractions: zeros(36), displacements: zeros(36), rigid: zeros(9) }
+        let scratch = vec![0.0; SCRATCH];
+        Self { tractions: zeros(36), displacements: zeros(36), rigid: zeros(9), scratch }
     }
 
     /// Makes the first values of all rows zero.
@@ -69,8 +101,8 @@ impl Stock {
     }
 
     pub fn lend(&mut self) -> Sums<'_> {
-        let Self { tractions, displacements, rigid } = self;
-        Sums { tractions, displacements, rigid }
+        let Self { tractions, displacements, rigid, scratch } = self;
+        Sums { tractions, displacements, rigid, scratch }
     }
 }
 
@@ -79,9 +111,12 @@ impl<'a> Strip<'a> {
         let place = |node: usize| assembly.surface.nodes[node];
         let centre = nodes.iter().map(|&node| place(node)).sum::<DVec3>() / nodes.len() as f64;
         let radius = nodes.iter().map(|&node| place(node).distance(centre)).fold(0.0, f64::max);
+        let seen = |image: &DVec3| Points::new(nodes.iter().map(|&node| *image * place(node)));
+        let points = assembly.images.iter().map(seen).collect();
         Self {
             assembly,
             nodes,
+            points,
             centre,
             radius,
             sums: Stock::new(),
@@ -96,25 +131,23 @@ impl<'a> Strip<'a> {
     /// Integrates over an element, seen from all images of the nodes.
     pub fn integrate(&mut self, face: usize) {
         self.sums.tractions.fill(0.0);
-        self.sums.displacements.fill(0.0);
-        for image in &self.assembly.images {
-            self.integrate_image(face, *image);
+        if self.assembly.loaded[face] {
+            self.sums.displacements.fill(0.0);
+        }
+        for image in 0..self.assembly.images.len() {
+            self.integrate_image(face, image);
         }
     }
 
-    fn point(&self, at: usize, image: DVec3) -> DVec3 {
-        image * self.assembly.surface.nodes[self.nodes[at]]
-    }
-
     /// Adds the integrals over an element, seen from an image of the nodes.
-    fn integrate_image(&mut self, face: usize, image: DVec3) {
+    fn integrate_image(&mut self, face: usize, index: usize) {
         let assembly = self.assembly;
-        let Assembly { surface, rules, .. } = assembly;
+        let Assembly { surface, rules, images, .. } = assembly;
+        let image = images[index];
         let patch = &surface.patches[face];
         let away = (image * self.centre).distance(patch.centre) - self.radius - patch.radius;
         if away >= APART * patch.half[0].max(patch.half[1]) {
-            let all: Vec<usize> = (0..self.nodes.len()).collect();
-            self.tile(face, image, rules.orders(patch, away), &all);
+            self.tile(face, index, rules.orders(patch, away), None);
             return;
         }
         let mut near = std::mem::take(&mut self.near);
@@ -125,66 +158,68 @@ impl<'a> Strip<'a> {
             let point = surface.nodes[node];
             let own = locals.iter().position(|local| local.node == node);
             if own.is_some() && image * point == point {
-                self.beam(face, image, at, own);
+                self.beam(face, index, at, own);
                 continue;
             }
             let away = patch.bounds.distance(image * point);
             if Rules::far(patch, away) {
                 near.push((rules.orders(patch, away), at));
             } else {
-                self.beam(face, image, at, None);
+                self.beam(face, index, at, None);
             }
         }
         near.sort_unstable();
         for group in near.chunk_by(|one, other| one.0 == other.0) {
             if group.len() < FEW {
-                group.iter().for_each(|(_, at)| self.beam(face, image, *at, None));
+                group.iter().for_each(|(_, at)| self.beam(face, index, *at, None));
             } else {
                 let nodes: Vec<usize> = group.iter().map(|(_, at)| *at).collect();
-                self.tile(face, image, group[0].0, &nodes);
+                self.tile(face, index, group[0].0, Some(&nodes));
             }
         }
         self.near = near;
     }
 
     /// Nodes, all of the block or some, against the places of a rule.
-    fn tile(&mut self, face: usize, image: DVec3, orders: [usize; 2], group: &[usize]) {
+    fn tile(&mut self, face: usize, image: usize, orders: [usize; 2], group: Option<&[usize]>) {
         let patch = &self.assembly.surface.patches[face];
         self.places.clear();
         self.assembly.rules.whole(patch, orders, &mut self.places);
         Spot::on(patch, &self.places, &mut self.spots);
-        let width = group.len().next_multiple_of(8);
-        let mut points = [[0.0; BLOCK]; 3];
-        for index in 0..width {
-            let point = self.point(group[index.min(group.len() - 1)], image);
-            for (points, coordinate) in points.iter_mut().zip(point.to_array()) {
-                points[index] = coordinate;
-            }
+        let width = group.map_or(self.nodes.len(), <[usize]>::len).next_multiple_of(8);
+        let mut points = &self.points[image];
+        let some = group.map(|group| points.of(group));
+        if let Some(some) = &some {
+            points = some;
         }
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(width * self.spots.len(), displacement);
-        let whole = group.len() == self.nodes.len();
-        if !whole {
-            self.some.clear(width);
+        let sums = match group {
+            None => &mut self.sums,
+            Some(_) => &mut self.some,
+        };
+        if group.is_some() {
+            sums.clear(width);
         }
         self.assembly.arch.dispatch(Tile {
             kelvin: self.assembly.kelvin,
-            points: points.each_ref().map(|points| &points[..width]),
+            points: points.up_to(width),
             spots: &self.spots,
             nodes: patch.element.nodes.len(),
             displacement,
-            image: image.to_array(),
-            sums: if whole { self.sums.lend() } else { self.some.lend() },
+            image: self.assembly.images[image].to_array(),
+            sums: sums.lend(),
         });
-        if !whole {
+        if let Some(group) = group {
             self.sums.add(&self.some, group, displacement);
         }
     }
 
     /// One node against places around it, or on the element it lies on itself.
-    fn beam(&mut self, face: usize, image: DVec3, at: usize, own: Option<usize>) {
+    fn beam(&mut self, face: usize, image: usize, at: usize, own: Option<usize>) {
         let patch = &self.assembly.surface.patches[face];
-        let point = self.point(at, image);
+        let image = self.assembly.images[image];
+        let point = image * self.assembly.surface.nodes[self.nodes[at]];
         self.places.clear();
         match own {
             None => self.assembly.rules.near(patch, point, &mut self.places),
@@ -196,8 +231,8 @@ impl<'a> Strip<'a> {
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(self.places.len(), displacement);
         let kelvin = self.assembly.kelvin;
-        let places = &self.places;
-        let beam = Beam { kelvin, point, patch, places, displacement };
+        let (places, scratch) = (&self.places, &mut self.sums.scratch[..]);
+        let beam = Beam { kelvin, point, patch, places, displacement, scratch };
         let integrals: Integrals = self.assembly.arch.dispatch(beam);
         for (node, values) in integrals[..patch.element.nodes.len()].iter().enumerate() {
             for i in 0..3 {
