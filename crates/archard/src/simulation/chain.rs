@@ -155,6 +155,19 @@ impl Chain {
         problem.compliance.apply_normal(&self.state.pressure, &mut self.displacement);
     }
 
+    /// Lets pressures go on as they did since earlier ones (Pa), to start the next solve from.
+    pub(super) fn foresee(
+        &mut self,
+        earlier: &[f64],
+        problem: &ContactProblem,
+        effort: &mut Effort,
+    ) {
+        vector::update(&mut self.state.pressure, [earlier], |now, [earlier]| {
+            if now > 0.0 { (2.0 * now - earlier).max(0.0) } else { 0.0 }
+        });
+        self.find_displacement(problem, effort);
+    }
+
     /// Takes a solution over.
     fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
         let Outcome { pressure, displacement, gap, approach, .. } = outcome;

@@ -145,6 +145,7 @@ impl Rate {
         let leg = Leg { advance: 0.0, progress, control: self.control };
         let length = cycles as f64 / steps as f64;
         let (mut changed, mut made) = (0.0, 0.0);
+        let mut earlier: Option<Vec<f64>> = None;
         for step in 0..steps {
             let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
             let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
@@ -154,6 +155,9 @@ impl Rate {
                 |[gap, opened, one, two]| gap + opened + length * (one + two),
             );
             let before = chain.state.pressure.clone();
+            if let Some(earlier) = earlier.replace(before.clone()) {
+                chain.foresee(&earlier, problem, effort);
+            }
             chain.meet(simulation, leg, &gap, &slope, &*problem.compliance, effort)?;
             let pressure = &chain.state.pressure;
             for (body, worn) in chain.state.worn.iter_mut().enumerate() {

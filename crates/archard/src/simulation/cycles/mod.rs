@@ -186,7 +186,7 @@ impl<'a> Cycles<'a> {
             self.position.rig.release(&simulation.problem);
         }
         self.position.rig.begin_cycle();
-        let mut reference = None;
+        let (mut reference, mut change) = (None, None);
         for (index, station) in shift.cycle.iter().enumerate() {
             let station = self.symmetric(*station);
             let Position { rig, memory, .. } = &mut self.position;
@@ -196,9 +196,14 @@ impl<'a> Cycles<'a> {
             } else {
                 done as f64 * shift.period() + shift.places[index]
             };
-            let known = memory[index].as_ref();
+            let mut known = memory[index].take();
+            if let (Some(known), Some(change)) = (&mut known, &change) {
+                known.foresee(change);
+            }
             let at = (station, progress);
-            memory[index] = Some(rig.increment(simulation, at, known, &mut self.effort)?);
+            let settled = rig.increment(simulation, at, known.as_ref(), &mut self.effort)?;
+            change = known.and_then(|known| known.change_to(&settled));
+            memory[index] = Some(settled);
             if index == peak {
                 reference = Some(rig.clone());
             }

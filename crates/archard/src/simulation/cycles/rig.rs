@@ -32,6 +32,23 @@ pub(super) struct Settled {
     limit: Vec<f64>,
     found: Vec<f64>,
     pub joint: Option<joint::Solution>,
+    /// Where the increment before went, from one cycle to the next, this one may go too.
+    pub foreseen: Option<joint::Solution>,
+}
+
+impl Settled {
+    /// What became of it in another cycle.
+    pub fn change_to(&self, other: &Self) -> Option<joint::Solution> {
+        let (from, to) = (self.joint.as_ref()?, other.joint.as_ref()?);
+        (from.found.len() == to.found.len()).then(|| to.moved(from, -1.0))
+    }
+
+    /// Foresees that it changes as another did.
+    pub fn foresee(&mut self, change: &joint::Solution) {
+        let joint = self.joint.as_ref();
+        let joint = joint.filter(|joint| joint.found.len() == change.found.len());
+        self.foreseen = joint.map(|joint| joint.moved(change, 1.0));
+    }
 }
 
 /// What a solve left behind beside the state.
@@ -134,7 +151,7 @@ impl Rig {
     pub fn settled(&self, found: Found) -> Settled {
         let Found { limit, found, joint } = found;
         let displacement = self.chain.displacement.clone();
-        Settled { state: self.clone_contact(), displacement, limit, found, joint }
+        Settled { state: self.clone_contact(), displacement, limit, found, joint, foreseen: None }
     }
 
     /// Takes the pressures of a known solution to start from, where the load differs from the present one.

@@ -44,7 +44,9 @@ impl Rig {
             Some(start) => start,
             None => self.joint_start(simulation, leg, station, effort)?,
         };
-        let Some(outcome) = simulation.friction_solver.solve_jointly(&step, &start) else {
+        let foreseen = known.and_then(|known| known.foreseen.as_ref());
+        let solver = &*simulation.friction_solver;
+        let Some(outcome) = solver.solve_jointly(&step, &start, foreseen) else {
             if !frame.is_plane() {
                 return Err(Error::NotJoint);
             }

@@ -19,6 +19,7 @@ use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::kinematics::Control;
+use crate::numerics::vector::map;
 use crate::solve::tangential::Held;
 
 pub use factors::{Factors, factors_memory};
@@ -62,6 +63,25 @@ pub struct Solution {
     pub factors: Option<Arc<Factors>>,
 }
 
+impl Solution {
+    /// With a share of a change, without what is kept for others near it.
+    pub fn moved(&self, change: &Self, length: f64) -> Self {
+        let along = |from: &[f64], by: &[f64]| map([from, by], |[from, by]| from + length * by);
+        let field = |from: &VectorField, by: &VectorField| VectorField {
+            t1: along(&from.t1, &by.t1),
+            t2: along(&from.t2, &by.t2),
+            n: along(&from.n, &by.n),
+        };
+        Self {
+            traction: field(&self.traction, &change.traction),
+            displacement: field(&self.displacement, &change.displacement),
+            approach: self.approach + length * change.approach,
+            found: along(&self.found, &change.found),
+            factors: None,
+        }
+    }
+}
+
 /// What a solve found and what it took.
 #[derive(Debug, Clone)]
 pub struct Outcome {
@@ -87,19 +107,32 @@ const SHORTEST: f64 = 0.05;
 const STALE: usize = 9;
 
 /// Semismooth Newton steps on pressures and friction together, each by Krylov iterations (P. Alart and A.
-/// Curnier, *Comput. Methods Appl. Mech. Engrg.* 92 (1991) 353).
-pub(super) fn solve(step: &Step<'_>, start: &Solution, settings: Settings) -> Outcome {
+/// Curnier, *Comput. Methods Appl. Mech. Engrg.* 92 (1991) 353), from a solution known or foreseen, whichever is
+/// nearer.
+pub(super) fn solve(
+    step: &Step<'_>,
+    start: &Solution,
+    foreseen: Option<&Solution>,
+    settings: Settings,
+) -> Outcome {
+    let known = State::new(step, start);
+    let foreseen = foreseen
+        .map(|foreseen| State::new(step, foreseen))
+        .filter(|foreseen| foreseen.residual < known.residual);
+    let repeats = foreseen.is_none();
     let mut newton = Newton {
         step,
         settings,
         factors: start.factors.clone(),
-        state: State::new(step, start),
+        state: foreseen.unwrap_or(known),
         last: vec![],
         count: 0,
         applications: 0,
         most: 0,
     };
-    newton.repeat();
+    if repeats {
+        newton.repeat();
+    }
     while newton.unfinished() && newton.advance() {}
     newton.finish()
 }

@@ -55,21 +55,7 @@ impl State {
 
     /// The state after a share of a change.
     pub fn moved(&self, change: &Solution, length: f64, step: &Step<'_>) -> Self {
-        let along = |from: &[f64], by: &[f64]| map([from, by], |[from, by]| from + length * by);
-        let field = |from: &VectorField, by: &VectorField| VectorField {
-            t1: along(&from.t1, &by.t1),
-            t2: along(&from.t2, &by.t2),
-            n: along(&from.n, &by.n),
-        };
-        let before = &self.solution;
-        let solution = Solution {
-            traction: field(&before.traction, &change.traction),
-            displacement: field(&before.displacement, &change.displacement),
-            approach: before.approach + length * change.approach,
-            found: along(&before.found, &change.found),
-            factors: None,
-        };
-        Self::of(solution, self.own, step)
+        Self::of(self.solution.moved(change, length), self.own, step)
     }
 
     /// Pressure (Pa) that gap and pressure of a pair amount to: positive where it is in contact.

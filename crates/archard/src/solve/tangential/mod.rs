@@ -86,12 +86,13 @@ pub trait FrictionSolver: Debug + Send + Sync {
     /// Finds the tractions of a step, from those of an earlier one where there is one.
     fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome;
 
-    /// Finds pressures and tractions at once, where the solver can; `None` where they are to be found in
-    /// turn.
+    /// Finds pressures and tractions at once, where the solver can, from known ones or those foreseen; `None`
+    /// where they are to be found in turn.
     fn solve_jointly(
         &self,
         _step: &joint::Step<'_>,
         _start: &joint::Solution,
+        _foreseen: Option<&joint::Solution>,
     ) -> Option<joint::Outcome> {
         None
     }

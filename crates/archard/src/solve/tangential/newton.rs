@@ -66,8 +66,9 @@ impl FrictionSolver for Newton {
         &self,
         step: &joint::Step<'_>,
         start: &joint::Solution,
+        foreseen: Option<&joint::Solution>,
     ) -> Option<joint::Outcome> {
-        Some(in_pool(|| joint::solve(step, start, self.settings)))
+        Some(in_pool(|| joint::solve(step, start, foreseen, self.settings)))
     }
 
     fn settings(&self) -> Settings {
