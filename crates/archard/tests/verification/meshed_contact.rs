@@ -79,6 +79,41 @@ fn solvers_agree_on_a_meshed_block() {
     }
 }
 
+/// Friction from pair to pair, from one increment to the next by approach or by load, ends where Newton's steps do:
+/// with the same slip, stick in the middle and friction at its limit around it.
+#[test]
+fn sweeps_find_the_friction_of_newtons_steps() {
+    for control in ["motion.indentation.approach=0.02 mm", "motion={indentation={load=800 N}}"] {
+        let found = ["newton", "gauss_seidel"].map(|solver| {
+            let solver = format!("friction_solver.{solver}.tolerance=1e-8");
+            let options = [
+                "friction.coulomb.coefficient=0.1",
+                control,
+                "motion.indentation.increments=4",
+                &solver,
+            ];
+            let (state, effort, _) = states(&case(BALL_ON_BLOCK, &options)).unwrap().pop().unwrap();
+            let [one, two] = state.tangential.unwrap().traction;
+            (state.pressure, [one, two], effort)
+        });
+        let [(pressure, [one, two], newton), (other_pressure, [other_one, other_two], sweeps)] =
+            found;
+        let scale = pressure.iter().copied().fold(0.0, f64::max);
+        let pairs = [(&pressure, &other_pressure), (&one, &other_one), (&two, &other_two)];
+        for (these, those) in pairs {
+            for (this, that) in these.iter().zip(those) {
+                assert_relative_eq!(this, that, epsilon = 1e-6 * scale);
+            }
+        }
+        let borne: Vec<f64> = (0..one.len()).map(|pair| one[pair].hypot(two[pair])).collect();
+        let slips = |pair: &usize| borne[*pair] > 0.0999 * pressure[*pair];
+        let touching = (0..borne.len()).filter(|&pair| pressure[pair] > 0.0);
+        let slipping = touching.clone().filter(slips).count();
+        assert!(0 < slipping && slipping < touching.count(), "{slipping} pairs slip");
+        assert!(sweeps.iterations > 3 * newton.iterations, "{sweeps:?} {newton:?}");
+    }
+}
+
 /// Tractions do work on the displacements they make, and nearly the same on those of each other.
 #[test]
 fn condensed_bodies_are_positive_definite_and_nearly_symmetric() {

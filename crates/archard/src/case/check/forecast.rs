@@ -150,16 +150,20 @@ fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             None => 0.0,
         },
     };
-    let solver = of_solver(parts, contact) + of_factors(parts, contact);
+    let solver = of_solver(parts, contact) + of_friction(parts, contact);
     BYTES_OF_THE_PROGRAM + meshed + solver + (BYTES_A_PAIR + histories + friction) * pairs
 }
 
-/// Memory (bytes) of the factors that meshed bodies with friction keep for each increment of a cycle.
-fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+/// Memory (bytes) that the solver of friction takes for matrices of meshed bodies, and that of the factors they
+/// keep for each increment of a cycle.
+fn of_friction(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
     match parts.motion.kinematics.shift() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
-            let in_contact = share_in_contact(parts, contact) * parts.pairs() as f64;
-            shift.cycle.len() as f64 * factors_memory(in_contact)
+            let pairs = parts.pairs() as f64;
+            let in_contact = share_in_contact(parts, contact) * pairs;
+            let solver = parts.case.friction_solver.build();
+            let own = solver.map_or(0.0, |solver| solver.memory(pairs));
+            own + shift.cycle.len() as f64 * factors_memory(in_contact)
         }
         _ => 0.0,
     }

@@ -11,6 +11,7 @@ mod factors;
 mod linear;
 mod regime;
 mod state;
+mod sweeps;
 
 use std::sync::Arc;
 
@@ -26,6 +27,7 @@ pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
 use regime::{Regime, Touch};
 use state::State;
+pub(super) use sweeps::sweep;
 
 /// One step of contact and friction.
 #[derive(Debug, Clone, Copy)]
@@ -194,13 +196,7 @@ impl Newton<'_> {
         if step.again && self.most > STALE {
             self.factors = Factors::of(state, step).map(Arc::new);
         }
-        let traction = &state.solution.traction;
-        let full = !step.frame.measure().closed && traction.n.iter().all(|&n| n < 0.0);
-        let status = match (state.residual <= self.settings.tolerance, full) {
-            (true, false) => Status::Converged,
-            (true, true) => Status::FrameFull,
-            (false, _) => Status::OutOfIterations,
-        };
+        let status = state.status(self.settings.tolerance, step);
         let mut state = self.state;
         state.solution.factors = self.factors;
         state.finish(status, self.count, self.applications)

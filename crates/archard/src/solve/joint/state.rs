@@ -53,9 +53,14 @@ impl State {
         state
     }
 
+    /// The state with other tractions and what belongs to them.
+    pub fn with(&self, solution: Solution, step: &Step<'_>) -> Self {
+        Self::of(solution, self.own, step)
+    }
+
     /// The state after a share of a change.
     pub fn moved(&self, change: &Solution, length: f64, step: &Step<'_>) -> Self {
-        Self::of(self.solution.moved(change, length), self.own, step)
+        self.with(self.solution.moved(change, length), step)
     }
 
     /// Pressure (Pa) that gap and pressure of a pair amount to: positive where it is in contact.
@@ -114,6 +119,17 @@ impl State {
             .max(relative(beside.sqrt(), borne.sqrt()))
             .max(load)
             .max(relative(force, held * area))
+    }
+
+    /// How it would end: solved to a tolerance, cut off by the frame, or not solved.
+    pub fn status(&self, tolerance: f64, step: &Step<'_>) -> Status {
+        let normal = &self.solution.traction.n;
+        let full = !step.frame.measure().closed && normal.iter().all(|&n| n < 0.0);
+        match (self.residual <= tolerance, full) {
+            (true, false) => Status::Converged,
+            (true, true) => Status::FrameFull,
+            (false, _) => Status::OutOfIterations,
+        }
     }
 
     /// The state as an outcome.

@@ -50,8 +50,8 @@ const COARSE_TOLERANCE: f64 = 1e-3;
 
 /// See the module.
 #[derive(Debug)]
-struct Newton {
-    settings: Settings,
+pub(super) struct Newton {
+    pub settings: Settings,
 }
 
 impl FrictionSolver for Newton {
