@@ -52,7 +52,7 @@ pub struct Singular {
 }
 
 impl<T: RealField + Pod + Into<f64>> Lu<T> {
-    /// Factorises a square matrix, in its place if that is large.
+    /// Factorises a square matrix, in its place if it is a [`Large`] one.
     ///
     /// # Errors
     /// If a pivot is zero or not a number.

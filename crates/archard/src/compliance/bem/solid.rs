@@ -109,6 +109,7 @@ impl<'a> Solid<'a> {
         let count = sought.map_or(0, |first| factors.size() - first);
         factors.solve_last(contact.as_mut(), count);
         factors.solve_last(fixed.as_mut(), count);
+        let contact = contact.as_ref();
         // Displacements are sought along the axes or, at nodes that are held, along their basis.
         let row = |index: usize, column: &dyn Fn(usize) -> f64| -> f64 {
             let (contact, direction) = (index / 3, index % 3);
@@ -128,7 +129,7 @@ impl<'a> Solid<'a> {
             if across[index] || across[column] {
                 return 0.0;
             }
-            unit * row(index, &|place| contact.as_ref()[(place, column)])
+            unit * row(index, &|place| contact[(place, column)])
         });
         let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();
         Condensed { compliance, free }
@@ -137,10 +138,10 @@ impl<'a> Solid<'a> {
     /// Displacements and tractions everywhere, under given tractions of contact (Pa) in their bases, three
     /// values a contact node.
     pub fn boundary(&self, tractions: &[f64]) -> Boundary {
-        let mut sought = self.fixed.clone();
+        let (mut sought, contact) = (self.fixed.clone(), self.contact.as_ref());
         for (column, &traction) in tractions.iter().enumerate() {
             for row in 0..sought.nrows() {
-                sought[(row, 0)] += self.unit * traction * self.contact.as_ref()[(row, column)];
+                sought[(row, 0)] += self.unit * traction * contact[(row, column)];
             }
         }
         self.factors.solve_in_place(sought.as_mut());

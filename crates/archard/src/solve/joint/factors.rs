@@ -13,7 +13,7 @@ use super::state::State;
 use crate::numerics::dense::Lu;
 use crate::numerics::large::Large;
 
-/// Most unknowns whose matrix and factors are kept: 9 MiB for each place of a cycle.
+/// Most unknowns whose factors are kept: 9 MiB for each place of a cycle.
 const MOST: usize = 1536;
 /// How far below zero the augmented pressure of a pair may be that nearly touches, relative to the largest.
 const NEAR: f64 = 0.1;
