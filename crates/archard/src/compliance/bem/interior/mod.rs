@@ -39,7 +39,7 @@ const OUTSIDE: f64 = 0.1;
 /// Least depth at which the identity tells stresses, relative to the size of the nearest element.
 const SHALLOW: f64 = 0.25;
 /// What of that depth a point has to be away from all other sides.
-const CLEAR: f64 = 0.8;
+const CLEAR: f64 = 0.4;
 /// Distance from the surface, relative to the size of the nearest element, that is none.
 const NONE: f64 = 1e-6;
 
