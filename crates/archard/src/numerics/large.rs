@@ -1,8 +1,8 @@
 //! Large matrices, on pages that the threads which fill them touch first.
 //!
-//! Memory from the allocator is cleared by the thread that asks for it, in pages of 4 KiB: for the equations of a
-//! body that takes as long as the integrals. Here pages come as large as the system gives them, cleared when they
-//! are first written to.
+//! Memory from the allocator is cleared by the thread that asks for it, in pages of 4 KiB. Here pages come as large as
+//! the system gives them, cleared when they are first written to. What a process pays for pages it has not had before
+//! is up to the system, and on a virtual machine no less than for small ones.
 
 use std::alloc::{Layout, handle_alloc_error};
 use std::fmt;
