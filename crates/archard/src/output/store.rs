@@ -17,7 +17,7 @@ use crate::compliance::bem::contact::{Job, condense};
 use crate::numerics::dense::Singular;
 
 /// What a file begins with; the version changes with the format and with the equations.
-const FORMAT: &[u8] = b"archard compliance 1\n";
+const FORMAT: &[u8] = b"archard compliance 2\n";
 /// Bytes of a hash.
 const HASH: usize = 32;
 

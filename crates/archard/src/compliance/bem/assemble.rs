@@ -17,7 +17,10 @@ use pulp::Arch;
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, blocks};
+use super::bows::{Share, bows};
 use super::conditions::{Conditions, Given};
+use super::element::BOWS;
+use super::integrate::NODES;
 use super::kelvin::{Evaluations, Kelvin};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
@@ -49,6 +52,8 @@ pub(super) struct Assembly<'a> {
     pub images: Vec<DVec3>,
     /// Elements whose tractions are not all zero.
     pub loaded: Vec<bool>,
+    /// What bends the displacements of an element between its nodes.
+    pub bows: Vec<Vec<Share>>,
 }
 
 impl<'a> Assembly<'a> {
@@ -74,6 +79,7 @@ impl<'a> Assembly<'a> {
             arch: Arch::new(),
             images: surface.images(),
             loaded,
+            bows: bows(surface),
         }
     }
 
@@ -111,6 +117,7 @@ impl Rows<'_> {
         for face in 0..self.assembly.surface.patches.len() {
             strip.integrate(face);
             self.write(face, &strip.sums);
+            self.write_bows(face, strip.bent, &strip.sums.tractions);
         }
         self.write_own(&strip.nodes, &strip.sums.rigid);
         strip.evaluations
@@ -123,7 +130,7 @@ impl Rows<'_> {
         let rows = 9 * BLOCK;
         let all = sums.tractions.chunks_exact(rows).zip(sums.displacements.chunks_exact(rows));
         for ((tractions, displacements), local) in all.zip(&surface.local[face][..count]) {
-            self.write_node(local.node, tractions, 1.0);
+            self.write_node(local.node, tractions, 1.0, DVec3::ONE);
             if !self.assembly.loaded[face] {
                 continue;
             }
@@ -161,19 +168,36 @@ impl Rows<'_> {
         }
     }
 
-    /// Adds what the displacement of a node is multiplied by.
-    fn write_node(&mut self, node: usize, values: &[f64], sign: f64) {
+    /// Takes the integrals with the bows of an element over to the nodes they are found from.
+    fn write_bows(&mut self, face: usize, bent: [bool; BOWS], tractions: &[f64]) {
+        if bent == [false; BOWS] {
+            return;
+        }
+        let rows = 9 * BLOCK;
+        let [along_s, along_t] = [NODES, NODES + 1].map(|row| &tractions[row * rows..][..rows]);
+        let mut values = [0.0; 9 * BLOCK];
+        for share in &self.assembly.bows[face] {
+            let [of_s, of_t] = share.bows;
+            for ((value, s), t) in values.iter_mut().zip(along_s).zip(along_t) {
+                *value = of_s * s + of_t * t;
+            }
+            self.write_node(share.node, &values, 1.0, share.image);
+        }
+    }
+
+    /// Adds what the displacement of an image of a node is multiplied by.
+    fn write_node(&mut self, node: usize, values: &[f64], sign: f64, image: DVec3) {
         let condition = &self.assembly.conditions.nodes[node];
         let first = self.assembly.conditions.columns[node];
         for (direction, unit_vector) in condition.basis.iter().enumerate() {
             match condition.known[direction] {
                 None => {
                     let column = self.matrix.as_mut().col_mut(first + direction);
-                    add(values, *unit_vector, sign, column);
+                    add(values, image * *unit_vector, sign, column);
                 }
                 Some(known) if known.displacement != 0.0 => {
                     let factor = -sign * known.displacement;
-                    add(values, *unit_vector, factor, self.fixed.as_mut().col_mut(0));
+                    add(values, image * *unit_vector, factor, self.fixed.as_mut().col_mut(0));
                 }
                 Some(_) => {}
             }
@@ -189,7 +213,7 @@ impl Rows<'_> {
             for component in 0..9 {
                 own[component * BLOCK + at] = rigid[component * BLOCK + at];
             }
-            self.write_node(node, &own, -1.0);
+            self.write_node(node, &own, -1.0, DVec3::ONE);
             let place = surface.nodes[node];
             for axis in 0..2 {
                 if surface.mirrored[axis] && place[axis] == 0.0 {

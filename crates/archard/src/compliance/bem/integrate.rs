@@ -7,13 +7,15 @@ use glam::DVec3;
 use pulp::{Simd, WithSimd};
 
 use super::blocks::BLOCK;
-use super::element::evaluate;
+use super::element::{BOWS, evaluate};
 use super::kelvin::{ALL, DISPLACEMENT, Kelvin, TRACTIONS};
 use super::patch::Patch;
 use super::rules::Places;
 
 /// Places evaluated before their values are multiplied by the shape functions.
 const CHUNK: usize = 16;
+/// Nodes of an element, at most.
+pub(super) const NODES: usize = 4;
 
 /// A place on an element in space.
 #[derive(Debug, Clone, Copy)]
@@ -22,7 +24,8 @@ pub(super) struct Spot {
     /// Outward, of the length of the area it stands for.
     area_vector: [f64; 3],
     area: f64,
-    shape: [f64; 4],
+    /// Of the nodes, then of the bows.
+    shape: [f64; NODES + BOWS],
 }
 
 impl Spot {
@@ -31,9 +34,12 @@ impl Spot {
         spots.clear();
         for ((&s, &t), weight) in places.s.iter().zip(&places.t).zip(&places.weight) {
             let area_vector = *weight * patch.area_vector([s, t]);
-            let mut shape = [0.0; 4];
+            let mut shape = [0.0; NODES + BOWS];
             for (shape, polynomial) in shape.iter_mut().zip(patch.element.shape) {
                 *shape = evaluate(polynomial, [s, t]);
+            }
+            if let Some(square) = patch.element.bow {
+                shape[NODES..].copy_from_slice(&[s, t].map(|at| 0.5 * (at * at - square)));
             }
             spots.push(Self {
                 place: patch.at([s, t]).into(),
@@ -53,6 +59,8 @@ pub(super) struct Tile<'a> {
     pub spots: &'a [Spot],
     /// Shape functions in use, three or four.
     pub nodes: usize,
+    /// Which of the bows are wanted, too.
+    pub bows: [bool; BOWS],
     /// Whether the displacements are wanted beside the tractions.
     pub displacement: bool,
     /// The planes the points were mirrored at: -1 along their normals.
@@ -60,8 +68,8 @@ pub(super) struct Tile<'a> {
     pub sums: Sums<'a>,
 }
 
-/// What integrals are added to, a value a point and [`BLOCK`] of them in a row: a row for each node and
-/// component xx, xy, xz, yx, ...
+/// What integrals are added to, a value a point and [`BLOCK`] of them in a row: a row for each node,
+/// then for each bow, and component xx, xy, xz, yx, ...
 pub(super) struct Sums<'a> {
     pub tractions: &'a mut [f64],
     pub displacements: &'a mut [f64],
@@ -72,14 +80,14 @@ pub(super) struct Sums<'a> {
 }
 
 /// Values of the kernel at the places of a chunk, in the widest vectors there are, and what they come from.
-pub(super) const SCRATCH: usize = 8 * CHUNK * (ALL + 4);
+pub(super) const SCRATCH: usize = 8 * CHUNK * (ALL + NODES + BOWS);
 
 impl WithSimd for Tile<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { kelvin, points, spots, nodes, displacement, image, sums } = self;
+        let Self { kelvin, points, spots, nodes, bows, displacement, image, sums } = self;
         let lanes = kelvin.lanes(simd);
         let x = S::as_simd_f64s(points[0]).0;
         let y = S::as_simd_f64s(points[1]).0;
@@ -114,9 +122,10 @@ impl WithSimd for Tile<'_> {
                 }
                 let values = &values[..spots.len()];
                 let mut total = [zero; TRACTIONS];
-                for node in 0..nodes {
-                    let shape = |spot: usize| simd.splat_f64s(spots[spot].shape[node]);
-                    let first = 9 * node * stride + point;
+                let bent = (0..BOWS).filter(|&bow| bows[bow]).map(|bow| NODES + bow);
+                for row in (0..nodes).chain(bent) {
+                    let shape = |spot: usize| simd.splat_f64s(spots[spot].shape[row]);
+                    let first = 9 * row * stride + point;
                     let rows = first..first + 8 * stride + 1;
                     let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
                     let tractions = &mut tractions[rows.clone()];
@@ -124,6 +133,11 @@ impl WithSimd for Tile<'_> {
                         let sign = simd.splat_f64s(image[component / 3]);
                         let sum = &mut tractions[component * stride];
                         *sum = simd.mul_add_e_f64s(sign, products[component], *sum);
+                    }
+                    if row >= NODES {
+                        continue;
+                    }
+                    for component in 0..9 {
                         total[component] = simd.add_f64s(total[component], products[component]);
                     }
                     if displacement {
@@ -167,8 +181,8 @@ fn weighted<S: Simd, const ROWS: usize>(
     sums
 }
 
-/// The integrals for each node and each row of the kernel.
-pub(super) type Integrals = [[f64; ALL]; 4];
+/// The integrals for each node, then each bow, and each row of the kernel; those of bows of tractions only.
+pub(super) type Integrals = [[f64; ALL]; NODES + BOWS];
 
 /// One point against many places.
 pub(super) struct Beam<'a> {
@@ -205,9 +219,12 @@ impl WithSimd for Beam<'_> {
         let s = S::as_simd_f64s(&self.places.s).0;
         let t = S::as_simd_f64s(&self.places.t).0;
         let weight = S::as_simd_f64s(&self.places.weight).0;
-        let mut sums = [[zero; ALL]; 4];
+        let mut sums = [[zero; ALL]; NODES + BOWS];
+        let bow = self.patch.element.bow.map(|square| simd.splat_f64s(-0.5 * square));
+        let half = simd.splat_f64s(0.5);
         let (values, shapes) = S::as_mut_simd_f64s(self.scratch).0.split_at_mut(CHUNK * ALL);
-        let (values, shapes) = (values.as_chunks_mut::<ALL>().0, shapes.as_chunks_mut::<4>().0);
+        let (values, shapes) =
+            (values.as_chunks_mut::<ALL>().0, shapes.as_chunks_mut::<{ NODES + BOWS }>().0);
         for ((s, t), weight) in s.chunks(CHUNK).zip(t.chunks(CHUNK)).zip(weight.chunks(CHUNK)) {
             for place in 0..s.len() {
                 let (s, t, weight) = (s[place], t[place], weight[place]);
@@ -240,15 +257,21 @@ impl WithSimd for Beam<'_> {
                     let share = simd.mul_add_e_f64s(*along_t, t, share);
                     *shape = simd.mul_add_e_f64s(*along_both, both, share);
                 }
+                if let Some(constant) = bow {
+                    for (shape, at) in shapes[place][NODES..].iter_mut().zip([s, t]) {
+                        *shape = simd.mul_add_e_f64s(simd.mul_f64s(half, at), at, constant);
+                    }
+                }
             }
             let (values, shapes) = (&values[..s.len()], &shapes[..s.len()]);
-            for (node, sums) in sums.iter_mut().enumerate().take(nodes) {
-                let shape = |place: usize| shapes[place][node];
+            let bent = NODES..if bow.is_some() { NODES + BOWS } else { NODES };
+            for row in (0..nodes).chain(bent) {
+                let (shape, sums) = (|place: usize| shapes[place][row], &mut sums[row]);
                 let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
                 for (sum, product) in sums.iter_mut().zip(&products) {
                     *sum = simd.add_f64s(*sum, *product);
                 }
-                if self.displacement {
+                if self.displacement && row < NODES {
                     let products: [_; ALL - TRACTIONS] = weighted(simd, values, TRACTIONS, shape);
                     for (sum, product) in sums[TRACTIONS..].iter_mut().zip(&products) {
                         *sum = simd.add_f64s(*sum, *product);
@@ -256,7 +279,7 @@ impl WithSimd for Beam<'_> {
                 }
             }
         }
-        let mut integrals = [[0.0; ALL]; 4];
+        let mut integrals = [[0.0; ALL]; NODES + BOWS];
         for (integrals, sums) in integrals.iter_mut().zip(&sums) {
             for (integral, sum) in integrals.iter_mut().zip(sums) {
                 *integral = simd.reduce_sum_f64s(*sum);

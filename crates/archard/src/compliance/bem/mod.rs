@@ -4,6 +4,7 @@
 mod alone;
 mod assemble;
 mod blocks;
+mod bows;
 mod conditions;
 pub mod contact;
 pub mod element;

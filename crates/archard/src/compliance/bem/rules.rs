@@ -13,7 +13,7 @@ use super::patch::{Patch, distance};
 use crate::numerics::quadrature::gauss_legendre;
 
 /// Least and largest order of a rule.
-const ORDERS: (usize, usize) = (2, 24);
+pub(super) const ORDERS: (usize, usize) = (2, 24);
 /// What a rule has to meet of the tolerance, for the sum of all integrals to meet it.
 const SAFETY: f64 = 0.05;
 /// Order along the distance of polar coordinates, where integrands are polynomials on parallelograms.

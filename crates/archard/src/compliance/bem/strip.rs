@@ -8,9 +8,10 @@ use glam::DVec3;
 
 use super::assemble::Assembly;
 use super::blocks::BLOCK;
-use super::integrate::{Beam, Integrals, SCRATCH, Spot, Sums, Tile};
+use super::element::BOWS;
+use super::integrate::{Beam, Integrals, NODES, SCRATCH, Spot, Sums, Tile};
 use super::kelvin::{DISPLACEMENT, Evaluations};
-use super::rules::{Places, Rules};
+use super::rules::{ORDERS, Places, Rules};
 
 /// Nodes below which each does better against many places at once than all against one place.
 const FEW: usize = 3;
@@ -27,6 +28,8 @@ pub(super) struct Strip<'a> {
     radius: f64,
     /// Integrals over the last element; what a rigid displacement makes of those so far.
     pub sums: Stock,
+    /// Whether there are integrals with each bow among them.
+    pub bent: [bool; BOWS],
     /// Those of some of the nodes on their way there.
     some: Stock,
     /// Nodes near to an element, by the orders of their rules.
@@ -76,7 +79,7 @@ impl Stock {
     pub fn new() -> Self {
         let zeros = |rows: usize| vec![0.0; rows * BLOCK];
         let scratch = vec![0.0; SCRATCH];
-        Self { tractions: zeros(36), displacements: zeros(36), rigid: zeros(9), scratch }
+        Self { tractions: zeros(54), displacements: zeros(36), rigid: zeros(9), scratch }
     }
 
     /// Makes the first values of all rows zero.
@@ -120,6 +123,7 @@ impl<'a> Strip<'a> {
             centre,
             radius,
             sums: Stock::new(),
+            bent: [false; BOWS],
             some: Stock::new(),
             near: vec![],
             places: Places::default(),
@@ -131,6 +135,7 @@ impl<'a> Strip<'a> {
     /// Integrates over an element, seen from all images of the nodes.
     pub fn integrate(&mut self, face: usize) {
         self.sums.tractions.fill(0.0);
+        self.bent = [false; BOWS];
         if self.assembly.loaded[face] {
             self.sums.displacements.fill(0.0);
         }
@@ -192,6 +197,10 @@ impl<'a> Strip<'a> {
         if let Some(some) = &some {
             points = some;
         }
+        // The two places of the least rule are those of the nodes, where bows are zero.
+        let has_bows = !self.assembly.bows[face].is_empty();
+        let bows = orders.map(|order| has_bows && order > ORDERS.0);
+        (0..BOWS).for_each(|bow| self.bent[bow] |= bows[bow]);
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(width * self.spots.len(), displacement);
         let sums = match group {
@@ -206,6 +215,7 @@ impl<'a> Strip<'a> {
             points: points.up_to(width),
             spots: &self.spots,
             nodes: patch.element.nodes.len(),
+            bows,
             displacement,
             image: self.assembly.images[image].to_array(),
             sums: sums.lend(),
@@ -228,6 +238,7 @@ impl<'a> Strip<'a> {
             }
         }
         self.places.pad();
+        self.bent = [!self.assembly.bows[face].is_empty(); BOWS];
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(self.places.len(), displacement);
         let kelvin = self.assembly.kelvin;
@@ -247,6 +258,12 @@ impl<'a> Strip<'a> {
                         self.sums.rigid[component * BLOCK + at] += mirror * values[component];
                     }
                 }
+            }
+        }
+        for (row, values) in integrals.iter().enumerate().skip(NODES) {
+            for component in 0..9 {
+                let slot = (9 * row + component) * BLOCK + at;
+                self.sums.tractions[slot] += image[component / 3] * values[component];
             }
         }
     }

@@ -23,7 +23,8 @@ mod tests;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
-use super::element::evaluate;
+use super::bows::{Share, bows};
+use super::element::{BOWS, evaluate};
 use super::rules::{Places, Rules};
 use super::solid::Boundary;
 use super::surface::Surface;
@@ -68,6 +69,8 @@ pub struct Interior<'a> {
     kernels: Kernels,
     rules: Rules,
     slopes: Vec<Option<Fit>>,
+    /// Second derivatives of the displacement of each element along s and t.
+    bends: Vec<[DVec3; BOWS]>,
 }
 
 impl<'a> Interior<'a> {
@@ -85,6 +88,7 @@ impl<'a> Interior<'a> {
             kernels: Kernels::new(material),
             rules: Rules::new(tolerance),
             slopes: vec![None; surface.patches.len()],
+            bends: bows(surface).iter().map(|shares| bends(shares, boundary)).collect(),
         };
         let middle = |face: usize| surface.patches[face].middle_reference();
         let gradients: Vec<DMat3> = (0..surface.patches.len())
@@ -176,6 +180,11 @@ impl<'a> Interior<'a> {
             values[0] += share * self.boundary.displacement[local.node];
             values[1] += share * self.boundary.traction[local.traction];
         }
+        if let Some(square) = self.surface.patches[face].element.bow {
+            for (bend, at) in self.bends[face].iter().zip(at) {
+                values[0] += 0.5 * (at * at - square) * *bend;
+            }
+        }
         values
     }
 
@@ -200,6 +209,9 @@ impl<'a> Interior<'a> {
             let value = self.boundary.displacement[local.node];
             slopes[0] += (s + both * at[1]) * value;
             slopes[1] += (t + both * at[0]) * value;
+        }
+        for bow in 0..BOWS {
+            slopes[bow] += at[bow] * self.bends[face][bow];
         }
         slopes
     }
@@ -244,6 +256,17 @@ impl<'a> Interior<'a> {
             parts.iter().fold([DMat3::ZERO; 2], |sum, part| [sum[0] + part[0], sum[1] + part[1]]);
         Response { displacement: fitted.at(point) + sum[0].x_axis, stress: stress + sum[1] }
     }
+}
+
+/// Second derivatives of a displacement from those of the nodes around.
+fn bends(shares: &[Share], boundary: &Boundary) -> [DVec3; BOWS] {
+    let mut bends = [DVec3::ZERO; BOWS];
+    for Share { node, image, bows } in shares {
+        for (bend, share) in bends.iter_mut().zip(bows) {
+            *bend += *share * *image * boundary.displacement[*node];
+        }
+    }
+    bends
 }
 
 impl Surface {

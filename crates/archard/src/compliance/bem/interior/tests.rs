@@ -132,15 +132,23 @@ fn errors(divisions: usize, interpolation: Interpolation) -> [f64; 2] {
     })
 }
 
-/// Displacements are of second order; the errors of stresses, of which the largest is 1, stay small near edges and
-/// corners.
+/// Displacements of continuous elements are of second order, and the errors of stresses, of which the largest is 1, stay
+/// small near edges and corners; discontinuous elements with their second derivatives meet both to the tolerance.
 #[test]
 fn bending_is_met_at_any_depth() {
     for interpolation in [Interpolation::Continuous, Interpolation::Discontinuous] {
         let (coarse, fine) = (errors(4, interpolation), errors(8, interpolation));
         let order = (coarse[0] / fine[0]).log2();
         let which = format!("{interpolation:?} {coarse:?} {fine:?}");
-        assert!(order > 1.9, "{which}");
-        assert!(coarse[1] < 0.02 && fine[1] < coarse[1] && fine[1] < 0.01, "{which}");
+        let largest = |errors: [f64; 2]| errors[0].max(errors[1]);
+        match interpolation {
+            Interpolation::Continuous => {
+                assert!(order > 1.9, "{which}");
+                assert!(coarse[1] < 0.02 && fine[1] < 0.5 * coarse[1], "{which}");
+            }
+            Interpolation::Discontinuous => {
+                assert!(largest(coarse) < 1e-6 && largest(fine) < 1e-6, "{which}");
+            }
+        }
     }
 }
