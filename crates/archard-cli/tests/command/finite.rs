@@ -108,7 +108,7 @@ fn check_compares_a_meshed_body_with_a_half_space() {
     for line in [
         "Hertz contact     radius 83.7 mm",
         "% of the approach where `block` ends, 500 mm away",
-        "half-space        in place of `block`: about 1.3 % more approach",
+        "half-space        in place of `block`: about 1.2 % more approach",
         "of `block`\n",
         "pairs             400\n",
         "No warnings.",
