@@ -67,7 +67,7 @@ fn two_blocks_share_what_one_takes_alone() {
 }
 
 /// The surface of a block is drawn in under a smooth pressure as a half-space is, and what its sides and bottom add
-/// changes slowly: nothing of it alternates from pair to pair.
+/// changes slowly: nothing of it alternates from pair to pair. Without second derivatives 1.0 % of it does.
 #[test]
 fn tangential_displacements_under_a_smooth_pressure_are_smooth() {
     let elements = "body.block.mesh.box.contact.elements=[16, 16]";
@@ -95,7 +95,8 @@ fn tangential_displacements_under_a_smooth_pressure_are_smooth() {
     }
     row.sort_by(|a, b| a.0.total_cmp(&b.0));
     assert_eq!(row.len(), 16);
-    for [(x0, u0), (x1, u1), (x2, u2)] in row.array_windows() {
+    for three in row.windows(3) {
+        let [(x0, u0), (x1, u1), (x2, u2)] = [three[0], three[1], three[2]];
         let line = u0 + (u2 - u0) * (x1 - x0) / (x2 - x0);
         alternation = alternation.max((u1 - line).abs() / largest);
     }
