@@ -67,6 +67,7 @@ pub mod problem;
 pub mod simulation;
 pub mod solve;
 pub mod units;
+pub mod verdict;
 pub mod wear;
 
 pub use body::Body;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 /// The modules of the library from the ground up; those of one layer do not see each other.
 const LAYERS: &[&[&str]] = &[
-    &["numerics", "parameters", "units"],
+    &["numerics", "parameters", "units", "verdict"],
     &["wear", "friction"],
     &["body"],
     &["frame", "closed_form"],

@@ -1,0 +1,55 @@
+//! Whether a result can be believed: a few lines, each with a number, its bound and a word.
+//!
+//! Every line compares what came out with what was *prescribed*, or with an independent estimate. The
+//! bounds stand here and nowhere else. A wrong line fails a run, a doubtful one is a warning. What a line
+//! is judged by is a plain number, so that a forecast, a run and a reader of results share the judgement.
+
+mod bounds;
+mod line;
+
+pub use bounds::load;
+pub use line::{Bound, Line, Word};
+
+/// The lines of a run, in the order in which they are read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Verdict {
+    /// What was judged.
+    pub lines: Vec<Line>,
+}
+
+impl Verdict {
+    /// The worst word of all lines; good where there are none.
+    pub fn word(&self) -> Word {
+        self.lines.iter().map(Line::word).max().unwrap_or(Word::Good)
+    }
+
+    /// The lines that are not good, in words.
+    pub fn complaints(&self) -> impl Iterator<Item = &Line> {
+        self.lines.iter().filter(|line| line.word() != Word::Good)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bound, Line, Verdict, Word};
+
+    fn line(value: f64) -> Line {
+        Line::new("load", value, Bound::AtMost([0.1, 0.2]), "carried")
+    }
+
+    #[test]
+    fn the_worst_line_counts_and_what_is_not_finite_is_wrong() {
+        let verdict =
+            |values: &[f64]| Verdict { lines: values.iter().copied().map(line).collect() };
+        assert_eq!(verdict(&[]).word(), Word::Good);
+        assert_eq!(verdict(&[0.1, 0.15]).word(), Word::Doubtful);
+        assert_eq!(verdict(&[0.15, 0.25, 0.0]).word(), Word::Wrong);
+        assert_eq!(verdict(&[f64::NAN]).word(), Word::Wrong);
+        let least = |value| Line::new("elements", value, Bound::AtLeast([8.0, 2.0]), "across");
+        assert_eq!(
+            [9.0, 5.0, 1.0].map(|value| least(value).word()),
+            [Word::Good, Word::Doubtful, Word::Wrong]
+        );
+        assert_eq!(least(f64::NAN).word(), Word::Wrong);
+    }
+}
