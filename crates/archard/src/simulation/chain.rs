@@ -6,7 +6,7 @@ use crate::compliance::Compliance;
 use crate::kinematics::Control;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::solve::{Outcome, Start, Status, Step};
+use crate::solve::{self, Outcome, Start, Status, Step};
 use crate::wear::Rubbing;
 
 /// Bound on the disagreement between a wear law and its linearisation, relative to the depth worn.
@@ -197,9 +197,9 @@ impl Chain {
             measure: problem.frame.measure(),
             control: leg.control,
         };
-        let ContactState { pressure, approach, load, .. } = &self.state;
+        let ContactState { pressure, approach, .. } = &self.state;
         let start = Start { pressure, displacement: &self.displacement, approach: *approach };
-        let outcome = simulation.solver.solve(&step, (*load > 0.0).then_some(start));
+        let outcome = solve::press(&*simulation.solver, &step, Some(start));
         effort.solves += 1;
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;

@@ -47,7 +47,7 @@ impl ConjugateGradient {
             let residual = iteration.balance();
             let status = if residual <= self.settings.tolerance {
                 iteration.converged()
-            } else if iteration.count == self.settings.max_iterations {
+            } else if iteration.count == self.settings.max_iterations || residual.is_nan() {
                 Status::OutOfIterations
             } else {
                 iteration.advance();
@@ -244,7 +244,8 @@ impl<'a> Iteration<'a> {
                 [weight * (-overlap * direction), weight * curvature]
             },
         );
-        let length = slope / curvature;
+        // A pair alone under a load has no direction to go: those that overlap beside it join it next.
+        let length = if curvature > 0.0 { slope / curvature } else { 0.0 };
         let [cut] = sweep(
             [&mut self.pressure, &mut self.displacement],
             [&self.direction, &self.response],

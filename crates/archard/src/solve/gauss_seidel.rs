@@ -47,7 +47,7 @@ impl Solver for GaussSeidel {
                 }
                 let status = if residual <= self.settings.tolerance {
                     sweeps.converged()
-                } else if count >= self.settings.max_iterations {
+                } else if count >= self.settings.max_iterations || residual.is_nan() {
                     Status::OutOfIterations
                 } else {
                     count += 1;
@@ -130,6 +130,11 @@ impl<'a> Sweeps<'a> {
             Control::Approach(approach) => self.approach = approach,
             Control::Load(load) => {
                 let measure = self.step.measure;
+                if measure.load(&self.pressure) <= 0.0 {
+                    // The sweep has parted the bodies: on from where they touch.
+                    (self.pressure, self.approach) = first_guess(self.step);
+                    self.refresh();
+                }
                 let factor = load / measure.load(&self.pressure);
                 update(&mut self.pressure, [], |pressure, []| factor * pressure);
                 update(&mut self.displacement, [], |displacement, []| factor * displacement);

@@ -9,6 +9,7 @@
 //!
 //! A new solver is one file here and one line in [`SOLVERS`].
 
+mod accept;
 mod active_set;
 mod conjugate_gradient;
 mod gauss_seidel;
@@ -19,6 +20,8 @@ pub mod tangential;
 mod uzawa;
 
 use std::fmt::Debug;
+
+pub use accept::press;
 
 use crate::compliance::Compliance;
 use crate::frame::Measure;

@@ -27,7 +27,11 @@ impl Measure {
     /// g >= 0 and p g = 0; up to rounding.
     pub fn violation(self, pressure: f64, gap: f64, addition: f64) -> f64 {
         let own = self.own + addition;
-        (pressure.min(gap / own).abs() - self.rounding / own).max(0.0)
+        let overlap = gap / own;
+        // What is not a number stays so: `min` and `max` would hide it.
+        let lower = if pressure < overlap { pressure } else { overlap };
+        let beyond = lower.abs() - self.rounding / own;
+        if beyond < 0.0 { 0.0 } else { beyond }
     }
 
     /// Violations of all pairs relative to their pressures (2-norms over the area).
@@ -47,6 +51,27 @@ impl Measure {
     /// The residual from the sums of squares. Bodies apart have none; overlaps without any pressure,
     /// one without bound.
     pub fn relative(violations: f64, pressures: f64) -> f64 {
-        if violations == 0.0 { 0.0 } else { (violations / pressures).sqrt() }
+        if violations == 0.0 && pressures.is_finite() { 0.0 } else { (violations / pressures).sqrt() }
+    }
+}
+
+/// The larger of two residuals; what is not a number is worse than any.
+pub(super) fn worse(one: f64, other: f64) -> f64 {
+    if one > other || one.is_nan() { one } else { other }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Measure, worse};
+
+    #[test]
+    fn what_is_not_a_number_is_never_solved() {
+        let measure = Measure { own: 1.0, rounding: 0.0 };
+        assert!(measure.violation(1.0, f64::NAN, 0.0).is_nan());
+        assert!(Measure::relative(0.0, f64::NAN).is_nan());
+        assert_eq!(Measure::relative(0.0, 0.0), 0.0);
+        assert_eq!(Measure::relative(1.0, 0.0), f64::INFINITY);
+        assert!(worse(f64::NAN, 1.0).is_nan() && worse(1.0, f64::NAN).is_nan());
+        assert_eq!((worse(1.0, 2.0), worse(2.0, 1.0)), (2.0, 2.0));
     }
 }

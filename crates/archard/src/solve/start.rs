@@ -38,6 +38,10 @@ pub(super) fn first_guess(step: &Step<'_>) -> (Vec<f64>, f64) {
             high
         }
     };
+    if let (true, Control::Load(_)) = (edge <= 0.0, step.control) {
+        // Even gaps: all of them bear the load.
+        return (map([step.gap], |[gap]| f64::from(gap <= lowest)), lowest);
+    }
     if edge <= 0.0 {
         return (vec![0.0; step.gap.len()], lowest + 2.0 * edge);
     }

@@ -94,7 +94,7 @@ impl<'a> Iteration<'a> {
             let residual = Measure::of(self.step).residual(self.step, &self.pressure, &self.gap);
             let status = if residual <= self.settings.tolerance {
                 Status::Converged
-            } else if self.count >= self.settings.max_iterations {
+            } else if self.count >= self.settings.max_iterations || residual.is_nan() {
                 Status::OutOfIterations
             } else {
                 self.count += 1;

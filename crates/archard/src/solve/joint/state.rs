@@ -5,6 +5,7 @@ use crate::frame::VectorField;
 use crate::friction::onto_disc;
 use crate::kinematics::Control;
 use crate::numerics::vector::map;
+use crate::solve::residual::worse;
 
 /// Where body 2 moves as the bodies approach, in the axes of the frame.
 pub(super) const APPROACH: [f64; 3] = [0.0, 0.0, -1.0];
@@ -98,8 +99,10 @@ impl State {
         let measure = step.frame.measure();
         for pair in 0..n.len() {
             let (pressure, weight) = (-n[pair], measure.weight.at(pair));
-            let violation = pressure.min(self.gap[pair] / self.own[0]).abs();
-            off += weight * (violation - rounding).max(0.0).powi(2);
+            let overlap = self.gap[pair] / self.own[0];
+            // What is not a number stays so.
+            let beyond = if pressure < overlap { pressure } else { overlap }.abs() - rounding;
+            off += weight * if beyond < 0.0 { 0.0 } else { beyond.powi(2) };
             pressed += weight * (pressure * pressure);
             total += weight * pressure.abs();
             let limit = step.friction.limit(pressure.max(0.0));
@@ -115,10 +118,9 @@ impl State {
         let (load, forces) = self.missing(step);
         let load = relative(load.unwrap_or(0.0).abs(), total * area);
         let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();
-        relative(off.sqrt(), pressed.sqrt())
-            .max(relative(beside.sqrt(), borne.sqrt()))
-            .max(load)
-            .max(relative(force, held * area))
+        let parts =
+            [relative(beside.sqrt(), borne.sqrt()), load, relative(force, held * area)];
+        parts.into_iter().fold(relative(off.sqrt(), pressed.sqrt()), worse)
     }
 
     /// How it would end: solved to a tolerance, cut off by the frame, or not solved.

@@ -43,7 +43,7 @@ impl FrictionSolver for ProjectionContraction {
                 let residual = pairs.residual(&iteration.state);
                 let status = if residual <= self.settings.tolerance {
                     Status::Converged
-                } else if count == self.settings.max_iterations {
+                } else if count == self.settings.max_iterations || residual.is_nan() {
                     Status::OutOfIterations
                 } else {
                     count += 1;

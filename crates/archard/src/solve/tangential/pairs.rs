@@ -4,6 +4,7 @@ use super::{Outcome, Start, Status, Step};
 use crate::compliance::Rub;
 use crate::friction::onto_disc;
 use crate::numerics::vector::sum;
+use crate::solve::residual::worse;
 
 /// How near its limit a traction of an earlier solution is where pairs slip, relative to it.
 const SLIPS: f64 = 1e-3;
@@ -43,7 +44,7 @@ pub(super) struct State {
 
 impl<'a> Pairs<'a> {
     pub fn of(step: &'a Step<'a>) -> Self {
-        let places: Vec<usize> = (0..step.limit.len()).filter(|&i| step.limit[i] > 0.0).collect();
+        let places: Vec<usize> = (0..step.limit.len()).filter(|&i| step.limit[i] != 0.0).collect();
         let limit: Vec<f64> = places.iter().map(|&place| step.limit[place]).collect();
         let rigid = step.rigid.iter().flat_map(|rigid| places.iter().map(|&place| rigid[place]));
         let weights = [0, 1].into_iter().flat_map(|_| places.iter());
@@ -178,7 +179,8 @@ impl<'a> Pairs<'a> {
         });
         let missing = self.missing(&state.traction);
         let missing = missing.iter().map(|force| force * force).sum::<f64>().sqrt();
-        if self.norm > 0.0 { (squares.sqrt() / self.norm).max(missing / self.force) } else { 0.0 }
+        let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
+        worse(relative(squares.sqrt(), self.norm), relative(missing, self.force))
     }
 
     /// The solution on the whole frame.

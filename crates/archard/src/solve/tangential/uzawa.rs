@@ -51,7 +51,7 @@ impl Uzawa {
             let residual = pairs.residual(&state);
             let status = if residual <= self.settings.tolerance {
                 Status::Converged
-            } else if count == self.settings.max_iterations {
+            } else if count == self.settings.max_iterations || residual.is_nan() {
                 Status::OutOfIterations
             } else {
                 count += 1;
