@@ -25,6 +25,8 @@ const AIM: f64 = 0.9;
 const LAG: f64 = 0.7;
 /// Bounds on the change of the step from one to the next.
 const CHANGE: (f64, f64) = (0.2, 2.0);
+/// Share of a step whose contact was not found that is tried next.
+const SHORTER: f64 = 0.25;
 /// Smallest step, relative to the extent of the motion.
 const SMALLEST: f64 = 1e-10;
 
@@ -120,10 +122,17 @@ impl Adaptive {
         loop {
             let progress = self.fine.state.progress;
             let length = landing(self.step, target - progress);
-            let trial = self.attempt(simulation, length, effort)?;
+            let smallest = SMALLEST * simulation.schedule.extent;
+            let trial = match self.attempt(simulation, length, effort) {
+                Err(error) if error.is_of_length() && SHORTER * length >= smallest => {
+                    effort.rejected += 1;
+                    self.step = SHORTER * length;
+                    continue;
+                }
+                attempt => attempt?,
+            };
             let excess = trial.excess(self.tolerance);
             let change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
-            let smallest = SMALLEST * simulation.schedule.extent;
             if excess <= 1.0 {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
                 let next = if shortened { self.step.max(change * length) } else { change * length };

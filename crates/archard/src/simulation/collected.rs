@@ -26,18 +26,21 @@ pub(super) struct Collected {
 impl Collected {
     pub fn of(state: &ContactState, problem: &ContactProblem, flow: Flow<'_>) -> Self {
         let pressure = &state.pressure;
-        let slip = state.tangential.as_ref().map(|tangential| &tangential.slip);
         let weight = problem.frame.measure().weight;
         let means = flow.on_the_way(pressure);
-        let scale = if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, &means) };
+        let slips = rubbed_slip(state, problem, flow, &means);
+        let scale =
+            if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
         for plane in flow.planes().iter() {
             let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
             for &Passage { pair, share, times } in &plane.passages {
                 let mean = means[pair];
                 sum += share * weight.at(pair) * pressure[pair];
-                let Some(slip) = slip.filter(|_| mean > 0.0) else { continue };
-                let rubbing = Rubbing { pressure: mean, slip: slip[0][pair].hypot(slip[1][pair]) };
+                if mean <= 0.0 {
+                    continue;
+                }
+                let rubbing = Rubbing { pressure: mean, slip: slips[pair] };
                 let times = scale * times;
                 let worn = problem.wear_depths(rubbing);
                 depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
@@ -72,13 +75,35 @@ impl Collected {
     }
 }
 
+/// Distance (m) that particles slide under the limit of friction on the passage to each pair: the work of the tractions
+/// on the slip over the limit. Where they slip all the way it is the slip; the element in which they pass from stick
+/// to slip, and the one in which they leave the contact, count by the part that slips.
+fn rubbed_slip(
+    state: &ContactState,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+    means: &[f64],
+) -> Vec<f64> {
+    let Some(tangential) = &state.tangential else { return vec![0.0; means.len()] };
+    let [x, y] = &tangential.slip;
+    let whole = |pair: usize| x[pair].hypot(y[pair]);
+    let Some(friction) = &problem.friction else { return (0..means.len()).map(whole).collect() };
+    let [one, two] = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
+    let part = |pair: usize| {
+        let limit = friction.limit(means[pair].max(0.0));
+        let work = one[pair] * x[pair] + two[pair] * y[pair];
+        if limit > 0.0 { (work / limit).clamp(0.0, whole(pair)) } else { whole(pair) }
+    };
+    (0..means.len()).map(part).collect()
+}
+
 /// Work of the rigid slip on the tractions relative to that of friction on the slip: one for the bodies themselves,
 /// more where a derivative on scattered pairs diffuses the displacements.
 fn work_ratio(
     state: &ContactState,
     problem: &ContactProblem,
     flow: Flow<'_>,
-    means: &[f64],
+    [means, rubbed]: [&[f64]; 2],
 ) -> f64 {
     let (Some(tangential), Some(friction)) = (&state.tangential, &problem.friction) else {
         return 1.0;
@@ -93,10 +118,8 @@ fn work_ratio(
             |axis: usize| tangential.traction[axis][pair] * (slips(pair)[axis] + taken[axis][pair]);
         problem.frame.area(pair) * (works(0) + works(1))
     };
-    let rubbed = |one: &Passage| {
-        let [x, y] = slips(one.pair);
-        one.times * friction.limit(means[one.pair].max(0.0)) * x.hypot(y)
-    };
+    let rubbed =
+        |one: &Passage| one.times * friction.limit(means[one.pair].max(0.0)) * rubbed[one.pair];
     let rigid: f64 = (0..means.len()).map(rigid).sum();
     let planes = flow.planes();
     let rubbed = planes.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());

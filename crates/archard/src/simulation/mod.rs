@@ -196,3 +196,15 @@ pub enum Error {
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),
 }
+
+impl Error {
+    /// Whether a shorter step, or jump, may do: it was a solve that did not come to an end.
+    pub(crate) fn is_of_length(&self) -> bool {
+        matches!(
+            self,
+            Self::NotConverged { .. }
+                | Self::FrictionNotConverged { .. }
+                | Self::NotConsistent { .. }
+        )
+    }
+}

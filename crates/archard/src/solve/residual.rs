@@ -51,7 +51,11 @@ impl Measure {
     /// The residual from the sums of squares. Bodies apart have none; overlaps without any pressure,
     /// one without bound.
     pub fn relative(violations: f64, pressures: f64) -> f64 {
-        if violations == 0.0 && pressures.is_finite() { 0.0 } else { (violations / pressures).sqrt() }
+        if violations == 0.0 && pressures.is_finite() {
+            0.0
+        } else {
+            (violations / pressures).sqrt()
+        }
     }
 }
 

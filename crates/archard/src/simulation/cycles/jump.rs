@@ -6,7 +6,7 @@
 //! on the diagonal of the compliance.
 
 use super::rig::Rig;
-use crate::frame::ContactFrame;
+use super::spread::spread;
 use crate::kinematics::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
@@ -61,6 +61,13 @@ impl Wear {
         .map(f64::sqrt)
     }
 
+    /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear.
+    pub fn norm_since(&self, earlier: &Wear) -> f64 {
+        let ([a, b], [c, d]) = (&self.worn, &earlier.worn);
+        let [squares] = sum([a, b, c, d], |[a, b, c, d]| [(a + b - c - d).powi(2)]);
+        squares.sqrt()
+    }
+
     /// 2-norm over the pairs of the depth (m) worn off both bodies.
     pub fn total(&self) -> f64 {
         let [squares] = sum([&self.worn[0], &self.worn[1]], |[a, b]| [(a + b).powi(2)]);
@@ -70,9 +77,19 @@ impl Wear {
 
 impl Rate {
     /// Of the cycle that a rig has gone through, the most pressed instant of which is kept beside it.
-    pub fn of(rig: &Rig, reference: Rig, control: Control, problem: &ContactProblem) -> Self {
+    ///
+    /// `begun` holds the pressures (Pa) at its beginning where that is the same instant, one cycle earlier: a pair
+    /// that has joined since was rubbed for a part of the cycle only, and is given what its neighbours were.
+    pub fn of(
+        rig: &Rig,
+        reference: Rig,
+        begun: Option<&[f64]>,
+        control: Control,
+        problem: &ContactProblem,
+    ) -> Self {
         let pressure = &reference.chain.state.pressure;
         let frame = &problem.frame;
+        let known = rubbed_throughout(pressure, begun);
         let control = match control {
             // On curved frames friction bears a part of the load.
             Control::Load(_) if !frame.is_plane() => Control::Load(frame.measure().load(pressure)),
@@ -86,11 +103,7 @@ impl Rate {
                         if pressure > 0.0 { value / pressure } else { 0.0 }
                     },
                 );
-            if frame.is_grid() {
-                spread(quotient, pressure, frame.elements())
-            } else {
-                spread_to_nearest(quotient, pressure, frame)
-            }
+            spread(quotient, &known, frame)
         };
         let constant = [0, 1].map(|body| {
             let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
@@ -125,7 +138,7 @@ impl Rate {
     }
 
     /// Wear after a number of cycles in a number of steps, while the rate goes evenly from this one to
-    /// another; and by how much, relative to it, the pressures change what is worn on the way.
+    /// another.
     pub fn wear_on(
         &self,
         other: &Rate,
@@ -133,7 +146,7 @@ impl Rate {
         (cycles, steps): (usize, usize),
         simulation: &Simulation,
         effort: &mut Effort,
-    ) -> Result<(Wear, f64), Error> {
+    ) -> Result<Wear, Error> {
         let problem = &simulation.problem;
         let mut chain = self.reference.clone();
         chain.state.worn.clone_from(&start.worn);
@@ -144,7 +157,6 @@ impl Rate {
         let progress = chain.state.progress;
         let leg = Leg { advance: 0.0, progress, control: self.control };
         let length = cycles as f64 / steps as f64;
-        let (mut changed, mut made) = (0.0, 0.0);
         let mut earlier: Option<Vec<f64>> = None;
         for step in 0..steps {
             let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
@@ -154,8 +166,7 @@ impl Rate {
                 [&undeformed, &line.opened, &line.constant[0], &line.constant[1]],
                 |[gap, opened, one, two]| gap + opened + length * (one + two),
             );
-            let before = chain.state.pressure.clone();
-            if let Some(earlier) = earlier.replace(before.clone()) {
+            if let Some(earlier) = earlier.replace(chain.state.pressure.clone()) {
                 chain.foresee(&earlier, problem, effort);
             }
             chain.meet(simulation, leg, &gap, &slope, &*problem.compliance, effort)?;
@@ -173,14 +184,9 @@ impl Rate {
                 });
             wear.load_distance += length * work * measure.area;
             wear.dissipated += length * line.dissipated;
-            let [change, whole] = sum([&slope, &before, pressure], |[slope, before, after]| {
-                [(slope * (after - before)).powi(2), (slope * after).powi(2)]
-            });
-            (changed, made) = (changed + change, made + whole);
         }
         wear.worn = chain.state.worn;
-        let change = if made > 0.0 { steps as f64 * (changed / made).sqrt() } else { 0.0 };
-        Ok((wear, change))
+        Ok(wear)
     }
 }
 
@@ -203,63 +209,24 @@ impl Line {
     }
 }
 
-/// Gives pairs without pressure the mean of their neighbours with one, and so on outwards: they are rubbed
-/// alike once the contact has grown to them.
-fn spread(mut field: Vec<f64>, pressure: &[f64], [nx, ny]: [usize; 2]) -> Vec<f64> {
-    let mut known: Vec<bool> = pressure.iter().map(|&pressure| pressure > 0.0).collect();
-    let mut rim: Vec<usize> = (0..known.len()).filter(|&pair| known[pair]).collect();
-    let neighbours = |pair: usize| {
-        let (x, y) = (pair % nx, pair / nx);
-        let left = (x > 0).then(|| pair - 1);
-        let right = (x + 1 < nx).then(|| pair + 1);
-        let below = (y > 0).then(|| pair - nx);
-        let above = (y + 1 < ny).then(|| pair + nx);
-        [left, right, below, above].into_iter().flatten()
-    };
-    while !rim.is_empty() {
-        let open = rim.iter().flat_map(|&pair| neighbours(pair)).filter(|&pair| !known[pair]);
-        let mut next: Vec<usize> = open.collect();
-        next.sort_unstable();
-        next.dedup();
-        let mean = |&pair: &usize| {
-            let values = neighbours(pair).filter(|&pair| known[pair]).map(|pair| field[pair]);
-            values.clone().sum::<f64>() / values.count() as f64
-        };
-        let values: Vec<f64> = next.iter().map(mean).collect();
-        for (&pair, value) in next.iter().zip(values) {
-            (field[pair], known[pair]) = (value, true);
-        }
-        rim = next;
-    }
-    field
-}
-
-/// The same where pairs have no rows: those without pressure take the value of the nearest with one.
-fn spread_to_nearest(mut field: Vec<f64>, pressure: &[f64], frame: &ContactFrame) -> Vec<f64> {
-    let known: Vec<usize> = (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0).collect();
-    let distance = |pair: usize, other: usize| {
-        let ([x, y], [u, v]) = (frame.place(pair), frame.place(other));
-        (x - u).hypot(y - v).hypot(frame.height(pair) - frame.height(other))
-    };
-    for pair in (0..pressure.len()).filter(|&pair| pressure[pair] <= 0.0) {
-        let nearest =
-            known.iter().min_by(|&&a, &&b| distance(pair, a).total_cmp(&distance(pair, b)));
-        if let Some(&nearest) = nearest {
-            field[pair] = field[nearest];
-        }
-    }
-    field
+/// Which pairs were under pressure from the beginning of the cycle on; all under pressure where none were.
+fn rubbed_throughout(pressure: &[f64], begun: Option<&[f64]>) -> Vec<bool> {
+    let pressed = |pressure: &[f64]| -> Vec<bool> { pressure.iter().map(|&p| p > 0.0).collect() };
+    let now = pressed(pressure);
+    let Some(begun) = begun else { return now };
+    let both: Vec<bool> = pressed(begun).iter().zip(&now).map(|(one, two)| *one && *two).collect();
+    if both.contains(&true) { both } else { now }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::spread;
+    use super::rubbed_throughout;
 
     #[test]
-    fn the_rim_goes_outwards() {
-        let field = vec![0.0, 2.0, 4.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        let pressure = [0.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
-        assert_eq!(spread(field, &pressure, [4, 2]), [2.0, 2.0, 4.0, 4.0, 2.0, 2.0, 4.0, 4.0]);
-        assert_eq!(spread(vec![0.0; 4], &[0.0; 4], [2, 2]), [0.0; 4]);
+    fn what_joined_in_the_cycle_is_not_known() {
+        let now = [0.0, 1.0, 2.0];
+        assert_eq!(rubbed_throughout(&now, Some(&[0.0, 0.0, 3.0])), [false, false, true]);
+        assert_eq!(rubbed_throughout(&now, Some(&[1.0, 0.0, 0.0])), [false, true, true]);
+        assert_eq!(rubbed_throughout(&now, None), [false, true, true]);
     }
 }

@@ -3,7 +3,9 @@
 mod jump;
 mod rig;
 mod rubbing;
+mod spread;
 mod stride;
+mod touch;
 mod unlike;
 
 use super::{Effort, Error, Observer, Report, Simulation};
@@ -17,9 +19,9 @@ use stride::{Stride, Tried};
 
 /// Two values of progress closer than this, relative to the extent, are the same.
 const SAME: f64 = 1e-9;
-/// Steps within a jump of fixed length, and those that show how the pressures change in others.
+/// Steps within a jump of fixed length, and the fewest in others.
 const STEPS: usize = 8;
-const TRIAL_STEPS: usize = 2;
+const FEWEST_STEPS: usize = 2;
 
 /// A run under way.
 pub(super) struct Cycles<'a> {
@@ -42,6 +44,24 @@ struct Position {
     done: usize,
     /// Energy (J) dissipated in them.
     dissipated: f64,
+}
+
+/// A jump at one rate.
+struct Foreseen {
+    wear: Wear,
+    steps: usize,
+    /// Error that the steps make, relative to the wear made.
+    lag: f64,
+}
+
+/// A jump, the cycle behind it and the jump once more with what that cycle shows.
+struct Jumped {
+    foreseen: Wear,
+    corrected: Wear,
+    next: Rate,
+    /// The states of the cycle.
+    rows: Vec<Shown>,
+    lag: f64,
 }
 
 /// A state on the way, with what it took.
@@ -117,7 +137,7 @@ impl<'a> Cycles<'a> {
             let length = (every - 1).min(self.ahead().saturating_sub(1));
             if length > 0 {
                 let start = self.position.wear();
-                let wear = self.jump([&rate, &rate], &start, (length, STEPS))?.0;
+                let wear = self.jump([&rate, &rate], &start, (length, STEPS))?;
                 self.land(wear, length)?;
             }
         }
@@ -134,31 +154,33 @@ impl<'a> Cycles<'a> {
         let mut rate = self.cycle(&mut |cycles, shown| cycles.put_out(&shown, observers))?;
         while self.position.done < self.total {
             let before = self.position.clone();
+            let steps_before = self.effort.steps;
             let start = before.wear();
             let length = stride.jump(self.ahead());
-            let (foreseen, steps) = self.foresee(&rate, &start, length, &stride)?;
-            self.land(foreseen.clone(), length)?;
-            let mut rows = vec![];
-            let next = self.cycle(&mut |_, shown| {
-                rows.push(shown);
-                Ok(())
-            })?;
-            let (corrected, change) = match length {
-                0 => (foreseen.clone(), 0.0),
-                _ => self.jump([&rate, &next], &start, (length, steps))?,
-            };
+            let Jumped { foreseen, corrected, next, mut rows, lag } =
+                match self.jump_and_compute(&rate, &start, length, &stride) {
+                    Ok(jumped) => jumped,
+                    // Too far on: shorter jumps are tried before the run is given up.
+                    Err(error) if error.is_of_length() && length > 0 => {
+                        self.effort.steps = steps_before;
+                        self.position = before;
+                        self.effort.rejected += 1;
+                        stride.shorten(length);
+                        continue;
+                    }
+                    Err(error) => return Err(error),
+                };
             let stuck = [&rate.stuck[..], &next.stuck];
             let [off, flipped] = corrected.since(&foreseen, stuck);
             let [made, _] = corrected.since(&start, stuck);
-            let lag = Stride::lag(change, steps);
             let sticks = stuck.map(|stuck| stuck.iter().any(|&stuck| stuck > 0.0));
             let turned = sticks[0] != sticks[1];
             let (done, worn) = (before.done, corrected.total());
             let tried = Tried { length, made, off, flipped, worn, lag, turned, done };
             if !stride.judge(tried) {
+                self.effort.steps = steps_before;
                 self.position = before;
                 self.effort.rejected += 1;
-                self.effort.steps -= rows.len();
                 continue;
             }
             self.correct(&foreseen, &corrected, &mut rows);
@@ -170,6 +192,28 @@ impl<'a> Cycles<'a> {
             rate = next;
         }
         Ok(())
+    }
+
+    /// Jumps at a rate, goes through the cycle behind the jump, and takes the jump again with both rates.
+    fn jump_and_compute(
+        &mut self,
+        rate: &Rate,
+        start: &Wear,
+        length: usize,
+        stride: &Stride,
+    ) -> Result<Jumped, Error> {
+        let Foreseen { wear: foreseen, steps, lag } = self.foresee(rate, start, length, stride)?;
+        self.land(foreseen.clone(), length)?;
+        let mut rows = vec![];
+        let next = self.cycle(&mut |_, shown| {
+            rows.push(shown);
+            Ok(())
+        })?;
+        let corrected = match length {
+            0 => foreseen.clone(),
+            _ => self.jump([rate, &next], start, (length, steps))?,
+        };
+        Ok(Jumped { foreseen, corrected, next, rows, lag })
     }
 
     /// Goes through a cycle; its rate of wear.
@@ -186,6 +230,8 @@ impl<'a> Cycles<'a> {
             self.position.rig.release(&simulation.problem);
         }
         self.position.rig.begin_cycle();
+        let comparable = peak == last && !shift.released;
+        let begun = comparable.then(|| self.position.rig.chain.state.pressure.clone());
         let (mut reference, mut change) = (None, None);
         for (index, station) in shift.cycle.iter().enumerate() {
             let station = self.symmetric(*station);
@@ -216,7 +262,8 @@ impl<'a> Cycles<'a> {
         }
         let rig = &self.position.rig;
         let reference = reference.unwrap_or_else(|| rig.clone());
-        Ok(Rate::of(rig, reference, shift.cycle[peak].control, &simulation.problem))
+        let control = shift.cycle[peak].control;
+        Ok(Rate::of(rig, reference, begun.as_deref(), control, &simulation.problem))
     }
 
     /// A station as a symmetric frame has it: nothing moves across a plane of symmetry, whatever the force on
@@ -238,36 +285,39 @@ impl<'a> Cycles<'a> {
         next.saturating_sub(self.position.done)
     }
 
-    /// Wear after a number of cycles in a number of steps, the rate going from the first to the second, and
-    /// by how much the pressures change it.
+    /// Wear after a number of cycles in a number of steps, the rate going from the first to the second.
     fn jump(
         &mut self,
         rates: [&Rate; 2],
         start: &Wear,
         length: (usize, usize),
-    ) -> Result<(Wear, f64), Error> {
+    ) -> Result<Wear, Error> {
         rates[0].wear_on(rates[1], start, length, self.simulation, &mut self.effort)
     }
 
-    /// Wear after a jump at one rate, and the steps it takes.
+    /// Wear after a jump at one rate, in as many steps as the tolerance asks for. The error that the steps make is
+    /// that by which half as many differ: implicit steps are of first order.
     fn foresee(
         &mut self,
         rate: &Rate,
         start: &Wear,
         length: usize,
         stride: &Stride,
-    ) -> Result<(Wear, usize), Error> {
+    ) -> Result<Foreseen, Error> {
         if length == 0 {
-            return Ok((start.clone(), 1));
+            return Ok(Foreseen { wear: start.clone(), steps: 1, lag: 0.0 });
         }
-        let mut steps = TRIAL_STEPS;
+        let mut steps = FEWEST_STEPS;
+        let mut coarse = self.jump([rate, rate], start, (length, steps))?;
         loop {
-            let (wear, change) = self.jump([rate, rate], start, (length, steps))?;
-            let needed = stride.steps(change);
-            if needed <= steps {
-                return Ok((wear, steps));
+            steps *= 2;
+            let wear = self.jump([rate, rate], start, (length, steps))?;
+            let made = wear.norm_since(start);
+            let lag = if made > 0.0 { wear.norm_since(&coarse) / made } else { 0.0 };
+            if stride.resolves(lag, steps) {
+                return Ok(Foreseen { wear, steps, lag });
             }
-            steps = needed;
+            coarse = wear;
         }
     }
 

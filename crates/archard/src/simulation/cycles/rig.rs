@@ -4,14 +4,22 @@
 //! surfaces were strained by.
 
 use super::rubbing::Rubbed;
+use super::touch::{Before, Course};
 use crate::frame::VectorField;
 use crate::kinematics::{Control, Guide, Shift, Station};
-use crate::numerics::vector::map;
+use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::chain::{Chain, Leg};
 use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::tangential::{self, Held};
 use crate::solve::{Status, joint};
+
+/// Disagreement of what closing pairs slide before they touch with what an increment shows, relative to the largest,
+/// that is let pass at once, and after it was found anew.
+const AT_FIRST: f64 = 0.02;
+const LATER: f64 = 0.005;
+/// Times an increment is solved for it at most.
+const TOUCHES: usize = 9;
 
 /// Bodies on their way, and what they went through in the present cycle.
 #[derive(Debug, Clone)]
@@ -21,6 +29,10 @@ pub(super) struct Rig {
     /// with it.
     pub strained: [Vec<f64>; 2],
     approached: f64,
+    /// How pairs that close slide meanwhile, as the increments so far show, and what open pairs slide (m) until
+    /// they touch in the present one.
+    course: Option<Course>,
+    until_touch: Option<[Vec<f64>; 2]>,
     pub rubbed: Rubbed,
 }
 
@@ -74,7 +86,8 @@ impl Rig {
                 Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
             });
         let strained = [zeros(), zeros()];
-        Self { chain, strained, approached: 0.0, rubbed: Rubbed::none(pairs) }
+        let rubbed = Rubbed::none(pairs);
+        Self { chain, strained, approached: 0.0, course: None, until_touch: None, rubbed }
     }
 
     /// Takes the bodies apart without rubbing.
@@ -82,7 +95,8 @@ impl Rig {
         let worn = self.chain.state.worn.clone();
         let load_distance = self.chain.load_distance;
         let rubbed = std::mem::take(&mut self.rubbed);
-        *self = Self { rubbed, ..Self::new(problem) };
+        let course = self.course.take();
+        *self = Self { rubbed, course, ..Self::new(problem) };
         self.chain.load_distance = load_distance;
         let state = &mut self.chain.state;
         for (gap, (one, two)) in state.gap.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
@@ -134,18 +148,64 @@ impl Rig {
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;
+        let ends = problem.kinematics.shift().is_some_and(|shift| shift.end_pressure);
+        if problem.friction.is_none() || ends {
+            let found = self.solve(simulation, leg, station, known, effort)?;
+            return Ok(self.settled(found));
+        }
+        let before = Before::of(&self.chain.state);
+        let (tangential, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
+        let approached = self.approached;
+        let (mut latest, mut pass, mut earlier) = (None, 0, None);
+        loop {
+            pass += 1;
+            self.until_touch = before.until_touch(self.course.as_ref());
+            let found = self.solve(simulation, leg, station, latest.as_ref().or(known), effort)?;
+            let settled = self.settled(found);
+            let state = &self.chain.state;
+            let Some(course) = before.course(state, &problem.frame) else { return Ok(settled) };
+            let apart = before.apart(state, [self.course.as_ref(), Some(&course)]);
+            let enough = if pass == 1 { AT_FIRST } else { LATER };
+            if apart <= enough || pass == TOUCHES {
+                return Ok(settled);
+            }
+            // Every second pass goes on from where the two before lead.
+            let used = self.course.take();
+            self.course = Some(match (earlier.take(), &used) {
+                (Some(first), Some(used)) => {
+                    before.limit(state, Option::as_ref(&first), [used, &course])
+                }
+                _ => {
+                    earlier = Some(used);
+                    course
+                }
+            });
+            self.chain.state.tangential.clone_from(&tangential);
+            self.strained.clone_from(&strained);
+            self.approached = approached;
+            latest = Some(settled);
+        }
+    }
+
+    /// Pressures and friction of an increment.
+    fn solve(
+        &mut self,
+        simulation: &Simulation,
+        leg: Leg,
+        station: Station,
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Found, Error> {
+        let problem = &simulation.problem;
         let curved = !problem.frame.is_plane();
-        let joint = problem.friction.is_some() && (curved || problem.compliance.couples());
-        let found = if joint {
-            self.solve_jointly(simulation, leg, station, known, effort)?
-        } else {
-            self.start_from(leg, known);
-            let opened = self.opened_by_shift(problem, station);
-            self.press(simulation, leg, &opened, effort)?;
-            let pressed = self.strain_of(problem, None);
-            self.drag(simulation, leg, station, &pressed, known, effort)?
-        };
-        Ok(self.settled(found))
+        if problem.friction.is_some() && (curved || problem.compliance.couples()) {
+            return self.solve_jointly(simulation, leg, station, known, effort);
+        }
+        self.start_from(leg, known);
+        let opened = self.opened_by_shift(problem, station);
+        self.press(simulation, leg, &opened, effort)?;
+        let pressed = self.strain_of(problem, None);
+        self.drag(simulation, leg, station, &pressed, known, effort)
     }
 
     pub fn settled(&self, found: Found) -> Settled {
@@ -222,7 +282,7 @@ impl Rig {
         // Where pressures are found with friction, so is the approach.
         let approach = if pressed.is_some() { self.chain.state.approach } else { 0.0 };
         let moved = problem.frame.moved([x, y, self.approached - approach]);
-        let rigid = [0, 1].map(|axis| {
+        let mut rigid = [0, 1].map(|axis| {
             let (strained, moved) = (&self.strained[axis], [&moved.t1, &moved.t2][axis]);
             match pressed {
                 Some(pressed) => {
@@ -234,6 +294,11 @@ impl Rig {
                 None => map([moved, strained], |[moved, strained]| moved + strained),
             }
         });
+        if let Some(until_touch) = &self.until_touch {
+            for (rigid, slid) in rigid.iter_mut().zip(until_touch) {
+                update(rigid, [slid], |rigid, [slid]| rigid - slid);
+            }
+        }
         let held = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
             Guide::Shift(_) => None,
             Guide::Force(force) => {
@@ -354,12 +419,24 @@ impl Rig {
         let approach = self.chain.state.approach;
         let moved = problem.frame.moved([x, y, self.approached - approach]);
         let strained = [strain.t1, strain.t2];
-        let slip = [0, 1].map(|axis| {
+        let mut slip = [0, 1].map(|axis| {
             let moved = [&moved.t1, &moved.t2][axis];
             map([moved, &self.strained[axis], &strained[axis]], |[moved, before, after]| {
                 moved + before - after
             })
         });
+        if let Some(until_touch) = &self.until_touch {
+            let pressure = &self.chain.state.pressure;
+            for (slip, slid) in slip.iter_mut().zip(until_touch) {
+                update(
+                    slip,
+                    [slid, pressure],
+                    |slip, [slid, pressure]| {
+                        if pressure > 0.0 { slip - slid } else { slip }
+                    },
+                );
+            }
+        }
         self.strained = strained;
         self.approached = approach;
         self.chain.state.tangential =

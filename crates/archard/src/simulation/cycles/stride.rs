@@ -6,7 +6,7 @@
 //! kept, is taken to be 4 e^2: on a punch of 20 x 20 elements it was up to twice e^2, on one of 40 x 40 a
 //! tenth of it. Where pairs that stuck begin to slip, or the other way round, the rate does
 //! not change evenly, and half of the difference there counts instead. Steps within a jump add the lag of
-//! their pressures.
+//! their pressures, which is measured by taking half as many.
 
 /// Aim relative to what the tolerance allows, and bounds on the change from one stride to the next.
 const AIM: f64 = 0.8;
@@ -15,10 +15,10 @@ const CHANGE: (f64, f64) = (0.2, 2.0);
 const SECOND: f64 = 2.0;
 /// Error of a jump that is kept at most, relative to the tolerance.
 const SPARE: f64 = 3.0;
-/// Lag of the pressures in a step within a jump, relative to the tolerance.
+/// Error that the steps within a jump may make, relative to the tolerance.
 const LAG: f64 = 0.2;
 /// Most steps within a jump.
-const MOST_STEPS: f64 = 64.0;
+const MOST_STEPS: usize = 64;
 
 /// The stride and the error so far.
 #[derive(Debug, Clone, Copy)]
@@ -62,14 +62,14 @@ impl Stride {
         (cycles.round() as usize).clamp(1, ahead.max(1)) - 1
     }
 
-    /// Steps within a jump on which the pressures change what is worn by that much, relative to it.
-    pub fn steps(&self, change: f64) -> usize {
-        (0.5 * change / (LAG * self.tolerance)).ceil().clamp(1.0, MOST_STEPS) as usize
+    /// Whether so many steps within a jump, which make that error relative to the wear made, are enough.
+    pub fn resolves(&self, lag: f64, steps: usize) -> bool {
+        lag <= LAG * self.tolerance || steps >= MOST_STEPS
     }
 
-    /// Error of implicit steps, whose pressures are those at their ends, relative to the wear made.
-    pub fn lag(change: f64, steps: usize) -> f64 {
-        0.5 * change / steps as f64
+    /// Makes the next jump shorter than one that could not be carried through.
+    pub fn shorten(&mut self, length: usize) {
+        self.cycles = if length == 1 { 1.0 } else { (1.0 + 0.25 * length as f64).max(2.0) };
     }
 
     /// Whether a jump is good enough; sets the next stride.
@@ -81,11 +81,11 @@ impl Stride {
         }
         let [even, flipped] = [(off * off - flipped * flipped).max(0.0).sqrt(), flipped]
             .map(|part| if made > 0.0 { part / made } else { 0.0 });
-        let error = (SECOND * even).powi(2) + 0.5 * flipped;
+        let error = (SECOND * even).powi(2) + 0.5 * flipped + lag;
         let change = (AIM * (self.tolerance / error).sqrt()).clamp(CHANGE.0, CHANGE.1);
         // A turn is met as closely as the tolerance resolves the cycles so far.
         let overrun = turned && length > 1 && length as f64 > self.tolerance * done as f64;
-        let total = self.error + made * (error + lag);
+        let total = self.error + made * error;
         // One jump may do worse where those before it did better.
         let spare = error <= SPARE * self.tolerance && total <= self.tolerance * worn;
         if (error > self.tolerance && !spare) || overrun {

@@ -118,8 +118,7 @@ impl State {
         let (load, forces) = self.missing(step);
         let load = relative(load.unwrap_or(0.0).abs(), total * area);
         let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();
-        let parts =
-            [relative(beside.sqrt(), borne.sqrt()), load, relative(force, held * area)];
+        let parts = [relative(beside.sqrt(), borne.sqrt()), load, relative(force, held * area)];
         parts.into_iter().fold(relative(off.sqrt(), pressed.sqrt()), worse)
     }
 
