@@ -45,10 +45,13 @@ pub struct Run {
     /// The case.
     #[command(flatten)]
     pub case: Case,
-    /// Where to write the results; results/NAME if not given. Files of an earlier run in it are
-    /// replaced, others left alone
+    /// Where to write the results; results/NAME if not given, with the values of --set in its name.
+    /// Files of an earlier run of the same case in it are replaced, others left alone
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
+    /// Replace the results of another case
+    #[arg(long)]
+    pub force: bool,
     /// Number of threads; as many as there are processors if not given
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,

@@ -1,13 +1,12 @@
 //! Reads a case and shows what is wrong with it: file, line, the place underlined, what to do.
 
-use std::io::IsTerminal;
-
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 use archard::case::{CaseFile, Problem, Severity, Task};
 
 use crate::arguments::Case;
 use crate::failure::Failure;
+use crate::say::{in_colour, tell};
 
 /// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
 pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
@@ -30,11 +29,10 @@ pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
 
 /// Prints problems.
 fn show(file: &CaseFile, problems: &[Problem]) {
-    let renderer =
-        if std::io::stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
+    let renderer = if in_colour() { Renderer::styled() } else { Renderer::plain() };
     let renderer = renderer.decor_style(DecorStyle::Ascii);
     for problem in problems {
-        eprintln!("{}\n", renderer.render(&[group(file, problem)]));
+        tell(&format!("{}\n", renderer.render(&[group(file, problem)])));
     }
 }
 

@@ -8,11 +8,12 @@ use archard::elastic::{Deformed, ElasticBody, von_mises};
 use archard::output::{Totals, write_elastic};
 
 use crate::failure::Failure;
+use crate::interrupt::Watch;
 use crate::number::four;
 use crate::say::say;
 
-/// Computes a body and writes its results into a folder.
-pub fn run(resolved: &ResolvedElastic, dir: &Path, quiet: bool) -> Result<(), Failure> {
+/// Computes a body and writes its results into the folder that is held.
+pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(), Failure> {
     let ResolvedElastic { case, warnings, .. } = resolved;
     let wrong = |error: &dyn std::error::Error| Failure::wrong(error.to_string());
     let body = case.build().map_err(|error| wrong(&error))?;
@@ -24,9 +25,12 @@ pub fn run(resolved: &ResolvedElastic, dir: &Path, quiet: bool) -> Result<(), Fa
         warnings: warnings.iter().map(|warning| warning.title()).collect(),
         failure: None,
     };
-    write_elastic(dir, &case.to_string(), (&body, &deformed), &totals)
+    let Some(claim) = watch.release() else {
+        return Err(Failure::wrong("the run has no folder"));
+    };
+    write_elastic(&claim, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
-    if quiet { Ok(()) } else { summarize(&body, &deformed, &totals, dir) }
+    if quiet { Ok(()) } else { summarize(&body, &deformed, &totals, claim.dir()) }
 }
 
 /// Says what came out and where it is.

@@ -1,5 +1,10 @@
 //! Why the command failed, and the exit code that says so.
 
+use crate::say::tell;
+
+/// The exit code of a run that was stopped, by whichever signal.
+pub const INTERRUPTED: u8 = 3;
+
 /// A failure.
 #[derive(Debug)]
 pub enum Failure {
@@ -19,12 +24,39 @@ impl Failure {
         Self::Wrong(message.into())
     }
 
+    /// Why, in one line.
+    pub fn cause(&self) -> String {
+        match self {
+            Failure::NotConverged(message)
+            | Failure::Wrong(message)
+            | Failure::Interrupted(message) => {
+                message.lines().next().unwrap_or_default().to_owned()
+            }
+            Failure::Shown => String::new(),
+        }
+    }
+
+    /// The same with something else that failed on the way out.
+    pub fn and(self, error: &dyn std::error::Error) -> Self {
+        let error = error.to_string();
+        let more = |message: String| match message.contains(&error) {
+            true => message,
+            false => format!("{message}\n{error}"),
+        };
+        match self {
+            Failure::NotConverged(message) => Failure::NotConverged(more(message)),
+            Failure::Wrong(message) => Failure::Wrong(more(message)),
+            Failure::Interrupted(message) => Failure::Interrupted(more(message)),
+            Failure::Shown => Failure::Shown,
+        }
+    }
+
     /// The exit code.
     pub fn code(&self) -> u8 {
         match self {
             Failure::NotConverged(_) => 1,
             Failure::Wrong(_) | Failure::Shown => 2,
-            Failure::Interrupted(_) => 3,
+            Failure::Interrupted(_) => INTERRUPTED,
         }
     }
 
@@ -33,9 +65,7 @@ impl Failure {
         match self {
             Failure::NotConverged(message)
             | Failure::Wrong(message)
-            | Failure::Interrupted(message) => {
-                eprintln!("error: {message}");
-            }
+            | Failure::Interrupted(message) => tell(&format!("error: {message}")),
             Failure::Shown => {}
         }
     }

@@ -1,31 +1,171 @@
-//! Ctrl-C: the run ends after the step it is at, with what was computed so far in its files.
+//! SIGINT (Ctrl-C), SIGTERM and SIGHUP: a run ends with what was computed so far in its files.
+//!
+//! A request to stop takes effect where a step ends. A solve, or the assembly of a mesh, may be long: if no step ends
+//! within a period of grace, another thread takes the results, writes their summary and ends the program. That needs
+//! nothing of the solvers, because all other files are whole after every step. A second request ends the program at once.
+//! Before the results begin there is nothing to save, so the first one does.
 
-use std::error::Error;
-use std::sync::Arc;
+use std::error::Error as StdError;
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
 
+use archard::output::{Claim, Error};
 use archard::simulation::{Observer, Report};
+
+use crate::failure::{Failure, INTERRUPTED};
+use crate::underway::Underway;
+
+/// Time a step has to end in.
+const GRACE: Duration = Duration::from_secs(2);
+/// What comes within this time after a request is the same one: a terminal that closes sends several.
+const SAME: Duration = Duration::from_millis(250);
 
 /// The user has had enough.
 #[derive(Debug, thiserror::Error)]
 #[error("interrupted")]
 pub struct Interrupted;
 
-/// Watches for Ctrl-C.
-pub struct Watch(Arc<AtomicBool>);
+/// Watches for requests to stop, and holds what they have to save.
+#[derive(Clone)]
+pub struct Watch(Arc<Shared>);
+
+struct Shared {
+    asked: AtomicBool,
+    held: Mutex<Held>,
+}
+
+/// How far a run is.
+enum Held {
+    /// It has no folder yet.
+    Nothing,
+    /// It has a folder that is still as it was.
+    Claim(Claim),
+    /// It writes results.
+    Results(Box<Underway>),
+    /// It ends by itself.
+    Ended,
+}
 
 impl Watch {
-    /// Takes over what Ctrl-C does; where that is refused, it ends the program as ever.
+    /// Takes over what the signals do. Where hangups are ignored (`nohup`) or it is refused, they do what they
+    /// always do.
     pub fn set() -> Self {
-        let pressed = Arc::new(AtomicBool::new(false));
-        let flag = pressed.clone();
-        let _ = ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed));
-        Self(pressed)
+        let shared = Arc::new(Shared { asked: false.into(), held: Mutex::new(Held::Nothing) });
+        let watch = Self(shared);
+        if !hangups_are_ignored() {
+            let (watching, mut first) = (watch.clone(), None);
+            let _ = ctrlc::set_handler(move || watching.asked_at(&mut first));
+        }
+        watch
+    }
+
+    /// Holds a folder until the results begin.
+    pub fn hold(&self, claim: Claim) {
+        *self.lock() = Held::Claim(claim);
+    }
+
+    /// Gives the folder back, for results that are written all at once.
+    pub fn release(&self) -> Option<Claim> {
+        match std::mem::replace(&mut *self.lock(), Held::Ended) {
+            Held::Claim(claim) => Some(claim),
+            _ => None,
+        }
+    }
+
+    /// Begins the results in the folder that is held.
+    pub fn begin(&self, begin: impl FnOnce(Claim) -> Result<Underway, Error>) -> Result<(), Error> {
+        let mut held = self.lock();
+        if let Held::Claim(claim) = std::mem::replace(&mut *held, Held::Ended) {
+            *held = Held::Results(Box::new(begin(claim)?));
+        }
+        Ok(())
+    }
+
+    /// Gives the results back, to be finished.
+    pub fn end(&self) -> Option<Underway> {
+        match std::mem::replace(&mut *self.lock(), Held::Ended) {
+            Held::Results(results) => Some(*results),
+            _ => None,
+        }
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Held> {
+        self.0.held.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes a request, on the thread of signals.
+    fn asked_at(&self, first: &mut Option<Instant>) {
+        match first {
+            None => {
+                *first = Some(Instant::now());
+                self.0.asked.store(true, Ordering::Relaxed);
+                let watch = self.clone();
+                std::thread::spawn(move || watch.leave());
+            }
+            Some(first) if first.elapsed() > SAME => std::process::exit(INTERRUPTED.into()),
+            Some(_) => {}
+        }
+    }
+
+    /// Ends the program unless the run has come to an end by itself.
+    fn leave(&self) {
+        if matches!(*self.lock(), Held::Results(_)) {
+            std::thread::sleep(GRACE);
+        }
+        // Held for good: nobody else ends the run from here on.
+        let mut held = self.lock();
+        let failure = match std::mem::replace(&mut *held, Held::Ended) {
+            Held::Ended => return,
+            Held::Nothing => before_results(),
+            Held::Claim(claim) => {
+                claim.give_up();
+                before_results()
+            }
+            Held::Results(results) => {
+                let dir = results.dir().to_owned();
+                match results.finish(Some(Interrupted.to_string())) {
+                    Ok(_) => with_results(&dir),
+                    Err(error) => Failure::Interrupted(format!("{Interrupted}, and {error}")),
+                }
+            }
+        };
+        failure.report();
+        std::process::exit(failure.code().into());
     }
 }
 
 impl Observer for Watch {
-    fn observe(&mut self, _report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
-        if self.0.load(Ordering::Relaxed) { Err(Interrupted.into()) } else { Ok(()) }
+    /// Hands the report to the results, and ends the run where that was asked for.
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if let Held::Results(results) = &mut *self.lock() {
+            results.folder.observe(report)?;
+        }
+        if self.0.asked.load(Ordering::Relaxed) { Err(Interrupted.into()) } else { Ok(()) }
     }
+}
+
+/// An interruption that left results, and how to go on.
+pub fn with_results(dir: &Path) -> Failure {
+    let dir = dir.display();
+    Failure::Interrupted(format!(
+        "{Interrupted}\nwhat was computed so far is in {dir}; to go on, draw it with `archard plot {dir}`, or give \
+         the same command again, which starts from the beginning"
+    ))
+}
+
+/// An interruption before there were any.
+fn before_results() -> Failure {
+    Failure::Interrupted(format!(
+        "{Interrupted} before the first step\nnothing was written or replaced; the same command starts again"
+    ))
+}
+
+/// Whether this process was started to live on when its terminal closes, as `nohup` does.
+fn hangups_are_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let mask = ignored.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask & 1 != 0)
 }

@@ -1,6 +1,7 @@
 //! The command `archard`.
 //!
-//! Exit codes: 0 done, 1 did not converge, 2 the case (or the command line) is wrong, 3 interrupted.
+//! Exit codes: 0 done, 1 did not converge, 2 the case (or the command line) is wrong, 3 a run was interrupted, by SIGINT
+//! (Ctrl-C), SIGTERM or SIGHUP. Other commands leave these signals as they are: they have nothing to save.
 
 mod arguments;
 mod builtin;
@@ -8,6 +9,7 @@ mod check;
 mod diagnose;
 mod elastic;
 mod failure;
+mod folder;
 mod interrupt;
 mod new;
 mod number;
@@ -15,6 +17,7 @@ mod plot;
 mod progress;
 mod run;
 mod say;
+mod underway;
 
 use std::process::ExitCode;
 

@@ -1,12 +1,12 @@
 //! Shows how a run gets on: a bar on a terminal, a line a tenth of the run elsewhere.
 
 use std::error::Error;
-use std::io::IsTerminal;
 
 use archard::simulation::{Observer, Report, row};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::number::{four, progress};
+use crate::say::{on_terminal, tell};
 
 /// Follows a run.
 pub struct Follower {
@@ -31,7 +31,7 @@ impl Follower {
     pub fn new(quiet: bool) -> Self {
         let display = if quiet {
             Display::Nothing
-        } else if std::io::stderr().is_terminal() {
+        } else if on_terminal() {
             Display::Bar(bar())
         } else {
             Display::Lines(0.0)
@@ -39,10 +39,11 @@ impl Follower {
         Self { display, last: vec![] }
     }
 
-    /// Takes the bar away.
-    pub fn finish(&self) {
-        if let Display::Bar(bar) = &self.display {
-            bar.finish_and_clear();
+    /// The bar, if there is one.
+    pub fn bar(&self) -> Option<ProgressBar> {
+        match &self.display {
+            Display::Bar(bar) => Some(bar.clone()),
+            Display::Lines(_) | Display::Nothing => None,
         }
     }
 
@@ -81,7 +82,7 @@ impl Observer for Follower {
                 bar.set_position((LENGTH * share) as u64);
             }
             Display::Lines(due) if share >= *due - 1e-9 => {
-                eprintln!("{:>3.0} %  {standing}", 100.0 * share);
+                tell(&format!("{:>3.0} %  {standing}", 100.0 * share));
                 *due = (10.0 * share + 1.0 + 1e-9).floor() / 10.0;
             }
             Display::Lines(_) | Display::Nothing => {}

@@ -1,23 +1,25 @@
 //! `archard run`: a case through to its result folder.
 
 use std::num::NonZero;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::Instant;
 
 use archard::body::Body;
 use archard::case::{Resolved, Task};
 use archard::kinematics::{Rolling, Shift};
-use archard::output::{Inside, ResultFolder, Totals};
+use archard::output::{self, Inside, Totals};
 use archard::simulation::{Effort, Error, Simulation};
 
 use crate::arguments::Run;
 use crate::diagnose;
 use crate::elastic;
 use crate::failure::Failure;
-use crate::interrupt::{Interrupted, Watch};
+use crate::folder;
+use crate::interrupt::{self, Interrupted, Watch};
 use crate::number::{count, energy, four};
 use crate::progress::Follower;
 use crate::say::say;
+use crate::underway::Underway;
 
 /// Threads a processor may be given at most.
 const MOST_THREADS: usize = 8;
@@ -26,18 +28,35 @@ const MOST_THREADS: usize = 8;
 pub fn run(arguments: &Run) -> Result<(), Failure> {
     // First of all: whatever works in parallel before it would fix the number of threads.
     set_threads(arguments)?;
+    let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
-    let dir = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.case.case));
-    keep_the_case(&arguments.case.case, &dir)?;
-    let Resolved { case, warnings, .. } = match task {
-        Task::Contact(resolved) => *resolved,
-        Task::Elastic(resolved) => return elastic::run(&resolved, &dir, arguments.quiet),
+    let case_toml = match &task {
+        Task::Contact(resolved) => resolved.case.to_string(),
+        Task::Elastic(resolved) => resolved.case.to_string(),
     };
-    let warnings = warnings.iter().map(|warning| warning.title()).collect();
-    let mut folder = ResultFolder::create(&dir, &case.to_string())
-        .map_err(|error| Failure::wrong(error.to_string()))?;
+    let claim = folder::claim(arguments, &case_toml)?;
+    let dir = claim.dir().to_owned();
+    watch.hold(claim);
+    let outcome = match &task {
+        Task::Contact(resolved) => contact(resolved, &case_toml, &watch, (arguments, &dir)),
+        Task::Elastic(resolved) => elastic::run(resolved, &watch, arguments.quiet),
+    };
+    // A folder that is still held has nothing of this run in it.
+    if let Some(claim) = watch.release() {
+        claim.give_up();
+    }
+    outcome
+}
+
+/// Runs a case of two bodies in contact in the folder that is held.
+fn contact(
+    Resolved { case, warnings, .. }: &Resolved,
+    case_toml: &str,
+    watch: &Watch,
+    (arguments, dir): (&Run, &Path),
+) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
-    let start = Instant::now();
+    let begun = Instant::now();
     let built = match arguments.store() {
         Some(store) => {
             case.build_with(&|finite, material, job| store.condense(finite, material, job))
@@ -45,49 +64,37 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
         None => case.build(),
     };
     let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
-    let mut watch = Watch::set();
-    let mut inside = Inside::at(case.points.clone());
-    let outcome = simulation.run(&mut [&mut folder, &mut follower, &mut inside, &mut watch]);
-    follower.finish();
-    let totals = Totals {
-        seconds: start.elapsed().as_secs_f64(),
-        threads: rayon::current_num_threads(),
-        warnings,
-        failure: outcome.as_ref().err().map(ToString::to_string),
+    let warnings = warnings.iter().map(|warning| warning.title()).collect();
+    let begin = |claim: output::Claim| {
+        let folder = claim.begin(case_toml)?;
+        Ok(Underway { folder, begun, warnings, bar: follower.bar() })
     };
-    folder.finish(&totals).map_err(|error| Failure::wrong(error.to_string()))?;
-    let effort = outcome.map_err(|error| failure(error, &dir))?;
-    inside
-        .write(&dir, simulation.problem.bodies.each_ref())
-        .map_err(|error| Failure::wrong(error.to_string()))?;
+    watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
+    let mut inside = Inside::at(case.points.clone());
+    let outcome = simulation.run(&mut [&mut watch.clone(), &mut follower, &mut inside]);
+    let outcome = outcome.map_err(|error| failure(error, dir)).and_then(|effort| {
+        let written = inside.write(dir, simulation.problem.bodies.each_ref());
+        written.map_err(|error| Failure::wrong(error.to_string()))?;
+        Ok(effort)
+    });
+    let (totals, effort) = finish(watch, outcome)?;
     if arguments.quiet {
         return Ok(());
     }
-    summarize(&simulation, &follower, &totals, effort, &dir)
+    summarize(&simulation, &follower, &totals, effort, dir)
 }
 
-/// `results/NAME`: the name of the case file, or of its folder where the file is a `case.toml`.
-fn default_folder(case: &Path) -> PathBuf {
-    let case = case.canonicalize().unwrap_or_else(|_| case.to_owned());
-    let named_by_folder = case.file_name().is_some_and(|name| name == "case.toml");
-    let name = match case.parent().and_then(Path::file_name) {
-        _ if case.is_dir() => case.file_name(),
-        Some(folder) if named_by_folder => Some(folder),
-        _ => case.file_stem(),
+/// Finishes the results of a run, whatever came of it.
+fn finish(watch: &Watch, outcome: Result<Effort, Failure>) -> Result<(Totals, Effort), Failure> {
+    let Some(results) = watch.end() else {
+        return Err(Failure::wrong("the run has no results"));
     };
-    Path::new("results").join(name.unwrap_or("case".as_ref()))
-}
-
-/// Refuses to write the resolved case over the case itself.
-fn keep_the_case(case: &Path, dir: &Path) -> Result<(), Failure> {
-    let case = if case.is_dir() { case.join("case.toml") } else { case.to_owned() };
-    let written = dir.join("case.toml").canonicalize();
-    match (case.canonicalize(), written) {
-        (Ok(case), Ok(written)) if case == written => Err(Failure::wrong(format!(
-            "the results would overwrite the case `{}`; choose another folder with -o",
-            case.display()
-        ))),
-        _ => Ok(()),
+    let cause = outcome.as_ref().err().map(Failure::cause);
+    match (results.finish(cause), outcome) {
+        (Ok(totals), Ok(effort)) => Ok((totals, effort)),
+        (Err(error), Ok(_)) => Err(Failure::wrong(error.to_string())),
+        (Ok(_), Err(failure)) => Err(failure),
+        (Err(error), Err(failure)) => Err(failure.and(&error)),
     }
 }
 
@@ -106,9 +113,15 @@ fn set_threads(arguments: &Run) -> Result<(), Failure> {
 
 /// What an unfinished run means for the exit code.
 fn failure(error: Error, dir: &Path) -> Failure {
-    let message = format!("{error}\nwhat was computed so far is in {}", dir.display());
+    // A folder that was removed has nothing left to point at.
+    let kept = match dir.join("history.csv").is_file() {
+        true => format!("\nwhat was computed so far is in {}", dir.display()),
+        false => String::new(),
+    };
+    let message = format!("{error}{kept}");
     match error {
-        Error::Observer(cause) if cause.is::<Interrupted>() => Failure::Interrupted(message),
+        Error::Observer(cause) if cause.is::<Interrupted>() => interrupt::with_results(dir),
+        Error::Observer(cause) if is_no_number(&*cause) => Failure::NotConverged(message),
         Error::NotConverged { .. }
         | Error::FrictionNotConverged { .. }
         | Error::NotConsistent { .. }
@@ -120,6 +133,11 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::NotJoint
         | Error::Observer(_) => Failure::Wrong(message),
     }
+}
+
+/// Whether results are refused because they are no numbers.
+fn is_no_number(cause: &(dyn std::error::Error + 'static)) -> bool {
+    matches!(cause.downcast_ref(), Some(output::Error::NotFinite { .. }))
 }
 
 /// Says what came out and where it is.

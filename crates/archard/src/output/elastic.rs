@@ -1,38 +1,40 @@
 //! The results of an elastic body: fields on its surface, and a row for each point inside.
 
-use std::fs;
-use std::path::Path;
-
 use glam::{DMat3, DVec3};
 use serde_json::{Map, Value, json};
 
 use super::table::{Table, number};
-use super::{Error, Field, Surface, Totals, file};
+use super::{Claim, Error, Field, Surface, Totals, file};
 use crate::compliance::bem::Response;
 use crate::elastic::{Deformed, ElasticBody, Point, row};
 
-/// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder.
+/// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder; what
+/// earlier runs left there is removed.
 ///
 /// # Errors
-/// If the folder or a file in it cannot be written.
+/// If a file cannot be removed or written.
 pub fn write_elastic(
-    dir: &Path,
+    claim: &Claim,
     case_toml: &str,
     (body, deformed): (&ElasticBody, &Deformed),
     totals: &Totals,
 ) -> Result<(), Error> {
-    fs::create_dir_all(dir).map_err(|source| Error::Write { path: dir.to_owned(), source })?;
+    claim.clear()?;
+    let dir = claim.dir();
     file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
-    Surface::of_elastic(deformed).write(&dir.join("surface.vtu"))?;
+    Surface::of_elastic(deformed).write(&dir.join(SURFACE))?;
     if !body.points.is_empty() {
         let mut table = Table::create(dir.join(POINTS))?;
         write_points(&mut table, &[], &body.points, deformed)?;
         table.flush()?;
+        table.sync()?;
     }
     let summary = format!("{:#}\n", summary(body, deformed, totals));
     file::write_whole(&dir.join("summary.json"), summary.as_bytes())
 }
 
+/// The file of the fields on a body's surface.
+pub(super) const SURFACE: &str = "surface.vtu";
 /// The file of what is found at points.
 pub(super) const POINTS: &str = "points.csv";
 

@@ -61,7 +61,8 @@ impl Inside {
             Surface::of_elastic(&deformed).write(&dir.join(SURFACES[which]))?;
             write_points(&mut table, &[("body", body.clone())], points, &deformed)?;
         }
-        Ok(table.flush()?)
+        table.flush()?;
+        Ok(table.sync()?)
     }
 }
 

@@ -18,7 +18,8 @@
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, and `summary.json`.
 //!
-//! All of them are complete on the disk after every step, so an interrupted run can be read.
+//! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
+//! folder.
 
 mod appended;
 mod closed_forms;
@@ -30,6 +31,7 @@ mod folder;
 mod fretting_loop;
 mod image;
 mod inside;
+mod limit;
 mod pvd;
 mod sections;
 mod store;
@@ -48,7 +50,7 @@ use std::path::{Path, PathBuf};
 
 pub use elastic::write_elastic;
 pub use fields::{Field, fields};
-pub use folder::ResultFolder;
+pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use store::Store;
@@ -70,6 +72,34 @@ pub enum Error {
         path: PathBuf,
         /// Why.
         source: io::Error,
+    },
+    /// A file was removed while it was written.
+    #[error("`{}` was removed or moved while the run wrote into it; what it held is lost", .path.display())]
+    Removed {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Another run writes into the folder.
+    #[error(
+        "another run{} writes into `{}`; wait for its end, or choose another folder with -o",
+        .process.map_or_else(String::new, |process| format!(" (process {process})")),
+        .dir.display()
+    )]
+    InUse {
+        /// The folder.
+        dir: PathBuf,
+        /// The process that holds it, where it can be told.
+        process: Option<u32>,
+    },
+    /// A number that is none.
+    #[error(
+        "`{name}` is not a finite number at {place}; the step is not kept, this is a fault of the program or of a value far out of range"
+    )]
+    NotFinite {
+        /// The column or field.
+        name: String,
+        /// Where the motion was.
+        place: String,
     },
     /// The file system refuses to read.
     #[error("cannot read `{}`: {source}", .path.display())]

@@ -1,24 +1,29 @@
 //! The result folder of a run.
 
+mod claim;
+mod lock;
 #[cfg(test)]
 mod tests;
 
 use std::error::Error as StdError;
-use std::ffi::OsStr;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
+pub use claim::Claim;
+use lock::Lock;
+
 use super::closed_forms::ClosedForms;
-use super::elastic::POINTS;
 use super::fretting_loop::FrettingLoop;
-use super::inside::SURFACES;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{Error, Image, Surface, Totals, file, pvd, sections};
 use crate::simulation::{Observer, Report, row};
 
+/// The file of the numbers of every step.
+const HISTORY: &str = "history.csv";
+/// The file of the sections of every output.
+const PROFILES: &str = "profiles.csv";
 /// The file of the profiles of bodies that roll.
 const WORN_PROFILES: &str = "worn_profiles.csv";
 /// The file of force over shift.
@@ -28,6 +33,8 @@ const FRETTING_LOOP: &str = "fretting_loop.csv";
 #[derive(Debug)]
 pub struct ResultFolder {
     dir: PathBuf,
+    /// Held until the results are whole.
+    _lock: Lock,
     history: Table,
     profiles: Table,
     /// The profiles of bodies that roll, once there are any.
@@ -44,20 +51,23 @@ pub struct ResultFolder {
 
 impl ResultFolder {
     /// Makes the folder and starts its files; results of an earlier run in it are removed, anything
-    /// else is left alone.
+    /// else is left alone. [`Claim`] does the same in two steps.
     ///
     /// # Errors
-    /// If the folder or a file in it cannot be written.
+    /// If another run writes into the folder, or the folder or a file in it cannot be written.
     pub fn create(dir: &Path, case_toml: &str) -> Result<Self, Error> {
-        let fields = dir.join("fields");
-        fs::create_dir_all(&fields)
-            .map_err(|source| Error::Write { path: fields.clone(), source })?;
-        clear(dir, &fields)?;
+        Claim::take(dir)?.begin(case_toml)
+    }
+
+    fn begin(claim: Claim, case_toml: &str) -> Result<Self, Error> {
+        let fields = claim.dir.join("fields");
+        fs::create_dir_all(&fields).map_err(|source| Error::Write { path: fields, source })?;
+        claim.clear()?;
+        let Claim { dir, lock, .. } = claim;
         file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
         Ok(Self {
-            dir: dir.to_owned(),
-            history: Table::create(dir.join("history.csv"))?,
-            profiles: Table::create(dir.join("profiles.csv"))?,
+            history: Table::create(dir.join(HISTORY))?,
+            profiles: Table::create(dir.join(PROFILES))?,
             worn_profiles: None,
             fretting_loops: None,
             fretting_loop: FrettingLoop::default(),
@@ -65,14 +75,25 @@ impl ResultFolder {
             iterations: 0,
             closed_forms: ClosedForms::default(),
             standing: None,
+            dir,
+            _lock: lock,
         })
     }
 
-    /// Writes `summary.json`, after a run that reached its end and after one that did not.
+    /// The folder.
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
+    /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
+    /// did not.
     ///
     /// # Errors
-    /// If the file cannot be written.
+    /// If a file cannot be written.
     pub fn finish(self, totals: &Totals) -> Result<(), Error> {
+        let more = [&self.worn_profiles, &self.fretting_loops];
+        let tables = [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
+        tables.map(Table::sync).collect::<Result<(), Error>>()?;
         let text = summary::text(self.standing.as_ref(), self.iterations, totals);
         file::write_whole(&self.dir.join("summary.json"), text.as_bytes())
     }
@@ -80,10 +101,12 @@ impl ResultFolder {
     /// Takes up a report.
     fn take(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let row = row(report);
+        finite(report, &row)?;
         let cells: Vec<_> =
             row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
         self.history.row(&cells)?;
         self.history.flush()?;
+        self.history.find()?;
         if report.output {
             self.put_out(report)?;
         }
@@ -147,29 +170,19 @@ impl Observer for ResultFolder {
     }
 }
 
-/// Removes what an earlier run left and this one might not overwrite.
-fn clear(dir: &Path, fields: &Path) -> Result<(), Error> {
-    let refused = |source| Error::Write { path: fields.to_owned(), source };
-    let names = ["summary.json", "fields.pvd", WORN_PROFILES, FRETTING_LOOP, POINTS];
-    let mut old: Vec<PathBuf> =
-        names.into_iter().chain(SURFACES).map(|name| dir.join(name)).collect();
-    for entry in fs::read_dir(fields).map_err(refused)? {
-        let path = entry.map_err(refused)?.path();
-        if is_output(&path) {
-            old.push(path);
+/// Says whether all numbers of a step are numbers. Only an error in time may be missing.
+fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
+    let missing = |column: &str, value: f64| value.is_nan() && column == "time_error";
+    let wrong = row.iter().find(|(column, value)| !value.is_finite() && !missing(column, *value));
+    let [one, other] = &report.state.worn;
+    let fields = [("pressure_Pa", &report.state.pressure), ("wear_m", one), ("wear_m", other)];
+    let spoilt = |(_, values): &(&str, &Vec<f64>)| values.iter().any(|value| !value.is_finite());
+    let field = || fields.into_iter().find(spoilt).map(|(name, _)| name);
+    match wrong.map(|(column, _)| column.as_str()).or_else(field) {
+        None => Ok(()),
+        Some(name) => {
+            let place = report.problem.kinematics.progress().at(report.state.progress);
+            Err(Error::NotFinite { name: name.to_owned(), place })
         }
     }
-    old.into_iter().try_for_each(|path| match fs::remove_file(&path) {
-        Err(source) if source.kind() != io::ErrorKind::NotFound => {
-            Err(Error::Write { path, source })
-        }
-        _ => Ok(()),
-    })
-}
-
-/// Whether that is the name of a numbered output.
-fn is_output(path: &Path) -> bool {
-    let digits = |stem: &str| stem.len() >= 4 && stem.bytes().all(|byte| byte.is_ascii_digit());
-    [Some(OsStr::new("vti")), Some(OsStr::new("vtu"))].contains(&path.extension())
-        && path.file_stem().and_then(OsStr::to_str).is_some_and(digits)
 }

@@ -1,0 +1,44 @@
+//! The results of a run that is under way, with all that its summary needs.
+
+use std::path::Path;
+use std::time::Instant;
+
+use archard::output::{Error, ResultFolder, Totals};
+use indicatif::ProgressBar;
+
+/// Results under way.
+pub struct Underway {
+    /// Their folder.
+    pub folder: ResultFolder,
+    /// When the run began.
+    pub begun: Instant,
+    /// What the user was warned of.
+    pub warnings: Vec<String>,
+    /// The bar on the terminal, if there is one.
+    pub bar: Option<ProgressBar>,
+}
+
+impl Underway {
+    /// The folder.
+    pub fn dir(&self) -> &Path {
+        self.folder.dir()
+    }
+
+    /// Writes the summary of a run that ended, or why it did not; returns what it says.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn finish(self, failure: Option<String>) -> Result<Totals, Error> {
+        if let Some(bar) = self.bar {
+            bar.finish_and_clear();
+        }
+        let totals = Totals {
+            seconds: self.begun.elapsed().as_secs_f64(),
+            threads: rayon::current_num_threads(),
+            warnings: self.warnings,
+            failure,
+        };
+        self.folder.finish(&totals)?;
+        Ok(totals)
+    }
+}
