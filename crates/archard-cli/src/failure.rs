@@ -8,7 +8,7 @@ pub const INTERRUPTED: u8 = 3;
 /// A failure.
 #[derive(Debug)]
 pub enum Failure {
-    /// A solve or a step did not converge.
+    /// A solve or a step did not converge, or what came out cannot be right.
     NotConverged(String),
     /// The case, the command line or a folder is not as it has to be.
     Wrong(String),

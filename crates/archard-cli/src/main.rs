@@ -18,6 +18,7 @@ mod progress;
 mod run;
 mod say;
 mod underway;
+mod verdict;
 
 use std::process::ExitCode;
 

@@ -9,6 +9,7 @@ use archard::case::{Resolved, Task};
 use archard::kinematics::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::{Effort, Error, Simulation};
+use archard::verdict::Verdict;
 
 use crate::arguments::Run;
 use crate::diagnose;
@@ -20,6 +21,7 @@ use crate::number::{count, energy, four};
 use crate::progress::Follower;
 use crate::say::say;
 use crate::underway::Underway;
+use crate::verdict;
 
 /// Threads a processor may be given at most.
 const MOST_THREADS: usize = 8;
@@ -77,21 +79,25 @@ fn contact(
         written.map_err(|error| Failure::wrong(error.to_string()))?;
         Ok(effort)
     });
-    let (totals, effort) = finish(watch, outcome)?;
-    if arguments.quiet {
-        return Ok(());
+    let (totals, judged, effort) = finish(watch, outcome)?;
+    if !arguments.quiet {
+        summarize(&simulation, &follower, &totals, effort, dir)?;
+        verdict::say_all(&judged)?;
     }
-    summarize(&simulation, &follower, &totals, effort, dir)
+    verdict::judge(&judged, dir)
 }
 
 /// Finishes the results of a run, whatever came of it.
-fn finish(watch: &Watch, outcome: Result<Effort, Failure>) -> Result<(Totals, Effort), Failure> {
+fn finish(
+    watch: &Watch,
+    outcome: Result<Effort, Failure>,
+) -> Result<(Totals, Verdict, Effort), Failure> {
     let Some(results) = watch.end() else {
         return Err(Failure::wrong("the run has no results"));
     };
     let cause = outcome.as_ref().err().map(Failure::cause);
     match (results.finish(cause), outcome) {
-        (Ok(totals), Ok(effort)) => Ok((totals, effort)),
+        (Ok((totals, verdict)), Ok(effort)) => Ok((totals, verdict, effort)),
         (Err(error), Ok(_)) => Err(Failure::wrong(error.to_string())),
         (Ok(_), Err(failure)) => Err(failure),
         (Err(error), Err(failure)) => Err(failure.and(&error)),

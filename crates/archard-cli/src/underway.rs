@@ -4,6 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::output::{Error, ResultFolder, Totals};
+use archard::verdict::Verdict;
 use indicatif::ProgressBar;
 
 /// Results under way.
@@ -24,21 +25,24 @@ impl Underway {
         self.folder.dir()
     }
 
-    /// Writes the summary of a run that ended, or why it did not; returns what it says.
+    /// Writes the summary of a run that ended, or why it did not; returns what it says and whether it can be
+    /// believed, the doubts among the warnings.
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub fn finish(self, failure: Option<String>) -> Result<Totals, Error> {
+    pub fn finish(self, failure: Option<String>) -> Result<(Totals, Verdict), Error> {
+        let verdict = self.folder.verdict();
+        let doubts = verdict.complaints().map(|line| format!("{line} ({})", line.word().text()));
         if let Some(bar) = self.bar {
             bar.finish_and_clear();
         }
         let totals = Totals {
             seconds: self.begun.elapsed().as_secs_f64(),
             threads: rayon::current_num_threads(),
-            warnings: self.warnings,
+            warnings: self.warnings.into_iter().chain(doubts).collect(),
             failure,
         };
         self.folder.finish(&totals)?;
-        Ok(totals)
+        Ok((totals, verdict))
     }
 }

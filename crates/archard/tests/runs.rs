@@ -192,3 +192,107 @@ fn a_wider_frame_changes_nothing() {
         assert_same(&run("pin_on_disc", &[steps, &size, &elements]), &square);
     }
 }
+
+/// Every row of a run carries the load prescribed for it.
+fn assert_carried(rows: &Rows, expected: impl Fn(usize) -> f64) {
+    let loads = rows.column("load_N");
+    for (row, &load) in loads.iter().enumerate() {
+        assert_relative_eq!(load, expected(row), max_relative = 1e-8, epsilon = 1e-12);
+    }
+    assert!(rows.column("approach_m").iter().all(|approach| approach.is_finite()));
+}
+
+/// A contact that begins on one pair, or on a few that leave at once, finds the pairs beside them.
+#[test]
+fn the_load_is_carried_on_the_coarsest_frames() {
+    let steps = ["frame.elements=[3,3]", "motion.sliding.step=50 mm"];
+    for solver in ["conjugate_gradient", "active_set", "gauss_seidel"] {
+        let solver = format!("solver.{solver}={{}}");
+        let rows = run("pin_on_disc", &[steps[0], steps[1], &solver]);
+        assert_carried(&rows, |_| 10.2);
+        // The contact grows beyond the pair that it began on.
+        assert!(rows.last("contact_area_m2") > 4.0 * rows.column("contact_area_m2")[0]);
+    }
+    let wide = ["frame.elements=[25,25]", "frame.size=[\"2 mm\",\"2 mm\"]"];
+    let rows = run("hertz", &[wide[0], wide[1], "motion.indentation.increments=20"]);
+    assert_carried(&rows, |row| 10.2 * row as f64 / 20.0);
+}
+
+/// McColl's cylinder on a flat, in gross slip (I. R. McColl, J. Ding and S. B. Leen, Wear 256 (2004) 1114).
+const MCCOLL: &str = r#"
+    [body.cylinder]
+    material = { young = "200 GPa", poisson = 0.3 }
+    profile.cylinder = { radius = "6 mm", axis = "y" }
+    wear.archard = { coefficient = "1.9e-8 1/MPa" }
+    [body.flat]
+    material = { young = "200 GPa", poisson = 0.3 }
+    profile.flat = {}
+    wear.archard = { coefficient = "2.9e-8 1/MPa" }
+    [friction.coulomb]
+    coefficient = 0.7
+    [frame]
+    size = ["0.8 mm", "10 mm"]
+    elements = [160, 1]
+    [motion.fretting]
+    load = "185 N"
+    amplitude = ["25 um", "0 um"]
+"#;
+
+/// Its rows with options.
+fn mccoll(options: &[&str]) -> Rows {
+    let file = CaseFile::from_text("McColl", MCCOLL, ".");
+    let file = options.iter().fold(file, |file, option| file.set(*option));
+    let mut rows = Rows::default();
+    file.resolve().expect("a case").case.build().unwrap().run(&mut [&mut rows]).unwrap();
+    rows
+}
+
+/// McColl's cylinder over 2,000 cycles: whatever tolerance is asked, the depth is off from that of a run of every cycle by less than the error stated, which is below
+/// the tolerance.
+#[test]
+fn jumps_know_their_error() {
+    let every = mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]"]);
+    for tolerance in [3e-2, 1e-2, 1e-3] {
+        let tolerance_given = format!("motion.fretting.tolerance={tolerance}");
+        let rows = mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]", &tolerance_given]);
+        let off = rows.last("wear_depth_m") / every.last("wear_depth_m") - 1.0;
+        let stated = rows.last("time_error");
+        assert!(off.abs() < stated && stated < tolerance, "{off} {stated} {tolerance}");
+        assert!(rows.column("cycle").len() < every.column("cycle").len() / 10);
+    }
+}
+
+/// Pairs that a jump brings into contact wear as their neighbours do, also where one of these had joined in the very
+/// cycle before: the pressures fall from output to output, as they do in every cycle.
+#[test]
+fn jumps_leave_no_spikes_at_the_edge_of_the_scar() {
+    let jumps = "motion.fretting.tolerance=0.01";
+    let rows = mccoll(&["motion.fretting.cycles=18000", "output.at=[1000, 5000, 10000]", jumps]);
+    let (cycles, peaks) = (rows.column("cycle"), rows.column("peak_pressure_Pa"));
+    let ends: Vec<f64> = (0..cycles.len())
+        .filter(|&row| cycles[row] > 100.0 && (cycles[row] - cycles[row].round()).abs() < 1e-9)
+        .map(|row| peaks[row])
+        .collect();
+    assert!(ends.len() > 5);
+    assert!(ends.windows(2).all(|two| two[1] < 1.01 * two[0]), "{ends:?}");
+}
+
+/// Discs that creep so little that less than an element slips: what is worn off is k/mu times the work of Kalker's linear
+/// creep force (J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990), which twin discs of
+/// 41 elements meet within the first order of the elements.
+#[test]
+fn discs_that_hardly_creep_wear_by_the_work_of_their_creepage() {
+    let worn = |creepage: f64| {
+        let creepage = format!("motion.rolling.creepage={creepage}");
+        let rows = run("twin_disc", &[&creepage, "motion.rolling.revolutions=10", "output.at=[1]"]);
+        [rows.last("worn_section_disc1_m2"), rows.last("force_x_N")]
+    };
+    let [section, force] = worn(1e-4);
+    let [less, lesser] = worn(1e-5);
+    // The linear theory: forces as the creepages, wear as their squares.
+    assert_relative_eq!(force / lesser, 10.0, max_relative = 0.02);
+    assert_relative_eq!(section / less, 100.0, max_relative = 0.03);
+    // The same as at full slip, where k F xi a revolution is exact, but for the force.
+    let [full, most] = worn(0.01);
+    assert_relative_eq!(section / full, 1e-2 * force / most, max_relative = 1e-3);
+}

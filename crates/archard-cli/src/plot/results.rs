@@ -33,6 +33,8 @@ pub(super) struct Results {
     pub(super) case: Option<Case>,
     /// What closed forms start from; null until a run has ended.
     closed_form: Value,
+    /// What pictures have to say of a run that is incomplete, doubtful or wrong.
+    pub(super) mark: Option<String>,
 }
 
 /// A sphere worn on a flat, as eq. 55 takes it.
@@ -89,6 +91,7 @@ impl Results {
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
             closed_form: if summary.is_file() { closed_form(&summary)? } else { Value::Null },
+            mark: None,
             history,
         })
     }

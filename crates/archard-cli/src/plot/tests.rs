@@ -11,7 +11,7 @@ use archard::body::{Body, Material, profile::PROFILES};
 use archard::closed_form::pin_on_disc;
 use archard::compliance::Compliance;
 use archard::frame::{ContactFrame, VectorField};
-use archard::kinematics::MOTIONS;
+use archard::kinematics::{Control, MOTIONS, Stepping};
 use archard::output::{ResultFolder, Totals};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
@@ -108,7 +108,15 @@ fn write(
         let load_distance = 10.2 * state.progress;
         let effort = Effort { steps: step, load_distance, ..Effort::default() };
         let output = step % (last / 5).max(1) == 0;
-        let report = Report { problem, state, effort, output, extent: states[last].progress };
+        let report = Report {
+            problem,
+            state,
+            effort,
+            output,
+            extent: states[last].progress,
+            prescribed: Control::Load(state.load),
+            stepping: Stepping::Implicit(1.0),
+        };
         folder.observe(&report).unwrap();
     }
     if finished {

@@ -6,7 +6,7 @@ use crate::closed_form::pin_on_disc;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, Direction, VectorField};
 use crate::friction::FRICTION as FRICTION_LAWS;
-use crate::kinematics::{Drive, MOTIONS, Rolling};
+use crate::kinematics::{Control, Drive, MOTIONS, Rolling, Stepping};
 use crate::parameters::{Choice, Value, Values};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::{Effort, Observer, Report};
@@ -273,6 +273,8 @@ impl Run {
                 effort,
                 output: output(progress),
                 extent: places.last().copied().unwrap_or_default(),
+                prescribed: Control::Load(state.load),
+                stepping: Stepping::Implicit(1.0),
             };
             observer.observe(&report).expect("the temporary folder takes files");
         }

@@ -25,6 +25,7 @@ mod appended;
 mod closed_forms;
 mod coefficients;
 mod elastic;
+mod evidence;
 mod fields;
 mod file;
 mod folder;

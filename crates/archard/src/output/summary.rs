@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::coefficients;
 use crate::simulation::{Effort, Report};
+use crate::verdict::{Bound, Line, Verdict};
 
 /// What only the caller of a run knows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -47,7 +48,11 @@ impl Standing {
 }
 
 /// The summary as JSON text; `iterations` is the sum over all steps.
-pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Totals) -> String {
+pub(super) fn text(
+    standing: Option<&Standing>,
+    (iterations, verdict): (usize, &Verdict),
+    totals: &Totals,
+) -> String {
     let effort = standing.map(|standing| standing.effort).unwrap_or_default();
     let cycles = standing.is_some_and(|standing| standing.cycles);
     let summary = json!({
@@ -55,6 +60,7 @@ pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Tota
         "version": env!("CARGO_PKG_VERSION"),
         "complete": totals.failure.is_none(),
         "failure": totals.failure,
+        "verdict": json_of(verdict),
         "extent": standing.map(|standing| standing.extent),
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),
@@ -71,6 +77,26 @@ pub(super) fn text(standing: Option<&Standing>, iterations: usize, totals: &Tota
         "warnings": totals.warnings,
     });
     format!("{summary:#}\n")
+}
+
+/// A verdict: its word, and each line with its number, its bounds and its word.
+pub(super) fn json_of(verdict: &Verdict) -> Value {
+    let line = |line: &Line| {
+        let (side, [doubtful, wrong]) = match line.bound {
+            Bound::AtMost(bounds) => ("above", bounds),
+            Bound::AtLeast(bounds) => ("below", bounds),
+        };
+        json!({
+            "subject": line.subject,
+            "value": line.value,
+            "word": line.word().text(),
+            format!("doubtful_{side}"): doubtful,
+            format!("wrong_{side}"): wrong,
+            "text": line.text,
+        })
+    };
+    let lines: Vec<Value> = verdict.lines.iter().map(line).collect();
+    json!({ "word": verdict.word().text(), "lines": lines })
 }
 
 /// For each body, the volume by the integral of its depth (the paper's eq. 56), in rolling the section

@@ -84,7 +84,7 @@ impl Chain {
         let slip = problem.kinematics.slip(leg.advance);
         if slip == 0.0 || !problem.wears() {
             self.press(simulation, leg, effort)?;
-            self.load_distance += self.state.load * slip;
+            self.load_distance += self.prescribed_load(leg) * slip;
             return Ok(());
         }
         let undeformed = self.undeformed_gap(problem);
@@ -94,6 +94,7 @@ impl Chain {
             self.meet(simulation, leg, &gap, &line.slope, &*problem.compliance, effort)?;
             if line.holds(&self.state.pressure, slip, problem) {
                 self.wear(slip, problem);
+                self.load_distance += self.prescribed_load(leg) * slip;
                 return Ok(());
             }
         }
@@ -108,18 +109,28 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        self.wear(problem.kinematics.slip(leg.advance), problem);
+        let slip = problem.kinematics.slip(leg.advance);
+        let before = simulation.control_at(self.state.progress);
+        self.wear(slip, problem);
+        self.load_distance += self.prescribed_load(Leg { control: before, ..leg }) * slip;
         self.press(simulation, leg, effort)
     }
 
     /// Wears both bodies by rubbing under the present pressures over a slip (m).
     fn wear(&mut self, slip: f64, problem: &ContactProblem) {
-        let ContactState { pressure, worn, load, .. } = &mut self.state;
+        let ContactState { pressure, worn, .. } = &mut self.state;
         for (i, &pressure) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
             let depths = problem.wear_depths(Rubbing { pressure, slip });
             worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[i] += depth);
         }
-        self.load_distance += *load * slip;
+    }
+
+    /// The load (N) that is given; the one found where the approach is.
+    fn prescribed_load(&self, leg: Leg) -> f64 {
+        match leg.control {
+            Control::Load(load) => load,
+            Control::Approach(_) => self.state.load,
+        }
     }
 
     /// Deepest wear (m) that an advance under the present contact makes.

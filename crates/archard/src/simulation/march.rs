@@ -127,6 +127,8 @@ impl<'a> March<'a> {
             effort: self.effort,
             output: self.output,
             extent: self.simulation.schedule.extent,
+            prescribed: self.simulation.control_at(self.chain.state.progress),
+            stepping: self.simulation.schedule.stepping,
         };
         observers
             .iter_mut()

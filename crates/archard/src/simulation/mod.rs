@@ -62,6 +62,10 @@ pub struct Report<'a> {
     pub output: bool,
     /// How far the motion goes (its own unit).
     pub extent: f64,
+    /// The load or approach prescribed for this state.
+    pub prescribed: Control,
+    /// How the motion is divided into steps.
+    pub stepping: Stepping,
 }
 
 /// What a step took, and what the run took so far.

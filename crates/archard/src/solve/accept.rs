@@ -53,7 +53,8 @@ fn apart(step: &Step<'_>) -> Outcome {
 fn judged(outcome: Outcome, step: &Step<'_>, solver: &dyn Solver) -> Outcome {
     let carried = step.measure.load(&outcome.pressure);
     let missing = match step.control {
-        Control::Load(load) => (carried / load - 1.0).abs(),
+        // By how much the approach would be off, which grows with the load to the power 2/3.
+        Control::Load(load) => ((carried / load).abs().cbrt().powi(2) - 1.0).abs(),
         Control::Approach(_) => 0.0,
     };
     let known = carried.is_finite() && outcome.approach.is_finite();

@@ -1,5 +1,7 @@
 //! One line of a verdict.
 
+use std::fmt;
+
 /// How far something can be believed; the worst is the largest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Word {
@@ -61,5 +63,17 @@ impl Line {
             Bound::AtMost(bounds) => within(bounds.map(|bound| self.value <= bound)),
             Bound::AtLeast(bounds) => within(bounds.map(|bound| self.value >= bound)),
         }
+    }
+}
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { subject, value, text, .. } = self;
+        let value = match *value {
+            value if value == 0.0 => "0".to_owned(),
+            value if (0.01..1e4).contains(&value.abs()) => format!("{value:.3}"),
+            value => format!("{value:.1e}"),
+        };
+        write!(f, "{subject}: {value} {text}")
     }
 }

@@ -7,7 +7,9 @@
 mod bounds;
 mod line;
 
-pub use bounds::load;
+pub use bounds::{
+    contact, edges, energy, first_contact, load, roughness, stick_zone, time, volume,
+};
 pub use line::{Bound, Line, Word};
 
 /// The lines of a run, in the order in which they are read.

@@ -25,8 +25,8 @@ fn along(table: &str, increments: usize, poisson: f64) -> (ContactProblem, Vec<C
 
 /// From 5 N on load and force rise together, the force 0.2 times as fast, less than mu = 0.3: nothing
 /// slips, and each increment of the pressures brings 0.2 of itself as traction, under which a circle moves
-/// (1 - nu/2) / (1 - nu) times as far as under the pressure. Pairs that close within an increment are held
-/// over all of it, which makes their tractions 1 % of mu p0 too large, and 1 % of the pairs reach the limit.
+/// (1 - nu/2) / (1 - nu) times as far as under the pressure. At the edge of the first contact the tractions of the
+/// increments begin, in whole elements.
 #[test]
 fn an_oblique_force_within_friction_makes_nothing_slip() {
     let table = "time_s,load_N,force_x_N\n0,5,0\n1,10.2,1.04\n";
@@ -48,6 +48,29 @@ fn an_oblique_force_within_friction_makes_nothing_slip() {
         assert!(most < 0.02, "{most}");
         assert!(stick > 0.98 * contact, "{}", stick / contact);
         assert_relative_eq!(tangential.shift[0], expected, max_relative = 2e-3);
+    }
+}
+
+/// From nothing on load and force rise together: nothing slips, the traction is 0.2 of the pressure everywhere,
+/// and the bodies are shifted by (1 - nu/2) / (1 - nu) times 0.2 of the approach, however few the increments.
+#[test]
+fn an_oblique_force_from_nothing_sticks_where_pairs_touch() {
+    let table = "time_s,load_N,force_x_N\n0,0,0\n1,10.2,2.04\n";
+    for (increments, within) in [(5, 5e-3), (20, 2e-3)] {
+        let (problem, states) = along(table, increments, 0.3);
+        let last = &states[increments];
+        let tangential = last.tangential.as_ref().expect("friction");
+        let stick = tangential.stick_area(&problem, &last.pressure);
+        let contact = last.pairs_in_contact() as f64 * problem.frame.element_area();
+        assert_relative_eq!(stick, contact, max_relative = 1e-12);
+        let expected = 0.2 * 0.85 / 0.7 * last.approach;
+        assert_relative_eq!(tangential.shift[0], expected, max_relative = within);
+        let largest = last.pressure.iter().copied().fold(0.0, f64::max);
+        for pair in 0..problem.frame.len() {
+            let [x, y] = [0, 1].map(|axis| tangential.traction[axis][pair]);
+            assert!((x - 0.2 * last.pressure[pair]).abs() < 0.01 * largest, "{pair}");
+            assert!(y.abs() < 0.01 * largest, "{pair}");
+        }
     }
 }
 

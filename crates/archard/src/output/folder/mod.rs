@@ -13,12 +13,14 @@ pub use claim::Claim;
 use lock::Lock;
 
 use super::closed_forms::ClosedForms;
+use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{Error, Image, Surface, Totals, file, pvd, sections};
 use crate::simulation::{Observer, Report, row};
+use crate::verdict::Verdict;
 
 /// The file of the numbers of every step.
 const HISTORY: &str = "history.csv";
@@ -47,6 +49,7 @@ pub struct ResultFolder {
     iterations: usize,
     closed_forms: ClosedForms,
     standing: Option<Standing>,
+    evidence: Evidence,
 }
 
 impl ResultFolder {
@@ -75,6 +78,7 @@ impl ResultFolder {
             iterations: 0,
             closed_forms: ClosedForms::default(),
             standing: None,
+            evidence: Evidence::default(),
             dir,
             _lock: lock,
         })
@@ -83,6 +87,11 @@ impl ResultFolder {
     /// The folder.
     pub fn dir(&self) -> &Path {
         &self.dir
+    }
+
+    /// Whether what was shown so far can be believed.
+    pub fn verdict(&self) -> Verdict {
+        self.evidence.verdict()
     }
 
     /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
@@ -94,7 +103,8 @@ impl ResultFolder {
         let more = [&self.worn_profiles, &self.fretting_loops];
         let tables = [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
         tables.map(Table::sync).collect::<Result<(), Error>>()?;
-        let text = summary::text(self.standing.as_ref(), self.iterations, totals);
+        let verdict = self.verdict();
+        let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
         file::write_whole(&self.dir.join("summary.json"), text.as_bytes())
     }
 
@@ -114,6 +124,7 @@ impl ResultFolder {
             let table = begun(&mut self.fretting_loops, &self.dir.join(FRETTING_LOOP))?;
             self.fretting_loop.write(table)?;
         }
+        self.evidence.take(report, &row);
         self.iterations += report.effort.iterations;
         self.standing = Some(Standing::of(report, &row, self.closed_forms.of(report)));
         Ok(())

@@ -9,7 +9,7 @@ mod touch;
 mod unlike;
 
 use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Guide, Shift, Station, Stepping};
+use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
 use crate::numerics::vector::update;
 use crate::problem::ContactState;
 
@@ -67,6 +67,7 @@ struct Jumped {
 /// A state on the way, with what it took.
 struct Shown {
     state: ContactState,
+    control: Control,
     effort: Effort,
 }
 
@@ -112,7 +113,8 @@ impl<'a> Cycles<'a> {
             let at = (self.symmetric(*station), 0.0);
             self.position.rig.increment(simulation, at, None, &mut self.effort)?;
         }
-        let begun = self.shown();
+        let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
+        let begun = self.shown(control);
         self.show(&begun, true, observers)?;
         match simulation.schedule.stepping {
             Stepping::Jumps(every) => self.by_fixed_jumps(every, observers)?,
@@ -257,7 +259,7 @@ impl<'a> Cycles<'a> {
                 self.position.dissipated += rig.rubbed.dissipated;
             }
             self.effort.steps += 1;
-            let shown = self.shown();
+            let shown = self.shown(station.control);
             show(self, shown)?;
         }
         let rig = &self.position.rig;
@@ -354,11 +356,11 @@ impl<'a> Cycles<'a> {
     }
 
     /// The present state.
-    fn shown(&mut self) -> Shown {
+    fn shown(&mut self, control: Control) -> Shown {
         let Position { rig, dissipated, .. } = &self.position;
         self.effort.load_distance = rig.chain.load_distance;
         self.effort.dissipated = [rig.rubbed.dissipated, *dissipated];
-        Shown { state: rig.chain.state.clone(), effort: self.effort }
+        Shown { state: rig.chain.state.clone(), control, effort: self.effort }
     }
 
     /// Shows a state, with its fields if they are due.
@@ -384,6 +386,8 @@ impl<'a> Cycles<'a> {
             effort: shown.effort,
             output,
             extent: self.simulation.schedule.extent,
+            prescribed: shown.control,
+            stepping: self.simulation.schedule.stepping,
         };
         observers
             .iter_mut()

@@ -1,0 +1,87 @@
+//! A contact that is pressed against the edge of its frame: it would go on beyond.
+
+use crate::frame::ContactFrame;
+use crate::problem::ContactProblem;
+
+/// What the pairs at the edge bear.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Edges {
+    /// Their share of the load.
+    pub share: f64,
+    /// Those of them under pressure.
+    pub pairs: usize,
+}
+
+/// Difference of gaps along an axis, relative to the largest, that is rounding.
+const EVEN: f64 = 1e-9;
+/// Distance from the edge of a zone, relative to its size, within which an element ends there.
+const NEAR: f64 = 1e-6;
+
+/// What the edge bears; `None` without any pressure, and where the surfaces end with the frame.
+pub(super) fn of(problem: &ContactProblem, pressure: &[f64]) -> Option<Edges> {
+    let frame = &problem.frame;
+    let measure = frame.measure();
+    let load = measure.load(pressure);
+    if load <= 0.0 || measure.closed {
+        return None;
+    }
+    let edge: Vec<usize> = if frame.is_uniform() {
+        let watched = [0, 1].map(|axis| !is_even(problem, axis));
+        (0..frame.len()).filter(|&pair| on_the_rim(frame, pair, watched)).collect()
+    } else {
+        at_the_border(frame)
+    };
+    let mut bears = vec![0.0; pressure.len()];
+    edge.iter().for_each(|&pair| bears[pair] = pressure[pair]);
+    let pairs = edge.iter().filter(|&&pair| pressure[pair] > 0.0).count();
+    Some(Edges { share: measure.load(&bears) / load, pairs })
+}
+
+/// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
+fn is_even(problem: &ContactProblem, axis: usize) -> bool {
+    let size = problem.frame.size();
+    let gap = |along: f64, across: f64| -> Option<f64> {
+        let mut place = [0.0; 2];
+        (place[axis], place[1 - axis]) = (along * size[axis], across * size[1 - axis]);
+        let recess = |index: usize| problem.bodies[index].profile.recess(place[0], place[1]);
+        let gap = recess(0) + recess(1);
+        gap.is_finite().then_some(gap)
+    };
+    // Within the outermost elements, where tables still have values.
+    let reach = 0.5 - 0.5 / problem.frame.elements()[axis].max(2) as f64;
+    [-0.4, -0.1, 0.0, 0.2, 0.45].into_iter().all(|across| {
+        let [low, middle, high] = [-reach, 0.0, reach].map(|along| gap(along, across));
+        let (Some(low), Some(middle), Some(high)) = (low, middle, high) else { return false };
+        let scale = size[axis].max(low.abs()).max(high.abs()) * EVEN;
+        (low - middle).abs() <= scale && (high - middle).abs() <= scale
+    })
+}
+
+fn on_the_rim(frame: &ContactFrame, pair: usize, watched: [bool; 2]) -> bool {
+    let elements = frame.elements();
+    let index = [pair % elements[0], pair / elements[0]];
+    (0..2).any(|axis| watched[axis] && (index[axis] == 0 || index[axis] + 1 == elements[axis]))
+}
+
+/// The pairs whose elements reach the box around all of them, planes of symmetry left out.
+fn at_the_border(frame: &ContactFrame) -> Vec<usize> {
+    let corners: Vec<Vec<[f64; 3]>> = (0..frame.len()).map(|pair| frame.outline(pair)).collect();
+    let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+    for corner in corners.iter().flatten() {
+        for axis in 0..2 {
+            (low[axis], high[axis]) = (low[axis].min(corner[axis]), high[axis].max(corner[axis]));
+        }
+    }
+    let mirrored = frame.mirrored();
+    let touches = |axis: usize, value: f64| {
+        let near = NEAR * (high[axis] - low[axis]);
+        let at = |edge: f64| {
+            (value - edge).abs() <= near && !(mirrored[axis] && edge.abs() <= near)
+        };
+        at(low[axis]) || at(high[axis])
+    };
+    let reaches = |&pair: &usize| {
+        corners[pair].iter().any(|corner| (0..2).any(|axis| touches(axis, corner[axis])))
+    };
+    (0..frame.len()).filter(reaches).collect()
+}

@@ -1,0 +1,159 @@
+//! What a run leaves to be judged: numbers collected from its reports, each against what was prescribed.
+//!
+//! Nothing here knows a bound: [`verdict`](crate::verdict) makes lines of the numbers.
+
+mod edges;
+mod extent;
+mod roughness;
+mod work;
+
+use super::coefficients;
+use crate::kinematics::{Control, Stepping};
+use crate::problem::ContactProblem;
+use crate::simulation::Report;
+use crate::verdict::{self, Verdict};
+
+use edges::Edges;
+use work::Cycle;
+
+/// The numbers so far; the worst of all reports where nothing else is said.
+#[derive(Debug, Default)]
+pub(super) struct Evidence {
+    /// Load or approach off the one prescribed, relative to it.
+    load: Option<f64>,
+    /// Share of the load on the edges of the frame, and the number of pairs that bear it.
+    edges: Option<Edges>,
+    /// Elements across the contact when it first bore a load, and when it was largest.
+    first: Option<f64>,
+    largest: Option<f64>,
+    /// Elements across the stick zone at the end; `None` where nothing sticks, or all does.
+    stick: Option<f64>,
+    /// Error of the division into steps at the end, over the tolerance asked for.
+    time: Option<[f64; 2]>,
+    /// Work of the motion in a cycle against what friction dissipated.
+    energy: Option<f64>,
+    cycle: Cycle,
+    /// Worn volume, or section, against what the prescribed load, or the dissipated energy, wears.
+    volume: Option<f64>,
+    /// Alternation and spikes of the pressures at outputs, relative to the largest.
+    roughness: Option<f64>,
+}
+
+impl Evidence {
+    /// Takes up a report and its row of the history.
+    pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) {
+        let Report { problem, state, effort, .. } = report;
+        worst(&mut self.load, missing(report));
+        if let Some(edges) = edges::of(problem, &state.pressure)
+            && self.edges.is_none_or(|known| edges.share >= known.share)
+        {
+            self.edges = Some(edges);
+        }
+        if let Some(across) = extent::across(problem, |pair| state.pressure[pair] > 0.0) {
+            self.first.get_or_insert(across);
+            worst(&mut self.largest, Some(across));
+        }
+        self.stick = state.tangential.as_ref().and_then(|tangential| {
+            let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
+            let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
+            let partial = (0..problem.frame.len()).any(slips);
+            extent::across(problem, sticks).filter(|_| partial)
+        });
+        self.time = match (report.stepping, effort.time_error) {
+            (Stepping::Tolerance(tolerance), Some(error)) => Some([error, tolerance]),
+            _ => None,
+        };
+        worst(&mut self.energy, self.cycle.take(report, row));
+        self.volume = volume(report, row);
+        if report.output {
+            worst(&mut self.roughness, roughness::of(problem, &state.pressure));
+        }
+    }
+
+    /// The lines that follow.
+    pub fn verdict(&self) -> Verdict {
+        let lines = [
+            self.load.map(verdict::load),
+            self.edges.map(|Edges { share, pairs }| verdict::edges(share, pairs)),
+            self.first.map(verdict::first_contact),
+            self.largest.map(verdict::contact),
+            self.stick.map(verdict::stick_zone),
+            self.time.map(|[error, tolerance]| verdict::time(error, tolerance)),
+            self.energy.map(verdict::energy),
+            self.volume.map(verdict::volume),
+            self.roughness.map(verdict::roughness),
+        ];
+        Verdict { lines: lines.into_iter().flatten().collect() }
+    }
+}
+
+/// Keeps the larger of two numbers; what is not a number stays.
+fn worst(known: &mut Option<f64>, found: Option<f64>) {
+    if let Some(found) = found {
+        let keeps = known.is_some_and(|known| known >= found || known.is_nan());
+        *known = if keeps { *known } else { Some(found) };
+    }
+}
+
+/// Load or approach off the one prescribed, relative to it; where nothing is prescribed, whether anything is there.
+fn missing(report: &Report<'_>) -> Option<f64> {
+    let state = report.state;
+    let (prescribed, found) = match report.prescribed {
+        Control::Load(load) => (load, state.load),
+        Control::Approach(approach) => (approach, state.approach),
+    };
+    match (prescribed == 0.0, report.prescribed) {
+        (true, Control::Load(_)) => Some(if found == 0.0 { 0.0 } else { f64::INFINITY }),
+        (true, Control::Approach(_)) => None,
+        (false, _) => Some((found / prescribed - 1.0).abs()),
+    }
+}
+
+/// Worn volume or section off what follows: in sliding from k F s with the load prescribed, in rolling from the work of
+/// the creepages, in cycles from the dissipated energy; the larger of both bodies. `None` where laws are not so
+/// simple, or nothing has worn.
+fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
+    let Report { problem, effort, .. } = report;
+    let number = |column: String| row.iter().find(|(known, _)| *known == column).map(|one| one.1);
+    let expected = match problem.kinematics.shift() {
+        Some(shift) if shift.end_pressure => return None,
+        Some(_) => effort.dissipated[1] / coefficients::of_friction(problem)?,
+        None => effort.load_distance,
+    };
+    let off = |body: usize| {
+        let k = coefficients::of_wear(problem, body)?;
+        let name = &problem.bodies[body].name;
+        let worn = number(format!("worn_volume_{name}_m3"))
+            .or_else(|| number(format!("worn_section_{name}_m2")))?;
+        (k * expected > 0.0).then(|| (worn / (k * expected) - 1.0).abs())
+    };
+    let mut both = None;
+    (0..2).for_each(|body| worst(&mut both, off(body)));
+    both.filter(|_| ends_a_cycle(problem, report.state.progress))
+}
+
+/// Whether whole cycles are done, which count as dissipated; always where there are none.
+fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
+    const SAME: f64 = 1e-6;
+    problem.kinematics.shift().is_none_or(|shift| {
+        let cycles = progress / shift.period();
+        (cycles - cycles.round()).abs() < SAME
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::worst;
+
+    #[test]
+    fn the_worst_is_kept_and_no_number_is_the_worst() {
+        let mut known = None;
+        for (found, expected) in [(None, None), (Some(1.0), Some(1.0)), (Some(0.5), Some(1.0))] {
+            worst(&mut known, found);
+            assert_eq!(known, expected);
+        }
+        worst(&mut known, Some(f64::NAN));
+        worst(&mut known, Some(2.0));
+        assert!(known.is_some_and(f64::is_nan));
+    }
+}
