@@ -59,7 +59,8 @@ fn another_material_has_a_compliance_of_its_own_and_friction_has_not() {
     let run = |option: &str| {
         let small = "body.block.mesh.box.contact.elements=[4, 4]";
         let steps = "motion.indentation.increments=2";
-        let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--cache", "kept", "--quiet"];
+        let arguments =
+            ["run", case.to_str().unwrap(), "-o", "out", "--cache", "kept", "-q", "--force"];
         let options = ["--set", small, "--set", steps, "--set", option];
         archard(&dir, &[&arguments[..], &options].concat()).success();
         fs::read_dir(dir.path().join("kept")).unwrap().count()
@@ -80,7 +81,8 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     let small = "body.block.mesh.box.contact.elements=[8, 8]";
     let steps = "motion.indentation.increments=1";
     let alone = ["--set", "friction=", "--set", "body.block.wear="];
-    let arguments = [&["run", case.to_str().unwrap(), "-o", "out", "-q"], &alone[..]].concat();
+    let arguments =
+        [&["run", case.to_str().unwrap(), "-o", "out", "-q", "--force"], &alone[..]].concat();
     let options = ["--set", small, "--set", steps, "--set", points];
     archard(&dir, &[&arguments[..], &options].concat()).success();
     let out = dir.path().join("out");

@@ -90,12 +90,13 @@ fn a_run_leaves_a_case_that_runs_again() {
     let mut arguments = vec!["run", case.to_str().unwrap()];
     arguments.extend(small);
     let ran = archard(&dir, &arguments).success();
-    assert!(printed(&ran).contains("results/pin_on_disc"), "{}", printed(&ran));
-    let results = dir.path().join("results/pin_on_disc");
+    let results = "results/pin_on_disc--frame.elements=12x12--motion.sliding.step=50mm";
+    assert!(printed(&ran).contains(results), "{}", printed(&ran));
+    let again = archard(&dir, &["run", results, "-o", "again", "--quiet"]).success();
+    let results = dir.path().join(results);
     for name in ["case.toml", "history.csv", "summary.json", "fields.pvd"] {
         assert!(results.join(name).is_file(), "{name}");
     }
-    let again = archard(&dir, &["run", "results/pin_on_disc", "-o", "again", "--quiet"]).success();
     assert_eq!((printed(&again), said(&again)), (String::new(), String::new()));
     for name in ["case.toml", "history.csv"] {
         let read = |folder: &Path| fs::read_to_string(folder.join(name)).unwrap();
