@@ -41,6 +41,39 @@ fn command(dir: &Path, name: &str, settings: &[&str]) -> Command {
     command
 }
 
+/// A run that is under way; one that a failed test leaves behind is killed.
+struct Run(Option<Child>);
+
+impl Run {
+    fn start(command: &mut Command) -> Self {
+        Self(Some(command.spawn().unwrap()))
+    }
+
+    fn id(&self) -> u32 {
+        self.0.as_ref().map_or(0, Child::id)
+    }
+
+    /// Sends it a signal.
+    fn signal(&self, name: &str) {
+        let kill = Command::new("kill").arg(format!("-{name}")).arg(self.id().to_string()).status();
+        assert!(kill.unwrap().success());
+    }
+
+    /// Waits for its end.
+    fn end(mut self) -> Output {
+        self.0.take().expect("it ends once").wait_with_output().unwrap()
+    }
+}
+
+impl Drop for Run {
+    fn drop(&mut self) {
+        if let Some(child) = &mut self.0 {
+            let _ = child.kill();
+            let _ = child.wait();
+        }
+    }
+}
+
 /// What a command that ended wrote on standard error.
 fn said(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
@@ -58,12 +91,6 @@ fn wait_until(what: &str, mut so: impl FnMut() -> bool) {
 /// Number of lines of the history in a folder.
 fn lines(dir: &Path) -> usize {
     fs::read_to_string(dir.join("out/history.csv")).map_or(0, |text| text.lines().count())
-}
-
-/// Sends a process a signal.
-fn signal(child: &Child, name: &str) {
-    let kill = Command::new("kill").arg(format!("-{name}")).arg(child.id().to_string()).status();
-    assert!(kill.unwrap().success());
 }
 
 /// The summary in a folder.

@@ -50,6 +50,16 @@ fn compliances_are_kept_and_give_the_same_bits() {
     fs::write(file, &sound[..middle]).unwrap();
     assert_eq!(run_block(&dir, "fourth"), first);
     assert_eq!(fs::read(file).unwrap(), sound);
+    // And one that others may write to, with a warning in the summary.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        fs::set_permissions(file, fs::Permissions::from_mode(0o666)).unwrap();
+        assert_eq!(run_block(&dir, "fifth"), first);
+        assert_eq!(fs::metadata(file).unwrap().permissions().mode() & 0o777, 0o600);
+        let summary = fs::read_to_string(dir.path().join("fifth/summary.json")).unwrap();
+        assert!(summary.contains("may be written by other users"), "{summary}");
+    }
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use super::{
-    MANY_STEPS, assert_no_parts, assert_whole, command, lines, said, signal, summary, wait_until,
+    MANY_STEPS, Run, assert_no_parts, assert_whole, command, lines, said, summary, wait_until,
 };
 
 const SMALL: [&str; 2] = ["frame.elements=[12, 12]", "motion.sliding.step=5 mm"];
@@ -28,7 +28,7 @@ fn content(out: &Path) -> Vec<(String, Vec<u8>)> {
 #[test]
 fn one_of_two_runs_into_a_folder_is_refused() {
     let dir = tempfile::tempdir().unwrap();
-    let first = command(dir.path(), "pin_on_disc", &MANY_STEPS).spawn().unwrap();
+    let first = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
     wait_until("rows", || lines(dir.path()) > 3);
     let second = command(dir.path(), "pin_on_disc", &MANY_STEPS).output().unwrap();
     assert_eq!(second.status.code(), Some(2));
@@ -44,14 +44,14 @@ fn one_of_two_runs_into_a_folder_is_refused() {
     };
     let plotted = plot(dir.path());
     assert!(plotted.status.success(), "{}", said(&plotted));
-    signal(&first, "KILL");
-    first.wait_with_output().unwrap();
+    first.signal("KILL");
+    first.end();
     assert_whole(dir.path());
     // The lock ends with the process that held it.
-    let third = command(dir.path(), "pin_on_disc", &MANY_STEPS).spawn().unwrap();
+    let third = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
     wait_until("rows of the third run", || lines(dir.path()) > 3);
-    signal(&third, "TERM");
-    assert_eq!(third.wait_with_output().unwrap().status.code(), Some(3));
+    third.signal("TERM");
+    assert_eq!(third.end().status.code(), Some(3));
 }
 
 #[test]
@@ -82,13 +82,13 @@ fn a_run_that_does_not_come_to_its_first_step_costs_no_results() {
     let before = content(&dir.path().join("out"));
     let fine = ["body.block.mesh.box.contact.elements=[60, 60]"];
     let mut run = command(dir.path(), "punch_indentation_block", &fine);
-    let run = run.arg("--force").spawn().unwrap();
+    let run = Run::start(run.arg("--force"));
     let holder = run.id().to_string();
     let lock = dir.path().join("out/.archard.lock");
     wait_until("the lock", || fs::read_to_string(&lock).is_ok_and(|text| text.trim() == holder));
     std::thread::sleep(std::time::Duration::from_millis(500));
-    signal(&run, "TERM");
-    let ended = run.wait_with_output().unwrap();
+    run.signal("TERM");
+    let ended = run.end();
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
     assert_eq!(content(&dir.path().join("out")), before);
 }
@@ -115,10 +115,10 @@ fn settings_have_a_folder_of_their_own() {
 #[test]
 fn a_folder_that_is_removed_is_missed() {
     let dir = tempfile::tempdir().unwrap();
-    let run = command(dir.path(), "pin_on_disc", &MANY_STEPS).spawn().unwrap();
+    let run = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
     wait_until("rows", || lines(dir.path()) > 3);
     fs::rename(dir.path().join("out"), dir.path().join("away")).unwrap();
-    let ended = run.wait_with_output().unwrap();
+    let ended = run.end();
     assert_eq!(ended.status.code(), Some(2));
     let said = said(&ended);
     assert!(said.contains("`out/history.csv` was removed or moved"), "{said}");

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{assert_no_parts, assert_whole, command};
+use super::{Run, assert_no_parts, assert_whole, command};
 
 /// A case and settings that make it write a lot in little time.
 struct Busy {
@@ -58,10 +58,10 @@ fn kill(times: u64, seed: u64) {
     for busy in &BUSY {
         let dir = tempfile::tempdir().unwrap();
         for _ in 0..times {
-            let mut run = command(dir.path(), busy.case, busy.settings).spawn().unwrap();
+            let run = Run::start(&mut command(dir.path(), busy.case, busy.settings));
             std::thread::sleep(Duration::from_millis(chance.below(busy.time)));
-            run.kill().unwrap();
-            run.wait().unwrap();
+            run.signal("KILL");
+            run.end();
             if dir.path().join("out").exists() {
                 rows += assert_whole(dir.path());
             }

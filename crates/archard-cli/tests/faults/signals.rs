@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::{
-    LONG_STEP, MANY_STEPS, assert_no_parts, assert_whole, command, lines, said, signal, summary,
+    LONG_STEP, MANY_STEPS, Run, assert_no_parts, assert_whole, command, lines, said, summary,
     wait_until,
 };
 
@@ -11,10 +11,10 @@ use super::{
 fn every_signal_ends_a_run_with_its_results() {
     for name in ["INT", "TERM", "HUP"] {
         let dir = tempfile::tempdir().unwrap();
-        let run = command(dir.path(), "pin_on_disc", &MANY_STEPS).spawn().unwrap();
+        let run = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
         wait_until("ten rows", || lines(dir.path()) > 10);
-        signal(&run, name);
-        let ended = run.wait_with_output().unwrap();
+        run.signal(name);
+        let ended = run.end();
         let said = said(&ended);
         assert_eq!(ended.status.code(), Some(3), "SIG{name}: {said}");
         assert!(said.contains("error: interrupted\n") && said.contains("to go on"), "{said}");
@@ -32,12 +32,12 @@ fn every_signal_ends_a_run_with_its_results() {
 #[test]
 fn a_signal_ends_a_long_solve() {
     let dir = tempfile::tempdir().unwrap();
-    let run = command(dir.path(), "pin_on_disc", &LONG_STEP).spawn().unwrap();
+    let run = Run::start(&mut command(dir.path(), "pin_on_disc", &LONG_STEP));
     wait_until("results", || dir.path().join("out/profiles.csv").exists());
     std::thread::sleep(Duration::from_millis(300));
-    signal(&run, "TERM");
+    run.signal("TERM");
     let asked = Instant::now();
-    let ended = run.wait_with_output().unwrap();
+    let ended = run.end();
     assert!(asked.elapsed() < Duration::from_secs(20), "{:?}", asked.elapsed());
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
     assert_eq!(summary(dir.path())["failure"], "interrupted");
@@ -47,14 +47,14 @@ fn a_signal_ends_a_long_solve() {
 #[test]
 fn a_second_signal_ends_it_at_once() {
     let dir = tempfile::tempdir().unwrap();
-    let run = command(dir.path(), "pin_on_disc", &LONG_STEP).spawn().unwrap();
+    let run = Run::start(&mut command(dir.path(), "pin_on_disc", &LONG_STEP));
     wait_until("results", || dir.path().join("out/profiles.csv").exists());
     std::thread::sleep(Duration::from_millis(300));
-    signal(&run, "INT");
+    run.signal("INT");
     std::thread::sleep(Duration::from_millis(400));
-    signal(&run, "INT");
+    run.signal("INT");
     let asked = Instant::now();
-    let ended = run.wait_with_output().unwrap();
+    let ended = run.end();
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
     assert!(asked.elapsed() < Duration::from_millis(1500), "{:?}", asked.elapsed());
 }
@@ -64,12 +64,12 @@ fn a_second_signal_ends_it_at_once() {
 fn a_signal_ends_an_assembly() {
     let dir = tempfile::tempdir().unwrap();
     let fine = ["body.block.mesh.box.contact.elements=[60, 60]"];
-    let run = command(dir.path(), "punch_indentation_block", &fine).spawn().unwrap();
+    let run = Run::start(&mut command(dir.path(), "punch_indentation_block", &fine));
     wait_until("the folder", || dir.path().join("out").exists());
     std::thread::sleep(Duration::from_millis(500));
-    signal(&run, "TERM");
+    run.signal("TERM");
     let asked = Instant::now();
-    let ended = run.wait_with_output().unwrap();
+    let ended = run.end();
     assert!(asked.elapsed() < Duration::from_secs(20), "{:?}", asked.elapsed());
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
     assert!(said(&ended).contains("nothing was written or replaced"), "{}", said(&ended));
