@@ -12,6 +12,10 @@ run case="cases/pin_on_disc" *options:
 test:
     cargo test
 
+# kill, interrupt and starve runs, a hundred of them killed
+faults:
+    cargo test -p archard-cli --test faults -- --include-ignored
+
 # check formatting and lints
 lint:
     cargo fmt --all --check

@@ -19,7 +19,7 @@ use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
 use crate::number::{count, energy, four};
 use crate::progress::Follower;
-use crate::say::say;
+use crate::say::{say, tell};
 use crate::underway::Underway;
 use crate::verdict;
 
@@ -59,14 +59,19 @@ fn contact(
 ) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
     let begun = Instant::now();
-    let built = match arguments.store() {
+    let store = arguments.store();
+    let built = match &store {
         Some(store) => {
             case.build_with(&|finite, material, job| store.condense(finite, material, job))
         }
         None => case.build(),
     };
     let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
-    let warnings = warnings.iter().map(|warning| warning.title()).collect();
+    let doubts = store.map(|store| store.doubts()).unwrap_or_default();
+    if !arguments.quiet {
+        doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));
+    }
+    let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
     let begin = |claim: output::Claim| {
         let folder = claim.begin(case_toml)?;
         Ok(Underway { folder, begun, warnings, bar: follower.bar() })

@@ -258,5 +258,8 @@ fn closed_form(path: &Path) -> anyhow::Result<Value> {
     let context = || format!("cannot read `{}`", path.display());
     let text = fs::read_to_string(path).with_context(context)?;
     let mut summary: Value = serde_json::from_str(&text).with_context(context)?;
-    Ok(summary["closed_form"].take())
+    let Value::Object(summary) = &mut summary else {
+        bail!("`{}` is not the summary of a run", path.display());
+    };
+    Ok(summary.remove("closed_form").unwrap_or_default())
 }

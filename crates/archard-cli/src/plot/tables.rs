@@ -101,7 +101,10 @@ fn read_rows(
     mut take: impl FnMut(&[(&str, &str)]) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let context = || format!("cannot read `{}`", path.display());
-    let mut reader = csv::Reader::from_path(path).with_context(context)?;
+    let mut text = std::fs::read(path).with_context(context)?;
+    // A run that is under way, or was killed, may leave half a row at the end.
+    text.truncate(text.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1));
+    let mut reader = csv::Reader::from_reader(&text[..]);
     let header = reader.headers().with_context(context)?.clone();
     for record in reader.records() {
         let record = record.with_context(context)?;

@@ -50,6 +50,16 @@ fn compliances_are_kept_and_give_the_same_bits() {
     fs::write(file, &sound[..middle]).unwrap();
     assert_eq!(run_block(&dir, "fourth"), first);
     assert_eq!(fs::read(file).unwrap(), sound);
+    // And one that others may write to, with a warning in the summary.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        fs::set_permissions(file, fs::Permissions::from_mode(0o666)).unwrap();
+        assert_eq!(run_block(&dir, "fifth"), first);
+        assert_eq!(fs::metadata(file).unwrap().permissions().mode() & 0o777, 0o600);
+        let summary = fs::read_to_string(dir.path().join("fifth/summary.json")).unwrap();
+        assert!(summary.contains("may be written by other users"), "{summary}");
+    }
 }
 
 #[test]
@@ -59,7 +69,8 @@ fn another_material_has_a_compliance_of_its_own_and_friction_has_not() {
     let run = |option: &str| {
         let small = "body.block.mesh.box.contact.elements=[4, 4]";
         let steps = "motion.indentation.increments=2";
-        let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--cache", "kept", "--quiet"];
+        let arguments =
+            ["run", case.to_str().unwrap(), "-o", "out", "--cache", "kept", "-q", "--force"];
         let options = ["--set", small, "--set", steps, "--set", option];
         archard(&dir, &[&arguments[..], &options].concat()).success();
         fs::read_dir(dir.path().join("kept")).unwrap().count()
@@ -80,7 +91,8 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     let small = "body.block.mesh.box.contact.elements=[8, 8]";
     let steps = "motion.indentation.increments=1";
     let alone = ["--set", "friction=", "--set", "body.block.wear="];
-    let arguments = [&["run", case.to_str().unwrap(), "-o", "out", "-q"], &alone[..]].concat();
+    let arguments =
+        [&["run", case.to_str().unwrap(), "-o", "out", "-q", "--force"], &alone[..]].concat();
     let options = ["--set", small, "--set", steps, "--set", points];
     archard(&dir, &[&arguments[..], &options].concat()).success();
     let out = dir.path().join("out");

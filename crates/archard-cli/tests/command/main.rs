@@ -90,12 +90,13 @@ fn a_run_leaves_a_case_that_runs_again() {
     let mut arguments = vec!["run", case.to_str().unwrap()];
     arguments.extend(small);
     let ran = archard(&dir, &arguments).success();
-    assert!(printed(&ran).contains("results/pin_on_disc"), "{}", printed(&ran));
-    let results = dir.path().join("results/pin_on_disc");
+    let results = "results/pin_on_disc--frame.elements=12x12--motion.sliding.step=50mm";
+    assert!(printed(&ran).contains(results), "{}", printed(&ran));
+    let again = archard(&dir, &["run", results, "-o", "again", "--quiet"]).success();
+    let results = dir.path().join(results);
     for name in ["case.toml", "history.csv", "summary.json", "fields.pvd"] {
         assert!(results.join(name).is_file(), "{name}");
     }
-    let again = archard(&dir, &["run", "results/pin_on_disc", "-o", "again", "--quiet"]).success();
     assert_eq!((printed(&again), said(&again)), (String::new(), String::new()));
     for name in ["case.toml", "history.csv"] {
         let read = |folder: &Path| fs::read_to_string(folder.join(name)).unwrap();
@@ -326,4 +327,38 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     assert_eq!(loops.lines().count(), 1 + 2 * (1 + 8), "{loops}");
     archard(&dir, &["plot", "out"]).success();
     assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
+}
+
+/// Frames of so few elements that nothing touches at first in some of the steps: an honest end, whichever.
+#[test]
+fn twin_discs_on_hardly_any_elements_do_not_panic() {
+    for elements in ["[3, 3]", "[2, 5]"] {
+        let dir = TempDir::new().unwrap();
+        let case = case("twin_disc");
+        let option = format!("frame.elements={elements}");
+        let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q", "--set", &option];
+        let ran = archard(&dir, &arguments);
+        let code = ran.get_output().status.code();
+        assert!(code.is_some_and(|code| code < 3), "{elements}: {code:?}: {}", said(&ran));
+        assert!(!said(&ran).contains("panicked"), "{elements}: {}", said(&ran));
+    }
+}
+
+#[test]
+fn a_summary_that_is_none_is_refused() {
+    let dir = TempDir::new().unwrap();
+    let case = case("hertz");
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q"];
+    archard(&dir, &[&arguments[..], &["--set", "frame.elements=[10, 10]"]].concat()).success();
+    for text in ["[1]", "null", "3", "\"closed_form\"", "{"] {
+        fs::write(dir.path().join("out/summary.json"), text).unwrap();
+        let refused = archard(&dir, &["plot", "out"]).code(2);
+        assert!(said(&refused).contains("out/summary.json"), "{text}: {}", said(&refused));
+    }
+    // Half a row of a run that was killed is left out.
+    let history = dir.path().join("out/history.csv");
+    let rows = fs::read_to_string(&history).unwrap() + "0.5,12";
+    fs::write(&history, rows).unwrap();
+    fs::remove_file(dir.path().join("out/summary.json")).unwrap();
+    archard(&dir, &["plot", "out"]).success();
 }

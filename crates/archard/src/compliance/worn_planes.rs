@@ -31,7 +31,7 @@ pub struct WornPlanes<'a> {
     between: Vec<f64>,
     /// Whether preconditioners keep to the contact given instead of following the iteration's.
     steady: bool,
-    /// Whether each plane has pairs of its own.
+    /// Whether each plane has pairs of its own and some of them touch.
     rows: bool,
     /// Areas of the pairs relative to the mean.
     weight: Values<'a>,
@@ -57,7 +57,6 @@ impl<'a> WornPlanes<'a> {
         slopes: &[f64],
         pressure: &[f64],
     ) -> Self {
-        let rows = flow.has_rows();
         let plane = |(plane, &slope): (&frame::Plane, &f64)| {
             let pairs: Vec<usize> = plane.passages.iter().map(|one| one.pair).collect();
             Plane {
@@ -69,10 +68,12 @@ impl<'a> WornPlanes<'a> {
         };
         let mut planes: Vec<Plane> = flow.planes().iter().zip(slopes).map(plane).collect();
         let mut between = vec![];
-        if rows {
+        if flow.has_rows() {
             spread_contact(&mut planes);
             between = self::between(elastic, &planes, pressure.len());
         }
+        // Where nothing touches, nothing is known between rows.
+        let rows = !between.is_empty();
         let weight = flow.frame().measure().weight;
         Self { elastic, planes, between, steady: false, rows, weight }
     }

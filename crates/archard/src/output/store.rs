@@ -1,12 +1,16 @@
 //! Compliances of meshed bodies, kept from one run to the next.
 //!
-//! A file is a line that names the format, its version, the key of the body, the number of rows, the values
-//! and a checksum of all before it. The key is a hash of all that the compliance follows from. What is
-//! damaged, foreign or of another version is computed anew and replaced.
+//! Each is a file of its own that says what it is ([`envelope`]), named by a hash of all that the compliance follows
+//! from. What is damaged, foreign, of another size or of another version is computed anew and replaced. What others may
+//! have written is not read ([`trust`]).
 
-use std::fs;
+mod envelope;
+mod trust;
+
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
+use envelope::{Envelope, HASH};
 use faer::Mat;
 use sha2::{Digest, Sha256};
 
@@ -17,20 +21,19 @@ use crate::compliance::bem::contact::{Job, condense};
 use crate::numerics::dense::Singular;
 
 /// What a file begins with; the version changes with the format and with the equations.
-const FORMAT: &[u8] = b"archard compliance 2\n";
-/// Bytes of a hash.
-const HASH: usize = 32;
+const FORMAT: &[u8] = b"archard compliance 3\n";
 
 /// A folder of compliances.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Store {
     folder: PathBuf,
+    doubts: Mutex<Vec<String>>,
 }
 
 impl Store {
     /// The store in a folder, which is made when something is kept there.
     pub fn new(folder: impl Into<PathBuf>) -> Self {
-        Self { folder: folder.into() }
+        Self { folder: folder.into(), doubts: Mutex::default() }
     }
 
     /// The compliance of a body: kept from an earlier run, or computed and kept. A folder that cannot be
@@ -44,92 +47,98 @@ impl Store {
         material: &Material,
         job: &Job<'_>,
     ) -> Result<Condensed, Singular> {
+        if let Err(doubt) = trust::folder(&self.folder) {
+            self.doubt(&self.folder, doubt, "compliances are neither read from it nor kept in it");
+            return condense(finite, material, job);
+        }
         let mut hash = Sha256::new_with_prefix(FORMAT);
         job.fingerprint(finite, material, &mut |bytes| hash.update(bytes));
-        let key: [u8; HASH] = hash.finalize().into();
-        let path = self.path(&key);
-        if let Some(known) = read(&path, &key) {
+        let envelope = envelope(hash.finalize().into(), job.size());
+        let path = self.path(&envelope.key);
+        if let Some(known) = self.read(&path, &envelope, job.size()) {
             return Ok(known);
         }
         let condensed = condense(finite, material, job)?;
-        if fs::create_dir_all(&self.folder).is_ok() {
-            let _ = file::write_whole(&path, &encode(&condensed, &key));
+        if trust::make(&self.folder).is_ok() {
+            file::remove_parts(&self.folder, trust::gone);
+            let _ = file::write_private(&path, &envelope.seal(numbers(&condensed)));
         }
         Ok(condensed)
+    }
+
+    /// What was not read, and why, in a sentence each.
+    pub fn doubts(&self) -> Vec<String> {
+        self.doubts.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+
+    fn doubt(&self, path: &Path, doubt: trust::Doubt, result: &str) {
+        let sentence = format!("`{}` {doubt}: {result}", path.display());
+        let mut doubts = self.doubts.lock().unwrap_or_else(PoisonError::into_inner);
+        if !doubts.contains(&sentence) {
+            doubts.push(sentence);
+        }
     }
 
     fn path(&self, key: &[u8; HASH]) -> PathBuf {
         let name: String = key[..16].iter().map(|byte| format!("{byte:02x}")).collect();
         self.folder.join(name + ".compliance")
     }
+
+    /// The compliance of that size in a file, if it is sound and what is looked for.
+    fn read(&self, path: &Path, envelope: &Envelope, size: usize) -> Option<Condensed> {
+        match trust::read(path, envelope.length()?) {
+            Ok(bytes) => Some(condensed(envelope.open(&bytes?)?, size)),
+            Err(doubt) => {
+                self.doubt(path, doubt, "the compliance is computed anew and replaces it");
+                None
+            }
+        }
+    }
 }
 
-fn encode(condensed: &Condensed, key: &[u8; HASH]) -> Vec<u8> {
+/// What the file of a compliance of that size says about itself.
+fn envelope(key: [u8; HASH], size: usize) -> Envelope {
+    Envelope { format: FORMAT, key, count: size * size + size }
+}
+
+/// All numbers of a compliance, in the order of the file.
+fn numbers(condensed: &Condensed) -> impl Iterator<Item = f64> {
     let size = condensed.free.len();
-    let mut bytes = Vec::with_capacity(FORMAT.len() + 2 * HASH + 8 * (1 + size + size * size));
-    bytes.extend_from_slice(FORMAT);
-    bytes.extend_from_slice(key);
-    bytes.extend_from_slice(&(size as u64).to_le_bytes());
-    let mut put = |value: f64| bytes.extend_from_slice(&value.to_le_bytes());
-    condensed.free.iter().for_each(|&value| put(value));
-    for column in 0..size {
-        (0..size).for_each(|row| put(condensed.compliance[(row, column)]));
-    }
-    let sum = Sha256::digest(&bytes);
-    bytes.extend_from_slice(&sum);
-    bytes
+    let matrix = (0..size * size).map(move |at| condensed.compliance[(at % size, at / size)]);
+    condensed.free.iter().copied().chain(matrix)
 }
 
-/// The compliance in a file, if it is sound and that of this key.
-fn read(path: &Path, key: &[u8; HASH]) -> Option<Condensed> {
-    let bytes = fs::read(path).ok()?;
-    let (content, sum) = bytes.split_at_checked(bytes.len().checked_sub(HASH)?)?;
-    let rest = content.strip_prefix(FORMAT)?.strip_prefix(key)?;
-    if Sha256::digest(content)[..] != *sum {
-        return None;
-    }
-    let (values, []) = rest.as_chunks::<8>() else { return None };
-    let (size, values) = values.split_first()?;
-    let size = usize::try_from(u64::from_le_bytes(*size)).ok()?;
-    if size.checked_mul(size)?.checked_add(size)? != values.len() {
-        return None;
-    }
-    let value = |index: usize| f64::from_le_bytes(values[index]);
-    let free = (0..size).map(value).collect();
-    let compliance = Mat::from_fn(size, size, |row, column| value(size * (1 + column) + row));
-    Some(Condensed { compliance, free })
+/// The compliance of that size with these numbers.
+fn condensed(numbers: &[[u8; 8]], size: usize) -> Condensed {
+    let number = |index: usize| f64::from_le_bytes(numbers[index]);
+    let free = (0..size).map(number).collect();
+    let compliance = Mat::from_fn(size, size, |row, column| number(size * (1 + column) + row));
+    Condensed { compliance, free }
 }
 
 #[cfg(test)]
 mod tests {
     use faer::Mat;
 
-    use super::{HASH, encode, read};
+    use super::{HASH, Store, envelope, numbers};
     use crate::compliance::bem::Condensed;
 
     #[test]
-    fn what_is_kept_is_read_and_nothing_else() {
+    fn what_is_kept_is_read_and_nothing_of_another_size() {
         let folder = tempfile::tempdir().unwrap();
+        let store = Store::new(folder.path());
         let path = folder.path().join("known");
         let free = vec![1e-7, -2.0 / 3.0, 0.0];
         let compliance =
             Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + 10.0 * column as f64));
-        let key = [7; HASH];
-        let bytes = encode(&Condensed { compliance: compliance.clone(), free: free.clone() }, &key);
-        std::fs::write(&path, &bytes).unwrap();
-        let known = read(&path, &key).expect("it is sound");
-        assert_eq!((known.free, known.compliance), (free, compliance));
-        assert!(read(&path, &[8; HASH]).is_none());
-        assert!(read(&folder.path().join("none"), &key).is_none());
-        for cut in 0..bytes.len() {
-            std::fs::write(&path, &bytes[..cut]).unwrap();
-            assert!(read(&path, &key).is_none(), "{cut} of {} bytes", bytes.len());
-        }
-        for at in 0..bytes.len() {
-            let mut damaged = bytes.clone();
-            damaged[at] ^= 1;
-            std::fs::write(&path, &damaged).unwrap();
-            assert!(read(&path, &key).is_none(), "byte {at}");
-        }
+        let condensed = Condensed { compliance: compliance.clone(), free: free.clone() };
+        let known = envelope([7; HASH], 3);
+        crate::output::file::write_private(&path, &known.seal(numbers(&condensed))).unwrap();
+        let read = store.read(&path, &known, 3).expect("it is sound");
+        assert_eq!((read.free, read.compliance), (free, compliance));
+        assert!(store.read(&path, &envelope([8; HASH], 3), 3).is_none());
+        assert!(store.read(&path, &envelope([7; HASH], 6), 6).is_none());
+        assert!(store.read(&folder.path().join("none"), &known, 3).is_none());
+        assert!(store.doubts().is_empty());
     }
 }

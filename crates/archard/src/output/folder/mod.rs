@@ -101,8 +101,9 @@ impl ResultFolder {
     /// If a file cannot be written.
     pub fn finish(self, totals: &Totals) -> Result<(), Error> {
         let more = [&self.worn_profiles, &self.fretting_loops];
-        let tables = [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
-        tables.map(Table::sync).collect::<Result<(), Error>>()?;
+        let mut tables =
+            [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
+        tables.try_for_each(Table::sync)?;
         let verdict = self.verdict();
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
         file::write_whole(&self.dir.join("summary.json"), text.as_bytes())

@@ -8,10 +8,12 @@ use approx::assert_relative_eq;
 use serde_json::Value;
 use tempfile::tempdir;
 
-use super::ResultFolder;
+use super::{Claim, ResultFolder};
 use crate::frame::Direction;
 use crate::output::fixture::{COEFFICIENTS, CREEPAGE, CROWN, FRICTION, LOAD, Run};
 use crate::output::{Error, Image, Totals};
+use crate::problem::ContactState;
+use crate::simulation::{Effort, Observer, Report};
 
 /// A run of three steps with outputs at its start and end, and the folder it left.
 fn folder() -> tempfile::TempDir {
@@ -242,6 +244,69 @@ fn a_folder_that_cannot_be_made_is_named() {
     let dir = tempdir().unwrap();
     fs::write(dir.path().join("taken"), "").unwrap();
     let error = ResultFolder::create(&dir.path().join("taken"), "").unwrap_err();
-    assert!(matches!(&error, Error::Write { path, .. } if path.ends_with("taken/fields")));
+    assert!(matches!(&error, Error::Write { path, .. } if path.ends_with("taken")));
     assert!(error.to_string().contains("taken"), "{error}");
+}
+
+#[test]
+fn a_folder_is_held_while_results_are_written() {
+    let dir = tempdir().unwrap();
+    let folder = ResultFolder::create(dir.path(), "").unwrap();
+    assert!(matches!(Claim::take(dir.path()), Err(Error::InUse { .. })));
+    folder.finish(&Totals::default()).unwrap();
+    let claim = Claim::take(dir.path()).unwrap();
+    assert!(!claim.holds_another("") && claim.holds_another("title = \"else\"\n"));
+}
+
+#[test]
+fn results_stay_until_others_begin() {
+    let dir = folder();
+    let before = fs::read(dir.path().join("history.csv")).unwrap();
+    let part = dir.path().join("fields/0007.vti.4194305.3.part");
+    fs::write(&part, "half").unwrap();
+    let claim = Claim::take(dir.path()).unwrap();
+    assert_eq!(fs::read(dir.path().join("history.csv")).unwrap(), before);
+    assert!(dir.path().join("summary.json").exists() && part.exists());
+    claim.give_up();
+    assert!(dir.path().join("summary.json").exists());
+    let _folder = Claim::take(dir.path()).unwrap().begin("").unwrap();
+    assert!(!dir.path().join("summary.json").exists() && !part.exists());
+    assert_eq!(fs::read(dir.path().join("history.csv")).unwrap(), b"");
+}
+
+#[test]
+fn a_folder_made_for_nothing_is_removed() {
+    let dir = tempdir().unwrap();
+    let made = dir.path().join("out");
+    Claim::take(&made).unwrap().give_up();
+    assert!(!made.exists());
+    Claim::take(dir.path()).unwrap().give_up();
+    assert!(dir.path().exists());
+}
+
+/// What is no number neither becomes a row nor the end of a summary.
+#[test]
+fn numbers_that_are_none_are_refused() {
+    for spoil in [
+        (|state| state.load = f64::NAN) as fn(&mut ContactState),
+        |state| state.approach = f64::INFINITY,
+        |state| state.pressure[3] = f64::NAN,
+        |state| state.worn[1][0] = f64::NEG_INFINITY,
+    ] {
+        let dir = tempdir().unwrap();
+        let run = Run::pin_on_disc([6, 5]);
+        let mut folder = ResultFolder::create(dir.path(), "").unwrap();
+        run.show(&mut folder, &[0.0, 0.25], |_| true);
+        let mut state = run.state(0.5);
+        spoil(&mut state);
+        let (effort, extent) = (Effort::default(), 0.5);
+        let report = Report { problem: &run.problem, state: &state, effort, output: true, extent };
+        let error = folder.observe(&report).unwrap_err();
+        assert!(error.to_string().contains("is not a finite number at distance"), "{error}");
+        let failure = Some(error.to_string());
+        folder.finish(&Totals { failure, ..Totals::default() }).unwrap();
+        let history = fs::read_to_string(dir.path().join("history.csv")).unwrap();
+        assert_eq!(history.lines().count(), 1 + 2, "{history}");
+        assert_eq!(summary(&dir)["last"]["distance_m"], 0.25);
+    }
 }

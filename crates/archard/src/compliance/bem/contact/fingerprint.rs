@@ -7,6 +7,11 @@ use crate::body::{Finite, Material};
 use crate::compliance::bem::Given;
 
 impl Job<'_> {
+    /// Number of rows of the compliance: three a contact node.
+    pub fn size(&self) -> usize {
+        3 * self.conditions.contact.len()
+    }
+
     /// Hands over every number the compliance follows from, in a fixed order.
     pub fn fingerprint(&self, finite: &Finite, material: &Material, take: &mut dyn FnMut(&[u8])) {
         let mut number = |value: f64| take(&value.to_bits().to_le_bytes());

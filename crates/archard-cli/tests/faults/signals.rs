@@ -1,0 +1,77 @@
+//! SIGINT, SIGTERM and SIGHUP, within steps and between them.
+
+use std::time::{Duration, Instant};
+
+use super::{
+    LONG_STEP, MANY_STEPS, Run, assert_no_parts, assert_whole, command, lines, said, summary,
+    wait_until,
+};
+
+#[test]
+fn every_signal_ends_a_run_with_its_results() {
+    for name in ["INT", "TERM", "HUP"] {
+        let dir = tempfile::tempdir().unwrap();
+        let run = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
+        wait_until("ten rows", || lines(dir.path()) > 10);
+        run.signal(name);
+        let ended = run.end();
+        let said = said(&ended);
+        assert_eq!(ended.status.code(), Some(3), "SIG{name}: {said}");
+        assert!(said.contains("error: interrupted\n") && said.contains("to go on"), "{said}");
+        let summary = summary(dir.path());
+        assert_eq!(
+            (&summary["complete"], &summary["failure"]),
+            (&false.into(), &"interrupted".into())
+        );
+        assert_eq!(summary["steps"], assert_whole(dir.path()) - 1);
+        assert_no_parts(dir.path());
+    }
+}
+
+/// The wait for the step to end is of two seconds.
+#[test]
+fn a_signal_ends_a_long_solve() {
+    let dir = tempfile::tempdir().unwrap();
+    let run = Run::start(&mut command(dir.path(), "pin_on_disc", &LONG_STEP));
+    wait_until("results", || dir.path().join("out/profiles.csv").exists());
+    std::thread::sleep(Duration::from_millis(300));
+    run.signal("TERM");
+    let asked = Instant::now();
+    let ended = run.end();
+    assert!(asked.elapsed() < Duration::from_secs(20), "{:?}", asked.elapsed());
+    assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
+    assert_eq!(summary(dir.path())["failure"], "interrupted");
+    assert_whole(dir.path());
+}
+
+#[test]
+fn a_second_signal_ends_it_at_once() {
+    let dir = tempfile::tempdir().unwrap();
+    let run = Run::start(&mut command(dir.path(), "pin_on_disc", &LONG_STEP));
+    wait_until("results", || dir.path().join("out/profiles.csv").exists());
+    std::thread::sleep(Duration::from_millis(300));
+    run.signal("INT");
+    std::thread::sleep(Duration::from_millis(400));
+    run.signal("INT");
+    let asked = Instant::now();
+    let ended = run.end();
+    assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
+    assert!(asked.elapsed() < Duration::from_millis(1500), "{:?}", asked.elapsed());
+}
+
+/// The assembly of a body of 3,600 elements in contact: there is nothing to save, and nothing is left.
+#[test]
+fn a_signal_ends_an_assembly() {
+    let dir = tempfile::tempdir().unwrap();
+    let fine = ["body.block.mesh.box.contact.elements=[60, 60]"];
+    let run = Run::start(&mut command(dir.path(), "punch_indentation_block", &fine));
+    wait_until("the folder", || dir.path().join("out").exists());
+    std::thread::sleep(Duration::from_millis(500));
+    run.signal("TERM");
+    let asked = Instant::now();
+    let ended = run.end();
+    assert!(asked.elapsed() < Duration::from_secs(20), "{:?}", asked.elapsed());
+    assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
+    assert!(said(&ended).contains("nothing was written or replaced"), "{}", said(&ended));
+    assert!(!dir.path().join("out").exists());
+}
