@@ -3,6 +3,7 @@
 mod common;
 
 mod good_cases {
+    mod curvatures;
     pub mod fretting;
     mod meshed;
     pub mod rolling;

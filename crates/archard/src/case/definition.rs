@@ -146,7 +146,8 @@ impl FiniteCase {
     /// # Errors
     /// As [`FiniteCase::meshed`].
     pub fn build(&self) -> Result<Finite, BuildError> {
-        let meshed = self.meshed()?;
+        let shape = self.mesh.build()?;
+        let (meshed, curvatures) = (shape.mesh(self.mirrored)?, shape.curvatures());
         let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
         let supports = self
             .supports
@@ -154,7 +155,7 @@ impl FiniteCase {
             .filter_map(|(name, support)| Some((surface(name)?, *support)))
             .collect();
         let Self { mirrored, interpolation, tolerance, elasticity, .. } = *self;
-        Ok(Finite { meshed, supports, mirrored, interpolation, tolerance, elasticity })
+        Ok(Finite { meshed, curvatures, supports, mirrored, interpolation, tolerance, elasticity })
     }
 }
 

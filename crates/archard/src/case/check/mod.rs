@@ -29,7 +29,7 @@ pub use partial_slip::{Fretting, FrettingWear};
 use super::definition::{BodyCase, Case};
 use super::key::Key;
 use super::problem::{Problem, Severity};
-use crate::body::{Profile, contact_modulus};
+use crate::body::{Profile, contact_modulus, curvatures};
 use crate::closed_form::free_rolling;
 use crate::friction::Friction;
 use crate::kinematics::Motion;
@@ -90,12 +90,8 @@ impl<'a> Parts<'a> {
 
     /// Curvatures of a body along x and y (1/m), where it has them: of its mesh and of the profile on it.
     fn curvatures_of(&self, body: usize) -> Option<[f64; 2]> {
-        let [x, y] = self.profiles[body].curvatures()?;
-        let mesh = match &self.meshes[body] {
-            None => [0.0; 2],
-            Some(made) => made.curvatures?,
-        };
-        Some([x + mesh[0], y + mesh[1]])
+        let mesh = self.meshes[body].as_ref().map(|made| made.curvatures);
+        curvatures(&*self.profiles[body], mesh)
     }
 
     /// Whether the meshes, if there are any, are plane where the bodies touch.

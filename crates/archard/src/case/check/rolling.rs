@@ -122,7 +122,7 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
 fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let axis = rolling.direction.axis;
     let without = |body: &usize| {
-        let curvature = parts.profiles[*body].curvatures().map_or(0.0, |both| both[axis]);
+        let curvature = parts.curvatures_of(*body).map_or(0.0, |both| both[axis]);
         curvature == 0.0 && parts.wear[*body].is_some()
     };
     let body = (0..2).filter(|_| rolling.worn_radius).find(without)?;
