@@ -4,6 +4,7 @@ mod common;
 
 mod good_cases {
     mod curvatures;
+    mod extremes;
     pub mod fretting;
     mod meshed;
     pub mod rolling;
