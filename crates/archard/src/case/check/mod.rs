@@ -6,6 +6,7 @@ mod creep;
 mod cycles;
 mod finite;
 mod forecast;
+mod free;
 mod geometry;
 mod inside;
 mod judge;
@@ -152,6 +153,11 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// Memory (bytes) that a run of a case takes, an estimate.
+pub(super) fn memory_of(case: &Case) -> Result<f64, Invalid> {
+    Parts::of(case).map(|parts| forecast::memory(&parts, Contact::of(&parts).as_ref()))
+}
+
 /// The forecast of a case and what is wrong or doubtful with it.
 pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
     match Parts::of(case) {
@@ -172,8 +178,11 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
 fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems: Vec<Problem> =
         memory::of_solver(parts, forecast.of_solver).into_iter().collect();
-    if parts.case.is_meshed() {
+    // What is said of a solver's matrices is enough of a frame.
+    if parts.case.is_meshed() || problems.is_empty() {
         problems.extend(memory::problems(parts, forecast.memory));
+    }
+    if parts.case.is_meshed() {
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {
             problems.extend(meeting::problems(parts));
             problems.extend(inside::problems(parts));
@@ -181,6 +190,10 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         if problems.iter().any(|problem| problem.severity == Severity::Error) {
             return problems;
         }
+    }
+    // The gaps of a frame that does not fit are not made.
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return problems;
     }
     let geometry = geometry::problems(parts);
     if geometry.is_empty() {
