@@ -86,7 +86,9 @@ impl Path {
             return Err("one of the columns `load_N` and `approach_um` is needed".to_owned());
         }
         let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
-        if times.len() < 2 || times[0] != 0.0 || times.windows(2).any(|pair| pair[0] >= pair[1]) {
+        let [instant, _] = Quantity::Time.range();
+        let rise = |pair: &[f64]| pair[1] - pair[0] >= instant;
+        if times.len() < 2 || times[0] != 0.0 || !times.windows(2).all(rise) {
             return Err("times must begin with zero and rise from line to line".to_owned());
         }
         let control = |line: usize| match pressed {
@@ -190,6 +192,7 @@ mod tests {
         assert!(error(&[rising]).contains("`load_N`"));
         assert!(error(&[load]).contains("`time_s` is missing"));
         assert!(error(&[("time", &[0.0, 0.0]), load]).contains("rise"));
+        assert!(error(&[("time", &[0.0, 5e-324]), load]).contains("rise"));
         assert!(error(&[rising, load, ("approach", &[1.0, 1.0])]).contains("exclude"));
         assert!(error(&[rising, ("load", &[1.0, -1.0])]).contains("zero or greater"));
     }
