@@ -5,7 +5,11 @@ use archard::parameters::Quantity;
 
 /// A number with four significant digits.
 pub fn four(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 {
+        // Not "-0", which sums of nothing are.
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
         return value.to_string();
     }
     let digits = 3 - value.abs().log10().floor() as i32;
@@ -53,7 +57,7 @@ mod tests {
 
     #[test]
     fn energies_are_readable() {
-        let shown = [0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
+        let shown = [-0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
         assert_eq!(shown, ["0 J", "13.85 nJ", "7.757 uJ", "13.40 mJ", "2.000 J"]);
     }
 

@@ -50,6 +50,21 @@ pub enum Quantity {
     Section(&'static [Parameter]),
 }
 
+impl Quantity {
+    /// The least and the largest size (SI) of a value other than zero that can be computed with: far beyond
+    /// what surfaces have, and so that products of a few values neither vanish nor overflow.
+    pub fn range(self) -> [f64; 2] {
+        match self {
+            Quantity::Length => [1e-15, 1e15],
+            Quantity::Count => [1.0, 1e9],
+            // The size of m^(1 - exponent) says nothing of the lengths behind it.
+            Quantity::PowerFactor { .. } => [1e-200, 1e200],
+            Quantity::Pair(quantity) | Quantity::Triple(quantity) => quantity.range(),
+            _ => [1e-30, 1e30],
+        }
+    }
+}
+
 /// What messages say of two parameters of which only one may be given.
 pub const EXCLUSIVE: &str = "exclude each other";
 
@@ -64,6 +79,8 @@ pub enum Bound {
     NonNegative,
     /// Strictly between the two.
     Between(f64, f64),
+    /// Greater than the first and no more than the second.
+    UpTo(f64, f64),
 }
 
 impl Bound {
@@ -75,6 +92,7 @@ impl Bound {
                 Bound::Positive => value > 0.0,
                 Bound::NonNegative => value >= 0.0,
                 Bound::Between(low, high) => value > low && value < high,
+                Bound::UpTo(low, high) => value > low && value <= high,
             }
     }
 }
@@ -86,6 +104,7 @@ impl fmt::Display for Bound {
             Bound::Positive => write!(f, "greater than zero"),
             Bound::NonNegative => write!(f, "zero or greater"),
             Bound::Between(low, high) => write!(f, "between {low} and {high}"),
+            Bound::UpTo(low, high) => write!(f, "greater than {low}, and {high} at most"),
         }
     }
 }

@@ -31,6 +31,8 @@ const PROFILE_EXAMPLES: Examples = &[
     ("flat", &[]),
     ("flat_end", &[("radius", 0.001)]),
     ("power", &[("coefficient", 0.005), ("exponent", 2.0)]),
+    ("axisymmetric_power", &[("coefficient", 0.005), ("exponent", 2.0)]),
+    ("axisymmetric_power", &[("coefficient", 0.02), ("exponent", 1.0)]),
 ];
 /// Profiles that need more than numbers, tested beside their code.
 const OTHER_PROFILES: &[&str] = &["table"];

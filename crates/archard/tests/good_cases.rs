@@ -3,6 +3,8 @@
 mod common;
 
 mod good_cases {
+    mod curvatures;
+    mod extremes;
     pub mod fretting;
     mod meshed;
     pub mod rolling;
@@ -12,7 +14,7 @@ use std::path::Path;
 
 use approx::assert_relative_eq;
 use archard::body::Material;
-use archard::case::{Case, CaseFile, Resolved, Solves};
+use archard::case::{Case, CaseFile, Output, Resolved, Solves};
 use archard::kinematics::{Control, Stepping};
 use proptest::prelude::*;
 
@@ -55,6 +57,35 @@ fn case(text: &str) -> Case {
 /// The pin on the disc with these options.
 fn with(options: &[&str]) -> Case {
     resolve(&options.iter().fold(file(PIN_ON_DISC), |file, option| file.set(*option))).case
+}
+
+/// Bodies that keep their volume are those of Hertz; the cube without them is refused.
+#[test]
+fn incompressible_half_spaces_are_taken() {
+    let half = "material={young=\"100 GPa\",poisson=0.5}";
+    let case = with(&[&format!("body.pin.{half}"), "body.pin.wear="]);
+    assert_eq!(case.bodies[0].material, Some(Material { young: 1e11, poisson: 0.5 }));
+    case.build().unwrap();
+}
+
+/// A shorter motion leaves out the outputs beyond its end.
+#[test]
+fn outputs_beyond_the_end_are_left_out() {
+    let options = ["output.at=[10 mm, 20 mm, 400 mm]", "motion.sliding.distance=100 mm"];
+    let file = options.iter().fold(file(PIN_ON_DISC), |file, option| file.set(*option));
+    let resolved = resolve(&file);
+    assert_eq!(resolved.case.output, Output::At(vec![0.01, 0.02]));
+    let said = |text| resolved.warnings.iter().any(|one| one.message.contains(text));
+    assert!(said("nothing is put out there"), "{:?}", resolved.warnings);
+}
+
+/// A slope has no unit.
+#[test]
+fn cones_read_back_to_the_same_bits() {
+    reads_back(&with(&[
+        "body.pin.profile={axisymmetric_power={coefficient=0.02,exponent=1}}",
+        "frame.size=[\"0.3 mm\",\"0.3 mm\"]",
+    ]));
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The command as a user meets it: exit codes, what it says, what it leaves behind.
 
 mod finite;
+mod memory;
 
 use std::fs;
 use std::path::{Path, PathBuf};

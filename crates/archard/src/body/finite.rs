@@ -7,6 +7,10 @@ use super::mesh::Meshed;
 pub struct Finite {
     /// The surface and the part of it that may touch.
     pub meshed: Meshed,
+    /// Curvatures 1/R along x and y (1/m) in the middle of that part, as of [`Shape::curvatures`].
+    ///
+    /// [`Shape::curvatures`]: super::mesh::Shape::curvatures
+    pub curvatures: Option<[f64; 2]>,
     /// What is known on surfaces, by their index; the others bear no traction.
     pub supports: Vec<(usize, Support)>,
     /// Whether x = 0 and y = 0 are planes of symmetry.

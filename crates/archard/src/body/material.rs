@@ -16,7 +16,7 @@ impl Material {
     pub const PARAMETERS: &'static [Parameter] = &[
         Parameter::required("young", Quantity::Pressure, "Young's modulus"),
         Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
-            .bound(Bound::Between(-1.0, 0.5)),
+            .bound(Bound::UpTo(-1.0, 0.5)),
     ];
 
     /// Plane-strain compliance (1 - nu^2)/E (1/Pa); the sum over the bodies is 1/E*.

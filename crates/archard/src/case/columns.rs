@@ -24,6 +24,8 @@ pub(super) enum Error {
     Ragged { file: PathBuf, line: u64, expected: usize, found: usize },
     #[error("{}, line {line}: `{text}` in the column `{column}` is not a finite number", .file.display())]
     NotANumber { file: PathBuf, line: u64, column: String, text: String },
+    #[error("{}, line {line}: {value:e} in the column `{column}` (SI) is too large to compute with", .file.display())]
+    TooLarge { file: PathBuf, line: u64, column: String, value: f64 },
     #[error("{}: there is nothing below the header", .file.display())]
     Empty { file: PathBuf },
 }
@@ -58,18 +60,30 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
             return Err(Error::Ragged { file: file(), line, expected, found });
         }
         for ((text, scale), (name, values)) in record.iter().zip(&scales).zip(&mut columns) {
-            values.push(scale.apply(text).ok_or_else(|| Error::NotANumber {
+            let value = scale.apply(text).ok_or_else(|| Error::NotANumber {
                 file: file(),
                 line,
                 column: name.clone(),
                 text: text.to_owned(),
-            })?);
+            })?;
+            if value.abs() > quantity(name, known).range()[1] {
+                return Err(Error::TooLarge { file: file(), line, column: name.clone(), value });
+            }
+            values.push(value);
         }
     }
     match columns.first() {
         Some((_, values)) if !values.is_empty() => Ok(columns),
         _ => Err(Error::Empty { file: file() }),
     }
+}
+
+/// What a column of that name holds.
+fn quantity(name: &str, known: &[(&str, Quantity)]) -> Quantity {
+    known
+        .iter()
+        .find(|(known, _)| *known == name)
+        .map_or(Quantity::Length, |(_, quantity)| *quantity)
 }
 
 /// The name and the unit of a column titled `x_mm`, `x (mm)` or `x [mm]`; one without a dimension needs
@@ -140,6 +154,10 @@ mod tests {
             "pin.csv: the column `x` has no unit: name it like `x_mm` or `x (mm)`"
         );
         assert!(error("x_mm,z_N\n0,1\n").contains("expected a length"));
+        assert_eq!(
+            error("x_mm,z_m\n0,1\n1,1e300\n"),
+            "pin.csv, line 3: 1e300 in the column `z` (SI) is too large to compute with"
+        );
         assert_eq!(error("x_mm,z_um\n"), "pin.csv: there is nothing below the header");
         assert_eq!(error("x_mm,x_um\n0,1\n"), "pin.csv: the column `x` is there twice");
     }

@@ -1,5 +1,6 @@
 //! A case that passed every check: what to compute, in SI.
 
+use super::check::{self, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
@@ -101,6 +102,14 @@ pub enum BuildError {
     /// A mesh that cannot be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// More elements than the memory that is free holds.
+    #[error("the run would take about {needed} of memory, {free} are free: take fewer elements")]
+    Memory {
+        /// The memory it takes, in words.
+        needed: String,
+        /// The memory there is, in words.
+        free: String,
+    },
     /// Meshed bodies that cannot be brought into contact.
     #[error(transparent)]
     Contact(#[from] ContactError),
@@ -146,7 +155,8 @@ impl FiniteCase {
     /// # Errors
     /// As [`FiniteCase::meshed`].
     pub fn build(&self) -> Result<Finite, BuildError> {
-        let meshed = self.meshed()?;
+        let shape = self.mesh.build()?;
+        let (meshed, curvatures) = (shape.mesh(self.mirrored)?, shape.curvatures());
         let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
         let supports = self
             .supports
@@ -154,7 +164,7 @@ impl FiniteCase {
             .filter_map(|(name, support)| Some((surface(name)?, *support)))
             .collect();
         let Self { mirrored, interpolation, tolerance, elasticity, .. } = *self;
-        Ok(Finite { meshed, supports, mirrored, interpolation, tolerance, elasticity })
+        Ok(Finite { meshed, curvatures, supports, mirrored, interpolation, tolerance, elasticity })
     }
 }
 
@@ -177,6 +187,19 @@ impl Case {
         self.bodies.iter().any(|body| body.finite.is_some())
     }
 
+    /// Whether the memory that is free holds the run. What meshed bodies take follows from what is kept of them.
+    fn fits(&self) -> Result<(), BuildError> {
+        if self.is_meshed() {
+            return Ok(());
+        }
+        let (needed, free) = (check::memory_of(self)?, memory::available());
+        if needed > free {
+            let [needed, free] = [needed, free].map(memory::size);
+            return Err(BuildError::Memory { needed, free });
+        }
+        Ok(())
+    }
+
     /// Puts the parts together.
     ///
     /// # Errors
@@ -190,6 +213,7 @@ impl Case {
     /// # Errors
     /// As [`Case::build`].
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
+        self.fits()?;
         let bodies = [self.bodies[0].build()?, self.bodies[1].build()?];
         let (frame, compliance): (_, Box<dyn Compliance>) = if self.is_meshed() {
             let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;

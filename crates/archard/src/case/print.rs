@@ -12,6 +12,7 @@ use super::quantity::measure;
 use crate::body::{Elasticity, Interpolation, Support};
 use crate::elastic::Point;
 use crate::parameters::{Parameter, Quantity, Value, Values};
+use crate::units::Measure;
 
 impl Display for Case {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -183,9 +184,9 @@ impl Printed<'_> {
 
     fn number(&self, quantity: Quantity, value: f64) -> String {
         match (measure(quantity, self.values), quantity) {
-            (Some(measure), _) => si(value, &measure.si),
+            (Some(measure), _) if measure != Measure::NUMBER => si(value, &measure.si),
             (None, Quantity::Count | Quantity::Pair(Quantity::Count)) => format!("{value:.0}"),
-            (None, _) => number(value),
+            _ => number(value),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::columns;
 use super::tree::{Item, Node};
-use crate::parameters::{Bound, Parameter, Quantity, Value, Values};
+use crate::parameters::{Parameter, Quantity, Value, Values};
 use crate::units::{self, Measure};
 
 /// Why a value cannot be read.
@@ -29,14 +29,14 @@ pub(super) fn read(
     match parameter.quantity {
         Quantity::Number => {
             let (_, value, _) = number(node)?;
-            bounded(value, parameter.bound)
+            bounded(value, parameter)
         }
         Quantity::Count => {
             let (text, value, whole) = number(node)?;
-            if !whole || !(0.0..=9e15).contains(&value) {
+            if !whole || value < 0.0 {
                 return Err(format!("expected a whole number, found {text}").into());
             }
-            bounded(value, parameter.bound)
+            bounded(value, parameter)
         }
         Quantity::Word(words) => word(node, words).map(|word| (Value::Word(word), None)),
         Quantity::Table(columns) => table(node, folder, columns),
@@ -60,7 +60,10 @@ pub(super) fn read(
                     "its unit depends on the exponent, which has to be set first".to_owned(),
                 )
             })?;
-            bounded(dimensional(node, &measure)?, parameter.bound)
+            // A factor of which the exponent has left no unit.
+            let plain = if measure == Measure::NUMBER { plain(node) } else { None };
+            let value = plain.map_or_else(|| dimensional(node, &measure), Ok)?;
+            bounded(value, parameter)
         }
     }
 }
@@ -76,9 +79,9 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Angle => Some(Measure::ANGLE),
         Quantity::Time => Some(Measure::TIME),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
-        Quantity::PowerFactor { exponent } => {
-            values.number(exponent).map(|exponent| Measure::length_to_the(1.0 - exponent))
-        }
+        Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
+            if exponent == 1.0 { Measure::NUMBER } else { Measure::length_to_the(1.0 - exponent) }
+        }),
         Quantity::Pair(quantity) | Quantity::Triple(quantity) => measure(*quantity, values),
         Quantity::Number
         | Quantity::Count
@@ -111,6 +114,15 @@ fn dimensional(node: &Node, measure: &Measure) -> Result<f64, Wrong> {
     })
 }
 
+/// A number without unit, in quotes or without.
+fn plain(node: &Node) -> Option<f64> {
+    match &node.item {
+        Item::Number { value, .. } => Some(*value),
+        Item::Text(text) => text.trim().parse().ok(),
+        _ => None,
+    }
+}
+
 /// A number without unit: its text, its value, and whether it is written as a whole number.
 fn number(node: &Node) -> Result<(&str, f64, bool), Wrong> {
     match &node.item {
@@ -122,12 +134,24 @@ fn number(node: &Node) -> Result<(&str, f64, bool), Wrong> {
     }
 }
 
-fn bounded(value: f64, bound: Bound) -> Result<(Value, Option<PathBuf>), Wrong> {
+fn bounded(value: f64, parameter: &Parameter) -> Result<(Value, Option<PathBuf>), Wrong> {
     if !value.is_finite() {
         return Err(format!("must be a finite number, not {value}").into());
     }
-    if !bound.admits(value) {
-        return Err(format!("must be {bound}").into());
+    if !parameter.bound.admits(value) {
+        return Err(format!("must be {}", parameter.bound).into());
+    }
+    let [least, most] = parameter.quantity.range();
+    if value != 0.0 && value.abs() > most {
+        return Err(format!(
+            "{value:e} in SI units is too large to compute with: {most:e} at most"
+        )
+        .into());
+    }
+    if value != 0.0 && value.abs() < least {
+        let message =
+            format!("{value:e} in SI units is too small to compute with: {least:e} at least");
+        return Err(message.into());
     }
     Ok((Value::Number(value), None))
 }

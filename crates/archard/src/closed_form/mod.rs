@@ -11,6 +11,7 @@ pub mod fretting_wear;
 pub mod hertz;
 pub mod kalker;
 pub mod pin_on_disc;
+pub mod sneddon;
 pub mod spence;
 pub mod strip;
 pub mod twin_discs;

@@ -1,7 +1,7 @@
 //! Steady rolling at creepages raised step by step: the curve of forces over creepages.
 
 use super::rolling::{CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPIN};
-use super::{APPROACH, LOAD, Motion, Stepping, control};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Stepping, control};
 use crate::parameters::{Choice, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -16,7 +16,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         LATERAL_FORCE,
         SPIN,
         DIRECTION,
-        Parameter::optional("increments", Quantity::Count, "number of increments; 10 if not given"),
+        Parameter::optional("increments", Quantity::Count, "number of increments; 10 if not given")
+            .bound(INCREMENTS),
     ],
     build: |values| {
         let increments = values.number("increments").unwrap_or(10.0);

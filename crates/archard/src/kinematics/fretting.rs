@@ -1,7 +1,7 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
 use super::shift::{CYCLE_COUNT, CYCLES, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
-use super::{APPROACH, Control, LOAD, Motion, control, jumps};
+use super::{APPROACH, Control, INCREMENTS, LOAD, Motion, control, jumps};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -34,7 +34,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             "increments",
             Quantity::Count,
             "increments a cycle, a multiple of four; 20 if not given",
-        ),
+        )
+        .bound(INCREMENTS),
         JUMP,
         JUMP_TOLERANCE,
     ],

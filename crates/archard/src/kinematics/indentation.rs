@@ -1,7 +1,7 @@
 //! Two bodies pressed together, once or again and again.
 
 use super::shift::{CYCLE_COUNT, CYCLES, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{APPROACH, LOAD, Motion, Progress, control, jumps};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Progress, control, jumps};
 use crate::parameters::{Choice, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -10,7 +10,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
     parameters: &[
         LOAD,
         APPROACH,
-        Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given"),
+        Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given")
+            .bound(INCREMENTS),
         CYCLE_COUNT,
         Parameter::optional(
             "release",

@@ -139,6 +139,23 @@ const TOLERANCE: Parameter =
     Parameter::optional("tolerance", Quantity::Number, "relative error allowed in the wear depth")
         .bound(Bound::Between(0.0, 1.0));
 
+/// Increments of a cycle, each of which is kept, and of a sweep.
+const MOST_INCREMENTS: f64 = 1e5;
+/// The bound of `increments`.
+const INCREMENTS: Bound = Bound::UpTo(0.0, MOST_INCREMENTS);
+/// Steps of a fixed length, which no run ever gets through beyond this.
+const MOST_STEPS: f64 = 1e9;
+
+/// A step that divides the motion into no more steps than can be taken.
+fn few_steps(step: f64, extent: f64) -> Result<f64, Invalid> {
+    if extent / step > MOST_STEPS {
+        let message =
+            format!("asks for {:.1e} steps, {MOST_STEPS:e} at most can be taken", extent / step);
+        return Err(Invalid::new("step", message));
+    }
+    Ok(step)
+}
+
 /// The control out of `load` and `approach`.
 fn control(values: &Values) -> Result<Control, Invalid> {
     match values.one_of("load", "approach")? {

@@ -1,7 +1,7 @@
 //! Loads and displacements as a table gives them over time.
 
 use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{Control, Motion, Progress, jumps};
+use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Progress, jumps};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -17,7 +17,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             "increments",
             Quantity::Count,
             "increments between two lines of the file; 1 if not given",
-        ),
+        )
+        .bound(INCREMENTS),
         CYCLE_COUNT,
         JUMP,
         JUMP_TOLERANCE,
@@ -27,6 +28,13 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         let increments = values.number("increments").unwrap_or(1.0) as usize;
         let cycles = values.number("cycles").unwrap_or(1.0);
         let path = Path::read(columns).map_err(|message| Invalid::new("file", message))?;
+        let all = increments as f64 * path.times.len() as f64;
+        if all > MOST_INCREMENTS {
+            let message = format!(
+                "makes {all:.1e} increments of the lines of the file, {MOST_INCREMENTS} at most can be kept"
+            );
+            return Err(Invalid::new("increments", message));
+        }
         let shift = path.shift(increments);
         let extent = cycles * shift.period();
         let step = shift.period() / shift.cycle.len() as f64;
@@ -78,7 +86,9 @@ impl Path {
             return Err("one of the columns `load_N` and `approach_um` is needed".to_owned());
         }
         let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
-        if times.len() < 2 || times[0] != 0.0 || times.windows(2).any(|pair| pair[0] >= pair[1]) {
+        let [instant, _] = Quantity::Time.range();
+        let rise = |pair: &[f64]| pair[1] - pair[0] >= instant;
+        if times.len() < 2 || times[0] != 0.0 || !times.windows(2).all(rise) {
             return Err("times must begin with zero and rise from line to line".to_owned());
         }
         let control = |line: usize| match pressed {
@@ -182,6 +192,7 @@ mod tests {
         assert!(error(&[rising]).contains("`load_N`"));
         assert!(error(&[load]).contains("`time_s` is missing"));
         assert!(error(&[("time", &[0.0, 0.0]), load]).contains("rise"));
+        assert!(error(&[("time", &[0.0, 5e-324]), load]).contains("rise"));
         assert!(error(&[rising, load, ("approach", &[1.0, 1.0])]).contains("exclude"));
         assert!(error(&[rising, ("load", &[1.0, -1.0])]).contains("zero or greater"));
     }

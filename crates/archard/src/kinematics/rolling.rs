@@ -5,7 +5,9 @@
 //! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
-use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control};
+use super::{
+    APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control, few_steps,
+};
 use crate::frame::{Direction, Flow};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
@@ -105,7 +107,7 @@ fn stepping(values: &Values, revolutions: f64) -> Result<Stepping, Invalid> {
         (Some(step), _) if revolutions > 0.0 && step > revolutions => {
             Err(Invalid::new("step", "`step` is more than all `revolutions`"))
         }
-        (Some(step), _) => Ok(Stepping::Implicit(step)),
+        (Some(step), _) => Ok(Stepping::Implicit(few_steps(step, revolutions)?)),
         (None, tolerance) => Ok(Stepping::Tolerance(tolerance.unwrap_or_default())),
     }
 }

@@ -1,6 +1,8 @@
 //! Gross sliding: every pair in contact slides the same distance (pin on disc).
 
-use super::{APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control};
+use super::{
+    APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control, few_steps,
+};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -25,8 +27,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             (Some(step), _) if step > distance => {
                 return Err(Invalid::new("step", "`step` is longer than `distance`"));
             }
-            (Some(step), _) if explicit => Stepping::Explicit(step),
-            (Some(step), _) => Stepping::Implicit(step),
+            (Some(step), _) if explicit => Stepping::Explicit(few_steps(step, distance)?),
+            (Some(step), _) => Stepping::Implicit(few_steps(step, distance)?),
             (None, _) if explicit => {
                 return Err(Invalid::new(
                     "scheme",

@@ -18,15 +18,21 @@ fn between(place: f64, places: [f64; 4], values: [f64; 4]) -> f64 {
     values[1] + t * (a + t * (3.0 * rise - 2.0 * a - b + t * (a + b - 2.0 * rise)))
 }
 
+/// How far beyond the outermost places, relative to their distance, a place is taken for one of them: files
+/// round places, and so do sums of spacings.
+const SAME: f64 = 1e-9;
+
 /// Interpolates `value(i)`, known at the rising `places`, at `place`; not a number outside them.
 ///
 /// At least two places are needed. The outermost intervals continue the values by the straight line
 /// (two places) or the parabola (three and more) through the outermost places.
 pub fn interpolate(places: &[f64], value: impl Fn(usize) -> f64, place: f64) -> f64 {
     let last = places.len() - 1;
-    if !(places[0]..=places[last]).contains(&place) {
+    let margin = SAME * (places[last] - places[0]);
+    if !(places[0] - margin..=places[last] + margin).contains(&place) {
         return f64::NAN;
     }
+    let place = place.clamp(places[0], places[last]);
     let left = places.partition_point(|&known| known <= place).clamp(1, last) - 1;
     let mut near = [(0.0, 0.0); 4];
     for (offset, point) in near.iter_mut().enumerate() {
@@ -75,5 +81,17 @@ mod tests {
     fn two_points_give_the_straight_line_and_nothing_beyond() {
         assert_relative_eq!(interpolate(&[0.0, 2.0], |i| [1.0, 5.0][i], 0.5), 2.0);
         assert!(interpolate(&[0.0, 2.0], |i| [1.0, 5.0][i], 2.1).is_nan());
+    }
+
+    /// The outermost of 1024 centres, by its spacing and as three digits of a micrometre more than a file has.
+    #[test]
+    fn rounding_does_not_leave_the_table() {
+        let end = 1.2e-3 * (0.5 - 0.5 / 1024.0);
+        let places = [-end, 0.0, end];
+        let square = |place: f64| interpolate(&places, |i| places[i] * places[i], place);
+        for beyond in [end.next_up(), -end.next_up(), end * (1.0 + 1e-10)] {
+            assert_relative_eq!(square(beyond), end * end, max_relative = 1e-8);
+        }
+        assert!(square(end * (1.0 + 1e-6)).is_nan());
     }
 }

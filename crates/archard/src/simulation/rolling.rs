@@ -177,9 +177,8 @@ impl Chain {
         let axis = rolling.direction.axis;
         let forward = rolling.direction.forward();
         if rolling.worn_radius {
-            let curvature = |body: usize| {
-                problem.bodies[body].profile.curvatures().map_or(0.0, |both| both[axis])
-            };
+            let curvature =
+                |body: usize| problem.bodies[body].curvatures().map_or(0.0, |both| both[axis]);
             let [one, two] = [curvature(0), curvature(1)];
             let worn = &self.state.worn;
             let all = || vec![flow.advance(); problem.frame.len()];

@@ -60,6 +60,10 @@ impl Shape for Block {
     }
 
     fn at_least(&self, mirrored: [bool; 2]) -> usize {
+        // What cannot be made has no elements.
+        if self.layout.check(mirrored).is_err() {
+            return 0;
+        }
         let axes = match self.layout {
             Layout::Contact(contact) => self.graded(&contact, mirrored),
             Layout::Even(count) => self.even(count, mirrored),

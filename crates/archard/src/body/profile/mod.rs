@@ -4,6 +4,7 @@
 //! region, measured along the normal into the body. The recesses of the two bodies add up to the
 //! geometric gap. A new profile is one file here and one line in [`PROFILES`].
 
+mod axisymmetric_power;
 mod cylinder;
 mod disc;
 mod flat;
@@ -40,6 +41,7 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     flat::CHOICE,
     flat_end::CHOICE,
     power::CHOICE,
+    axisymmetric_power::CHOICE,
     table::CHOICE,
 ];
 

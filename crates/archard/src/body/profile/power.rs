@@ -5,7 +5,7 @@ use crate::parameters::{Choice, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "power",
-    meaning: "gap = c (|x|^n + |y|^n)",
+    meaning: "gap = c (|x|^n + |y|^n): with n = 1 a pyramid",
     parameters: &[
         Parameter::required(
             "coefficient",

@@ -52,20 +52,26 @@ fn largest_share(parts: &Parts<'_>, profile: &dyn Profile) -> f64 {
     low
 }
 
+/// Gaps that show nothing of the shape: the centres of up to two elements along an axis lie at the same distance
+/// from the middle, those of more do not.
+fn alike(parts: &Parts<'_>, what: &str) -> Problem {
+    let word = parts.frame_word();
+    let (key, why) = match parts.case.frame.elements.iter().all(|&elements| elements <= 2) {
+        true => ("elements", "has too few elements"),
+        false => ("size", "is too small beside the shape of the bodies"),
+    };
+    Problem::error(parts.frame_key(key), format!("{what}: the {word} {why}"))
+}
+
 /// Whether the bodies touch where a contact can grow.
 fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     let largest = gap.iter().copied().fold(0.0, f64::max);
     let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
     if largest > 0.0 && largest - least <= 1e-9 * largest {
-        let word = parts.frame_word();
-        let message = format!("every element has the same gap: the {word} has too few elements");
-        return Some(Problem::error(parts.frame_key("elements"), message));
+        return Some(alike(parts, "every element has the same gap"));
     }
     if largest == 0.0 && parts.curvatures() != Some([0.0; 2]) {
-        let word = parts.frame_word();
-        let message =
-            format!("no gap between the bodies at any element: the {word} has too few elements");
-        return Some(Problem::error(parts.frame_key("elements"), message));
+        return Some(alike(parts, "no gap between the bodies at any element"));
     }
     if largest == 0.0 {
         let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);

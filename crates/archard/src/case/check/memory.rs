@@ -1,47 +1,37 @@
 //! Whether the machine holds what a case takes.
 
 use super::Parts;
+pub(in crate::case) use super::free::available;
 use crate::body::mesh::Shape;
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 
-/// Memory (bytes) taken for free where the system does not say.
-const UNKNOWN: f64 = 16e9;
 /// Share of the free memory beyond which a case is worth a warning.
 const LARGE: f64 = 0.5;
-
-/// Memory (bytes) that is free.
-pub(in crate::case) fn available() -> f64 {
-    let said = std::fs::read_to_string("/proc/meminfo").ok();
-    said.and_then(|text| free_in(&text)).unwrap_or(UNKNOWN)
-}
-
-/// The free memory (bytes) in the words of Linux: "MemAvailable:   12345 kB".
-fn free_in(text: &str) -> Option<f64> {
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
-    let kilobytes: f64 = line.split_whitespace().next()?.parse().ok()?;
-    Some(1024.0 * kilobytes)
-}
 
 /// An error where that memory (bytes) is more than is free, without its key.
 pub(in crate::case) fn too_large(memory: f64, free: f64) -> Option<Problem> {
     (memory > free).then(|| {
-        let message = format!(
-            "the equations would take about {} of memory, {} are free",
-            size(memory),
-            size(free)
-        );
+        let [memory, free] = [memory, free].map(size);
+        let message = format!("the equations would take about {memory} of memory, {free} are free");
         Problem::error(Key::default(), message).help(FEWER)
     })
 }
 
 const FEWER: &str = "take fewer elements: half as many along both sides take a sixteenth; or halve the body by planes of `symmetry`, each of which leaves a quarter";
 
-/// What is wrong with the memory (bytes) that meshed bodies take.
+/// What is wrong with the memory (bytes) that a run takes.
 pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
-    parts.largest().and_then(|body| of_body(body, memory))
+    if let Some(body) = parts.largest() {
+        return of_body(body, memory);
+    }
+    let problem = judged(memory, available())?;
+    let problem =
+        Problem { message: problem.message.replace("the equations", "the run"), ..problem };
+    let help = "take fewer elements: half as many along both sides take a quarter";
+    Some(Problem { key: parts.frame_key("elements"), ..problem }.help(help))
 }
 
 /// A solver whose matrices (bytes) are too large.
@@ -86,7 +76,7 @@ pub(in crate::case) fn key(mesh: Key, chosen: &Chosen<Box<dyn Shape>>) -> Key {
 }
 
 /// A size (bytes) in words.
-fn size(bytes: f64) -> String {
+pub(in crate::case) fn size(bytes: f64) -> String {
     match bytes {
         _ if bytes < 1e9 => format!("{:.0} MB", 1e-6 * bytes),
         _ if bytes < 1e10 => format!("{:.1} GB", 1e-9 * bytes),
@@ -96,15 +86,8 @@ fn size(bytes: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{free_in, judged};
+    use super::judged;
     use crate::case::problem::Severity;
-
-    #[test]
-    fn free_memory_is_read() {
-        let text = "MemTotal:       24537084 kB\nMemFree: 1 kB\nMemAvailable:   23000000 kB\n";
-        assert_eq!(free_in(text), Some(23000000.0 * 1024.0));
-        assert_eq!(free_in("MemTotal: 1 kB\n"), None);
-    }
 
     #[test]
     fn what_does_not_fit_is_refused_and_what_hardly_fits_is_said() {

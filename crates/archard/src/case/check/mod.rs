@@ -6,6 +6,7 @@ mod creep;
 mod cycles;
 mod finite;
 mod forecast;
+mod free;
 mod geometry;
 mod inside;
 mod judge;
@@ -29,7 +30,7 @@ pub use partial_slip::{Fretting, FrettingWear};
 use super::definition::{BodyCase, Case};
 use super::key::Key;
 use super::problem::{Problem, Severity};
-use crate::body::{Profile, contact_modulus};
+use crate::body::{Profile, contact_modulus, curvatures};
 use crate::closed_form::free_rolling;
 use crate::friction::Friction;
 use crate::kinematics::Motion;
@@ -90,12 +91,8 @@ impl<'a> Parts<'a> {
 
     /// Curvatures of a body along x and y (1/m), where it has them: of its mesh and of the profile on it.
     fn curvatures_of(&self, body: usize) -> Option<[f64; 2]> {
-        let [x, y] = self.profiles[body].curvatures()?;
-        let mesh = match &self.meshes[body] {
-            None => [0.0; 2],
-            Some(made) => made.curvatures?,
-        };
-        Some([x + mesh[0], y + mesh[1]])
+        let mesh = self.meshes[body].as_ref().map(|made| made.curvatures);
+        curvatures(&*self.profiles[body], mesh)
     }
 
     /// Whether the meshes, if there are any, are plane where the bodies touch.
@@ -156,6 +153,11 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// Memory (bytes) that a run of a case takes, an estimate.
+pub(super) fn memory_of(case: &Case) -> Result<f64, Invalid> {
+    Parts::of(case).map(|parts| forecast::memory(&parts, Contact::of(&parts).as_ref()))
+}
+
 /// The forecast of a case and what is wrong or doubtful with it.
 pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
     match Parts::of(case) {
@@ -176,8 +178,11 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
 fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems: Vec<Problem> =
         memory::of_solver(parts, forecast.of_solver).into_iter().collect();
-    if parts.case.is_meshed() {
+    // What is said of a solver's matrices is enough of a frame.
+    if parts.case.is_meshed() || problems.is_empty() {
         problems.extend(memory::problems(parts, forecast.memory));
+    }
+    if parts.case.is_meshed() {
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {
             problems.extend(meeting::problems(parts));
             problems.extend(inside::problems(parts));
@@ -185,6 +190,10 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         if problems.iter().any(|problem| problem.severity == Severity::Error) {
             return problems;
         }
+    }
+    // The gaps of a frame that does not fit are not made.
+    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+        return problems;
     }
     let geometry = geometry::problems(parts);
     if geometry.is_empty() {

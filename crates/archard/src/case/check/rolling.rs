@@ -122,14 +122,18 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
 fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let axis = rolling.direction.axis;
     let without = |body: &usize| {
-        let curvature = parts.profiles[*body].curvatures().map_or(0.0, |both| both[axis]);
+        let curvature = parts.curvatures_of(*body).map_or(0.0, |both| both[axis]);
         curvature == 0.0 && parts.wear[*body].is_some()
     };
     let body = (0..2).filter(|_| rolling.worn_radius).find(without)?;
-    let message = format!(
-        "the body `{}` has no radius along the direction of rolling: its wear will not change the creepage",
-        parts.case.bodies[body].name
-    );
+    let name = &parts.case.bodies[body].name;
+    let lack = match parts.curvatures_of(body) {
+        Some(_) => format!("the body `{name}` has no radius along the direction of rolling"),
+        None => {
+            format!("the radius of the body `{name}` along the direction of rolling is not known")
+        }
+    };
+    let message = format!("{lack}: its wear will not change the creepage");
     Some(Problem::warning(key(parts, "radius"), message))
 }
 

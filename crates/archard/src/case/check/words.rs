@@ -41,7 +41,7 @@ pub(super) fn size_list_up(sizes: [f64; 2]) -> String {
 fn list(sizes: [f64; 2], round: fn(f64) -> f64) -> String {
     let [x, y] = sizes.map(|size| {
         let millimetres = size * 1e3;
-        let digits = 1 - millimetres.log10().floor() as i32;
+        let digits = 1_i32.saturating_sub(millimetres.log10().floor() as i32);
         let unit = 10f64.powi(digits);
         format!("{:.*}", digits.max(0) as usize, round(millimetres * unit) / unit)
     });

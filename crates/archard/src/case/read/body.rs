@@ -1,6 +1,6 @@
 //! The bodies of a case.
 
-use crate::body::{Material, profile::PROFILES};
+use crate::body::{Elasticity, Material, profile::PROFILES};
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
 use crate::case::key::{Key, is_bare};
@@ -84,6 +84,15 @@ impl Reader<'_> {
         if let (Some(None), Some(Some(_))) = (&material, &finite) {
             let message = "a rigid body does not deform: give its shape as a `profile` instead";
             self.push(Problem::error(section.key.child("mesh"), message).at_name());
+            return None;
+        }
+        if let (Some(Some(material)), Some(Some(finite))) = (&material, &finite)
+            && material.poisson == 0.5
+            && finite.elasticity == Elasticity::BoundaryElements
+        {
+            let message =
+                "a body of finite shape must be compressible: below 0.5, for example 0.499";
+            self.push(Problem::error(section.key.child("material").child("poisson"), message));
             return None;
         }
         Some(BodyCase {

@@ -102,21 +102,22 @@ impl Reader<'_> {
             self.push(Problem::error(key, message));
             return None;
         };
-        let before = self.problems.len();
-        let mut places = vec![];
+        let (mut sound, mut places) = (true, vec![]);
         for (index, node) in nodes.iter().enumerate() {
             let key = key.index(index);
-            match self.number(key.clone(), node, quantity) {
+            let place = self.number(key.clone(), node, quantity);
+            sound &= place.is_some();
+            match place {
                 Some(place) if place > extent => {
-                    let message = "lies beyond the end of the motion".to_owned();
-                    self.push(Problem::error(key, message));
+                    let message = "lies beyond the end of the motion: nothing is put out there";
+                    self.push(Problem::warning(key, message));
                 }
                 place => places.extend(place),
             }
         }
         places.sort_by(f64::total_cmp);
         places.dedup();
-        (self.problems.len() == before).then_some(Output::At(places))
+        sound.then_some(Output::At(places))
     }
 }
 

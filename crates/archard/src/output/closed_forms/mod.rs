@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use serde_json::{Value, json};
 
 use super::coefficients;
-use crate::body::contact_modulus;
+use crate::body::{Body, contact_modulus};
 use crate::closed_form::hertz::{Hertz, Line};
 use crate::closed_form::spence::Indentation;
 use crate::closed_form::{carter, pin_on_disc, strip, twin_discs};
@@ -34,8 +34,7 @@ impl ClosedForms {
 /// The blocks of a report.
 fn of(report: &Report<'_>, spence: &OnceCell<Option<Indentation>>) -> Value {
     let Report { problem, state, .. } = report;
-    let [Some(one), Some(other)] = problem.bodies.each_ref().map(|body| body.profile.curvatures())
-    else {
+    let [Some(one), Some(other)] = problem.bodies.each_ref().map(Body::curvatures) else {
         return Value::Null;
     };
     let curvatures = [one[0] + other[0], one[1] + other[1]];

@@ -122,6 +122,7 @@ mod tests {
         let zone = Zone { faces: vec![5, 6, 9, 10], grid: None };
         Finite {
             meshed: Meshed { mesh, zone, placed: true },
+            curvatures: Some([1.0 / RADIUS; 2]),
             supports: vec![],
             mirrored: [false; 2],
             interpolation: Interpolation::Discontinuous,
