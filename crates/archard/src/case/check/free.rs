@@ -20,9 +20,28 @@ const OF_A_THREAD: f64 = 66.0 * 1048576.0;
 
 /// Memory (bytes) that is free.
 pub(in crate::case) fn available() -> f64 {
+    free(Path::new("/"), OF_A_THREAD)
+}
+
+/// The same for dense equations: each thread of their factorisation reserves twice the size of the processor's last
+/// cache (of the products of `faer`), of which it uses little.
+pub(in crate::case) fn available_to_equations() -> f64 {
     let root = Path::new("/");
-    let found = [machine(root), groups(root), addresses(root)];
+    free(root, OF_A_THREAD + 2.0 * last_cache(root))
+}
+
+/// What is free (bytes) where a thread reserves that many addresses.
+fn free(root: &Path, of_a_thread: f64) -> f64 {
+    let found = [machine(root), groups(root), addresses(root, of_a_thread)];
     found.into_iter().flatten().reduce(f64::min).unwrap_or(UNKNOWN)
+}
+
+/// The last cache of the processor (bytes).
+fn last_cache(root: &Path) -> f64 {
+    const USUAL: f64 = 64e6;
+    let size = text(root, "sys/devices/system/cpu/cpu0/cache/index3/size");
+    let kilobytes = size.and_then(|size| size.trim().strip_suffix('K')?.parse::<f64>().ok());
+    kilobytes.map_or(USUAL, |kilobytes| 1024.0 * kilobytes)
 }
 
 /// The text of a file under the root of a file system.
@@ -42,16 +61,17 @@ fn machine(root: &Path) -> Option<f64> {
     kilobytes(&text(root, "proc/meminfo")?, "MemAvailable:")
 }
 
-/// What the limit of the address space leaves (bytes).
-fn addresses(root: &Path) -> Option<f64> {
+/// What the limit of the address space leaves (bytes) where a thread reserves that many.
+fn addresses(root: &Path, of_a_thread: f64) -> Option<f64> {
     let limits = text(root, "proc/self/limits")?;
     let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
     let limit: f64 = line.split_whitespace().next()?.parse().ok()?;
     let taken = kilobytes(&text(root, "proc/self/status")?, "VmSize:").unwrap_or(0.0);
     let left = SURE * (limit - taken).max(0.0);
     let threads = available_parallelism().map_or(1, NonZero::get) as f64;
-    // A thread that finds no addresses for a heap of its own shares another's.
-    Some(left - (threads * OF_A_THREAD).min(0.5 * left))
+    let heaps = (threads * OF_A_THREAD).min(0.5 * left);
+    // A thread that finds no addresses for a heap of its own shares another's; what else it reserves it needs.
+    Some((left - heaps - threads * (of_a_thread - OF_A_THREAD)).max(0.0))
 }
 
 /// A version of control groups: where groups are, and what their files are called.
@@ -117,7 +137,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    use super::{addresses, groups, machine};
+    use super::{OF_A_THREAD, addresses, groups, last_cache, machine};
 
     /// A file system with these files.
     fn system(files: &[(&str, &str)]) -> tempfile::TempDir {
@@ -170,11 +190,13 @@ mod tests {
                 format!("Limit   Soft Limit  Hard Limit\nMax address space  {limit}  bytes\n");
             let status = "Name: archard\nVmSize:\t    1000 kB\n";
             let files = [("proc/self/limits", &*limits), ("proc/self/status", status)];
-            addresses(system(&files).path())
+            addresses(system(&files).path(), OF_A_THREAD)
         };
         assert_eq!(limits("unlimited    unlimited"), None);
         let left = limits("1024001024000  unlimited").unwrap();
         assert!(left < 0.9 * 1024e9 && left > 0.4 * 1024e9, "{left}");
         assert_eq!(limits("1000  unlimited"), Some(0.0));
+        let cache = system(&[("sys/devices/system/cpu/cpu0/cache/index3/size", "32768K\n")]);
+        assert_eq!(last_cache(cache.path()), 32768.0 * 1024.0);
     }
 }

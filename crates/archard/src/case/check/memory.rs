@@ -1,7 +1,8 @@
 //! Whether the machine holds what a case takes.
 
 use super::Parts;
-pub(in crate::case) use super::free::available;
+pub(in crate::case) use super::free::{available, available_to_equations};
+use crate::body::Elasticity;
 use crate::body::mesh::Shape;
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
@@ -36,7 +37,7 @@ pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
 
 /// A solver whose matrices (bytes) are too large.
 pub(super) fn of_solver(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
-    let problem = too_large(memory, available())?;
+    let problem = too_large(memory, available_to_equations())?;
     let key = Key::of(["solver", parts.case.solver.choice.name]);
     let help = "leave it out: the default needs no matrix; or take fewer elements";
     Some(Problem { key, ..problem }.at_name().help(help))
@@ -44,9 +45,13 @@ pub(super) fn of_solver(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
 
 /// What is wrong with the memory (bytes) that a case takes whose largest mesh is that of a body.
 pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> {
-    let mesh = &body.finite.as_ref()?.mesh;
+    let finite = body.finite.as_ref()?;
+    let (mesh, free) = match finite.elasticity {
+        Elasticity::BoundaryElements => (&finite.mesh, available_to_equations()),
+        Elasticity::HalfSpace => (&finite.mesh, available()),
+    };
     let key = key(Key::of(["body", &body.name, "mesh"]), mesh);
-    judged(memory, available()).map(|problem| Problem { key, ..problem })
+    judged(memory, free).map(|problem| Problem { key, ..problem })
 }
 
 fn judged(memory: f64, free: f64) -> Option<Problem> {
