@@ -1,11 +1,13 @@
 //! `archard check`: the case in SI, what to expect, what is doubtful.
 
 use archard::case::{BesideHalfSpace, Case as ContactCase, Task};
+use archard::verdict::Verdict;
 
 use crate::arguments::Case;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::say::say;
+use crate::verdict::in_words;
 
 /// Checks a case.
 pub fn check(arguments: &Case) -> Result<(), Failure> {
@@ -19,11 +21,23 @@ pub fn check(arguments: &Case) -> Result<(), Failure> {
     };
     say(&format!("# The case in SI\n\n{case}"))?;
     say(&format!("# What to expect\n\n{forecast}"))?;
+    if let Task::Contact(resolved) = &task {
+        foresee(&resolved.forecast.verdict)?;
+    }
     match task.warnings().len() {
         0 => say("No warnings."),
         1 => say("1 warning, shown above."),
         n => say(&format!("{n} warnings, shown above.")),
     }
+}
+
+/// Says what of a verdict can be foreseen.
+fn foresee(verdict: &Verdict) -> Result<(), Failure> {
+    if verdict.lines.is_empty() {
+        return Ok(());
+    }
+    let lines: Vec<String> = verdict.lines.iter().map(in_words).collect();
+    say(&format!("# Verdict foreseen\n\n{}\n", lines.join("\n")))
 }
 
 /// What half-spaces in the place of meshed bodies would change.

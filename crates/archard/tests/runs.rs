@@ -254,7 +254,8 @@ fn jumps_know_their_error() {
     let every = mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]"]);
     for tolerance in [3e-2, 1e-2, 1e-3] {
         let tolerance_given = format!("motion.fretting.tolerance={tolerance}");
-        let rows = mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]", &tolerance_given]);
+        let rows =
+            mccoll(&["motion.fretting.cycles=2000", "output.at=[500, 1000]", &tolerance_given]);
         let off = rows.last("wear_depth_m") / every.last("wear_depth_m") - 1.0;
         let stated = rows.last("time_error");
         assert!(off.abs() < stated && stated < tolerance, "{off} {stated} {tolerance}");

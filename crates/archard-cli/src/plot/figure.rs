@@ -147,12 +147,13 @@ impl Panel {
     }
 }
 
-/// Writes panels in that many columns, each of that size (px), as `path.svg` and `path.png`.
+/// Writes panels in that many columns, each of that size (px), as `path.svg` and `path.png`, below a mark if there is
+/// one.
 pub(super) fn save(
     path: &Path,
     columns: usize,
     [width, height]: [f64; 2],
-    panels: Vec<Panel>,
+    (panels, mark): (Vec<Panel>, Option<&str>),
 ) -> anyhow::Result<[PathBuf; 2]> {
     let rows = panels.len().div_ceil(columns);
     let several = panels.len() > 1;
@@ -161,6 +162,9 @@ pub(super) fn save(
         .with_cell_size(width, height)
         .with_plots(plots)
         .with_layouts(layouts);
+    if let Some(mark) = mark {
+        figure = figure.with_title(mark).with_title_size(20);
+    }
     if several {
         figure = figure.with_labels_lowercase();
     }

@@ -79,7 +79,7 @@ pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();
     for Picture { name, columns, size, panels } in pictures {
-        files.extend(save(&plots.join(name), columns, size, panels)?);
+        files.extend(save(&plots.join(name), columns, size, (panels, results.mark.as_deref()))?);
     }
     Ok(files)
 }

@@ -9,7 +9,7 @@ use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::kinematics::Rolling;
 use archard::output::{Image, Surface};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::tables::{
     Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
@@ -79,6 +79,7 @@ impl Results {
         let worn_profiles = dir.join("worn_profiles.csv");
         let loops = dir.join("fretting_loop.csv");
         let summary = dir.join("summary.json");
+        let mut summary = if summary.is_file() { Some(read_summary(&summary)?) } else { None };
         Ok(Self {
             bodies: history.bodies(),
             profiles: if profiles.is_file() { read_profiles(&profiles)? } else { Vec::new() },
@@ -90,8 +91,11 @@ impl Results {
             loops: if loops.is_file() { read_loops(&loops)? } else { Vec::new() },
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
-            closed_form: if summary.is_file() { closed_form(&summary)? } else { Value::Null },
-            mark: None,
+            mark: mark(summary.as_ref()),
+            closed_form: summary
+                .as_mut()
+                .and_then(|summary| summary.remove("closed_form"))
+                .unwrap_or_default(),
             history,
         })
     }
@@ -253,13 +257,35 @@ fn last_image(dir: &Path) -> anyhow::Result<Option<Image>> {
     Ok(Some(if surface { Surface::read(&path)?.image() } else { Image::read(&path)? }))
 }
 
-/// The block of closed forms in a summary.
-fn closed_form(path: &Path) -> anyhow::Result<Value> {
+/// The summary of a run.
+fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
     let context = || format!("cannot read `{}`", path.display());
     let text = fs::read_to_string(path).with_context(context)?;
-    let mut summary: Value = serde_json::from_str(&text).with_context(context)?;
-    let Value::Object(summary) = &mut summary else {
-        bail!("`{}` is not the summary of a run", path.display());
+    match serde_json::from_str(&text).with_context(context)? {
+        Value::Object(summary) => Ok(summary),
+        _ => bail!("`{}` is not the summary of a run", path.display()),
+    }
+}
+
+/// What pictures have to say beside what they show: that a run is incomplete or its result doubtful or wrong.
+fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
+    let Some(summary) = summary else { return Some("incomplete: the run has not ended".into()) };
+    let verdict = &summary.get("verdict").unwrap_or(&Value::Null);
+    let lines = verdict["lines"].as_array().map_or(&[][..], Vec::as_slice);
+    let of = |word: &str| -> Vec<&str> {
+        let these = lines.iter().filter(|line| line["word"] == word);
+        these.filter_map(|line| line["subject"].as_str()).collect()
     };
-    Ok(summary.remove("closed_form").unwrap_or_default())
+    let ended = summary.get("complete") == Some(&Value::Bool(true));
+    let parts = [
+        (!ended).then(|| "incomplete: the run stopped before its end".to_owned()),
+        Some(of("wrong"))
+            .filter(|these| !these.is_empty())
+            .map(|w| format!("wrong: {}", w.join(", "))),
+        Some(of("doubtful"))
+            .filter(|these| !these.is_empty())
+            .map(|these| format!("doubtful: {}", these.join(", "))),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
 }

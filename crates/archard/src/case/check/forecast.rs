@@ -8,11 +8,13 @@ use super::contact::{Contact, Worn};
 use super::creep::Creep;
 use super::cycles::Cycles;
 use super::finite::Finiteness;
+use super::foreseen;
 use super::partial_slip::{Fretting, stick_ratio};
 use super::words::{length, pressure, three};
 use crate::compliance::bem;
 use crate::kinematics::{Shift, Stepping};
 use crate::solve::joint::factors_memory;
+use crate::verdict::Verdict;
 
 // Measured as the peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two threads, per pair
 // and beyond that of the program, with N elements squared:
@@ -86,6 +88,8 @@ pub struct Forecast {
     pub memory: f64,
     /// What of it the solver of the pressures takes for matrices (bytes).
     pub of_solver: f64,
+    /// What of the verdict on a run can be foreseen.
+    pub verdict: Verdict,
 }
 
 /// A number of contact solves.
@@ -110,7 +114,7 @@ impl Forecast {
         let contact = Contact::of(parts);
         let spacing = parts.case.frame.spacing();
         let [nx, ny] = parts.case.frame.elements;
-        Self {
+        let forecast = Self {
             contact,
             cells_across: contact.map(|contact| {
                 let cells = |axis: usize| 2.0 * contact.semi_axes[axis] / spacing[axis];
@@ -127,7 +131,9 @@ impl Forecast {
             finiteness: Finiteness::of(parts, contact.as_ref()),
             memory: memory(parts, contact.as_ref()),
             of_solver: of_solver(parts, contact.as_ref()),
-        }
+            verdict: Verdict::default(),
+        };
+        Self { verdict: foreseen::verdict(parts, &forecast), ..forecast }
     }
 
     /// Half of the extent (m) of the contact at the end along x and y: the scar and the elastic

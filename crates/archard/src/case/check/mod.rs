@@ -6,6 +6,7 @@ mod creep;
 mod cycles;
 mod finite;
 mod forecast;
+mod foreseen;
 mod free;
 mod geometry;
 mod inside;

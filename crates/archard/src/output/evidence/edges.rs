@@ -75,9 +75,8 @@ fn at_the_border(frame: &ContactFrame) -> Vec<usize> {
     let mirrored = frame.mirrored();
     let touches = |axis: usize, value: f64| {
         let near = NEAR * (high[axis] - low[axis]);
-        let at = |edge: f64| {
-            (value - edge).abs() <= near && !(mirrored[axis] && edge.abs() <= near)
-        };
+        let at =
+            |edge: f64| (value - edge).abs() <= near && !(mirrored[axis] && edge.abs() <= near);
         at(low[axis]) || at(high[axis])
     };
     let reaches = |&pair: &usize| {

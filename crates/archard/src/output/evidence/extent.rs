@@ -10,7 +10,9 @@ pub(super) fn across(problem: &ContactProblem, holds: impl Fn(usize) -> bool) ->
     let (mut low, mut high, mut count) = (elements, [0, 0], 0);
     for pair in (0..frame.len()).filter(|&pair| holds(pair)) {
         count += 1;
-        for (axis, index) in [pair % elements[0].max(1), pair / elements[0].max(1)].into_iter().enumerate() {
+        for (axis, index) in
+            [pair % elements[0].max(1), pair / elements[0].max(1)].into_iter().enumerate()
+        {
             (low[axis], high[axis]) = (low[axis].min(index), high[axis].max(index + 1));
         }
     }
@@ -22,5 +24,6 @@ pub(super) fn across(problem: &ContactProblem, holds: impl Fn(usize) -> bool) ->
         return Some((count as f64 * images.product::<f64>()).sqrt());
     }
     let along = |axis: usize| (elements[axis] > 1).then(|| (high[axis] - low[axis]) as f64);
-    Some([along(0), along(1)].into_iter().flatten().fold(f64::INFINITY, f64::min)).filter(|n| n.is_finite())
+    Some([along(0), along(1)].into_iter().flatten().fold(f64::INFINITY, f64::min))
+        .filter(|n| n.is_finite())
 }

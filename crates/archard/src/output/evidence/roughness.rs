@@ -42,7 +42,11 @@ fn fives(frame: &ContactFrame) -> impl Iterator<Item = [usize; 5]> {
 fn alternation(values: [f64; 5]) -> f64 {
     let steps = [0, 1, 2, 3].map(|i| values[i + 1] - values[i]);
     let turns = steps.windows(2).all(|two| two[0] * two[1] < 0.0);
-    if turns { 0.5 * steps.iter().fold(f64::INFINITY, |least, step| least.min(step.abs())) } else { 0.0 }
+    if turns {
+        0.5 * steps.iter().fold(f64::INFINITY, |least, step| least.min(step.abs()))
+    } else {
+        0.0
+    }
 }
 
 fn spike([a, b, c, d, e]: [f64; 5]) -> f64 {

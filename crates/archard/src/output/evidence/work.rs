@@ -56,8 +56,8 @@ impl Cycle {
         };
         let range = |axis: usize, part: usize| {
             let values = self.points.iter().map(|point| point[axis][part]);
-            let (low, high) = values
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
+            let (low, high) =
+                values.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(v), h.max(v)));
             high - low
         };
         let rectangle: f64 = (0..2).map(|axis| range(axis, 0) * range(axis, 1)).sum();

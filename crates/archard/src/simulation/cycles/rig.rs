@@ -3,6 +3,8 @@
 //! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
 //! surfaces were strained by.
 
+use std::sync::Arc;
+
 use super::rubbing::Rubbed;
 use super::touch::{Before, Course};
 use crate::frame::VectorField;
@@ -31,7 +33,7 @@ pub(super) struct Rig {
     approached: f64,
     /// How pairs that close slide meanwhile, as the increments so far show, and what open pairs slide (m) until
     /// they touch in the present one.
-    course: Option<Course>,
+    course: Option<Arc<Course>>,
     until_touch: Option<[Vec<f64>; 2]>,
     pub rubbed: Rubbed,
 }
@@ -46,6 +48,8 @@ pub(super) struct Settled {
     pub joint: Option<joint::Solution>,
     /// Where the increment before went, from one cycle to the next, this one may go too.
     pub foreseen: Option<joint::Solution>,
+    /// How closing pairs slid.
+    course: Option<Arc<Course>>,
 }
 
 impl Settled {
@@ -156,30 +160,35 @@ impl Rig {
         let before = Before::of(&self.chain.state);
         let (tangential, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
         let approached = self.approached;
+        if let Some(course) = known.and_then(|known| known.course.clone()) {
+            self.course = Some(course);
+        }
         let (mut latest, mut pass, mut earlier) = (None, 0, None);
         loop {
             pass += 1;
-            self.until_touch = before.until_touch(self.course.as_ref());
+            self.until_touch = before.until_touch(self.course.as_deref());
             let found = self.solve(simulation, leg, station, latest.as_ref().or(known), effort)?;
             let settled = self.settled(found);
             let state = &self.chain.state;
             let Some(course) = before.course(state, &problem.frame) else { return Ok(settled) };
-            let apart = before.apart(state, [self.course.as_ref(), Some(&course)]);
+            let apart = before.apart(state, [self.course.as_deref(), Some(&course)]);
             let enough = if pass == 1 { AT_FIRST } else { LATER };
             if apart <= enough || pass == TOUCHES {
                 return Ok(settled);
             }
             // Every second pass goes on from where the two before lead.
             let used = self.course.take();
-            self.course = Some(match (earlier.take(), &used) {
+            let next = match (earlier.take(), &used) {
                 (Some(first), Some(used)) => {
-                    before.limit(state, Option::as_ref(&first), [used, &course])
+                    let first: Option<Arc<Course>> = first;
+                    before.limit(state, first.as_deref(), [used, &course])
                 }
                 _ => {
                     earlier = Some(used);
                     course
                 }
-            });
+            };
+            self.course = Some(Arc::new(next));
             self.chain.state.tangential.clone_from(&tangential);
             self.strained.clone_from(&strained);
             self.approached = approached;
@@ -211,7 +220,8 @@ impl Rig {
     pub fn settled(&self, found: Found) -> Settled {
         let Found { limit, found, joint } = found;
         let displacement = self.chain.displacement.clone();
-        Settled { state: self.clone_contact(), displacement, limit, found, joint, foreseen: None }
+        let (state, course) = (self.clone_contact(), self.course.clone());
+        Settled { state, displacement, limit, found, joint, foreseen: None, course }
     }
 
     /// Takes the pressures of a known solution to start from, where the load differs from the present one.
@@ -419,24 +429,12 @@ impl Rig {
         let approach = self.chain.state.approach;
         let moved = problem.frame.moved([x, y, self.approached - approach]);
         let strained = [strain.t1, strain.t2];
-        let mut slip = [0, 1].map(|axis| {
+        let slip = [0, 1].map(|axis| {
             let moved = [&moved.t1, &moved.t2][axis];
             map([moved, &self.strained[axis], &strained[axis]], |[moved, before, after]| {
                 moved + before - after
             })
         });
-        if let Some(until_touch) = &self.until_touch {
-            let pressure = &self.chain.state.pressure;
-            for (slip, slid) in slip.iter_mut().zip(until_touch) {
-                update(
-                    slip,
-                    [slid, pressure],
-                    |slip, [slid, pressure]| {
-                        if pressure > 0.0 { slip - slid } else { slip }
-                    },
-                );
-            }
-        }
         self.strained = strained;
         self.approached = approach;
         self.chain.state.tangential =

@@ -71,11 +71,7 @@ impl Stroke {
             if problem.kinematics.shift().is_some_and(|shift| shift.end_pressure) {
                 (f64::from(pressures[1] > 0.0), pressures[1])
             } else {
-                // With friction, the slip of a pair that has closed is counted from its touch on.
-                let closed = pressures[0] <= 0.0 && pressures[1] > 0.0;
-                let counted = closed && problem.friction.is_some();
-                let share = if counted { 1.0 } else { under_pressure(pressures, gaps, own) };
-                (share, 0.5 * (pressures[0] + pressures[1]))
+                (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))
             };
         if share == 0.0 || tangential.sticks(problem, &after.pressure, pair) {
             return None;
