@@ -65,6 +65,7 @@ pub fn volume(off: f64) -> Line {
 
 /// The largest alternation or spike of the pressures from element to element, relative to the peak.
 pub fn roughness(off: f64) -> Line {
-    let text = "of the peak pressure alternates or stands out in single elements";
+    let text =
+        "of the peak pressure alternates or stands on single elements, which do not resolve it";
     Line::new("pressures", off, Bound::AtMost([0.05, 0.5]), text)
 }

@@ -23,7 +23,9 @@ pub(super) struct Evidence {
     load: Option<f64>,
     /// Share of the load on the edges of the frame, and the number of pairs that bear it.
     edges: Option<Edges>,
-    /// Elements across the contact when it first bore a load, and when it was largest.
+    /// The pairs there, once they were looked for.
+    border: Option<Vec<usize>>,
+    /// Elements across the contact at the first output that bears a load, and when it was largest.
     first: Option<f64>,
     largest: Option<f64>,
     /// Elements across the stick zone at the end; `None` where nothing sticks, or all does.
@@ -44,13 +46,16 @@ impl Evidence {
     pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) {
         let Report { problem, state, effort, .. } = report;
         worst(&mut self.load, missing(report));
-        if let Some(edges) = edges::of(problem, &state.pressure)
+        let border = self.border.get_or_insert_with(|| edges::border(problem));
+        if let Some(edges) = edges::of(&problem.frame, border, &state.pressure)
             && self.edges.is_none_or(|known| edges.share >= known.share)
         {
             self.edges = Some(edges);
         }
         if let Some(across) = extent::across(problem, |pair| state.pressure[pair] > 0.0) {
-            self.first.get_or_insert(across);
+            if report.output {
+                self.first.get_or_insert(across);
+            }
             worst(&mut self.largest, Some(across));
         }
         self.stick = state.tangential.as_ref().and_then(|tangential| {
@@ -114,6 +119,10 @@ fn missing(report: &Report<'_>) -> Option<f64> {
 /// simple, or nothing has worn.
 fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
     let Report { problem, effort, .. } = report;
+    if !problem.frame.is_plane() {
+        // Pressures in other directions than the load's wear too.
+        return None;
+    }
     let number = |column: String| row.iter().find(|(known, _)| *known == column).map(|one| one.1);
     let expected = match problem.kinematics.shift() {
         Some(shift) if shift.end_pressure => return None,
