@@ -7,7 +7,7 @@
 mod bounds;
 mod line;
 
-pub use bounds::load;
+pub use bounds::{balance, load, slenderness};
 pub use line::{Bound, Line, Word};
 
 /// The lines of a run, in the order in which they are read.
