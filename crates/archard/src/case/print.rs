@@ -184,7 +184,12 @@ impl Printed<'_> {
     fn number(&self, quantity: Quantity, value: f64) -> String {
         match (measure(quantity, self.values), quantity) {
             (Some(measure), _) => si(value, &measure.si),
-            (None, Quantity::Count | Quantity::Pair(Quantity::Count)) => format!("{value:.0}"),
+            (
+                None,
+                Quantity::Count
+                | Quantity::Pair(Quantity::Count)
+                | Quantity::OneOrThree(Quantity::Count),
+            ) => format!("{value:.0}"),
             (None, _) => number(value),
         }
     }
