@@ -1,7 +1,7 @@
 //! Compliances of meshed bodies, kept from one run to the next.
 //!
-//! A file is a line that names the format, its version, the key of the body, the number of rows, the values
-//! and a checksum of all before it. The key is a hash of all that the compliance follows from. What is
+//! A file is a line that names the format, its version, the key of the body, the number of rows, the
+//! balance, the values and a checksum of all before it. The key is a hash of all that the compliance follows from. What is
 //! damaged, foreign or of another version is computed anew and replaced.
 
 use std::fs;
@@ -12,12 +12,12 @@ use sha2::{Digest, Sha256};
 
 use super::file;
 use crate::body::{Finite, Material};
-use crate::compliance::bem::Condensed;
 use crate::compliance::bem::contact::{Job, condense};
+use crate::compliance::bem::{Balance, Condensed};
 use crate::numerics::dense::Singular;
 
 /// What a file begins with; the version changes with the format and with the equations.
-const FORMAT: &[u8] = b"archard compliance 2\n";
+const FORMAT: &[u8] = b"archard compliance 3\n";
 /// Bytes of a hash.
 const HASH: usize = 32;
 
@@ -66,11 +66,12 @@ impl Store {
 
 fn encode(condensed: &Condensed, key: &[u8; HASH]) -> Vec<u8> {
     let size = condensed.free.len();
-    let mut bytes = Vec::with_capacity(FORMAT.len() + 2 * HASH + 8 * (1 + size + size * size));
+    let mut bytes = Vec::with_capacity(FORMAT.len() + 2 * HASH + 8 * (3 + size + size * size));
     bytes.extend_from_slice(FORMAT);
     bytes.extend_from_slice(key);
     bytes.extend_from_slice(&(size as u64).to_le_bytes());
     let mut put = |value: f64| bytes.extend_from_slice(&value.to_le_bytes());
+    [condensed.balance.force, condensed.balance.moment].into_iter().for_each(&mut put);
     condensed.free.iter().for_each(|&value| put(value));
     for column in 0..size {
         (0..size).for_each(|row| put(condensed.compliance[(row, column)]));
@@ -89,7 +90,8 @@ fn read(path: &Path, key: &[u8; HASH]) -> Option<Condensed> {
         return None;
     }
     let (values, []) = rest.as_chunks::<8>() else { return None };
-    let (size, values) = values.split_first()?;
+    let ([size, force, moment], values) = values.split_first_chunk::<3>()?;
+    let [force, moment] = [force, moment].map(|bytes| f64::from_le_bytes(*bytes));
     let size = usize::try_from(u64::from_le_bytes(*size)).ok()?;
     if size.checked_mul(size)?.checked_add(size)? != values.len() {
         return None;
@@ -97,7 +99,7 @@ fn read(path: &Path, key: &[u8; HASH]) -> Option<Condensed> {
     let value = |index: usize| f64::from_le_bytes(values[index]);
     let free = (0..size).map(value).collect();
     let compliance = Mat::from_fn(size, size, |row, column| value(size * (1 + column) + row));
-    Some(Condensed { compliance, free })
+    Some(Condensed { compliance, free, balance: Balance { force, moment } })
 }
 
 #[cfg(test)]
@@ -105,7 +107,7 @@ mod tests {
     use faer::Mat;
 
     use super::{HASH, encode, read};
-    use crate::compliance::bem::Condensed;
+    use crate::compliance::bem::{Balance, Condensed};
 
     #[test]
     fn what_is_kept_is_read_and_nothing_else() {
@@ -115,10 +117,12 @@ mod tests {
         let compliance =
             Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + 10.0 * column as f64));
         let key = [7; HASH];
-        let bytes = encode(&Condensed { compliance: compliance.clone(), free: free.clone() }, &key);
+        let balance = Balance { force: 0.01, moment: 0.02 };
+        let kept = Condensed { compliance: compliance.clone(), free: free.clone(), balance };
+        let bytes = encode(&kept, &key);
         std::fs::write(&path, &bytes).unwrap();
         let known = read(&path, &key).expect("it is sound");
-        assert_eq!((known.free, known.compliance), (free, compliance));
+        assert_eq!((known.free, known.compliance, known.balance), (free, compliance, balance));
         assert!(read(&path, &[8; HASH]).is_none());
         assert!(read(&folder.path().join("none"), &key).is_none());
         for cut in 0..bytes.len() {
