@@ -4,8 +4,10 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::case::ResolvedElastic;
+use archard::compliance::bem::Balance;
 use archard::elastic::{Deformed, ElasticBody, von_mises};
 use archard::output::{Totals, write_elastic};
+use archard::verdict::{Line, Word};
 
 use crate::failure::Failure;
 use crate::number::four;
@@ -26,7 +28,19 @@ pub fn run(resolved: &ResolvedElastic, dir: &Path, quiet: bool) -> Result<(), Fa
     };
     write_elastic(dir, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
-    if quiet { Ok(()) } else { summarize(&body, &deformed, &totals, dir) }
+    if !quiet {
+        summarize(&body, &deformed, &totals, dir)?;
+    }
+    let verdict = body.verdict(&deformed);
+    match verdict.complaints().find(|line| line.word() == Word::Wrong) {
+        Some(line) => Err(Failure::NotConverged(sentence(line))),
+        None => Ok(()),
+    }
+}
+
+/// A line of the verdict in words.
+fn sentence(line: &Line) -> String {
+    format!("the result is {}: {} {}", line.word().text(), four(line.value), line.text)
 }
 
 /// Says what came out and where it is.
@@ -43,6 +57,15 @@ fn summarize(
         let stress = four(von_mises(&response.stress) * 1e-6);
         let name = &point.name;
         say(&format!("at `{name}`  displacement ({x}, {y}, {z}) um, von Mises {stress} MPa"))?;
+    }
+    let Balance { force, moment } = deformed.balance;
+    let lines = archard::verdict::balance(force, moment);
+    let [force, moment] = [force, moment].map(|share| four(100.0 * share));
+    let word = lines.iter().map(Line::word).max().unwrap_or(Word::Good).text();
+    say(&format!("left of balance   {force} % of the load, {moment} % of its moment: {word}"))?;
+    // Long elements have been warned of before the run.
+    for line in lines.iter().filter(|line| line.word() == Word::Doubtful) {
+        say(&format!("warning           {}", sentence(line)))?;
     }
     let unknowns = deformed.surface.unknowns();
     say(&format!("time              {:.2} s, {unknowns} unknowns", totals.seconds))?;

@@ -10,6 +10,7 @@ use super::table::{Table, number};
 use super::{Error, Field, Surface, Totals, file};
 use crate::compliance::bem::Response;
 use crate::elastic::{Deformed, ElasticBody, Point, row};
+use crate::verdict::{Bound, Line};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder.
 ///
@@ -73,9 +74,22 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
         "unknowns": deformed.surface.unknowns(),
         "largest_displacement_m": displacement,
         "force_on_surfaces_N": forces,
+        "verdict": body.verdict(deformed).lines.iter().map(judged).collect::<Vec<_>>(),
         "seconds": totals.seconds,
         "threads": totals.threads,
         "warnings": totals.warnings,
+    })
+}
+
+/// A line of the verdict; bounds are where good ends and where wrong begins, none where it never does.
+fn judged(line: &Line) -> Value {
+    let (Bound::AtMost(bounds) | Bound::AtLeast(bounds)) = line.bound;
+    json!({
+        "name": line.subject,
+        "value": line.value,
+        "bounds": bounds,
+        "word": line.word().text(),
+        "text": line.text,
     })
 }
 
