@@ -21,6 +21,7 @@ mod verification {
     mod rough;
     mod running_in;
     mod similarity;
+    mod slender_bodies;
     mod spence;
     mod step_by_error;
     mod stresses_under_contact;
