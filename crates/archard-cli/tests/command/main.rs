@@ -2,6 +2,7 @@
 
 mod finite;
 mod memory;
+mod verdict;
 
 use std::fs;
 use std::path::{Path, PathBuf};

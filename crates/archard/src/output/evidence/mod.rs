@@ -30,7 +30,7 @@ pub(super) struct Evidence {
     /// Elements across the contact at the first output that bears a load, and when it was largest.
     first: Option<f64>,
     largest: Option<f64>,
-    /// Elements across the stick zone at the end; `None` where nothing sticks, or all does.
+    /// Elements across the stick zone at the end of bodies that are shifted; `None` where nothing sticks, or all does.
     stick: Option<f64>,
     /// Error of the division into steps at the end, over the tolerance asked for.
     time: Option<[f64; 2]>,
@@ -67,7 +67,8 @@ impl Evidence {
             }
             worst(&mut self.largest, Some(across));
         }
-        self.stick = state.tangential.as_ref().and_then(|tangential| {
+        let shifted = problem.kinematics.shift().is_some();
+        self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
             let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
             let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
             let partial = (0..problem.frame.len()).any(slips);
