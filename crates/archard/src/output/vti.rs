@@ -37,6 +37,9 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Image, String> {
     let (&[_, nx, _, ny, ..], &[x, y, ..], &[dx, dy, ..]) = (&*extent, &*origin, &*spacing) else {
         return Err("its grid is not described".to_owned());
     };
+    if nx.checked_mul(ny).is_none_or(|elements| elements == 0) {
+        return Err("its grid has no elements".to_owned());
+    }
     let field = |tag: &str| {
         let words = appended::words(tag, appended, nx.saturating_mul(ny))?;
         let values = words.into_iter().map(f64::from_le_bytes).collect();
@@ -77,6 +80,22 @@ mod tests {
         for length in 0..whole.len() - tail {
             assert!(decode(&whole[..length]).is_err(), "{length} of {} bytes", whole.len());
         }
+    }
+
+    /// A picture goes through the elements along each axis, however many are said to be there.
+    #[test]
+    fn a_grid_without_elements_is_refused() {
+        let none = Image { elements: [usize::MAX, 0], fields: vec![], ..image() };
+        assert_eq!(decode(&encode(&none).unwrap()).unwrap_err(), "its grid has no elements");
+    }
+
+    /// A thousand bytes of zeros, packed in a few, where six numbers should be.
+    #[test]
+    fn more_than_fits_is_refused() {
+        let field = Field { name: "pressure_Pa".to_owned(), values: vec![0.0; 1000] };
+        let more = Image { fields: vec![field], ..image() };
+        let error = decode(&encode(&more).unwrap()).unwrap_err();
+        assert_eq!(error, "the array `pressure_Pa` is damaged");
     }
 
     #[test]
