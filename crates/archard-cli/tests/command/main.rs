@@ -230,8 +230,10 @@ fn standard_output_may_be_closed_or_full() {
 #[test]
 fn an_interrupted_run_keeps_what_it_has() {
     let dir = TempDir::new().unwrap();
-    let program = assert_cmd::cargo::cargo_bin("archard");
-    let mut run = std::process::Command::new(program)
+    // With the default answer to signals, which a background job of a shell ignores.
+    let mut run = std::process::Command::new("env")
+        .args(["--default-signal=HUP,INT,TERM"])
+        .arg(assert_cmd::cargo::cargo_bin("archard"))
         .args(["run", case("pin_on_disc").to_str().unwrap(), "-o", "out", "--quiet"])
         .args(["--set", "motion.sliding.step=0.002 mm"])
         .current_dir(dir.path())
