@@ -225,35 +225,6 @@ fn standard_output_may_be_closed_or_full() {
     assert!(said(&full).contains("cannot write to standard output"), "{}", said(&full));
 }
 
-/// Ctrl-C ends the run after a step, with exit code 3 and what was computed in its files.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_run_keeps_what_it_has() {
-    let dir = TempDir::new().unwrap();
-    // With the default answer to signals, which a background job of a shell ignores.
-    let mut run = std::process::Command::new("env")
-        .args(["--default-signal=HUP,INT,TERM"])
-        .arg(assert_cmd::cargo::cargo_bin("archard"))
-        .args(["run", case("pin_on_disc").to_str().unwrap(), "-o", "out", "--quiet"])
-        .args(["--set", "motion.sliding.step=0.002 mm"])
-        .current_dir(dir.path())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    let history = dir.path().join("out/history.csv");
-    let rows = || fs::read_to_string(&history).map_or(0, |text| text.lines().count());
-    let begun = std::time::Instant::now();
-    while rows() < 10 && begun.elapsed().as_secs() < 60 {
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    let interrupt = format!("kill -INT {}", run.id());
-    Command::new("bash").args(["-c", &interrupt]).assert().success();
-    assert_eq!(run.wait().unwrap().code(), Some(3));
-    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
-    assert!(summary.contains("\"complete\": false"), "{summary}");
-    assert!(rows() >= 10);
-}
-
 #[test]
 fn threads_are_few_and_many_are_refused() {
     let dir = TempDir::new().unwrap();
