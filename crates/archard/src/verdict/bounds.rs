@@ -58,8 +58,11 @@ pub fn energy(off: f64) -> Line {
 }
 
 /// Worn volume or section against what the prescribed load, the creepage or the dissipated energy wears.
+///
+/// The case `fretting_sphere` on 32 x 32 elements has 0.9 % at 20 increments a cycle, 4.6 % at 12, 9 % at 8 and 51 %
+/// at 4: pairs that begin to slip within an increment.
 pub fn volume(off: f64) -> Line {
-    let text = "between the worn volume and what was prescribed wears";
+    let text = "between the worn volume and what was prescribed wears; cycles need more increments";
     Line::new("volume", off, Bound::AtMost([0.02, 0.1]), text)
 }
 
