@@ -27,7 +27,7 @@ impl Compliance for Stiff {
 }
 
 /// Builds the choice of that name.
-fn build<T>(choices: &[Choice<T>], name: &str, numbers: &[(&'static str, f64)]) -> T {
+pub(super) fn build<T>(choices: &[Choice<T>], name: &str, numbers: &[(&'static str, f64)]) -> T {
     let mut values = Values::default();
     numbers.iter().for_each(|(name, number)| values.insert(name, Value::Number(*number)));
     let choice = choices.iter().find(|choice| choice.name == name).expect(name);

@@ -66,3 +66,121 @@ fn judged(outcome: Outcome, step: &Step<'_>, solver: &dyn Solver) -> Outcome {
     };
     Outcome { status, residual, ..outcome }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::{Control, Outcome, Solver, Start, Status, Step, press};
+    use crate::body::profile::PROFILES;
+    use crate::compliance::Compliance;
+    use crate::frame::{ContactFrame, VectorField};
+    use crate::parameters::Values;
+    use crate::solve::Settings;
+
+    #[derive(Debug)]
+    struct Stiff;
+
+    impl Compliance for Stiff {
+        fn apply(&self, tractions: &VectorField) -> VectorField {
+            VectorField::zeros(tractions.n.len())
+        }
+
+        fn normal_self_term(&self) -> f64 {
+            1.0
+        }
+    }
+
+    /// Claims to have converged on these pressures; the next is for the next call. Notes which calls had a start.
+    #[derive(Debug)]
+    struct Claims(Mutex<(Vec<f64>, Vec<bool>)>, Status);
+
+    impl Solver for Claims {
+        fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+            let mut kept = self.0.lock().unwrap();
+            kept.1.push(start.is_some());
+            let pressure = vec![kept.0.remove(0); step.gap.len()];
+            Outcome {
+                status: self.1,
+                displacement: vec![0.0; pressure.len()],
+                gap: vec![0.0; pressure.len()],
+                pressure,
+                approach: 1e-6,
+                iterations: 3,
+                residual: 0.0,
+                applications: 4,
+            }
+        }
+
+        fn settings(&self) -> Settings {
+            Settings { tolerance: 1e-6, max_iterations: 10 }
+        }
+    }
+
+    fn frame() -> ContactFrame {
+        let flat = PROFILES.iter().find(|choice| choice.name == "flat").unwrap();
+        let flat = (flat.build)(&Values::default()).unwrap();
+        ContactFrame::uniform([2.0; 2], [2; 2], [&*flat, &*flat]).unwrap()
+    }
+
+    /// Status and iterations on four pairs of 1 m^2 under a load of 4 N, and which calls had a start.
+    fn pressed(claims: &[f64], status: Status, start: Option<f64>) -> (Status, usize, Vec<bool>) {
+        let frame = frame();
+        let (gap, addition) = (vec![0.0; 4], vec![0.0; 4]);
+        let step = Step {
+            compliance: &Stiff,
+            gap: &gap,
+            addition: &addition,
+            measure: frame.measure(),
+            control: Control::Load(4.0),
+        };
+        let from = start.map(|pressure| vec![pressure; 4]);
+        let start =
+            from.as_ref().map(|pressure| Start { pressure, displacement: &gap, approach: 1e-6 });
+        let solver = Claims(Mutex::new((claims.to_vec(), vec![])), status);
+        let outcome = press(&solver, &step, start);
+        (outcome.status, outcome.iterations, solver.0.into_inner().unwrap().1)
+    }
+
+    /// Whatever a solver claims, it has to carry the load.
+    #[test]
+    fn claims_are_held_against_the_load() {
+        let (claims, fails) = (Status::Converged, Status::OutOfIterations);
+        assert_eq!(pressed(&[1.0], claims, None), (claims, 3, vec![false]));
+        for carried in [0.0, 0.9, 1.1, f64::NAN] {
+            assert_eq!(pressed(&[carried], claims, None), (fails, 3, vec![false]));
+        }
+    }
+
+    /// What fails from an earlier solution is tried from nothing; one that bears nothing is no start.
+    #[test]
+    fn failures_are_tried_from_nothing() {
+        let (claims, fails) = (Status::Converged, Status::OutOfIterations);
+        assert_eq!(pressed(&[1.0], claims, Some(2.0)), (claims, 3, vec![true]));
+        assert_eq!(pressed(&[0.5, 1.0], claims, Some(2.0)), (claims, 6, vec![true, false]));
+        assert_eq!(pressed(&[0.5, 0.5], claims, Some(2.0)), (fails, 6, vec![true, false]));
+        for nothing in [0.0, f64::NAN] {
+            assert_eq!(pressed(&[1.0], claims, Some(nothing)), (claims, 3, vec![false]));
+        }
+        let full = Status::FrameFull;
+        assert_eq!(pressed(&[1.0], full, Some(2.0)), (full, 3, vec![true]));
+    }
+
+    /// Under no load the bodies touch where they are closest.
+    #[test]
+    fn bodies_without_load_just_touch() {
+        let frame = frame();
+        let (gap, addition) = ([3.0, 1.0, 2.0, 5.0], [0.0; 4]);
+        let step = Step {
+            compliance: &Stiff,
+            gap: &gap,
+            addition: &addition,
+            measure: frame.measure(),
+            control: Control::Load(0.0),
+        };
+        let solver = Claims(Mutex::new((vec![], vec![])), Status::Converged);
+        let outcome = press(&solver, &step, None);
+        assert_eq!((outcome.approach, outcome.gap), (1.0, vec![2.0, 0.0, 1.0, 4.0]));
+        assert_eq!(outcome.pressure, [0.0; 4]);
+    }
+}

@@ -48,6 +48,9 @@ mod tests {
         assert_eq!(verdict(&[0.1, 0.15]).word(), Word::Doubtful);
         assert_eq!(verdict(&[0.15, 0.25, 0.0]).word(), Word::Wrong);
         assert_eq!(verdict(&[f64::NAN]).word(), Word::Wrong);
+        let complaints = verdict(&[0.15, 0.05, 0.25]);
+        let complaints: Vec<f64> = complaints.complaints().map(|line| line.value).collect();
+        assert_eq!(complaints, [0.15, 0.25]);
         let least = |value| Line::new("elements", value, Bound::AtLeast([8.0, 2.0]), "across");
         assert_eq!(
             [9.0, 5.0, 1.0].map(|value| least(value).word()),

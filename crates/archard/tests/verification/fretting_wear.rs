@@ -6,6 +6,8 @@ use approx::assert_relative_eq;
 use archard::body::contact_modulus;
 use archard::closed_form::Hertz;
 use archard::closed_form::fretting_wear::WornOut;
+use archard::problem::ContactState;
+use archard::simulation::Effort;
 
 use crate::common::{STEEL, case, depth, peak, states};
 
@@ -62,4 +64,60 @@ fn the_fretting_of_a_sphere_ends_in_its_stick_zone() {
     let outside: Vec<f64> = outside.map(|pair| state.pressure[pair]).collect();
     // Measured: 2e-5.
     assert!(peak(&outside) < 0.02 * hertz.peak_pressure, "{:e} Pa", peak(&outside));
+}
+
+/// Rows of the case on coarse elements over a hundred cycles that wear as much as many.
+fn quickly(tolerance: &str) -> (Vec<(ContactState, Effort)>, Vec<f64>) {
+    let case_file = include_str!("../../../../cases/fretting_sphere/case.toml");
+    let options = [
+        "frame.elements=[20, 20]",
+        "motion.fretting.increments=8",
+        "motion.fretting.cycles=100",
+        "body.ball.wear.archard.coefficient='1e-11 1/Pa'",
+        "output={at=[50, 51]}",
+        tolerance,
+    ];
+    let simulation = case(case_file, &options);
+    let frame = &simulation.problem.frame;
+    let states = states(&simulation).expect("it converges").into_iter();
+    states
+        .map(|(state, effort, _)| {
+            let volume = frame.integrate(&state.total_worn());
+            ((state, effort), volume)
+        })
+        .unzip()
+}
+
+/// At the end of each cycle that jumps compute, all that adds up is corrected with the depths: the worn volume is k
+/// times the load over the distance slid, what friction dissipated is that of a run of every cycle within the
+/// tolerance, and the next cycle goes on from what was shown.
+#[test]
+fn jumps_are_corrected_in_all_that_they_add_up() {
+    let whole = |state: &ContactState| (state.progress - state.progress.round()).abs() < 1e-9;
+    let dissipated = |effort: &Effort| effort.dissipated[1];
+    let (every, _) = quickly("motion.fretting.tolerance=");
+    let every: Vec<f64> = every
+        .iter()
+        .filter(|(state, _)| whole(state))
+        .map(|(_, effort)| dissipated(effort))
+        .collect();
+    let (jumps, volumes) = quickly("motion.fretting.tolerance=0.03");
+    let mut ends = 0;
+    for ((state, effort), volume) in jumps.iter().zip(volumes) {
+        if whole(state) && state.progress > 0.0 {
+            ends += 1;
+            let worn = (1e-11 + 0.5e-13) * effort.load_distance;
+            assert_relative_eq!(volume, worn, max_relative = 1e-9);
+            let expected = every[state.progress.round() as usize];
+            // Measured: 1.6 %.
+            assert_relative_eq!(dissipated(effort), expected, max_relative = 0.03);
+        }
+    }
+    assert!(3 * ends < every.len(), "{ends} of {}", every.len());
+    let at = |progress: f64| {
+        let row = jumps.iter().find(|(state, _)| (state.progress - progress).abs() < 1e-9);
+        dissipated(&row.expect("an increment shown").1)
+    };
+    assert!(at(49.0 + 1.0 / 8.0) < at(50.0));
+    assert_relative_eq!(at(50.0), at(50.0 + 1.0 / 8.0), max_relative = 1e-12);
 }

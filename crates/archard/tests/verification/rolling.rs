@@ -331,6 +331,25 @@ fn what_is_worn_is_the_work_of_the_creepage() {
     }
 }
 
+/// The same of discs that spin, alone and with a lateral creepage, either way round: the spin works on the moment,
+/// with the sign that the slip has.
+#[test]
+fn what_is_worn_is_the_work_of_the_spin() {
+    for motion in [
+        "spin = \"20 1/m\"",
+        "spin = \"-20 1/m\"\ndirection = \"-x\"",
+        "spin = \"10 1/m\"\nlateral_creepage = 0.001",
+    ] {
+        let motion = format!("{motion}\nrevolutions = 1e-3\nstep = 1e-3");
+        let rows = row(&twin_discs([0.52, 2.2], [30, 30], &motion));
+        let sections = ["worn_section_disc1_m2", "worn_section_disc2_m2"];
+        let worn: f64 = sections.map(|column| rows.last(column)).iter().sum();
+        let work = rows.last("frictional_power_per_speed_N");
+        assert!(rows.last("moment_z_Nm") != 0.0);
+        assert_relative_eq!(worn / 1e-3, WEAR / 0.6 * work, max_relative = 1e-3);
+    }
+}
+
 /// Where everything slips, only the product of coefficient, creepage and revolutions counts.
 #[test]
 fn creepage_times_revolutions_is_what_counts() {

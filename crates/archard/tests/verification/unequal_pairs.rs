@@ -194,51 +194,69 @@ fn unlike_bodies_on_unequal_pairs() {
     }
 }
 
-/// A sphere pressed on a tilted plane, straight down: that is pressed and shifted on a level one. Pressures
-/// and tractions of like bodies are found together on the one and after one another on the other.
+/// A sphere pressed on a tilted plane, straight down, and then shifted on the way up: that is pressed and shifted on a level one. Pressures
+/// and tractions of like bodies are found together on the one and after one another on the other; they slip,
+/// wear and dissipate alike, and the force along x is the resultant of both, turned.
 #[test]
 fn a_tilted_plane_is_pressed_and_shifted() {
     const TILT: f64 = 0.06;
     let (sine, cosine) = TILT.sin_cos();
-    let run = |tilted: f64, down: [f64; 2]| {
-        let mut simulation = case(
-            &super::cattaneo_mindlin::sphere(16, 0.3, "amplitude = [\"1 um\", \"0 um\"]"),
-            &[],
-        );
+    let run = |tilted: f64, path: [[f64; 2]; 3]| {
+        let text = super::cattaneo_mindlin::sphere(16, 0.3, "amplitude = [\"1 um\", \"0 um\"]");
+        let wear = "body.flat.wear.archard.coefficient='1e-10 1/Pa'";
+        let mut simulation = case(&text, &[wear]);
         Uneven { tilted, ..Uneven::new(SIDE, 16) }.take_over(&mut simulation);
-        let station = |share: f64| Station {
-            control: Control::Approach(share * down[0]),
-            guides: [Guide::Shift(share * down[1]), Guide::Shift(0.0)],
+        let station = |[approach, shift]: [f64; 2]| Station {
+            control: Control::Approach(approach),
+            guides: [Guide::Shift(shift), Guide::Shift(0.0)],
         };
         let shift = simulation.problem.kinematics.shift().expect("increments");
         let shift = Shift {
             lead: vec![],
-            cycle: [0.5, 0.75, 1.0].map(station).to_vec(),
+            cycle: path.map(station).to_vec(),
             places: vec![0.5, 0.75, 1.0],
             ..shift.clone()
         };
         simulation.schedule.extent = 1.0;
         simulation.problem.kinematics = Box::new(shift);
-        let mut states = States::default();
-        simulation.run(&mut [&mut states]).expect("it converges");
-        (simulation, states.0.pop().expect("a state").0)
+        let (mut states, mut rows) = (States::default(), Rows::default());
+        simulation.run(&mut [&mut states, &mut rows]).expect("it converges");
+        (simulation, states.0.pop().expect("a state").0, rows)
     };
     let down = hertz().approach;
-    let (_, level) = run(0.0, [down * cosine, down * sine]);
-    let (simulation, tilted) = run(TILT, [down, 0.0]);
+    // Down, and on along x on the way up: then pairs slip.
+    let path = [[0.5, 0.0], [1.0, 0.0], [0.9, 0.2]].map(|place| place.map(|part| part * down));
+    let turned =
+        path.map(|[down, along]| [cosine * down - sine * along, sine * down + cosine * along]);
+    let (_, level, level_rows) = run(0.0, turned);
+    let (simulation, tilted, rows) = run(TILT, path);
     let most = peak(&level.pressure);
-    let traction = |state: &ContactState| state.tangential.clone().expect("friction").traction;
-    let [one, other] = [traction(&level), traction(&tilted)];
+    let friction = |state: &ContactState| state.tangential.clone().expect("friction");
+    let [of_level, of_tilted] = [friction(&level), friction(&tilted)];
+    let [one, other] = [&of_level.traction, &of_tilted.traction];
+    let deepest = peak(&level.worn[1]);
+    assert!(deepest > 0.0 && level_rows.last("dissipated_J") > 0.0);
     assert!(peak(&one[0]) > 0.04 * most, "{}", peak(&one[0]) / most);
     for pair in 0..level.pressure.len() {
         assert_relative_eq!(level.pressure[pair], tilted.pressure[pair], epsilon = 1e-5 * most);
         for axis in 0..2 {
             assert_relative_eq!(one[axis][pair], other[axis][pair], epsilon = 1e-5 * most);
+            let [slip, turned] = [&of_level, &of_tilted].map(|own| own.slip[axis][pair]);
+            assert_relative_eq!(slip, turned, epsilon = 1e-5 * down * sine);
         }
+        assert_relative_eq!(level.worn[1][pair], tilted.worn[1][pair], epsilon = 1e-4 * deepest);
     }
     let frame = &simulation.problem.frame;
     let [along, normal] = [frame.integrate(&one[0]), frame.integrate(&level.pressure)];
     assert_relative_eq!(tilted.load, cosine * normal + sine * along, max_relative = 1e-5);
+    assert_relative_eq!(
+        rows.last("force_x_N"),
+        cosine * along - sine * normal,
+        max_relative = 1e-5
+    );
+    for column in ["dissipated_J", "wear_depth_m"] {
+        assert_relative_eq!(rows.last(column), level_rows.last(column), max_relative = 1e-4);
+    }
 }
 
 /// Twin discs that roll over unequal elements, by creepage and by force: forces, creepages and what is worn are

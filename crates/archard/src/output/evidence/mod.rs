@@ -163,18 +163,4 @@ fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::worst;
-
-    #[test]
-    fn the_worst_is_kept_and_no_number_is_the_worst() {
-        let mut known = None;
-        for (found, expected) in [(None, None), (Some(1.0), Some(1.0)), (Some(0.5), Some(1.0))] {
-            worst(&mut known, found);
-            assert_eq!(known, expected);
-        }
-        worst(&mut known, Some(f64::NAN));
-        worst(&mut known, Some(2.0));
-        assert!(known.is_some_and(f64::is_nan));
-    }
-}
+mod tests;

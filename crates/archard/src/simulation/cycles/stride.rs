@@ -139,4 +139,46 @@ mod tests {
         assert!(!stride.judge(Tried { length: 8, turned: true, ..GOOD }));
         assert!(stride.judge(Tried { length: 1, turned: true, ..GOOD }));
     }
+
+    /// What flips between stick and slip counts by half, what is even by four times its square; the sum stays.
+    #[test]
+    fn errors_are_of_both_kinds_and_add_up() {
+        let error = |off: f64, flipped: f64| {
+            let mut stride = Stride::new(0.5);
+            assert!(stride.judge(Tried { off, flipped, lag: 0.0, ..GOOD }));
+            stride.estimate(1.0)
+        };
+        assert!((error(0.1, 0.0) - 4.0 * 0.01).abs() < 1e-15);
+        assert!((error(0.1, 0.1) - 0.5 * 0.1).abs() < 1e-15);
+        assert!((error(0.05, 0.04) - (4.0 * 0.03_f64.powi(2) + 0.5 * 0.04)).abs() < 1e-15);
+        let mut stride = Stride::new(0.5);
+        for jumps in 1..=3 {
+            assert!(stride.judge(Tried { off: 0.1, lag: 0.0, worn: 10.0, ..GOOD }));
+            assert!((stride.estimate(1.0) - 0.04 * f64::from(jumps)).abs() < 1e-15);
+        }
+    }
+
+    /// One jump may do worse where others did better, but not by more than a factor; lags are resolved.
+    #[test]
+    fn what_was_spared_may_be_spent_within_bounds() {
+        let accepts = |lag: f64, worn: f64| {
+            Stride::new(0.01).judge(Tried { lag, off: 0.0, length: 4, worn, ..GOOD })
+        };
+        assert!(accepts(0.009, 1.0) && !accepts(0.02, 1.0));
+        assert!(accepts(0.02, 3.0) && !accepts(0.04, 100.0));
+        let stride = Stride::new(0.01);
+        assert!(
+            stride.resolves(0.001, 2) && !stride.resolves(0.01, 2) && stride.resolves(0.01, 64)
+        );
+    }
+
+    /// Jumps that fail are shortened until every cycle is computed.
+    #[test]
+    fn failures_shorten_to_every_cycle() {
+        let mut stride = Stride::new(0.01);
+        for (failed, next) in [(40, 10), (10, 3), (3, 1), (1, 0)] {
+            stride.shorten(failed);
+            assert_eq!(stride.jump(100), next);
+        }
+    }
 }
