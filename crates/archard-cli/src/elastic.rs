@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
 use crate::say::say;
+use crate::verdict;
 
 /// Computes a body and writes its results into the folder that is held.
 pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(), Failure> {
@@ -30,7 +31,14 @@ pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(),
     };
     write_elastic(&claim, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
-    if quiet { Ok(()) } else { summarize(&body, &deformed, &totals, claim.dir()) }
+    if !quiet {
+        summarize(&body, &deformed, &totals, claim.dir())?;
+    }
+    let judged = body.verdict(&deformed);
+    if !quiet {
+        verdict::say_all(&judged)?;
+    }
+    verdict::judge(&judged, claim.dir())
 }
 
 /// Says what came out and where it is.

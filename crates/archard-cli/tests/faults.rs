@@ -31,9 +31,26 @@ fn case(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name)
 }
 
+/// The program with the default answers to signals, whatever they are where the tests run: a shell's background job, or
+/// one under nohup, ignores some.
+fn program() -> Command {
+    let env = || {
+        let mut env = Command::new("env");
+        env.arg("--default-signal=HUP,INT,TERM");
+        env
+    };
+    let program = assert_cmd::cargo::cargo_bin("archard");
+    if env().arg("true").stderr(Stdio::null()).status().is_ok_and(|status| status.success()) {
+        let mut command = env();
+        command.arg(program);
+        return command;
+    }
+    Command::new(program)
+}
+
 /// The run of a case in a folder, its results in `out`, with settings laid over it.
 fn command(dir: &Path, name: &str, settings: &[&str]) -> Command {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin("archard"));
+    let mut command = program();
     command.current_dir(dir).env("ARCHARD_CACHE", dir.join("kept"));
     command.arg("run").arg(case(name)).args(["-o", "out", "--threads", "1"]);
     command.args(settings.iter().flat_map(|setting| ["--set", setting]));

@@ -9,10 +9,11 @@ use glam::DMat3;
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
 use crate::compliance::bem::{
-    Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined,
+    Balance, Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined, forces,
 };
 use crate::frame::VectorField;
 use crate::numerics::dense::Singular;
+use crate::verdict::{self, Verdict};
 
 /// A body with its loads and supports.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub struct ElasticBody {
     pub finite: Finite,
     /// Points where displacement and stress are wanted.
     pub points: Vec<Point>,
+    /// The longest element along a free span beside the thickness there; `None` where nothing bends.
+    pub slenderness: Option<f64>,
 }
 
 /// A point of a body.
@@ -47,6 +50,9 @@ pub struct Deformed {
     pub stress: Vec<DMat3>,
     /// Displacement and stress at each point.
     pub points: Vec<Response>,
+    /// What is left of the balance of forces and moments.
+    pub balance: Balance,
+    forces: Vec<[f64; 3]>,
 }
 
 /// Why a body cannot be computed.
@@ -93,6 +99,14 @@ impl ElasticBody {
             self.points.iter().filter(|point| surface.depth(point.place.into()).is_none());
         let outside = outside.map(|point| ElasticError::Outside { point: point.clone() });
         undetermined.into_iter().chain(outside).collect()
+    }
+
+    /// What can be believed of a result.
+    pub fn verdict(&self, deformed: &Deformed) -> Verdict {
+        let Balance { force, moment } = deformed.balance;
+        let mut lines = verdict::balance(force, moment).to_vec();
+        lines.extend(self.slenderness.map(verdict::slenderness));
+        Verdict { lines }
     }
 
     /// Displacements, tractions and stresses.
@@ -144,17 +158,16 @@ impl Deformed {
         let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
         let at = |point: &Point| interior.at(point.place.into()).ok_or_else(|| outside(point));
         let points = points.iter().map(at).collect::<Result<_, _>>()?;
-        Ok(Self { surface: surface.clone(), boundary, stress, points })
+        let balance = Balance::of(surface, job.conditions, &boundary.traction);
+        let forces = forces(surface, job.conditions, &boundary);
+        Ok(Self { surface: surface.clone(), boundary, stress, points, balance, forces })
     }
 
-    /// Force (N) of the tractions on each surface, mirror images left out.
-    pub fn forces(&self) -> Vec<[f64; 3]> {
-        let mut forces = vec![[0.0; 3]; self.surface.names().len()];
-        for (node, traction) in self.surface.traction_nodes().iter().zip(&self.boundary.traction) {
-            let force = (node.area * *traction).to_array();
-            forces[node.surface].iter_mut().zip(force).for_each(|(sum, force)| *sum += force);
-        }
-        forces
+    /// Force (N) on each surface, mirror images left out. Those of supports balance the loads: what the tractions
+    /// leave of the balance, most of it next to the edges of clamps, is shared out among them in proportion to
+    /// what they bear, so that one that stands alone bears exactly the loads.
+    pub fn forces(&self) -> &[[f64; 3]] {
+        &self.forces
     }
 }
 

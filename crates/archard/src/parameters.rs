@@ -37,6 +37,8 @@ pub enum Quantity {
     Pair(&'static Quantity),
     /// Three values of one quantity, along x, y and z.
     Triple(&'static Quantity),
+    /// One value of a quantity that counts for all, or three, along x, y and z.
+    OneOrThree(&'static Quantity),
     /// A name of the user's.
     Text,
     /// One of a few words.

@@ -21,6 +21,7 @@ mod verification {
     mod rough;
     mod running_in;
     mod similarity;
+    mod slender_bodies;
     mod sneddon;
     mod spence;
     mod step_by_error;

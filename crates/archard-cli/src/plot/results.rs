@@ -281,7 +281,7 @@ fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
         (!ended).then(|| "incomplete: the run stopped before its end".to_owned()),
         Some(of("wrong"))
             .filter(|these| !these.is_empty())
-            .map(|w| format!("wrong: {}", w.join(", "))),
+            .map(|w| format!("the result is wrong: {}", w.join(", "))),
         Some(of("doubtful"))
             .filter(|these| !these.is_empty())
             .map(|these| format!("doubtful: {}", these.join(", "))),

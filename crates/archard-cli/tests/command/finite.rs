@@ -153,3 +153,46 @@ fn an_elastic_body_is_checked_and_run() {
     let refused = archard(&dir, &["plot", "results/patch_test"]).code(2);
     assert!(said(&refused).contains("open its surface.vtu"), "{}", said(&refused));
 }
+
+/// Elements of two and a half thicknesses put the tip of this cantilever where it cannot be: that is no success, and
+/// everything is written and marked all the same. With the mesh left out it is right.
+#[test]
+fn a_body_out_of_balance_is_a_failure_with_everything_written() {
+    let dir = TempDir::new().unwrap();
+    let beam = |divisions: &str| {
+        format!(
+            r#"
+[body.b]
+material = {{ young = "1 GPa", poisson = 0.3 }}
+mesh.box = {{ size = ["10 m", "1 m", "1 m"]{divisions} }}
+symmetry = ["y"]
+supports = {{ left = "clamped", right = {{ traction = ["0 Pa", "0 Pa", "1 kPa"] }} }}
+[output.points]
+tip = ["5 m", "0 m", "-0.5 m"]
+"#
+        )
+    };
+    let summary = || -> serde_json::Value {
+        let text = fs::read_to_string(dir.path().join("beam/summary.json")).unwrap();
+        serde_json::from_str(&text).unwrap()
+    };
+    fs::write(dir.path().join("beam.toml"), beam(", divisions = [4, 4, 4]")).unwrap();
+    let checked = archard(&dir, &["check", "beam.toml"]).success();
+    assert!(
+        said(&checked).contains("2.50 times as long as the body is thick"),
+        "{}",
+        said(&checked)
+    );
+    let failed = archard(&dir, &["run", "beam.toml", "-o", "beam"]).code(1);
+    assert!(said(&failed).contains("of the load's moment is not balanced"), "{}", said(&failed));
+    assert!(dir.path().join("beam/points.csv").exists());
+    let wrong = summary();
+    assert_eq!(wrong["complete"], true);
+    assert_eq!(wrong["verdict"]["lines"][1]["subject"], "moments");
+    assert_eq!(wrong["verdict"]["lines"][1]["word"], "wrong");
+    fs::remove_dir_all(dir.path().join("beam")).unwrap();
+    fs::write(dir.path().join("beam.toml"), beam("")).unwrap();
+    let ran = printed(&archard(&dir, &["run", "beam.toml", "-o", "beam"]).success());
+    assert!(ran.contains("verdict           good"), "{ran}");
+    assert_eq!(summary()["verdict"]["word"], "good");
+}

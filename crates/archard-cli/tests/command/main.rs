@@ -2,6 +2,7 @@
 
 mod finite;
 mod memory;
+mod verdict;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -222,33 +223,6 @@ fn standard_output_may_be_closed_or_full() {
     shell("CHECK | head -n 1").code(0);
     let full = shell("CHECK > /dev/full").code(2);
     assert!(said(&full).contains("cannot write to standard output"), "{}", said(&full));
-}
-
-/// Ctrl-C ends the run after a step, with exit code 3 and what was computed in its files.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_run_keeps_what_it_has() {
-    let dir = TempDir::new().unwrap();
-    let program = assert_cmd::cargo::cargo_bin("archard");
-    let mut run = std::process::Command::new(program)
-        .args(["run", case("pin_on_disc").to_str().unwrap(), "-o", "out", "--quiet"])
-        .args(["--set", "motion.sliding.step=0.002 mm"])
-        .current_dir(dir.path())
-        .stderr(std::process::Stdio::piped())
-        .spawn()
-        .unwrap();
-    let history = dir.path().join("out/history.csv");
-    let rows = || fs::read_to_string(&history).map_or(0, |text| text.lines().count());
-    let begun = std::time::Instant::now();
-    while rows() < 10 && begun.elapsed().as_secs() < 60 {
-        std::thread::sleep(std::time::Duration::from_millis(10));
-    }
-    let interrupt = format!("kill -INT {}", run.id());
-    Command::new("bash").args(["-c", &interrupt]).assert().success();
-    assert_eq!(run.wait().unwrap().code(), Some(3));
-    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
-    assert!(summary.contains("\"complete\": false"), "{summary}");
-    assert!(rows() >= 10);
 }
 
 #[test]

@@ -53,10 +53,10 @@ fn a_second_signal_ends_it_at_once() {
     run.signal("INT");
     std::thread::sleep(Duration::from_millis(400));
     run.signal("INT");
-    let asked = Instant::now();
     let ended = run.end();
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
-    assert!(asked.elapsed() < Duration::from_millis(1500), "{:?}", asked.elapsed());
+    // The end after a wait would have written one.
+    assert!(!dir.path().join("out/summary.json").exists());
 }
 
 /// The assembly of a body of 3,600 elements in contact: there is nothing to save, and nothing is left.

@@ -49,6 +49,15 @@ pub enum Support {
 }
 
 impl Support {
+    /// The axes along which displacements are known; of a roller the normal alone, whatever its axis.
+    pub fn holds(&self) -> [bool; 3] {
+        match self {
+            Support::Clamped | Support::Roller => [true; 3],
+            Support::Displacement(given) => given.map(|one| one.is_some()),
+            Support::Traction(_) | Support::Pressure(_) => [false; 3],
+        }
+    }
+
     /// Whether it displaces or loads the body, and does not only hold it.
     pub fn loads(&self) -> bool {
         match self {

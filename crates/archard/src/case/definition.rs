@@ -2,7 +2,7 @@
 
 use super::check::{self, memory};
 use super::chosen::Chosen;
-use crate::body::mesh::{MeshError, Meshed, Shape};
+use crate::body::mesh::{Held, MeshError, Meshed, Shape};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
 use crate::compliance::{Compliance, HalfSpace};
@@ -147,7 +147,22 @@ impl FiniteCase {
     /// # Errors
     /// If it cannot be made; that of a checked case can.
     pub fn meshed(&self) -> Result<Meshed, BuildError> {
-        Ok(self.mesh.build()?.mesh(self.mirrored)?)
+        Ok(self.mesh.build()?.mesh(self.mirrored, &self.held())?)
+    }
+
+    /// The surfaces that supports hold; none where a half-space stands for the body.
+    pub(super) fn held(&self) -> Held {
+        let bends = self.elasticity == Elasticity::BoundaryElements;
+        let supports = self.supports.iter().filter(|_| bends);
+        supports.map(|(name, support)| (name.clone(), support.holds())).collect()
+    }
+
+    /// The longest element of its mesh along a free span beside the thickness there; `None` where nothing bends.
+    ///
+    /// # Errors
+    /// As [`FiniteCase::meshed`].
+    pub(super) fn slenderness(&self, meshed: &Meshed) -> Result<Option<f64>, BuildError> {
+        Ok(self.mesh.build()?.slenderness(meshed, self.mirrored, &self.held()))
     }
 
     /// Builds the body's surface; supports of surfaces that are not there are left out.
@@ -156,7 +171,8 @@ impl FiniteCase {
     /// As [`FiniteCase::meshed`].
     pub fn build(&self) -> Result<Finite, BuildError> {
         let shape = self.mesh.build()?;
-        let (meshed, curvatures) = (shape.mesh(self.mirrored)?, shape.curvatures());
+        let meshed = shape.mesh(self.mirrored, &self.held())?;
+        let curvatures = shape.curvatures();
         let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
         let supports = self
             .supports

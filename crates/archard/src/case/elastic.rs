@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::check::memory;
+use super::check::{memory, slender};
 use super::definition::{BodyCase, BuildError};
 use super::key::Key;
 use super::problem::Problem;
@@ -30,6 +30,8 @@ pub struct ElasticForecast {
     pub unknowns: usize,
     /// Number of points inside.
     pub points: usize,
+    /// The longest element along a free span beside the thickness there; `None` where nothing bends.
+    pub slenderness: Option<f64>,
     /// Memory (bytes).
     pub memory: f64,
 }
@@ -44,10 +46,12 @@ impl ElasticCase {
     /// If its mesh cannot be made; that of a checked case can.
     pub fn build(&self) -> Result<ElasticBody, BuildError> {
         let missing = |name| BuildError::from(Invalid::new(name, format!("`{name}` is missing")));
-        let finite = self.body.finite.as_ref().ok_or_else(|| missing("mesh"))?.build()?;
+        let case = self.body.finite.as_ref().ok_or_else(|| missing("mesh"))?;
+        let finite = case.build()?;
+        let slenderness = case.slenderness(&finite.meshed)?;
         let material = self.body.material.ok_or_else(|| missing("material"))?;
         let (name, points) = (self.body.name.clone(), self.points.clone());
-        Ok(ElasticBody { name, material, finite, points })
+        Ok(ElasticBody { name, material, finite, points, slenderness })
     }
 }
 
@@ -74,7 +78,8 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
     });
     let unknowns = surface.unknowns();
     let memory = BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
-    let problems = problems.chain(memory::of_body(&case.body, memory)).collect();
+    let long = body.slenderness.and_then(|longest| slender::problem(&case.body, longest));
+    let problems = problems.chain(memory::of_body(&case.body, memory)).chain(long).collect();
     let mesh = &body.finite.meshed.mesh;
     let elements = |index: usize| mesh.faces.iter().filter(|face| face.surface == index).count();
     let names = mesh.surfaces.iter().enumerate();
@@ -82,6 +87,7 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
         surfaces: names.map(|(index, name)| (name.clone(), elements(index))).collect(),
         unknowns,
         points: body.points.len(),
+        slenderness: body.slenderness,
         memory,
     };
     (forecast, problems)
@@ -96,6 +102,10 @@ impl Display for ElasticForecast {
         }
         writeln!(f, "unknowns          {}", self.unknowns)?;
         writeln!(f, "points            {}", self.points)?;
+        if let Some(longest) = self.slenderness {
+            let thickness = "of the thickness where the body can bend";
+            writeln!(f, "longest element   {longest:.2} {thickness}")?;
+        }
         writeln!(f, "memory            about {:.0} MB", self.memory * 1e-6)
     }
 }

@@ -11,7 +11,7 @@ use super::print::print_chosen;
 use super::problem::{Problem, Source};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
-use crate::body::mesh::{MESHES, Meshed, Shape};
+use crate::body::mesh::{Held, MESHES, Meshed, Shape};
 
 type Mesh = Chosen<Box<dyn Shape>>;
 
@@ -38,7 +38,7 @@ fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
     let root = Section { key: Key::default(), table: &table };
     let read = reader.table(&root, "mesh", "a mesh").and_then(|section| {
         let (chosen, shape) = reader.choice(&section, "mesh", MESHES)?;
-        match shape.mesh([true, true]) {
+        match shape.mesh([true, true], &Held::default()) {
             Ok(meshed) => Some((chosen, meshed)),
             Err(error) => {
                 let inside = reader.table(&section, chosen.choice.name, "")?;
@@ -90,6 +90,9 @@ mesh.box.contact.elements = [20, 20]
 fn the_other_meshes_read_and_print() {
     for text in [
         r#"mesh.box = { size = ["1 m", "1 m", "1 m"], divisions = 4 }"#,
+        r#"mesh.box = { size = ["1 m", "1 m", "1 m"], divisions = [4, 2, 3] }"#,
+        r#"mesh.box = { size = ["1 m", "1 m", "1 m"] }"#,
+        r#"mesh.cylinder = { radius = "50 mm", length = "20 mm" }"#,
         r#"mesh.sphere = { radius = "50 mm", contact = { size = ["4 mm", "2 mm"], elements = [8, 4], growth = 1.5 } }"#,
         r#"mesh.sphere = { radius = "50 mm", inner = "30 mm", divisions = 4 }"#,
         r#"mesh.cylinder = { radius = "50 mm", length = "20 mm", bore = "10 mm", contact = { face = "side", size = ["4 mm", "2 mm"], elements = [8, 4] } }"#,
@@ -160,10 +163,16 @@ fn mistakes_of_the_body_are_said() {
         "expected three values, along x, y and z",
     );
     refused(
-        r#"mesh.box = { size = ["1 m", "1 m", "1 m"] }"#,
-        "box",
-        "mesh.box.contact",
-        "or `divisions`",
+        r#"mesh.box = { size = ["1 m", "1 m", "1 m"], divisions = [2, 2] }"#,
+        "[2, 2]",
+        "mesh.box.divisions",
+        "expected three values, along x, y and z",
+    );
+    refused(
+        r#"mesh.box = { size = ["1 m", "1 m", "1 m"], divisions = [2, 2, 401] }"#,
+        "[2, 2, 401]",
+        "mesh.box.divisions",
+        "400 at most",
     );
     refused(
         r#"mesh.box = { size = ["1 m", "1 m", "1 m"], contact = 3 }"#,

@@ -185,7 +185,12 @@ impl Printed<'_> {
     fn number(&self, quantity: Quantity, value: f64) -> String {
         match (measure(quantity, self.values), quantity) {
             (Some(measure), _) if measure != Measure::NUMBER => si(value, &measure.si),
-            (None, Quantity::Count | Quantity::Pair(Quantity::Count)) => format!("{value:.0}"),
+            (
+                None,
+                Quantity::Count
+                | Quantity::Pair(Quantity::Count)
+                | Quantity::OneOrThree(Quantity::Count),
+            ) => format!("{value:.0}"),
             _ => number(value),
         }
     }

@@ -52,6 +52,13 @@ pub(super) fn read(
             let parameter = Parameter { quantity: *quantity, ..*parameter };
             Ok((Value::Triple(several(node, &parameter, along)?), None))
         }
+        Quantity::OneOrThree(quantity) => {
+            let quantity = match node.item {
+                Item::Array(_) => Quantity::Triple(quantity),
+                _ => *quantity,
+            };
+            read(node, &Parameter { quantity, ..*parameter }, before, folder)
+        }
         // The reader of tables has gone into it.
         Quantity::Section(_) => Err(format!("expected a table, found {}", node.item.kind()).into()),
         quantity => {
@@ -82,7 +89,9 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
             if exponent == 1.0 { Measure::NUMBER } else { Measure::length_to_the(1.0 - exponent) }
         }),
-        Quantity::Pair(quantity) | Quantity::Triple(quantity) => measure(*quantity, values),
+        Quantity::Pair(quantity) | Quantity::Triple(quantity) | Quantity::OneOrThree(quantity) => {
+            measure(*quantity, values)
+        }
         Quantity::Number
         | Quantity::Count
         | Quantity::Text

@@ -7,6 +7,7 @@ use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::Compliance;
+use super::bem::Balance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::large::Large;
 
@@ -20,6 +21,7 @@ pub struct Dense {
     normal_self_term: f64,
     tangential_self_term: f64,
     couples: bool,
+    balance: Vec<(usize, Balance)>,
 }
 
 /// Rows that go through the columns together: as many as a thread has, for memory is read in long runs then, as long
@@ -64,7 +66,14 @@ impl Dense {
             columns.values()[column * 3 * pairs + row].abs() > ROUNDING * normal_self_term
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
-        Self { pairs, columns, normal_self_term, tangential_self_term, couples }
+        let balance = vec![];
+        Self { pairs, columns, normal_self_term, tangential_self_term, couples, balance }
+    }
+
+    /// The same with what is left of the balance of the bodies of these indices.
+    #[must_use]
+    pub fn balanced(self, balance: Vec<(usize, Balance)>) -> Self {
+        Self { balance, ..self }
     }
 
     /// The displacements that tractions in a range of columns make in a range of rows.
@@ -185,5 +194,9 @@ impl Compliance for Dense {
 
     fn couples(&self) -> bool {
         self.couples
+    }
+
+    fn balance(&self) -> Vec<(usize, f64, f64)> {
+        self.balance.iter().map(|(body, one)| (*body, one.force, one.moment)).collect()
     }
 }

@@ -75,6 +75,13 @@ pub trait Compliance: Debug + Send + Sync {
         true
     }
 
+    /// What is left of the balance of forces and of moments, relative to the load and to the load times half of the
+    /// body's extent, of every body whose equations were solved: its index, 0 or 1, and both, the worst under even
+    /// loads. None where no equations are.
+    fn balance(&self) -> Vec<(usize, f64, f64)> {
+        vec![]
+    }
+
     /// How tangential tractions change the slip in the passage to each pair; where passages are unequal, in one of
     /// the [mean](Flow::advance) length at the rate of each pair.
     fn rolling<'a>(&'a self, flow: Flow<'a>) -> Box<dyn SlipMap + 'a> {

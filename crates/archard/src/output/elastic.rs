@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 use serde_json::{Map, Value, json};
 
+use super::summary;
 use super::table::{Table, number};
 use super::{Claim, Error, Field, Surface, Totals, file};
 use crate::compliance::bem::Response;
@@ -75,6 +76,7 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
         "unknowns": deformed.surface.unknowns(),
         "largest_displacement_m": displacement,
         "force_on_surfaces_N": forces,
+        "verdict": summary::json_of(&body.verdict(deformed)),
         "seconds": totals.seconds,
         "threads": totals.threads,
         "warnings": totals.warnings,

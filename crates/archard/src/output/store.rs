@@ -16,12 +16,12 @@ use sha2::{Digest, Sha256};
 
 use super::file;
 use crate::body::{Finite, Material};
-use crate::compliance::bem::Condensed;
 use crate::compliance::bem::contact::{Job, condense};
+use crate::compliance::bem::{Balance, Condensed};
 use crate::numerics::dense::Singular;
 
 /// What a file begins with; the version changes with the format and with the equations.
-const FORMAT: &[u8] = b"archard compliance 3\n";
+const FORMAT: &[u8] = b"archard compliance 4\n";
 
 /// A folder of compliances.
 #[derive(Debug)]
@@ -98,22 +98,24 @@ impl Store {
 
 /// What the file of a compliance of that size says about itself.
 fn envelope(key: [u8; HASH], size: usize) -> Envelope {
-    Envelope { format: FORMAT, key, count: size * size + size }
+    Envelope { format: FORMAT, key, count: 2 + size + size * size }
 }
 
 /// All numbers of a compliance, in the order of the file.
 fn numbers(condensed: &Condensed) -> impl Iterator<Item = f64> {
     let size = condensed.free.len();
     let matrix = (0..size * size).map(move |at| condensed.compliance[(at % size, at / size)]);
-    condensed.free.iter().copied().chain(matrix)
+    let Balance { force, moment } = condensed.balance;
+    [force, moment].into_iter().chain(condensed.free.iter().copied()).chain(matrix)
 }
 
 /// The compliance of that size with these numbers.
 fn condensed(numbers: &[[u8; 8]], size: usize) -> Condensed {
     let number = |index: usize| f64::from_le_bytes(numbers[index]);
-    let free = (0..size).map(number).collect();
-    let compliance = Mat::from_fn(size, size, |row, column| number(size * (1 + column) + row));
-    Condensed { compliance, free }
+    let balance = Balance { force: number(0), moment: number(1) };
+    let free = (2..2 + size).map(number).collect();
+    let compliance = Mat::from_fn(size, size, |row, column| number(2 + size * (1 + column) + row));
+    Condensed { compliance, free, balance }
 }
 
 #[cfg(test)]
@@ -121,7 +123,7 @@ mod tests {
     use faer::Mat;
 
     use super::{HASH, Store, envelope, numbers};
-    use crate::compliance::bem::Condensed;
+    use crate::compliance::bem::{Balance, Condensed};
 
     #[test]
     fn what_is_kept_is_read_and_nothing_of_another_size() {
@@ -131,11 +133,12 @@ mod tests {
         let free = vec![1e-7, -2.0 / 3.0, 0.0];
         let compliance =
             Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + 10.0 * column as f64));
-        let condensed = Condensed { compliance: compliance.clone(), free: free.clone() };
+        let balance = Balance { force: 0.01, moment: 0.02 };
+        let condensed = Condensed { compliance: compliance.clone(), free: free.clone(), balance };
         let known = envelope([7; HASH], 3);
         crate::output::file::write_private(&path, &known.seal(numbers(&condensed))).unwrap();
         let read = store.read(&path, &known, 3).expect("it is sound");
-        assert_eq!((read.free, read.compliance), (free, compliance));
+        assert_eq!((read.free, read.compliance, read.balance), (free, compliance, balance));
         assert!(store.read(&path, &envelope([8; HASH], 3), 3).is_none());
         assert!(store.read(&path, &envelope([7; HASH], 6), 6).is_none());
         assert!(store.read(&folder.path().join("none"), &known, 3).is_none());

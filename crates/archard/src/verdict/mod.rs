@@ -8,7 +8,8 @@ mod bounds;
 mod line;
 
 pub use bounds::{
-    contact, edges, energy, first_contact, load, roughness, stick_zone, time, volume,
+    balance, contact, edges, energy, first_contact, load, roughness, slenderness, stick_zone, time,
+    volume,
 };
 pub use line::{Bound, Line, Word};
 

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use archard::body::mesh::{Corners, MESHES, Mesh, MeshError, MeshProblem, Meshed, Shape};
+use archard::body::mesh::{Corners, Held, MESHES, Mesh, MeshError, MeshProblem, Meshed, Shape};
 use archard::parameters::{Value, Values};
 
 type Pairs<'a> = &'a [(&'static str, f64)];
@@ -126,7 +126,7 @@ fn all(growth: f64, test: impl Fn(&Example, [bool; 2], &Meshed)) {
     for example in examples() {
         let shape = build(&example, growth, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            match shape.mesh(mirrored) {
+            match shape.mesh(mirrored, &Held::default()) {
                 Ok(meshed) => test(&example, mirrored, &meshed),
                 Err(MeshError::OddElements { axis, count }) => {
                     let axis = usize::from(axis == 'y');
@@ -155,8 +155,9 @@ fn elements_are_bounded_before_they_are_made() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            let Ok(meshed) = shape.mesh(mirrored) else { continue };
-            let (least, faces) = (shape.at_least(mirrored), meshed.mesh.faces.len());
+            let Ok(meshed) = shape.mesh(mirrored, &Held::default()) else { continue };
+            let (least, faces) =
+                (shape.at_least(mirrored, &Held::default()), meshed.mesh.faces.len());
             let exact = example.name == "box";
             assert!(
                 if exact { least == faces } else { (1..=faces).contains(&least) },
@@ -294,9 +295,11 @@ fn elements_grow_within_the_ratio_away_from_the_zone() {
 fn halves_are_halves_of_the_whole() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
-        let whole = shape.mesh([false, false]).unwrap().mesh;
+        let whole = shape.mesh([false, false], &Held::default()).unwrap().mesh;
         for mirrored in [[true, false], [false, true], [true, true]] {
-            let Ok(Meshed { mesh: part, .. }) = shape.mesh(mirrored) else { continue };
+            let Ok(Meshed { mesh: part, .. }) = shape.mesh(mirrored, &Held::default()) else {
+                continue;
+            };
             let parts = 1 << mirrored.iter().filter(|&&mirrored| mirrored).count();
             assert_eq!(part.faces.len() * parts, whole.faces.len(), "{:?}", example.numbers);
             let volume = whole.volume([false, false]);
@@ -339,8 +342,9 @@ fn vertices_lie_on_the_curved_surfaces() {
 #[test]
 fn volumes_and_areas_converge_with_the_square_of_the_elements() {
     for example in examples().iter().filter(|example| example.zone.is_none() && !example.plane) {
-        let meshes = [8.0, 16.0, 32.0]
-            .map(|divisions| build(example, 2.0, divisions).mesh([true, true]).unwrap().mesh);
+        let meshes = [8.0, 16.0, 32.0].map(|divisions| {
+            build(example, 2.0, divisions).mesh([true, true], &Held::default()).unwrap().mesh
+        });
         let volumes = meshes.each_ref().map(|mesh| mesh.volume([true, true]));
         let errors = volumes.map(|volume| (volume - example.volume).abs());
         let areas = meshes.each_ref().map(Mesh::area);
@@ -356,16 +360,91 @@ fn volumes_and_areas_converge_with_the_square_of_the_elements() {
 /// top and the bottom, four rows of 15 on either side.
 #[test]
 fn far_sides_are_coarse() {
-    let cube = build(&examples()[0], 2.0, EVEN).mesh([true, true]).unwrap();
+    let cube = build(&examples()[0], 2.0, EVEN).mesh([true, true], &Held::default()).unwrap();
     assert_eq!(cube.mesh.faces.len(), 2 * 15 * 15 + 2 * 4 * 15);
 }
 
 #[test]
 fn odd_numbers_are_refused_under_symmetry() {
     let box_of_flat = &examples()[1];
-    let error = build(box_of_flat, 2.0, EVEN).mesh([true, false]).unwrap_err();
+    let error = build(box_of_flat, 2.0, EVEN).mesh([true, false], &Held::default()).unwrap_err();
     assert_eq!(error, MeshError::OddElements { axis: 'x', count: 7 });
     assert_eq!(error.parameter(), "contact.elements");
-    let error = build(&examples()[3], 2.0, 5.0).mesh([false, true]).unwrap_err();
-    assert_eq!(error, MeshError::OddDivisions { axis: 'y', count: 5 });
+    let divided = |size: [f64; 3], divisions: Value| {
+        let mut values = Values::default();
+        values.insert("size", Value::Triple(size));
+        values.insert("divisions", divisions);
+        let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
+        (choice.build)(&values).unwrap().mesh([false, true], &Held::default())
+    };
+    let odd = Err(MeshError::OddDivisions { axis: 'y', count: 5 });
+    assert_eq!(divided([1.0; 3], Value::Number(5.0)), odd);
+    assert_eq!(divided([1.0; 3], Value::Triple([4.0, 5.0, 4.0])), odd);
+    // An edge that follows the shortest takes an even number by itself.
+    let long = divided([1.0, 2.2, 1.0], Value::Number(5.0)).unwrap();
+    assert_eq!(long.mesh.faces.len(), 2 * 5 * 6 + 5 * 5 + 2 * 6 * 5);
+}
+
+/// A box that is held on these sides, and its elements along x, y and z.
+fn divided(size: [f64; 3], divisions: Option<f64>, sides: &[&str]) -> ([usize; 3], usize) {
+    let mut values = Values::default();
+    values.insert("size", Value::Triple(size));
+    if let Some(divisions) = divisions {
+        values.insert("divisions", Value::Number(divisions));
+    }
+    let held: Held = sides.iter().map(|side| ((*side).to_owned(), [true; 3])).collect();
+    let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
+    let shape = (choice.build)(&values).unwrap();
+    let mesh = shape.mesh([false; 2], &held).unwrap().mesh;
+    assert_eq!(mesh.faces.len(), shape.at_least([false; 2], &held));
+    let along = |axis: usize| {
+        let places: std::collections::HashSet<u64> =
+            mesh.vertices.iter().map(|vertex| (vertex[axis] + 0.0).to_bits()).collect();
+        places.len() - 1
+    };
+    ([along(0), along(1), along(2)], mesh.faces.len())
+}
+
+/// The default mesh of a body that bends has four elements across and none longer than half of its thickness, or
+/// two and two thirds where that would be many; a layer that is held underneath has few.
+#[test]
+fn divisions_follow_the_thickness_that_bends() {
+    let beam = [10.0, 1.0, 1.0];
+    assert_eq!(divided(beam, None, &["left"]).0, [20, 4, 4]);
+    for count in [2, 4, 6] {
+        let counts = [10 * count, count, count];
+        assert_eq!(divided(beam, Some(count as f64), &["left"]).0, counts);
+    }
+    assert_eq!(divided([0.1, 0.1, 0.005], None, &["left"]).0, [30, 30, 2]);
+    for divisions in [None, Some(4.0)] {
+        assert_eq!(divided([0.6, 0.6, 0.01], divisions, &["bottom"]), ([4, 4, 4], 96));
+    }
+    assert_eq!(divided([1.0, 1.0, 2.0], Some(2.0), &["bottom"]).0, [2, 2, 4]);
+}
+
+/// Elements that grow away from the zone stop at two thirds of the thickness where the body bends, and nowhere else.
+#[test]
+fn elements_of_slender_bodies_do_not_outgrow_the_thickness() {
+    let mut contact = Values::default();
+    contact.insert("size", Value::Pair([1.0, 1.0]));
+    contact.insert("elements", Value::Pair([8.0, 8.0]));
+    contact.insert("growth", Value::Number(3.0));
+    let mut values = Values::default();
+    values.insert("size", Value::Triple([20.0, 4.0, 2.0]));
+    values.insert("contact", Value::Section(contact));
+    let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
+    let shape = (choice.build)(&values).unwrap();
+    let longest = |side: &str| {
+        let held: Held = [(side.to_owned(), [true; 3])].into_iter().collect();
+        let meshed = shape.mesh([false; 2], &held).unwrap();
+        let mut places: Vec<f64> = meshed.mesh.vertices.iter().map(|vertex| vertex[0]).collect();
+        places.sort_by(f64::total_cmp);
+        let longest = places.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+        (longest, shape.slenderness(&meshed, [false; 2], &held))
+    };
+    let (length, beside) = longest("left");
+    assert!(length <= 4.0 / 3.0 + 1e-9 && length > 1.0, "{length}");
+    assert_relative_eq!(beside.unwrap(), 0.5 * length, max_relative = 1e-9);
+    let (length, beside) = longest("bottom");
+    assert!(length > 4.0 && beside.is_none(), "{length} {beside:?}");
 }

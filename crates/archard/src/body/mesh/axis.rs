@@ -118,6 +118,11 @@ impl Axis {
         Self::graded(Middle { length, elements }, length, growth, mirrored)
     }
 
+    /// The largest width of an element (m).
+    pub fn widest(&self) -> f64 {
+        self.places.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+    }
+
     /// Width of the last element (m).
     pub fn last_width(&self) -> f64 {
         let places = &self.places;

@@ -14,13 +14,16 @@ mod check;
 mod contact;
 mod cylinder;
 mod file;
+mod free;
 mod measure;
 mod rings;
 mod sphere;
 mod tensor;
+mod thickness;
 
 pub use check::MeshProblem;
 pub use file::{Fault, MeshFileError, Place};
+pub use free::Held;
 
 use std::fmt::Debug;
 
@@ -90,14 +93,17 @@ pub struct Meshed {
 /// A body whose surface can be divided into elements.
 pub trait Shape: Debug + Send + Sync {
     /// The elements of the body, or of its part at positive x or y where the planes x = 0 or y = 0 are
-    /// planes of symmetry.
+    /// planes of symmetry. Where what is held leaves a free span, they follow the thickness.
     ///
     /// # Errors
     /// If the elements asked for cannot be made.
-    fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError>;
+    fn mesh(&self, mirrored: [bool; 2], held: &Held) -> Result<Meshed, MeshError>;
 
     /// A number of elements that the mesh has at least, known without making it.
-    fn at_least(&self, mirrored: [bool; 2]) -> usize;
+    fn at_least(&self, mirrored: [bool; 2], held: &Held) -> usize;
+
+    /// The longest element along a free span beside the thickness that bends there; `None` where nothing bends.
+    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Held) -> Option<f64>;
 
     /// Curvatures 1/R along x and y (1/m) in the middle of the zone, positive where it is convex; `None` where
     /// they are not known.

@@ -10,7 +10,7 @@ use super::builder::Builder;
 use super::contact::{self, Contact, Layout};
 use super::rings::{Ray, Rings, distance, widest_angle};
 use super::tensor::{block, patch};
-use super::{MeshError, Meshed, Shape, Zone};
+use super::{Held, MeshError, Meshed, Shape, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
@@ -57,7 +57,7 @@ struct Sphere {
 }
 
 impl Shape for Sphere {
-    fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
+    fn mesh(&self, mirrored: [bool; 2], _held: &Held) -> Result<Meshed, MeshError> {
         self.layout.check(mirrored)?;
         let mut builder = Builder::new(self.radius);
         let angle = widest_angle(self.radius, self.radius - self.inner.unwrap_or(0.0));
@@ -68,8 +68,8 @@ impl Shape for Sphere {
                 let [nx, ny] = contact.kept(mirrored);
                 Zone { faces: (0..nx * ny).collect(), grid: Some([nx, ny]) }
             }
-            Layout::Even(count) => {
-                shell.even(&mut builder, "outer", count);
+            Layout::Even(divisions) => {
+                shell.even(&mut builder, "outer", divisions.of_a_quarter());
                 Zone::default()
             }
         };
@@ -80,22 +80,30 @@ impl Shape for Sphere {
                 Layout::Contact(contact) => {
                     shell.around(&mut builder, "inner", &self.below(&contact, inner));
                 }
-                Layout::Even(count) => shell.even(&mut builder, "inner", count),
+                Layout::Even(divisions) => {
+                    shell.even(&mut builder, "inner", divisions.of_a_quarter());
+                }
             }
             builder.turn(first);
         }
         Ok(Meshed { mesh: builder.finish(), zone, placed: false })
     }
 
-    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], _held: &Held) -> usize {
         match self.layout {
             Layout::Contact(contact) => contact.kept(mirrored).into_iter().product(),
-            Layout::Even(count) => {
+            Layout::Even(divisions) => {
+                let count = divisions.of_a_quarter();
                 let images: usize =
                     mirrored.map(|mirrored| 1 + usize::from(mirrored)).iter().product();
                 6 * count * count / images
             }
         }
+    }
+
+    /// Its one or two surfaces leave no free span: what is held is one side of the wall.
+    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Held) -> Option<f64> {
+        None
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {

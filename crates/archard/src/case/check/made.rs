@@ -19,7 +19,7 @@ pub(super) struct Made {
 impl Made {
     pub fn of(finite: &FiniteCase) -> Result<Self, Invalid> {
         let shape = finite.mesh.build()?;
-        let meshed = shape.mesh(finite.mirrored)?;
+        let meshed = shape.mesh(finite.mirrored, &finite.held())?;
         let size = Size::of(&meshed, finite.interpolation);
         let unknowns = match finite.elasticity {
             Elasticity::BoundaryElements => size.unknowns,

@@ -75,8 +75,10 @@ pub(in crate::case) fn key(mesh: Key, chosen: &Chosen<Box<dyn Shape>>) -> Key {
         key.child("contact").child("elements")
     } else if given("divisions") {
         key.child("divisions")
-    } else {
+    } else if given("path") {
         key.child("path")
+    } else {
+        key
     }
 }
 

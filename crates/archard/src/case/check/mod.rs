@@ -17,6 +17,7 @@ pub(super) mod memory;
 mod partial_slip;
 mod rolling;
 mod shift;
+pub(super) mod slender;
 mod words;
 
 pub use coarse::BesideHalfSpace;
@@ -187,6 +188,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {
             problems.extend(meeting::problems(parts));
             problems.extend(inside::problems(parts));
+            problems.extend(slender::problems(parts));
         }
         if problems.iter().any(|problem| problem.severity == Severity::Error) {
             return problems;

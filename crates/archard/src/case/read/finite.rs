@@ -55,25 +55,27 @@ impl Reader<'_> {
         };
         let (mesh, mirrored, (interpolation, tolerance)) = (mesh?, mirrored?, elements?);
         let elasticity = elasticity?;
-        let supports = vec![];
-        let mut finite =
-            FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity };
+        // Generators ask what is held; whether the mesh has these surfaces is seen once it is there.
+        let read = self.supports(body, elasticity);
+        let supports = read.clone().unwrap_or_default();
+        let finite = FiniteCase { mesh, supports, mirrored, interpolation, tolerance, elasticity };
         let meshed = self.meshed(&section, &finite)?;
-        finite.supports = self.supports(body, &meshed, elasticity)?;
-        Some(Some(finite))
+        let named = self.named(body, &meshed);
+        (read.is_some() && named).then_some(Some(finite))
     }
 
     /// The mesh, if it is sound.
     fn meshed(&mut self, section: &Section<'_>, finite: &FiniteCase) -> Option<Meshed> {
         let key = section.key.child(finite.mesh.choice.name);
         let shape = finite.mesh.build().ok()?;
+        let held = finite.held();
         // A mesh that no memory holds is not even made.
-        let least = Size::at_least(shape.at_least(finite.mirrored), finite.interpolation);
+        let least = Size::at_least(shape.at_least(finite.mirrored, &held), finite.interpolation);
         if let Some(problem) = memory::too_large(least.memory(), memory::available()) {
             self.push(Problem { key: memory::key(section.key.clone(), &finite.mesh), ..problem });
             return None;
         }
-        let meshed = match shape.mesh(finite.mirrored) {
+        let meshed = match shape.mesh(finite.mirrored, &held) {
             Ok(meshed) => meshed,
             Err(error) => {
                 let place = error.parameter().split('.').fold(key, |key, name| key.child(name));
@@ -152,7 +154,6 @@ impl Reader<'_> {
     fn supports(
         &mut self,
         body: &Section<'_>,
-        meshed: &Meshed,
         elasticity: Elasticity,
     ) -> Option<Vec<(String, Support)>> {
         let Some((key, entry)) = body.get("supports") else {
@@ -164,20 +165,9 @@ impl Reader<'_> {
             return None;
         };
         let section = self.as_table(key, &entry.node)?;
-        let known: Vec<&str> = meshed.mesh.surfaces.iter().map(String::as_str).collect();
         let mut supports = vec![];
         for entry in &section.table.0 {
             let key = section.key.child(&entry.name);
-            if !known.contains(&entry.name.as_str()) {
-                let meant = nearest(&entry.name, &known);
-                let message = meant.map_or_else(
-                    || "is no surface of the mesh".to_owned(),
-                    |meant| format!("is no surface of the mesh; did you mean `{meant}`?"),
-                );
-                let help = format!("there are {}", known.join(", "));
-                self.push(Problem::error(key, message).at_name().help(help));
-                continue;
-            }
             if let Some(support) = self.support(key.clone(), entry) {
                 if elasticity == Elasticity::HalfSpace && support.loads() {
                     let message = "has no effect: a half-space knows of no other surface";
@@ -187,6 +177,26 @@ impl Reader<'_> {
             }
         }
         (supports.len() == section.table.0.len()).then_some(supports)
+    }
+
+    /// Whether the mesh has the surfaces that supports name.
+    fn named(&mut self, body: &Section<'_>, meshed: &Meshed) -> bool {
+        let Some((key, entry)) = body.get("supports") else { return true };
+        let Item::Table(table) = &entry.node.item else { return true };
+        let known: Vec<&str> = meshed.mesh.surfaces.iter().map(String::as_str).collect();
+        let strange = table.0.iter().filter(|entry| !known.contains(&entry.name.as_str()));
+        let mut all = true;
+        for entry in strange {
+            let meant = nearest(&entry.name, &known);
+            let message = meant.map_or_else(
+                || "is no surface of the mesh".to_owned(),
+                |meant| format!("is no surface of the mesh; did you mean `{meant}`?"),
+            );
+            let help = format!("there are {}", known.join(", "));
+            self.push(Problem::error(key.child(&entry.name), message).at_name().help(help));
+            all = false;
+        }
+        all
     }
 
     fn support(&mut self, key: Key, entry: &Entry) -> Option<Support> {

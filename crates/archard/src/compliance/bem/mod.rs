@@ -3,6 +3,7 @@
 
 mod alone;
 mod assemble;
+mod balance;
 mod blocks;
 mod bows;
 mod conditions;
@@ -20,6 +21,7 @@ mod strip;
 mod surface;
 
 pub use alone::{evaluate_alone, integrate_alone};
+pub use balance::{Balance, forces};
 pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
 pub use interior::{Interior, Response};
 pub use kelvin::Evaluations;

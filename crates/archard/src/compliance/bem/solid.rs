@@ -4,9 +4,10 @@ use faer::Mat;
 use glam::DVec3;
 
 use super::assemble::{Assembly, System};
-use super::conditions::{Conditions, Given};
+use super::balance::Balance;
+use super::conditions::{Condition, Conditions, Given};
 use super::kelvin::{Evaluations, Kelvin};
-use super::surface::Surface;
+use super::surface::{Surface, TractionNode};
 use crate::body::Material;
 use crate::numerics::dense::{Lu, Singular};
 use crate::numerics::large::Large;
@@ -46,6 +47,8 @@ pub struct Condensed {
     pub compliance: Mat<f64>,
     /// Displacement (m) without any traction of contact, three values a contact node.
     pub free: Vec<f64>,
+    /// What is left of the balance under even loads of the zone, the worst of them.
+    pub balance: Balance,
 }
 
 impl<'a> Assembled<'a> {
@@ -98,6 +101,7 @@ impl<'a> Solid<'a> {
 
     /// The compliance of the contact nodes.
     pub fn condense(self) -> Condensed {
+        let balance = self.balance();
         let Self { conditions, factors, mut contact, mut fixed, unit, .. } = self;
         let nodes: Vec<usize> = conditions
             .contact
@@ -132,19 +136,74 @@ impl<'a> Solid<'a> {
             unit * row(index, &|place| contact[(place, column)])
         });
         let free = (0..size).map(|index| row(index, &|place| fixed[(place, 0)])).collect();
-        Condensed { compliance, free }
+        Condensed { compliance, free, balance }
+    }
+
+    /// The worst balance under even loads of the zone: a traction along each direction, a pressure that grows
+    /// along x or y; and under the loads elsewhere.
+    ///
+    /// Even loads are what bends a body. Under single columns, loads of one node, what is left of the balance is
+    /// that of the node's own element.
+    fn balance(&self) -> Balance {
+        let loads = self.even_loads();
+        let columns = loads.iter().map(|load| {
+            let sought = self.sought(load, false);
+            let tractions = self.tractions(&sought, load, false);
+            self.balance_of(&tractions)
+        });
+        let mut worst = columns.fold(Balance::default(), Balance::worst);
+        let given = |condition: &Condition| {
+            condition.given.iter().any(|given| match given {
+                Given::Traction(value) | Given::Displacement(value) => *value != 0.0,
+                Given::Contact => false,
+            })
+        };
+        if self.conditions.tractions.iter().any(given) {
+            let sought = self.sought(&[], true);
+            worst = worst.worst(self.balance_of(&self.tractions(&sought, &[], true)));
+        }
+        worst
+    }
+
+    fn balance_of(&self, tractions: &[DVec3]) -> Balance {
+        Balance::of(self.surface, self.conditions, tractions)
+    }
+
+    /// Tractions (Pa) of contact in their bases, three values a contact node.
+    fn even_loads(&self) -> Vec<Vec<f64>> {
+        let contact = &self.conditions.contact;
+        if contact.is_empty() {
+            return vec![];
+        }
+        let node = |index: usize| &self.surface.tractions[contact[index]];
+        let count = contact.len() as f64;
+        let middle = (0..contact.len()).map(|index| node(index).place).sum::<DVec3>() / count;
+        let reach = (0..contact.len()).map(|index| node(index).place.distance(middle));
+        let reach = reach.fold(0.0, f64::max);
+        let load = |along: usize, share: &dyn Fn(DVec3) -> f64| -> Vec<f64> {
+            let value = |index: usize| {
+                let (contact, direction) = (index / 3, index % 3);
+                let unit =
+                    self.conditions.tractions[self.conditions.contact[contact]].basis[direction];
+                if direction != along || self.surface.across_plane(node(contact).node, unit) {
+                    return 0.0;
+                }
+                share((node(contact).place - middle) / reach)
+            };
+            (0..3 * contact.len()).map(value).collect()
+        };
+        let [first, second, _] = self.conditions.tractions[contact[0]].basis;
+        let mut loads: Vec<_> = (0..3).map(|along| load(along, &|_| 1.0)).collect();
+        if reach > 0.0 {
+            loads.extend([first, second].map(|axis| load(2, &|place| place.dot(axis))));
+        }
+        loads
     }
 
     /// Displacements and tractions everywhere, under given tractions of contact (Pa) in their bases, three
     /// values a contact node.
     pub fn boundary(&self, tractions: &[f64]) -> Boundary {
-        let (mut sought, contact) = (self.fixed.clone(), self.contact.as_ref());
-        for (column, &traction) in tractions.iter().enumerate() {
-            for row in 0..sought.nrows() {
-                sought[(row, 0)] += self.unit * traction * contact[(row, column)];
-            }
-        }
-        self.factors.solve_in_place(sought.as_mut());
+        let sought = self.sought(tractions, true);
         let conditions = self.conditions;
         let displacement = conditions.nodes.iter().enumerate().map(|(node, condition)| {
             let along = |own: usize| match condition.known[own] {
@@ -153,17 +212,40 @@ impl<'a> Solid<'a> {
             };
             (0..3).map(|own| along(own) * condition.basis[own]).sum()
         });
-        let traction = self.surface.tractions.iter().enumerate().map(|(index, traction)| {
+        Boundary {
+            displacement: displacement.collect(),
+            traction: self.tractions(&sought, tractions, true),
+        }
+    }
+
+    /// What is sought at the nodes under tractions of contact, with the loads elsewhere or without.
+    fn sought(&self, tractions: &[f64], loaded: bool) -> Mat<f64> {
+        let contact = self.contact.as_ref();
+        let mut sought =
+            if loaded { self.fixed.clone() } else { Mat::zeros(self.fixed.nrows(), 1) };
+        for (column, &traction) in tractions.iter().enumerate().filter(|(_, one)| **one != 0.0) {
+            for row in 0..sought.nrows() {
+                sought[(row, 0)] += self.unit * traction * contact[(row, column)];
+            }
+        }
+        self.factors.solve_in_place(sought.as_mut());
+        sought
+    }
+
+    /// Tractions (Pa) at their nodes, from what was sought.
+    fn tractions(&self, sought: &Mat<f64>, contact: &[f64], loaded: bool) -> Vec<DVec3> {
+        let conditions = self.conditions;
+        let traction = |(index, traction): (usize, &TractionNode)| {
             let condition = &conditions.tractions[index];
             let node = &conditions.nodes[traction.node];
             let value = |direction: usize| match condition.given[direction] {
-                Given::Traction(traction) => traction * condition.basis[direction],
+                Given::Traction(traction) if loaded => traction * condition.basis[direction],
                 Given::Contact => {
                     let column = conditions.contact_column[index].unwrap_or_default();
-                    let value = tractions.get(3 * column + direction).copied().unwrap_or_default();
+                    let value = contact.get(3 * column + direction).copied().unwrap_or_default();
                     value * condition.basis[direction]
                 }
-                Given::Displacement(_) => DVec3::ZERO,
+                Given::Traction(_) | Given::Displacement(_) => DVec3::ZERO,
             };
             let given: DVec3 = (0..3).map(value).sum();
             let held = (0..3).filter(|&own| node.known[own].is_some_and(|k| k.traction == index));
@@ -174,7 +256,7 @@ impl<'a> Solid<'a> {
                 })
                 .sum();
             given + found
-        });
-        Boundary { displacement: displacement.collect(), traction: traction.collect() }
+        };
+        self.surface.tractions.iter().enumerate().map(traction).collect()
     }
 }

@@ -25,10 +25,12 @@ pub(super) struct Evidence {
     edges: Option<Edges>,
     /// The pairs there, once they were looked for.
     border: Option<Vec<usize>>,
+    /// What is left of the balance of forces and of moments on bodies whose equations were solved.
+    balance: Option<[f64; 2]>,
     /// Elements across the contact at the first output that bears a load, and when it was largest.
     first: Option<f64>,
     largest: Option<f64>,
-    /// Elements across the stick zone at the end; `None` where nothing sticks, or all does.
+    /// Elements across the stick zone at the end of bodies that are shifted; `None` where nothing sticks, or all does.
     stick: Option<f64>,
     /// Error of the division into steps at the end, over the tolerance asked for.
     time: Option<[f64; 2]>,
@@ -46,6 +48,13 @@ impl Evidence {
     pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) {
         let Report { problem, state, effort, .. } = report;
         worst(&mut self.load, missing(report));
+        let balance = || problem.compliance.balance();
+        let left = |left: [f64; 2], (_, force, moment)| [left[0].max(force), left[1].max(moment)];
+        if self.balance.is_none() {
+            self.balance = balance()
+                .into_iter()
+                .fold(None, |known, one| Some(left(known.unwrap_or([0.0; 2]), one)));
+        }
         let border = self.border.get_or_insert_with(|| edges::border(problem));
         if let Some(edges) = edges::of(&problem.frame, border, &state.pressure)
             && self.edges.is_none_or(|known| edges.share >= known.share)
@@ -58,7 +67,8 @@ impl Evidence {
             }
             worst(&mut self.largest, Some(across));
         }
-        self.stick = state.tangential.as_ref().and_then(|tangential| {
+        let shifted = problem.kinematics.shift().is_some();
+        self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
             let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
             let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
             let partial = (0..problem.frame.len()).any(slips);
@@ -77,6 +87,7 @@ impl Evidence {
 
     /// The lines that follow.
     pub fn verdict(&self) -> Verdict {
+        let balance = self.balance.map(|[force, moment]| verdict::balance(force, moment));
         let lines = [
             self.load.map(verdict::load),
             self.edges.map(|Edges { share, pairs }| verdict::edges(share, pairs)),
@@ -88,7 +99,8 @@ impl Evidence {
             self.volume.map(verdict::volume),
             self.roughness.map(verdict::roughness),
         ];
-        Verdict { lines: lines.into_iter().flatten().collect() }
+        let balance = balance.into_iter().flatten();
+        Verdict { lines: lines.into_iter().flatten().chain(balance).collect() }
     }
 }
 

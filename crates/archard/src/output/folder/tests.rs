@@ -10,6 +10,7 @@ use tempfile::tempdir;
 
 use super::{Claim, ResultFolder};
 use crate::frame::Direction;
+use crate::kinematics::{Control, Stepping};
 use crate::output::fixture::{COEFFICIENTS, CREEPAGE, CROWN, FRICTION, LOAD, Run};
 use crate::output::{Error, Image, Totals};
 use crate::problem::ContactState;
@@ -300,7 +301,15 @@ fn numbers_that_are_none_are_refused() {
         let mut state = run.state(0.5);
         spoil(&mut state);
         let (effort, extent) = (Effort::default(), 0.5);
-        let report = Report { problem: &run.problem, state: &state, effort, output: true, extent };
+        let report = Report {
+            problem: &run.problem,
+            state: &state,
+            effort,
+            output: true,
+            extent,
+            prescribed: Control::Load(state.load),
+            stepping: Stepping::Implicit(1.0),
+        };
         let error = folder.observe(&report).unwrap_err();
         assert!(error.to_string().contains("is not a finite number at distance"), "{error}");
         let failure = Some(error.to_string());

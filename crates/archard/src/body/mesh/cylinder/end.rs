@@ -11,7 +11,7 @@ use crate::body::mesh::tensor::patch;
 use crate::body::mesh::{Meshed, Zone};
 
 impl Standing {
-    pub(super) fn divide(&self, mirrored: [bool; 2]) -> Meshed {
+    pub(super) fn divide(&self, mirrored: [bool; 2], longest: [f64; 2]) -> Meshed {
         let mut builder = Builder::new(self.radius.max(self.length));
         let top = builder.surface("top");
         let growth = self.contact.growth(f64::INFINITY);
@@ -24,23 +24,23 @@ impl Standing {
         let rim =
             rays.iter().map(|ray| builder.vertex([ray.start[0], ray.start[1], 0.0])).collect();
         let mut rings = Rings::new(&mut builder, top, rim, pinned);
-        let last = self.across(&mut rings, &rays);
+        let last = self.across(&mut rings, &rays, longest[0]);
         rings.surface = rings.builder.surface("side");
-        let last = self.down(&mut rings, &rays, last);
+        let last = self.down(&mut rings, &rays, [last, longest[1]]);
         rings.surface = rings.builder.surface("bottom");
-        self.inwards(rings, &rays, last);
+        self.inwards(rings, &rays, [last, longest[0]]);
         let [nx, ny] = self.contact.kept(mirrored);
         let zone = Zone { faces: (0..nx * ny).collect(), grid: Some([nx, ny]) };
         Meshed { mesh: builder.finish(), zone, placed: false }
     }
 
     /// From the rim of the zone to the edge; returns the width of the last ring (m).
-    fn across(&self, rings: &mut Rings<'_>, rays: &[Ray]) -> f64 {
+    fn across(&self, rings: &mut Rings<'_>, rays: &[Ray], longest: f64) -> f64 {
         let edge = |ray: Ray| ray.direction.map(|component| component * self.radius);
-        let longest = rays.iter().map(|&ray| distance(ray.start, edge(ray))).fold(0.0, f64::max);
-        let widths = self.contact.growth(f64::INFINITY).beside(self.contact.width(), longest);
-        for (width, along) in widths.iter().zip(&places(&widths, longest)[1..]) {
-            let t = along / longest;
+        let way = rays.iter().map(|&ray| distance(ray.start, edge(ray))).fold(0.0, f64::max);
+        let widths = self.contact.growth(longest).beside(self.contact.width(), way);
+        for (width, along) in widths.iter().zip(&places(&widths, way)[1..]) {
+            let t = along / way;
             let place = |ray: usize| {
                 let (start, end) = (rays[ray].start, edge(rays[ray]));
                 let [x, y] = [0, 1].map(|i| (1.0 - t) * start[i] + t * end[i]);
@@ -54,8 +54,8 @@ impl Standing {
     }
 
     /// From the edge of the top to that of the bottom.
-    fn down(&self, rings: &mut Rings<'_>, rays: &[Ray], last: f64) -> f64 {
-        let growth = self.contact.growth(0.5 * PI * self.radius);
+    fn down(&self, rings: &mut Rings<'_>, rays: &[Ray], [last, longest]: [f64; 2]) -> f64 {
+        let growth = self.contact.growth(longest.min(0.5 * PI * self.radius));
         let widths = growth.from(last / self.contact.growth, self.length);
         for (width, depth) in widths.iter().zip(&places(&widths, self.length)[1..]) {
             let place = |ray: usize| {
@@ -70,8 +70,8 @@ impl Standing {
     }
 
     /// From the edge of the bottom to its middle.
-    fn inwards(&self, mut rings: Rings<'_>, rays: &[Ray], last: f64) {
-        let growth = self.contact.growth(0.5 * self.radius);
+    fn inwards(&self, mut rings: Rings<'_>, rays: &[Ray], [last, longest]: [f64; 2]) {
+        let growth = self.contact.growth(longest.min(0.5 * self.radius));
         let widths = growth.from(last / self.contact.growth, self.radius);
         let steps = places(&widths, self.radius);
         for (width, step) in widths.iter().zip(&steps[1..steps.len() - 1]) {

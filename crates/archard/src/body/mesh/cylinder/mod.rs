@@ -9,6 +9,7 @@ mod side;
 use std::f64::consts::PI;
 
 use super::contact::{self, Layout};
+use super::free::{self, Held};
 use super::{MeshError, Meshed, Shape};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
@@ -88,14 +89,21 @@ struct Standing {
 }
 
 impl Shape for Lying {
-    fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
+    fn mesh(&self, mirrored: [bool; 2], held: &Held) -> Result<Meshed, MeshError> {
         self.layout.check(mirrored)?;
-        Ok(self.divide(mirrored))
+        Ok(self.divide(mirrored, self.longest(held)))
     }
 
-    fn at_least(&self, mirrored: [bool; 2]) -> usize {
-        let [around, along] = self.axes(mirrored).map(|axis| axis.places.len() - 1);
+    fn at_least(&self, mirrored: [bool; 2], held: &Held) -> usize {
+        let [around, along] =
+            self.axes(mirrored, self.longest(held)).map(|axis| axis.places.len() - 1);
         around * along
+    }
+
+    fn slenderness(&self, _: &Meshed, mirrored: [bool; 2], held: &Held) -> Option<f64> {
+        let longest = self.longest(held);
+        let [_, along] = self.axes(mirrored, longest);
+        longest.is_finite().then(|| along.widest() / (2.0 * self.radius))
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {
@@ -104,16 +112,50 @@ impl Shape for Lying {
 }
 
 impl Shape for Standing {
-    fn mesh(&self, mirrored: [bool; 2]) -> Result<Meshed, MeshError> {
+    fn mesh(&self, mirrored: [bool; 2], held: &Held) -> Result<Meshed, MeshError> {
         Layout::Contact(self.contact).check(mirrored)?;
-        Ok(self.divide(mirrored))
+        Ok(self.divide(mirrored, self.longest(held)))
     }
 
-    fn at_least(&self, mirrored: [bool; 2]) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], _held: &Held) -> usize {
         self.contact.kept(mirrored).into_iter().product()
+    }
+
+    /// That of the generator itself, which no parameter overrules.
+    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Held) -> Option<f64> {
+        None
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {
         Some([0.0; 2])
     }
 }
+
+impl Lying {
+    /// The longest element (m) along the axis that bending as a beam between its ends allows.
+    fn longest(&self, held: &Held) -> f64 {
+        let diameter = 2.0 * self.radius;
+        let across = ["side", "bore"].iter().any(|surface| held.at(surface));
+        let ends = ["front", "back"].iter().any(|surface| held.at(surface));
+        let bends = !across && ends && free::bends(diameter, self.length);
+        let longest = if bends { free::longest(diameter) } else { f64::INFINITY };
+        longest.max(LEAST * self.length)
+    }
+}
+
+impl Standing {
+    /// The longest elements (m) that bending allows: across the ends of a plate that is held at its edge, and
+    /// along a pillar that is held underneath.
+    fn longest(&self, held: &Held) -> [f64; 2] {
+        let (diameter, ends) = (2.0 * self.radius, held.at("bottom") || held.at("top"));
+        let plate = !ends && held.at("side") && free::bends(self.length, self.radius);
+        let pillar = ends && !held.at("side") && free::bends(diameter, self.length);
+        let longest = |bends: bool, thickness: f64, size: f64| {
+            if bends { free::longest(thickness).max(LEAST * size) } else { f64::INFINITY }
+        };
+        [longest(plate, self.length, diameter), longest(pillar, diameter, self.length)]
+    }
+}
+
+/// Elements are not asked to be shorter than this share of a side: no memory would hold them.
+const LEAST: f64 = 1e-4;

@@ -9,10 +9,13 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::Lying;
 use crate::body::mesh::axis::{Axis, Growth, places};
 use crate::body::mesh::builder::Builder;
-use crate::body::mesh::contact::Layout;
+use crate::body::mesh::contact::{Divisions, Layout};
 use crate::body::mesh::rings::{Rings, distance, widest_angle};
 use crate::body::mesh::tensor::{middle, patch};
 use crate::body::mesh::{Meshed, Zone};
+
+/// Length of the elements of the default mesh along the axis, beside that around the circumference.
+const DRAWN_OUT: f64 = 4.0;
 
 /// Places along the circumference, as angles from the highest line.
 struct Turn {
@@ -24,8 +27,8 @@ struct Turn {
 }
 
 impl Lying {
-    pub(super) fn divide(&self, mirrored: [bool; 2]) -> Meshed {
-        let [arcs, along] = self.axes(mirrored);
+    pub(super) fn divide(&self, mirrored: [bool; 2], longest: f64) -> Meshed {
+        let [arcs, along] = self.axes(mirrored, longest);
         let mut builder = Builder::new(self.radius.max(self.length));
         let angles: Vec<f64> = arcs.places.iter().map(|arc| arc / self.radius).collect();
         let side = builder.surface("side");
@@ -77,20 +80,26 @@ impl Lying {
         widest_angle(self.radius, self.radius - self.bore.unwrap_or(0.0))
     }
 
-    /// Divisions of the circumference and along the axis.
-    pub(super) fn axes(&self, mirrored: [bool; 2]) -> [Axis; 2] {
+    /// Divisions of the circumference and along the axis, no element longer than bending allows (m).
+    pub(super) fn axes(&self, mirrored: [bool; 2], longest: f64) -> [Axis; 2] {
         let around = 2.0 * PI * self.radius;
         match self.layout {
             Layout::Contact(contact) => {
                 let widest = self.angle() * self.radius;
-                let free = contact.growth(f64::INFINITY);
+                let free = contact.growth(longest);
                 [
                     Axis::graded(contact.middle(0), around, contact.growth(widest), mirrored[0]),
                     Axis::graded(contact.middle(1), self.length, free, mirrored[1]),
                 ]
             }
-            Layout::Even(count) => {
-                let width = FRAC_PI_2 * self.radius / count as f64;
+            Layout::Even(divisions) => {
+                let count = divisions.of_a_quarter();
+                let around_each = FRAC_PI_2 * self.radius / count as f64;
+                // Plane elements are short around the circumference for the sake of its shape alone.
+                let width = match divisions {
+                    Divisions::Enough => (DRAWN_OUT * around_each).min(longest),
+                    _ => around_each,
+                };
                 // Beyond a hundred thousand the length has no share in what makes a good element.
                 let pairs = (0.5 * self.length / width).round().clamp(1.0, 1e4) as usize;
                 [
@@ -116,7 +125,10 @@ impl Lying {
                     });
                 (pinned.collect(), (most / least).sqrt())
             }
-            Layout::Even(quarter) => ((0..=count).map(|i| i % quarter == 0).collect(), 1.0),
+            Layout::Even(divisions) => {
+                let quarter = divisions.of_a_quarter();
+                ((0..=count).map(|i| i % quarter == 0).collect(), 1.0)
+            }
         };
         Turn { angles, pinned, spread }
     }

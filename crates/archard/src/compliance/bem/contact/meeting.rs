@@ -92,12 +92,13 @@ impl<'a> Meeting<'a> {
     pub fn condense(self, condense: Condense<'_>) -> Result<Contact, ContactError> {
         let Self { bodies, host: Side { host, conditions }, opposite, mut pairs } = self;
         let sign = if host.first { 1.0 } else { -1.0 };
-        let mut parts = vec![];
+        let (mut parts, mut balance) = (vec![], vec![]);
         if let Some(own) = condensed(bodies, &host, conditions.as_ref(), condense)? {
             // Gap by what the loads elsewhere displace: body 2 less body 1 along n.
             let normal = own.free.iter().skip(2).step_by(3);
             pairs.gap.iter_mut().zip(normal).for_each(|(gap, free)| *gap -= sign * free);
             parts.push(own.compliance);
+            balance.push((host.which, own.balance));
         }
         if let Some((Side { host: other, conditions }, transfer)) = opposite
             && let Some(own) = condensed(bodies, &other, conditions.as_ref(), condense)?
@@ -108,6 +109,7 @@ impl<'a> Meeting<'a> {
             if let Some(material) = &bodies[other.which].material {
                 let near = half_space::on_the_surface(&other, material, other.which);
                 let left = transfer.compliance(&(own.compliance - near));
+                balance.push((other.which, own.balance));
                 parts.extend([left, half_space::on_the_surface(&host, material, other.which)]);
             }
         }
@@ -119,7 +121,7 @@ impl<'a> Meeting<'a> {
         touch(&mut pairs, &host);
         let frame = ContactFrame::described(pairs)?;
         let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
-        let compliance = Dense::new(&parts);
+        let compliance = Dense::new(&parts).balanced(balance);
         Ok(Contact { frame, compliance })
     }
 }

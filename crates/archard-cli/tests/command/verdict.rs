@@ -1,0 +1,50 @@
+//! What the command says of results that cannot be believed.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use super::{archard, case, printed, said};
+
+/// The word on a subject in the summary of a folder.
+fn word(dir: &TempDir, folder: &str, subject: &str) -> String {
+    let text = fs::read_to_string(dir.path().join(folder).join("summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let lines = summary["verdict"]["lines"].as_array().unwrap();
+    let line = lines.iter().find(|line| line["subject"] == subject).expect("a line");
+    line["word"].as_str().unwrap().to_owned()
+}
+
+/// A frame that ends within the contact's outermost ring: a warning, in words and on the pictures.
+#[test]
+fn a_contact_pressed_against_its_frame_is_doubtful() {
+    let dir = TempDir::new().unwrap();
+    let hertz = case("hertz");
+    let narrow = "frame.size=[\"0.3 mm\",\"0.3 mm\"]";
+    let options = ["run", hertz.to_str().unwrap(), "--set", narrow, "-o", "narrow"];
+    let ran = printed(&archard(&dir, &options).success());
+    assert!(ran.contains("verdict           doubtful"), "{ran}");
+    assert_eq!(word(&dir, "narrow", "edges"), "doubtful");
+    assert_eq!(word(&dir, "narrow", "load"), "good");
+    archard(&dir, &["plot", "narrow"]).success();
+    let picture = fs::read_to_string(dir.path().join("narrow/plots/overview.svg")).unwrap();
+    assert!(picture.contains("doubtful: edges"));
+}
+
+/// One element stands for the contact: its pressure is wrong by a factor, and so is the run, with everything written.
+#[test]
+fn a_contact_on_one_element_is_wrong() {
+    let dir = TempDir::new().unwrap();
+    let hertz = case("hertz");
+    let coarse = ["frame.size=[\"2 mm\",\"2 mm\"]", "frame.elements=[5,5]"];
+    let run =
+        ["run", hertz.to_str().unwrap(), "--set", coarse[0], "--set", coarse[1], "-o", "wrong"];
+    let failed = archard(&dir, &run).code(1);
+    assert!(said(&failed).contains("the result is wrong: contact"), "{}", said(&failed));
+    assert!(printed(&failed).contains("verdict           wrong"));
+    assert_eq!(word(&dir, "wrong", "contact"), "wrong");
+    assert!(dir.path().join("wrong/fields/0000.vti").is_file());
+    archard(&dir, &["plot", "wrong"]).success();
+    let picture = fs::read_to_string(dir.path().join("wrong/plots/overview.svg")).unwrap();
+    assert!(picture.contains("the result is wrong: contact"));
+}
