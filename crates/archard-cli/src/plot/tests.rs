@@ -1,7 +1,12 @@
 //! Pictures of a made-up run: no solver, Hertz's pressure on a growing scar.
 
+#[path = "../../../archard/tests/common/damage.rs"]
+mod damage;
+mod damaged;
 mod described;
 mod fretting;
+#[path = "../../../archard/tests/common/random.rs"]
+mod random;
 mod rolling;
 
 use std::fs;
