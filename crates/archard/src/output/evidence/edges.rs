@@ -117,7 +117,9 @@ fn ends_evenly(frame: &ContactFrame, border: &[usize], (axis, middle): (usize, f
             (x - place[0]).hypot(y - place[1])
         };
         let nearest = (0..frame.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b)));
+        // Rows without any between them tell nothing.
         nearest
+            .filter(|&other| other != pair)
             .is_some_and(|other| (gap[pair] - gap[other]).abs() <= EVEN_ON_MESHES * (most - least))
     })
 }
