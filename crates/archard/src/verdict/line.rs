@@ -70,7 +70,7 @@ impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { subject, value, text, .. } = self;
         let value = match *value {
-            value if value == 0.0 => "0".to_owned(),
+            0.0 => "0".to_owned(),
             value if (0.01..1e4).contains(&value.abs()) => format!("{value:.3}"),
             value => format!("{value:.1e}"),
         };

@@ -30,7 +30,11 @@ fn off(loops: [[f64; 3]; 3], dissipated: f64) -> Vec<Option<f64>> {
         let value = |column: usize| {
             let [displacement, force, ahead] = loops[column / 2];
             let angle = TAU * place;
-            if column % 2 == 0 { displacement * angle.sin() } else { force * (angle + ahead).sin() }
+            if column.is_multiple_of(2) {
+                displacement * angle.sin()
+            } else {
+                force * (angle + ahead).sin()
+            }
         };
         let row = (0..6).map(|column| (columns[column].to_owned(), value(column)));
         let effort = Effort { dissipated: [dissipated, 0.0], ..Effort::default() };
