@@ -52,11 +52,12 @@ fn an_oblique_force_within_friction_makes_nothing_slip() {
 }
 
 /// From nothing on load and force rise together: nothing slips, the traction is 0.2 of the pressure everywhere,
-/// and the bodies are shifted by (1 - nu/2) / (1 - nu) times 0.2 of the approach, however few the increments.
+/// and the bodies are shifted by (1 - nu/2) / (1 - nu) times 0.2 of the approach, however few the increments. Single
+/// pairs are off where an increment ends at the edge of the contact, in whole elements.
 #[test]
 fn an_oblique_force_from_nothing_sticks_where_pairs_touch() {
     let table = "time_s,load_N,force_x_N\n0,0,0\n1,10.2,2.04\n";
-    for (increments, within, local) in [(5, 5e-3, 0.02), (20, 2e-3, 0.01)] {
+    for (increments, within, local) in [(5, 5e-3, 0.04), (20, 2e-3, 0.02)] {
         let (problem, states) = along(table, increments, 0.3);
         let last = &states[increments];
         let tangential = last.tangential.as_ref().expect("friction");
