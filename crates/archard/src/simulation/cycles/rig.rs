@@ -157,20 +157,33 @@ impl Rig {
             let found = self.solve(simulation, leg, station, known, effort)?;
             return Ok(self.settled(found));
         }
+        self.settle_from_touch(simulation, (leg, station), known, effort)
+    }
+
+    /// The same with friction, which pairs that close bear from where they touch on.
+    fn settle_from_touch(
+        &mut self,
+        simulation: &Simulation,
+        (leg, station): (Leg, Station),
+        known: Option<&Settled>,
+        effort: &mut Effort,
+    ) -> Result<Settled, Error> {
+        let frame = &simulation.problem.frame;
         let before = Before::of(&self.chain.state);
         let (tangential, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
         let approached = self.approached;
         if let Some(course) = known.and_then(|known| known.course.clone()) {
             self.course = Some(course);
         }
-        let (mut latest, mut pass, mut earlier) = (None, 0, None);
+        let (mut latest, mut pass) = (None, 0);
+        let mut earlier: Option<Option<Arc<Course>>> = None;
         loop {
             pass += 1;
             self.until_touch = before.until_touch(self.course.as_deref());
             let found = self.solve(simulation, leg, station, latest.as_ref().or(known), effort)?;
             let settled = self.settled(found);
             let state = &self.chain.state;
-            let Some(course) = before.course(state, &problem.frame) else { return Ok(settled) };
+            let Some(course) = before.course(state, frame) else { return Ok(settled) };
             let apart = before.apart(state, [self.course.as_deref(), Some(&course)]);
             let enough = if pass == 1 { AT_FIRST } else { LATER };
             if apart <= enough || pass == TOUCHES {
@@ -179,10 +192,7 @@ impl Rig {
             // Every second pass goes on from where the two before lead.
             let used = self.course.take();
             let next = match (earlier.take(), &used) {
-                (Some(first), Some(used)) => {
-                    let first: Option<Arc<Course>> = first;
-                    before.limit(state, first.as_deref(), [used, &course])
-                }
+                (Some(first), Some(used)) => before.limit(state, first.as_deref(), [used, &course]),
                 _ => {
                     earlier = Some(used);
                     course
