@@ -12,8 +12,9 @@ pub fn load(off: f64) -> Line {
 
 /// The share of the load on the edge of the frame, and how many pairs bear it.
 ///
-/// A contact that goes on beyond its frame has its pressures at the edge wrong, and the share is what is missing
-/// there: a few per cent of the load move the peak pressure of a ball by as much.
+/// A contact that goes on beyond its frame is cut off there, and nothing tells how much of it is missing; so any
+/// pressure at the edge is doubtful. The case `hertz` on a frame of 0.3 mm, whose outermost ring of 30 elements a side the
+/// contact just reaches, has 1 % of its load there.
 pub fn edges(share: f64, pairs: usize) -> Line {
     let text = match pairs {
         0 => "of the load at the edge of the frame".to_owned(),
@@ -32,26 +33,31 @@ pub fn first_contact(across: f64) -> Line {
 
 /// Elements across the contact where it is largest.
 ///
-/// The peak pressure of a ball is off by 0.3/N^2, the depth worn off a pin by 2/N^2 with N elements: 5 % at 6 and half
-/// of it at 2 (`cargo run --release --example accuracy`).
+/// With N elements across, the depth worn off a pin is off by about 2/N^2 (`cargo run --release --example accuracy`):
+/// 6 % at 6 elements, and 50 % at 2.
 pub fn contact(across: f64) -> Line {
     let text = "elements across the contact at its largest; take more elements or a smaller frame";
     Line::new("contact", across, Bound::AtLeast([6.0, 2.0]), text)
 }
 
-/// Elements across the stick zone, where a part of the contact slips.
+/// Elements across the stick zone, where a part of the contact slips. Its area counts whole elements, so that few of
+/// them are a warning and never an error.
 pub fn stick_zone(across: f64) -> Line {
     let text = "elements across the stick zone; its area is that of whole elements";
     Line::new("stick zone", across, Bound::AtLeast([4.0, 0.0]), text)
 }
 
-/// The estimated error of the worn depth that steps or jumps make, against the tolerance asked for.
+/// The estimated error of the worn depth that steps or jumps make, against the tolerance asked for: chosen bounds. Runs
+/// that choose their steps end below the tolerance unless the fewest or the most steps allowed bind.
 pub fn time(error: f64, tolerance: f64) -> Line {
     let text = format!("estimated error of the worn depth by steps in time, {tolerance} asked");
     Line::new("time", error, Bound::AtMost([1.5 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
 /// The work of the motion over a cycle against what friction dissipates in it, relative to the latter.
+///
+/// The case `cattaneo_mindlin` has up to 1e-5 with 4 to 20 increments a cycle; `fretting_sphere`, which wears, 0.8 % with
+/// 20, and 1.1, 1.4 and 2.2 % with 12, 8 and 4 on 32 x 32 elements.
 pub fn energy(off: f64) -> Line {
     let text = "between the work of a cycle and what friction dissipates; take more increments";
     Line::new("energy", off, Bound::AtMost([0.02, 0.1]), text)
@@ -67,6 +73,9 @@ pub fn volume(off: f64) -> Line {
 }
 
 /// The largest alternation or spike of the pressures from element to element, relative to the peak.
+///
+/// The case `pin_on_disc` has 0.8 %. At the edge of a stick zone that has been worn around, where the pressure of the
+/// bodies themselves has a singularity, `punch_fretting` has 28 % and `fretting_sphere` 45 %.
 pub fn roughness(off: f64) -> Line {
     let text =
         "of the peak pressure alternates or stands on single elements, which do not resolve it";

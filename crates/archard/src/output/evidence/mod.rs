@@ -32,7 +32,7 @@ pub(super) struct Evidence {
     largest: Option<f64>,
     /// Elements across the stick zone at the end of bodies that are shifted; `None` where nothing sticks, or all does.
     stick: Option<f64>,
-    /// Error of the division into steps at the end, over the tolerance asked for.
+    /// Error of the division into steps at the end, and the tolerance asked for.
     time: Option<[f64; 2]>,
     /// Work of the motion in a cycle against what friction dissipated.
     energy: Option<f64>,
@@ -48,12 +48,9 @@ impl Evidence {
     pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) {
         let Report { problem, state, effort, .. } = report;
         worst(&mut self.load, missing(report));
-        let balance = || problem.compliance.balance();
-        let left = |left: [f64; 2], (_, force, moment)| [left[0].max(force), left[1].max(moment)];
-        if self.balance.is_none() {
-            self.balance = balance()
-                .into_iter()
-                .fold(None, |known, one| Some(left(known.unwrap_or([0.0; 2]), one)));
+        for (_, force, moment) in problem.compliance.balance() {
+            let [known_force, known_moment] = self.balance.unwrap_or([0.0; 2]);
+            self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
         let border = self.border.get_or_insert_with(|| edges::border(problem));
         if let Some(edges) = edges::of(&problem.frame, border, &state.pressure)

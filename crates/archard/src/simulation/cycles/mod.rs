@@ -174,7 +174,7 @@ impl<'a> Cycles<'a> {
                 };
             let stuck = [&rate.stuck[..], &next.stuck];
             let [off, flipped] = corrected.since(&foreseen, stuck);
-            let [made, _] = corrected.since(&start, stuck);
+            let made = corrected.norm_since(&start);
             let sticks = stuck.map(|stuck| stuck.iter().any(|&stuck| stuck > 0.0));
             let turned = sticks[0] != sticks[1];
             let (done, worn) = (before.done, corrected.total());
