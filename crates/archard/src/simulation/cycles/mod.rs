@@ -3,6 +3,7 @@
 mod jump;
 mod rig;
 mod rubbing;
+mod settle;
 mod spread;
 mod stride;
 mod touch;
@@ -14,7 +15,8 @@ use crate::numerics::vector::update;
 use crate::problem::ContactState;
 
 use jump::{Rate, Wear};
-use rig::{Rig, Settled};
+use rig::Rig;
+use settle::Settled;
 use stride::{Stride, Tried};
 
 /// Two values of progress closer than this, relative to the extent, are the same.

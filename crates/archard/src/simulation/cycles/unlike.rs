@@ -1,6 +1,7 @@
 //! Pressures and friction of unlike bodies, which act on one another.
 
-use super::rig::{Found, Rig, Settled, not_converged};
+use super::rig::{Found, Rig, not_converged};
+use super::settle::Settled;
 use crate::frame::VectorField;
 use crate::kinematics::Station;
 use crate::numerics::vector::map;
