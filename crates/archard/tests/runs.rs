@@ -278,9 +278,9 @@ fn jumps_leave_no_spikes_at_the_edge_of_the_scar() {
     assert!(ends.windows(2).all(|two| two[1] < 1.01 * two[0]), "{ends:?}");
 }
 
-/// Discs that creep so little that less than an element slips: what is worn off is k/mu times the work of Kalker's linear
-/// creep force (J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990), which twin discs of
-/// 41 elements meet within the first order of the elements.
+/// Discs that creep so little that less than an element slips: forces go as the creepage and wear as its square, as in
+/// Kalker's linear theory (J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, Kluwer 1990). That the
+/// section is k/mu times the work of the force holds by the pairing of tractions and slip, short of what is cut off.
 #[test]
 fn discs_that_hardly_creep_wear_by_the_work_of_their_creepage() {
     let worn = |creepage: f64| {

@@ -1,8 +1,9 @@
 //! Wear collected along the planes of rolling.
 //!
 //! A particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
-//! and it is rubbed until it has left the last pair under pressure. With that pairing of pressure and slip the worn
-//! section equals the work of the creepage in rows of pairs, as it does in nature, to the last digits. Between
+//! and it is rubbed until it has left the last pair under pressure, as far as it slips under the limit of friction. With
+//! that pairing of tractions and slip the worn section equals the work of the creepage in rows of pairs, as it does in
+//! nature, to the last digits: by construction, so that it says nothing about the force itself. Between
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
 
