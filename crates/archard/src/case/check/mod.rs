@@ -5,6 +5,7 @@ mod contact;
 mod creep;
 mod cycles;
 mod finite;
+mod footprint;
 mod forecast;
 mod foreseen;
 mod free;
@@ -25,7 +26,7 @@ pub use contact::{Contact, Worn};
 pub use creep::{Creep, Track};
 pub use cycles::Cycles;
 pub use finite::Finiteness;
-pub(super) use forecast::BYTES_A_PAIR;
+pub(super) use footprint::BYTES_A_PAIR;
 pub use forecast::{Forecast, Solves};
 pub use partial_slip::{Fretting, FrettingWear};
 
@@ -157,7 +158,7 @@ impl<'a> Parts<'a> {
 
 /// Memory (bytes) that a run of a case takes, an estimate.
 pub(super) fn memory_of(case: &Case) -> Result<f64, Invalid> {
-    Parts::of(case).map(|parts| forecast::memory(&parts, Contact::of(&parts).as_ref()))
+    Parts::of(case).map(|parts| footprint::memory(&parts, Contact::of(&parts).as_ref()))
 }
 
 /// The forecast of a case and what is wrong or doubtful with it.
