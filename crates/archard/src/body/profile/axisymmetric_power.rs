@@ -1,19 +1,13 @@
 //! The power-law punch of revolution: a cone, a paraboloid, and blunter shapes (Galin; Sneddon).
 
 use super::Profile;
-use crate::parameters::{Choice, Parameter, Quantity};
+use super::power::PARAMETERS;
+use crate::parameters::Choice;
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "axisymmetric_power",
     meaning: "gap = c r^n, r the distance from the axis: a cone of slope c with n = 1",
-    parameters: &[
-        Parameter::required(
-            "coefficient",
-            Quantity::PowerFactor { exponent: "exponent" },
-            "the factor c",
-        ),
-        Parameter::required("exponent", Quantity::Number, "the exponent n"),
-    ],
+    parameters: PARAMETERS,
     build: |values| {
         Ok(Box::new(AxisymmetricPower {
             coefficient: values.require("coefficient")?,

@@ -6,14 +6,7 @@ use crate::parameters::{Choice, Parameter, Quantity};
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "power",
     meaning: "gap = c (|x|^n + |y|^n): with n = 1 a pyramid",
-    parameters: &[
-        Parameter::required(
-            "coefficient",
-            Quantity::PowerFactor { exponent: "exponent" },
-            "the factor c",
-        ),
-        Parameter::required("exponent", Quantity::Number, "the exponent n"),
-    ],
+    parameters: PARAMETERS,
     build: |values| {
         Ok(Box::new(Power {
             coefficient: values.require("coefficient")?,
@@ -21,6 +14,16 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
         }))
     },
 };
+
+/// The factor and the exponent of a power.
+pub(super) const PARAMETERS: &[Parameter] = &[
+    Parameter::required(
+        "coefficient",
+        Quantity::PowerFactor { exponent: "exponent" },
+        "the factor c",
+    ),
+    Parameter::required("exponent", Quantity::Number, "the exponent n"),
+];
 
 /// recess = c (|x|^n + |y|^n).
 #[derive(Debug)]
