@@ -24,6 +24,10 @@ impl Compliance for Stiff {
     fn normal_self_term(&self) -> f64 {
         0.0
     }
+
+    fn couples(&self) -> bool {
+        false
+    }
 }
 
 /// Builds the choice of that name.
