@@ -31,6 +31,16 @@ fn a_contact_pressed_against_its_frame_is_doubtful() {
     assert!(picture.contains("doubtful: edges"));
 }
 
+/// A contact of a hundredth of an element, on an even number of them: four share it, with a ten thousandth of its pressure.
+#[test]
+fn a_contact_below_its_elements_is_wrong() {
+    let dir = TempDir::new().unwrap();
+    let hertz = case("hertz");
+    let light = "motion.indentation.load=1e-9 N";
+    archard(&dir, &["run", hertz.to_str().unwrap(), "--set", light, "-o", "light"]).code(1);
+    assert_eq!(word(&dir, "light", "contact"), "wrong");
+}
+
 /// One element stands for the contact: its pressure is wrong by a factor, and so is the run, with everything written.
 #[test]
 fn a_contact_on_one_element_is_wrong() {
