@@ -1,5 +1,7 @@
 //! The zone that may touch, as cases ask for it.
 
+use std::f64::consts::FRAC_PI_2;
+
 use super::MeshError;
 use super::axis::{Growth, Middle};
 use crate::parameters::{Bound, EXCLUSIVE, Invalid, Parameter, Quantity, Values};
@@ -10,8 +12,8 @@ pub(super) const MOST_ELEMENTS: usize = 1_000_000;
 const MOST_DIVISIONS: usize = 400;
 /// Divisions of the shortest edge that are enough.
 pub(super) const ENOUGH: usize = 4;
-/// Divisions of a quarter of the circumference that are enough: plane elements lose 1.1 % of a circle's area.
-const ENOUGH_AROUND: usize = 6;
+/// Divisions of a quarter of the circumference that are enough where no wall is thin.
+const ENOUGH_AROUND: usize = 4;
 
 /// The parameter of the zone, on one of these sides of the body.
 pub(super) const fn parameter(inside: &'static [Parameter]) -> Parameter {
@@ -90,6 +92,27 @@ impl Layout {
                 "divisions",
                 format!("`contact` and `divisions` {EXCLUSIVE}: keep one"),
             )),
+        }
+    }
+
+    /// The same around a round body whose elements may be so long, in radii.
+    ///
+    /// # Errors
+    /// If fewer divisions are asked for than that takes.
+    pub fn around(self, longest: f64) -> Result<Self, Invalid> {
+        let least = (FRAC_PI_2 / longest).ceil() as usize;
+        let invalid = |message: String| Err(Invalid::new("divisions", message));
+        match self {
+            Self::Even(Divisions::Along(count)) if count < least => invalid(format!(
+                "elements of the wall would be too long beside its thickness: take {least} at least"
+            )),
+            Self::Even(Divisions::Enough) if least > MOST_DIVISIONS => {
+                invalid("is missing, and the wall is too thin for boundary elements".to_owned())
+            }
+            Self::Even(Divisions::Enough) => {
+                Ok(Self::Even(Divisions::Along(least.max(ENOUGH_AROUND).next_multiple_of(2))))
+            }
+            _ => Ok(self),
         }
     }
 

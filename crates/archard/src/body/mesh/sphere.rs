@@ -42,9 +42,15 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         }
         // Beyond a quarter of the circumference the projection is no longer even.
         let layout = Layout::read(values, [FRAC_PI_2 * radius; 2])?;
+        let wall = 1.0 - inner.unwrap_or(0.0) / radius;
+        let layout = layout.around(BESIDE_WALL * wall)?;
         Ok(Box::new(Sphere { radius, inner, layout }))
     },
 };
+
+/// Length of the elements of a hollow sphere without a zone beside its wall: shells under pressure were 0.9 % off with
+/// 1.9, and 28 % with 3.9.
+const BESIDE_WALL: f64 = 2.0;
 
 /// A sphere below z = 0, its highest point at the origin.
 #[derive(Debug)]
@@ -156,7 +162,17 @@ impl Shell {
         let [x, y] = self.mirrored.map(|mirrored| Axis::even(FRAC_PI_2, count, mirrored));
         let z = Axis::even(FRAC_PI_2, count, false);
         let angles = [&x.places[..], &y.places, &z.places];
-        block(builder, angles, self.mirrored, [name; 6], |angles| self.at(angles.map(f64::tan)));
+        let of = |shell: &Self, builder: &mut Builder| {
+            let (first, at) = (builder.faces(), |angles: [f64; 3]| shell.at(angles.map(f64::tan)));
+            block(builder, angles, self.mirrored, [name; 6], at);
+            first
+        };
+        // Elements with their vertices on the sphere would enclose less: eight around it 15 %.
+        let mut inscribed = Builder::new(self.radius);
+        of(self, &mut inscribed);
+        let enclosed = inscribed.finish().volume(self.mirrored);
+        let radius = self.radius * (4.0 / 3.0 * PI * self.radius.powi(3) / enclosed).cbrt();
+        of(&Self { radius, ..*self }, builder);
     }
 
     /// The grid of the zone, then rings down to the other pole.
