@@ -59,3 +59,46 @@ fn a_block_that_sticks_follows_linear_theory() {
     let force = SHEAR * RADIUS * RADIUS * known.longitudinal * CREEPAGE;
     assert_relative_eq!(creep_force(8, "boundary_elements", 100.0), force, max_relative = 0.05);
 }
+
+/// Pairs lie on the plane zone of the rail, whichever body is named first: the bodies are exchanged, and the force with them.
+#[test]
+fn a_disc_rolls_on_a_rail_in_either_order() {
+    let disc = r#"
+        [body.disc]
+        material = { young = "210 GPa", poisson = 0.3 }
+        supports = { bore = "clamped" }
+        elasticity = "half_space"
+        mesh.cylinder = { radius = "20 mm", bore = "12 mm", length = "4 mm", contact = { face = "side", size = ["1 mm", "4 mm"], elements = [6, 6] } }
+        "#;
+    let rail = r#"
+        [body.rail]
+        material = { young = "100 GPa", poisson = 0.3 }
+        supports = { bottom = "clamped" }
+        elasticity = "half_space"
+        mesh.box = { size = ["16 mm", "4 mm", "8 mm"], contact = { size = ["1 mm", "4 mm"], elements = [8, 8] } }
+        "#;
+    let rolls = |bodies: [&str; 2], creepage: f64| {
+        let text = format!(
+            r#"
+            {}
+            {}
+            [friction.coulomb]
+            coefficient = 0.3
+            [motion.rolling]
+            load = "1 kN"
+            creepage = {creepage}
+            revolutions = 0
+            "#,
+            bodies[0], bodies[1]
+        );
+        let mut rows = Rows::default();
+        case(&text, &[]).run(&mut [&mut rows]).expect("it converges");
+        ["force_x_N", "peak_pressure_Pa", "approach_m"].map(|column| rows.last(column))
+    };
+    let [force, pressure, approach] = rolls([disc, rail], 0.002);
+    let [other_force, other_pressure, other_approach] = rolls([rail, disc], -0.002);
+    assert_relative_eq!(force, -other_force, max_relative = 1e-5);
+    assert_relative_eq!(pressure, other_pressure, max_relative = 1e-5);
+    assert_relative_eq!(approach, other_approach, max_relative = 1e-5);
+    assert!(force.abs() > 100.0);
+}

@@ -24,7 +24,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Ok(meeting) => {
             problems.extend(lopsided(parts, [first, second], meeting.pairs()));
             if parts.motion.kinematics.rolling().is_some() && !meeting.is_plane() {
-                problems.push(on_a_curve(parts, [first, second]));
+                problems.push(on_a_curve(parts));
             }
         }
     }
@@ -32,16 +32,9 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
 }
 
 /// Rolling on a curved zone.
-fn on_a_curve(parts: &Parts<'_>, [first, second]: [&Body; 2]) -> Problem {
+fn on_a_curve(parts: &Parts<'_>) -> Problem {
     let key = Key::of(["motion", parts.case.motion.choice.name]);
-    let problem = Problem::error(key, Error::NotPlane.to_string()).at_name();
-    if second.finite.is_some() && Meeting::of([second, first]).is_ok_and(|other| other.is_plane()) {
-        let name = &parts.case.bodies[1].name;
-        return problem.help(format!(
-            "name `{name}` first: pairs are nodes of the first meshed body, and its zone is plane"
-        ));
-    }
-    problem
+    Problem::error(key, Error::NotPlane.to_string()).at_name()
 }
 
 /// The key of something of a body.

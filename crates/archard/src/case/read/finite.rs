@@ -262,13 +262,25 @@ impl Reader<'_> {
     }
 }
 
-/// What the contact zone of the first meshed body amounts to as a frame: its extent along x and y, and as many
+/// What the contact zone of the body that bears the pairs amounts to as a frame: its extent along x and y, and as many
 /// elements as there are pairs.
 pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
-    let finite = bodies.iter().find_map(|body| body.finite.as_ref())?;
-    let Meshed { mesh, zone: Zone { faces, grid }, .. } = finite.meshed().ok()?;
-    let corners = faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
-    let places: Vec<[f64; 3]> = corners.map(|&corner| mesh.vertices[corner]).collect();
+    let places = |meshed: &Meshed| -> Vec<[f64; 3]> {
+        let Meshed { mesh, zone, .. } = meshed;
+        let faces = zone.faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
+        faces.map(|&corner| mesh.vertices[corner]).collect()
+    };
+    let meshed: Vec<_> = bodies
+        .iter()
+        .filter_map(|body| {
+            let finite = body.finite.as_ref()?;
+            let meshed = finite.meshed().ok()?;
+            Some((finite, places(&meshed), meshed))
+        })
+        .collect();
+    let plane = |places: &[[f64; 3]]| places.windows(2).all(|two| two[0][2] == two[1][2]);
+    let bears = meshed.iter().find(|(_, places, _)| plane(places)).or(meshed.first());
+    let (finite, places, Meshed { zone: Zone { faces, grid }, .. }) = bears?;
     let images = finite.mirrored.map(|mirrored| if mirrored { 2 } else { 1 });
     let size = [0, 1].map(|axis| {
         let values = places.iter().map(|place| place[axis]);

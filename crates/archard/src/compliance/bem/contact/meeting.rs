@@ -35,7 +35,7 @@ impl<'a> Meeting<'a> {
     /// # Errors
     /// If they cannot touch, are not held or profiles end within the zone.
     pub fn of(bodies: [&'a Body; 2]) -> Result<Self, ContactError> {
-        let which = usize::from(bodies[0].finite.is_none());
+        let which = bears_the_pairs(bodies);
         let host = Side::new(bodies[which], which)?;
         let mut pairs = host.host.pairs();
         let opposite = match &bodies[1 - which].finite {
@@ -143,6 +143,18 @@ impl<'a> Side<'a> {
             Conditions::new(&host.surface, |node| supported(finite, node), &host.contact)
                 .map_err(|cause| ContactError::Undetermined { body: which, cause })?;
         Ok(Self { host, conditions: Some(conditions) })
+    }
+}
+
+/// The body whose nodes are the pairs: the meshed one; of two the one whose zone is plane, as rolling asks for, or the
+/// first.
+fn bears_the_pairs(bodies: [&Body; 2]) -> usize {
+    let plane = |which: usize| {
+        Host::new(bodies[which], which).is_some_and(|host| host.pairs().bases.is_empty())
+    };
+    match bodies.map(|body| body.finite.is_some()) {
+        [true, true] => usize::from(!plane(0) && plane(1)),
+        [first, _] => usize::from(!first),
     }
 }
 
