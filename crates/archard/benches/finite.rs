@@ -15,7 +15,7 @@ use archard::compliance::bem::contact::Job;
 use archard::compliance::bem::{
     Assembled, Condensed, Evaluations, evaluate_alone, integrate_alone,
 };
-use archard::numerics::dense::{Lu, Singular};
+use archard::numerics::dense::{Lu, Unsolved};
 use archard::numerics::large::Large;
 use archard::output::Store;
 use faer::Mat;
@@ -138,7 +138,8 @@ impl Rate {
 
 /// Factors of a matrix of that size.
 fn lu_alone(size: usize) -> Duration {
-    let matrix = Large::from(Mat::from_fn(size, size, |i, j| {
+    let mut matrix = Large::zeros(size, size).expect("enough memory");
+    matrix.as_mut().copy_from(Mat::from_fn(size, size, |i, j| {
         f64::from(i == j) * 4.0 + ((i * 7919 + j * 104_729) % 1009) as f64 / (1009.0 * size as f64)
     }));
     let begun = Instant::now();
@@ -161,9 +162,9 @@ fn measured(
     material: &Material,
     job: &Job<'_>,
     stages: &mut Stages,
-) -> Result<Condensed, Singular> {
+) -> Result<Condensed, Unsolved> {
     let begun = Instant::now();
-    let equations = Assembled::new(job.surface, material, job.conditions, finite.tolerance);
+    let equations = Assembled::new(job.surface, material, job.conditions, finite.tolerance)?;
     let (evaluations, assembly) = (equations.evaluations(), begun.elapsed());
     let solid = equations.factorise()?;
     let factors = begun.elapsed();

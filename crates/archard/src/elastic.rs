@@ -12,7 +12,7 @@ use crate::compliance::bem::{
     Balance, Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined, forces,
 };
 use crate::frame::VectorField;
-use crate::numerics::dense::Singular;
+use crate::numerics::dense::Unsolved;
 use crate::verdict::{self, Verdict};
 
 /// A body with its loads and supports.
@@ -72,7 +72,7 @@ pub enum ElasticError {
     },
     /// Its equations have no solution.
     #[error("{0}; are elements degenerate?")]
-    Singular(#[from] Singular),
+    Singular(#[from] Unsolved),
     /// It cannot touch the other body.
     #[error(transparent)]
     Contact(#[from] ContactError),

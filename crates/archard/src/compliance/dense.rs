@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::Compliance;
 use super::bem::Balance;
 use crate::frame::{ContactFrame, VectorField};
-use crate::numerics::large::Large;
+use crate::numerics::large::{Large, NoMemory};
 
 /// The compliance of both bodies as one matrix on the tractions along t1, t2 and n.
 ///
@@ -46,9 +46,12 @@ impl Dense {
     ///
     /// Collocation leaves them a little unsymmetric, by the order of the elements, and they stay so: made symmetric, they would turn an even pressure into tangential displacements that
     /// alternate from node to node.
-    pub fn new(bodies: &[MatRef<'_, f64>]) -> Self {
+    ///
+    /// # Errors
+    /// If there is no memory for it.
+    pub fn new(bodies: &[MatRef<'_, f64>]) -> Result<Self, NoMemory> {
         let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
-        let mut columns = Large::zeros(3 * pairs, 3 * pairs);
+        let mut columns = Large::zeros(3 * pairs, 3 * pairs)?;
         columns.values_mut().par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
             let (e, j) = (column / pairs, column % pairs);
             for (row, value) in values.iter_mut().enumerate() {
@@ -67,7 +70,7 @@ impl Dense {
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
         let balance = vec![];
-        Self { pairs, columns, normal_self_term, tangential_self_term, couples, balance }
+        Ok(Self { pairs, columns, normal_self_term, tangential_self_term, couples, balance })
     }
 
     /// The same with what is left of the balance of the bodies of these indices.

@@ -11,7 +11,7 @@
 
 use faer::{Mat, MatMut, MatRef};
 
-use super::dense::{Lu, Singular};
+use super::dense::{Lu, Unsolved};
 
 /// The factors of a matrix and of its border.
 #[derive(Debug)]
@@ -33,10 +33,10 @@ impl<'l> Bordered<'l> {
         columns: Mat<f64>,
         rows: Mat<f64>,
         corner: MatRef<'_, f64>,
-    ) -> Result<Self, Singular> {
+    ) -> Result<Self, Unsolved> {
         let mut responses = columns;
         within.solve_in_place(responses.as_mut());
-        let complement = Lu::new(corner - &rows * &responses)?;
+        let complement = Lu::of(&(corner - &rows * &responses))?;
         Ok(Self { within, responses, rows, complement })
     }
 
@@ -70,7 +70,7 @@ mod tests {
         };
         let whole = Mat::from_fn(size, size, element);
         let images = Mat::from_fn(size, 2, |i, j| (i as f64 + 1.0).powi(j as i32));
-        let lu = Lu::new(whole.submatrix(0, 0, 9, 9).to_owned()).expect("regular");
+        let lu = Lu::of(&whole.submatrix(0, 0, 9, 9).to_owned()).expect("regular");
         let columns = whole.submatrix(0, 9, 9, 3).to_owned();
         let rows = whole.submatrix(9, 0, 3, 9).to_owned();
         let bordered =

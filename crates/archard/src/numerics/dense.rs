@@ -11,7 +11,7 @@ use faer::traits::RealField;
 use faer::{Mat, MatMut, Par, Side};
 use pulp::bytemuck::Pod;
 
-use super::large::Large;
+use super::large::{Large, NoMemory};
 use super::single::substitute;
 
 /// Unknowns below which one thread is quicker than several.
@@ -43,21 +43,36 @@ pub struct Lu<T = f64> {
     rows: Perm<usize>,
 }
 
-/// A matrix that has no inverse.
+/// Equations that have no solution, or none that could be found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("the matrix of {size} unknowns is singular")]
-pub struct Singular {
-    /// Number of unknowns.
-    pub size: usize,
+pub enum Unsolved {
+    /// A matrix that has no inverse.
+    #[error("the matrix of {size} unknowns is singular; are elements degenerate?")]
+    Singular {
+        /// Number of unknowns.
+        size: usize,
+    },
+    /// A matrix that there is no memory for.
+    #[error(transparent)]
+    NoMemory(#[from] NoMemory),
 }
 
 impl<T: RealField + Pod + Into<f64>> Lu<T> {
-    /// Factorises a square matrix, in its place if it is a [`Large`] one.
+    /// Factorises a copy of a square matrix.
+    ///
+    /// # Errors
+    /// If a pivot is zero or not a number, or there is no memory.
+    pub fn of(matrix: &Mat<T>) -> Result<Self, Unsolved> {
+        let mut copy = Large::zeros(matrix.nrows(), matrix.ncols())?;
+        copy.as_mut().copy_from(matrix);
+        Self::new(copy)
+    }
+
+    /// Factorises a square matrix in its place.
     ///
     /// # Errors
     /// If a pivot is zero or not a number.
-    pub fn new(matrix: impl Into<Large<T>>) -> Result<Self, Singular> {
-        let mut matrix = matrix.into();
+    pub fn new(mut matrix: Large<T>) -> Result<Self, Unsolved> {
         let size = matrix.nrows();
         let (mut forward, mut backward) = (vec![0usize; size], vec![0usize; size]);
         let par = if size < ALONE { Par::Seq } else { Par::rayon(0) };
@@ -71,7 +86,7 @@ impl<T: RealField + Pod + Into<f64>> Lu<T> {
             pivot != 0.0 && pivot.is_finite()
         });
         if !sound {
-            return Err(Singular { size });
+            return Err(Unsolved::Singular { size });
         }
         let rows = Perm::new_checked(forward.into(), backward.into(), size);
         Ok(Self { factors: matrix, rows })
@@ -138,7 +153,7 @@ mod tests {
             })
         };
         let images = || Mat::from_fn(size, 3, |i, j| (i + j) as f64);
-        let lu = Lu::new(matrix()).expect("regular");
+        let lu = Lu::of(&matrix()).expect("regular");
         let (mut all, mut last) = (images(), images());
         lu.solve_in_place(all.as_mut());
         lu.solve_last(last.as_mut(), 20);
@@ -151,8 +166,8 @@ mod tests {
                 assert_relative_eq!(last[(row, column)], all[(row, column)], epsilon = 1e-12);
             }
         }
-        assert!(Lu::new(Mat::<f64>::zeros(3, 3)).is_err());
-        let single = Lu::new(Mat::from_fn(size, size, |i, j| matrix()[(i, j)] as f32));
+        assert!(Lu::of(&Mat::<f64>::zeros(3, 3)).is_err());
+        let single = Lu::of(&Mat::from_fn(size, size, |i, j| matrix()[(i, j)] as f32));
         let mut image: Vec<f32> = (0..size).map(|i| images()[(i, 1)] as f32).collect();
         single.expect("regular").solve(&mut image);
         for row in 0..size {

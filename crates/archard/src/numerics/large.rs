@@ -4,12 +4,10 @@
 //! the system gives them, cleared when they are first written to. What a process pays for pages it has not had before
 //! is up to the system, and on a virtual machine no less than for small ones.
 
-use std::alloc::{Layout, handle_alloc_error};
 use std::fmt;
 use std::marker::PhantomData;
 
-use faer::traits::RealField;
-use faer::{Mat, MatMut, MatRef};
+use faer::{MatMut, MatRef};
 use memmap2::MmapMut;
 use pulp::bytemuck::{Pod, cast_slice, cast_slice_mut};
 
@@ -30,17 +28,26 @@ impl<T> fmt::Debug for Large<T> {
     }
 }
 
+/// Memory that the system does not give.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the system has no {} MB of memory for a matrix: take fewer elements", .bytes / 1_000_000)]
+pub struct NoMemory {
+    /// What was asked for.
+    pub bytes: usize,
+}
+
 impl<T: Pod> Large<T> {
     /// A matrix of zeros.
-    pub fn zeros(rows: usize, columns: usize) -> Self {
-        let count = rows.saturating_mul(columns);
-        let Ok(memory) = MmapMut::map_anon(count.saturating_mul(size_of::<T>())) else {
-            handle_alloc_error(Layout::array::<T>(count).unwrap_or(Layout::new::<T>()))
-        };
+    ///
+    /// # Errors
+    /// If the system does not give the memory.
+    pub fn zeros(rows: usize, columns: usize) -> Result<Self, NoMemory> {
+        let bytes = rows.saturating_mul(columns).saturating_mul(size_of::<T>());
+        let memory = MmapMut::map_anon(bytes).map_err(|_| NoMemory { bytes })?;
         // Where the system has no large pages, small ones do.
         #[cfg(target_os = "linux")]
         memory.advise(memmap2::Advice::HugePage).ok();
-        Self { memory, rows, columns, element: PhantomData }
+        Ok(Self { memory, rows, columns, element: PhantomData })
     }
 
     /// Number of rows.
@@ -73,28 +80,18 @@ impl<T: Pod> Large<T> {
     }
 }
 
-impl<T: RealField + Pod> From<Mat<T>> for Large<T> {
-    fn from(matrix: Mat<T>) -> Self {
-        let mut large = Self::zeros(matrix.nrows(), matrix.ncols());
-        large.as_mut().copy_from(&matrix);
-        large
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use faer::Mat;
-
     use super::Large;
 
     #[test]
     fn values_stand_column_by_column() {
-        let mut large = Large::<f64>::zeros(3, 2);
+        let mut large = Large::<f64>::zeros(3, 2).unwrap();
         large.as_mut()[(2, 1)] = 5.0;
         assert_eq!(large.values(), [0.0, 0.0, 0.0, 0.0, 0.0, 5.0]);
-        let copy = Large::from(Mat::from_fn(2, 3, |row, column| (10 * row + column) as f32));
-        assert_eq!(copy.values(), [0.0, 10.0, 1.0, 11.0, 2.0, 12.0]);
-        assert_eq!((copy.nrows(), copy.as_ref()[(1, 2)]), (2, 12.0));
-        assert!(Large::<f64>::zeros(0, 4).values().is_empty());
+        assert_eq!((large.nrows(), large.as_ref()[(2, 1)]), (3, 5.0));
+        assert!(Large::<f64>::zeros(0, 4).unwrap().values().is_empty());
+        let too_large = Large::<f64>::zeros(usize::MAX / 64, 4).map(|_| ()).unwrap_err();
+        assert!(too_large.to_string().contains("take fewer elements"));
     }
 }

@@ -18,7 +18,7 @@ use super::file;
 use crate::body::{Finite, Material};
 use crate::compliance::bem::contact::{Job, condense};
 use crate::compliance::bem::{Balance, Condensed};
-use crate::numerics::dense::Singular;
+use crate::numerics::dense::Unsolved;
 
 /// What a file begins with; the version changes with the format and with the equations.
 const FORMAT: &[u8] = b"archard compliance 4\n";
@@ -46,7 +46,7 @@ impl Store {
         finite: &Finite,
         material: &Material,
         job: &Job<'_>,
-    ) -> Result<Condensed, Singular> {
+    ) -> Result<Condensed, Unsolved> {
         if let Err(doubt) = trust::folder(&self.folder) {
             self.doubt(&self.folder, doubt, "compliances are neither read from it nor kept in it");
             return condense(finite, material, job);

@@ -86,6 +86,8 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
+    /// Increments so far that did not settle on what closing pairs slide before they touch.
+    pub unsettled: usize,
     /// Cycles computed so far, those that were jumped over left out.
     pub true_cycles: usize,
     /// Energy (J) that friction has dissipated since the present cycle began, and in all whole cycles.

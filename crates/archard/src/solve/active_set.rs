@@ -17,7 +17,7 @@ use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::kinematics::Control;
 use crate::numerics::bordered::Bordered;
-use crate::numerics::dense::{Lu, Singular};
+use crate::numerics::dense::{Lu, Unsolved};
 use crate::numerics::vector::{in_pool, update};
 use crate::parameters::Choice;
 
@@ -130,8 +130,8 @@ struct Kept {
 }
 
 impl Kept {
-    fn of(step: &Step<'_>, pairs: &[usize]) -> Result<Self, Singular> {
-        Ok(Self { pairs: pairs.to_vec(), lu: Lu::new(matrix_of(step, pairs))? })
+    fn of(step: &Step<'_>, pairs: &[usize]) -> Result<Self, Unsolved> {
+        Ok(Self { pairs: pairs.to_vec(), lu: Lu::of(&matrix_of(step, pairs))? })
     }
 
     /// The vectors of pairs now in contact that have some images there, one a column; `None` where too many of
@@ -208,7 +208,7 @@ fn close(
     contact: &[bool],
     approach: f64,
     kept: &mut Option<Kept>,
-) -> Result<(Vec<f64>, f64), Singular> {
+) -> Result<(Vec<f64>, f64), Unsolved> {
     let mut pairs: Vec<usize> = (0..contact.len()).filter(|&pair| contact[pair]).collect();
     if let (true, Control::Load(_)) = (pairs.is_empty(), step.control) {
         // A load needs a pair to bear it.

@@ -64,6 +64,15 @@ pub fn energy(off: f64) -> Line {
     Line::new("energy", off, Bound::AtMost([0.02, 0.1]), text)
 }
 
+/// The share of contact solves after which what closing pairs slide before they touch had still not settled: a chosen bound.
+///
+/// The case `punch_fretting` has 13 of 11,628, each at a pair or two.
+pub fn touch(share: f64) -> Line {
+    let text =
+        "of the solves did not settle on what pairs slide before they touch; take more increments";
+    Line::new("touch", share, Bound::AtMost([0.02, f64::INFINITY]), text)
+}
+
 /// Worn volume or section against what the prescribed load, the creepage or the dissipated energy wears.
 ///
 /// The case `fretting_sphere` on 32 x 32 elements has 0.9 % at 20 increments a cycle, 4.6 % at 12, 9 % at 8 and 51 %

@@ -9,7 +9,7 @@ mod line;
 
 pub use bounds::{
     balance, contact, edges, energy, first_contact, load, roughness, slenderness, stick_zone, time,
-    volume,
+    touch, volume,
 };
 pub use line::{Bound, Line, Word};
 

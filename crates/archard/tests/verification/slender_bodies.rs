@@ -137,8 +137,8 @@ fn shells_shrink_as_lame_has_it() {
         let inwards = -deformed.points[0].displacement.x;
         assert_relative_eq!(inwards, 196.0317460e-6, max_relative = tolerance);
     }
-    let coarse = CaseFile::from_text("case", &shell("0.8 m", ", divisions = 2"), ".").task();
-    let refused = coarse.err().expect("elements four times as long as the wall is thick");
+    let coarse = CaseFile::from_text("case", shell("0.8 m", ", divisions = 2"), ".").task();
+    let refused = coarse.expect_err("elements four times as long as the wall is thick");
     assert!(refused.iter().any(|problem| problem.message.contains("take 4 at least")));
 }
 

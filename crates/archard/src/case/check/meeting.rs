@@ -77,7 +77,9 @@ fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
         ContactError::NoZone { body } | ContactError::Singular { body, .. } => {
             Problem::error(key(&bodies[body], "mesh"), message).at_name()
         }
-        ContactError::Pairs(_) => Problem::error(parts.frame_key("elements"), message),
+        ContactError::Pairs(_) | ContactError::NoMemory(_) => {
+            Problem::error(parts.frame_key("elements"), message)
+        }
     }
 }
 

@@ -25,7 +25,7 @@ use super::kelvin::{Evaluations, Kelvin};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
 use super::surface::Surface;
-use crate::numerics::large::Large;
+use crate::numerics::large::{Large, NoMemory};
 
 /// The equations: matrix * sought = contact * tractions there + fixed.
 ///
@@ -84,10 +84,13 @@ impl<'a> Assembly<'a> {
     }
 
     /// Makes the equations; blocks of nodes in parallel.
-    pub fn system(&self) -> System {
+    ///
+    /// # Errors
+    /// If there is no memory for them.
+    pub fn system(&self) -> Result<System, NoMemory> {
         let unknowns = self.surface.unknowns();
-        let mut matrix = Large::zeros(unknowns, unknowns);
-        let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len());
+        let mut matrix = Large::zeros(unknowns, unknowns)?;
+        let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len())?;
         let mut fixed = Mat::zeros(unknowns, 1);
         let strips = matrix.as_mut().par_row_chunks_mut(3 * BLOCK);
         let contacts = contact.as_mut().par_row_chunks_mut(3 * BLOCK);
@@ -98,7 +101,7 @@ impl<'a> Assembly<'a> {
             Rows { assembly: self, matrix, contact, fixed }.fill(nodes)
         };
         let evaluations = strips.zip(contacts).zip(known).zip(blocks).map(fill).sum();
-        System { matrix, contact, fixed, evaluations }
+        Ok(System { matrix, contact, fixed, evaluations })
     }
 }
 

@@ -9,8 +9,8 @@ use super::conditions::{Condition, Conditions, Given};
 use super::kelvin::{Evaluations, Kelvin};
 use super::surface::{Surface, TractionNode};
 use crate::body::Material;
-use crate::numerics::dense::{Lu, Singular};
-use crate::numerics::large::Large;
+use crate::numerics::dense::{Lu, Unsolved};
+use crate::numerics::large::{Large, NoMemory};
 
 /// A body with its factorised equations.
 pub struct Solid<'a> {
@@ -53,19 +53,22 @@ pub struct Condensed {
 
 impl<'a> Assembled<'a> {
     /// Assembles the equations, integrals to that relative tolerance.
+    ///
+    /// # Errors
+    /// If there is no memory for them.
     pub fn new(
         surface: &'a Surface,
         material: &Material,
         conditions: &'a Conditions,
         tolerance: f64,
-    ) -> Self {
+    ) -> Result<Self, NoMemory> {
         let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
         let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
         let length = 0.5 * (high - low).max_element();
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
-        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system();
-        Self { surface, conditions, system, unit }
+        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system()?;
+        Ok(Self { surface, conditions, system, unit })
     }
 
     /// How often Kelvin's solution was evaluated.
@@ -77,7 +80,7 @@ impl<'a> Assembled<'a> {
     ///
     /// # Errors
     /// If they have no unique solution.
-    pub fn factorise(self) -> Result<Solid<'a>, Singular> {
+    pub fn factorise(self) -> Result<Solid<'a>, Unsolved> {
         let Self { surface, conditions, system, unit } = self;
         let factors = Lu::new(system.matrix)?;
         let (contact, fixed) = (system.contact, system.fixed);
@@ -95,8 +98,8 @@ impl<'a> Solid<'a> {
         material: &Material,
         conditions: &'a Conditions,
         tolerance: f64,
-    ) -> Result<Self, Singular> {
-        Assembled::new(surface, material, conditions, tolerance).factorise()
+    ) -> Result<Self, Unsolved> {
+        Assembled::new(surface, material, conditions, tolerance)?.factorise()
     }
 
     /// The compliance of the contact nodes.

@@ -34,6 +34,8 @@ pub(super) struct Evidence {
     stick: Option<f64>,
     /// Error of the division into steps at the end, and the tolerance asked for.
     time: Option<[f64; 2]>,
+    /// Share of the solves that did not settle on what closing pairs slide before they touch.
+    touch: Option<f64>,
     /// Work of the motion in a cycle against what friction dissipated.
     energy: Option<f64>,
     cycle: Cycle,
@@ -75,6 +77,8 @@ impl Evidence {
             (Stepping::Tolerance(tolerance), Some(error)) => Some([error, tolerance]),
             _ => None,
         };
+        self.touch =
+            (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
         worst(&mut self.energy, self.cycle.take(report, row));
         self.volume = volume(report, row);
         if report.output {
@@ -92,6 +96,7 @@ impl Evidence {
             self.largest.map(verdict::contact),
             self.stick.map(verdict::stick_zone),
             self.time.map(|[error, tolerance]| verdict::time(error, tolerance)),
+            self.touch.map(verdict::touch),
             self.energy.map(verdict::energy),
             self.volume.map(verdict::volume),
             self.roughness.map(verdict::roughness),

@@ -104,6 +104,7 @@ impl Rig {
             let apart = before.apart(state, [self.course.as_deref(), Some(&course)]);
             let enough = if pass == 1 { AT_FIRST } else { LATER };
             if apart <= enough || pass == TOUCHES {
+                effort.unsettled += usize::from(apart > enough);
                 return Ok(settled);
             }
             // Every second pass goes on from where the two before lead.

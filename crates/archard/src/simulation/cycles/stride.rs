@@ -13,6 +13,9 @@ const AIM: f64 = 0.8;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Root of the error that is kept over the one that is corrected, squared.
 const SECOND: f64 = 2.0;
+/// What is stated of the errors taken together: on the punch of 20 x 20 elements they came to two thirds of the true error
+/// at the least.
+const STATED: f64 = 1.5;
 /// Error of a jump that is kept at most, relative to the tolerance.
 const SPARE: f64 = 3.0;
 /// Error that the steps within a jump may make, relative to the tolerance.
@@ -102,13 +105,13 @@ impl Stride {
 
     /// Relative error of worn depths of that 2-norm over the pairs (m).
     pub fn estimate(&self, worn: f64) -> f64 {
-        if worn > 0.0 { self.error / worn } else { 0.0 }
+        if worn > 0.0 { STATED * self.error / worn } else { 0.0 }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Stride, Tried};
+    use super::{STATED, Stride, Tried};
 
     const GOOD: Tried = Tried {
         length: 1,
@@ -146,7 +149,7 @@ mod tests {
         let error = |off: f64, flipped: f64| {
             let mut stride = Stride::new(0.5);
             assert!(stride.judge(Tried { off, flipped, lag: 0.0, ..GOOD }));
-            stride.estimate(1.0)
+            stride.estimate(1.0) / STATED
         };
         assert!((error(0.1, 0.0) - 4.0 * 0.01).abs() < 1e-15);
         assert!((error(0.1, 0.1) - 0.5 * 0.1).abs() < 1e-15);
@@ -154,7 +157,7 @@ mod tests {
         let mut stride = Stride::new(0.5);
         for jumps in 1..=3 {
             assert!(stride.judge(Tried { off: 0.1, lag: 0.0, worn: 10.0, ..GOOD }));
-            assert!((stride.estimate(1.0) - 0.04 * f64::from(jumps)).abs() < 1e-15);
+            assert!((stride.estimate(1.0) / STATED - 0.04 * f64::from(jumps)).abs() < 1e-15);
         }
     }
 

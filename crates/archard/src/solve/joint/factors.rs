@@ -49,7 +49,7 @@ impl Factors {
             return None;
         }
         let whole = step.compliance.matrix(&pairs)?;
-        let mut system = Large::zeros(3 * count, 3 * count);
+        let mut system = Large::zeros(3 * count, 3 * count).ok()?;
         for (column, values) in system.values_mut().chunks_exact_mut(3 * count).enumerate() {
             let whole = whole.col_as_slice(column);
             values.iter_mut().zip(whole).for_each(|(one, value)| *one = *value as f32);

@@ -121,7 +121,7 @@ impl<'a> Meeting<'a> {
         touch(&mut pairs, &host);
         let frame = ContactFrame::described(pairs)?;
         let parts: Vec<_> = parts.iter().map(Mat::as_ref).collect();
-        let compliance = Dense::new(&parts).balanced(balance);
+        let compliance = Dense::new(&parts)?.balanced(balance);
         Ok(Contact { frame, compliance })
     }
 }

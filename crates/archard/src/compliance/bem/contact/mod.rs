@@ -1,8 +1,8 @@
 //! Contact of meshed bodies: the pairs at their nodes, and how both bodies deform there.
 //!
-//! The pairs are nodes of the first meshed body, the host. The other body is rigid, a half-space or meshed
-//! itself; it need not have nodes in the same places. A meshed body may be told to deform as a half-space: its
-//! mesh then gives the pairs and their gaps only.
+//! The pairs are nodes of a meshed body, the host: of two the one whose zone is plane, or the first. The other body is
+//! rigid, a half-space or meshed itself; it need not have nodes in the same places. A meshed body may be told to deform
+//! as a half-space: its mesh then gives the pairs and their gaps only.
 
 mod fingerprint;
 mod half_space;
@@ -22,7 +22,8 @@ use super::{Condition, Given, TractionNode};
 use crate::body::{Body, Finite, Material, Support};
 use crate::compliance::Dense;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
-use crate::numerics::dense::Singular;
+use crate::numerics::dense::Unsolved;
+use crate::numerics::large::NoMemory;
 
 pub use meeting::Meeting;
 
@@ -49,12 +50,12 @@ pub enum ContactError {
         cause: Undetermined,
     },
     /// Equations without a solution.
-    #[error("body {}: {cause}; are elements degenerate?", .body + 1)]
+    #[error("body {}: {cause}", .body + 1)]
     Singular {
         /// The body's index, 0 or 1.
         body: usize,
         /// What is wrong.
-        cause: Singular,
+        cause: Unsolved,
     },
     /// The zones do not face each other.
     #[error(
@@ -81,6 +82,9 @@ pub enum ContactError {
     /// A profile that ends within the frame.
     #[error(transparent)]
     OffTheSurface(#[from] OffTheSurface),
+    /// The compliance of all pairs is too large.
+    #[error(transparent)]
+    NoMemory(#[from] NoMemory),
     /// Pairs that are none.
     #[error(transparent)]
     Pairs(#[from] PairsError),
@@ -96,7 +100,7 @@ pub struct Contact {
 }
 
 /// What condenses a meshed body to its contact nodes, or remembers having done so.
-pub type Condense<'a> = &'a dyn Fn(&Finite, &Material, &Job<'_>) -> Result<Condensed, Singular>;
+pub type Condense<'a> = &'a dyn Fn(&Finite, &Material, &Job<'_>) -> Result<Condensed, Unsolved>;
 
 /// The equations of one body.
 #[derive(Debug)]
@@ -115,7 +119,7 @@ pub fn condense(
     finite: &Finite,
     material: &Material,
     job: &Job<'_>,
-) -> Result<Condensed, Singular> {
+) -> Result<Condensed, Unsolved> {
     Ok(Solid::new(job.surface, material, job.conditions, finite.tolerance)?.condense())
 }
 

@@ -11,7 +11,7 @@ use crate::kinematics::{Control, Stepping};
 use crate::output::fixture::{CREEPAGE, DISSIPATED, FRICTION, LOAD, Run};
 use crate::problem::ContactState;
 use crate::simulation::{Effort, Report, row};
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Word};
 
 #[test]
 fn the_worst_is_kept_and_no_number_is_the_worst() {
@@ -194,4 +194,19 @@ fn pressures_are_rough_along_both_axes() {
     // A ridge that rises evenly towards its middle is none.
     assert_eq!(found(&|x, _| 1.0 - 0.1 * x.abs_diff(4) as f64), Some(0.0));
     assert_eq!(found(&|_, _| 1.0), Some(0.0));
+}
+
+#[test]
+fn increments_that_do_not_settle_count_beside_all_solves() {
+    let run = Run::fretting([9, 8]);
+    let state = run.state(0.25);
+    let touch = |unsettled: usize| {
+        let mut report = report(&run, &state);
+        (report.effort.unsettled, report.effort.solves) = (unsettled, 40);
+        let verdict = judge([report]);
+        let line = verdict.lines.into_iter().find(|line| line.subject == "touch");
+        line.map(|line| (line.value, line.word()))
+    };
+    assert_eq!(touch(0), None);
+    assert_eq!(touch(1), Some((0.025, Word::Doubtful)));
 }
