@@ -84,18 +84,6 @@ fn main() {
     for name in ["punch_indentation_block", "punch_fretting_block"] {
         whole(name);
     }
-    println!("\nSolvers on a matrix, cube of 20 x 20 elements, 40 steps\n");
-    println!("| problem | solver | s | iterations | applications |");
-    println!("|---|---|---|---|---|");
-    let folder = tempfile::tempdir().expect("a folder");
-    let store = Store::new(folder.path());
-    let smooth = ["friction=".to_owned(), "body.block.wear=".to_owned()];
-    for solver in ["conjugate_gradient", "active_set", "gauss_seidel"] {
-        solve("pressures", &format!("solver.{solver}.tolerance=1e-8"), &smooth, &store);
-    }
-    for solver in ["newton", "gauss_seidel"] {
-        solve("with friction", &format!("friction_solver.{solver}.tolerance=1e-6"), &[], &store);
-    }
 }
 
 /// The case in a folder, with options.
@@ -215,22 +203,5 @@ fn whole(name: &str) {
         "| {name} | {cold:.2} | {parts:.2} | {:.2} | {kept:.3} | {:.0} |",
         cold / parts,
         parts / kept
-    );
-}
-
-/// The punch with a solver, named by its option, and other options.
-fn solve(problem: &str, solver: &str, options: &[String], store: &Store) {
-    let case = case("punch_indentation_block", &[options, &[solver.to_owned()]].concat());
-    let keep =
-        |finite: &Finite, material: &Material, job: &Job<'_>| store.condense(finite, material, job);
-    let simulation = case.build_with(&keep).expect("a checked case");
-    let begun = Instant::now();
-    let effort = simulation.run(&mut []).expect("a contact");
-    println!(
-        "| {problem} | {} | {:.3} | {} | {} |",
-        solver.split('.').nth(1).unwrap_or(solver),
-        begun.elapsed().as_secs_f64(),
-        effort.iterations,
-        effort.applications
     );
 }

@@ -239,7 +239,6 @@ fn a_resolved_case_reads_back_to_the_same_bits() {
         &["motion.rolling.creepage=", "motion.rolling.force=-90 N", "motion.rolling.radius=worn"],
         &["motion={creepage_sweep={approach=4 um, lateral_force=3 N, increments=7}}"],
         &["friction_solver.uzawa={tolerance=1e-4}", "friction="],
-        &["friction_solver.projection_contraction={max_iterations=99}"],
     ] {
         let file = options.iter().fold(file(TWIN_DISCS), |file, option| file.set(*option));
         reads_back(&resolve(&file).case);

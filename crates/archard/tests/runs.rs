@@ -206,8 +206,8 @@ fn assert_carried(rows: &Rows, expected: impl Fn(usize) -> f64) {
 #[test]
 fn the_load_is_carried_on_the_coarsest_frames() {
     let steps = ["frame.elements=[3,3]", "motion.sliding.step=50 mm"];
-    for solver in ["conjugate_gradient", "active_set", "gauss_seidel"] {
-        let solver = format!("solver.{solver}={{}}");
+    for solver in ["conjugate_gradient", "uzawa"] {
+        let solver = format!("solver.{solver}.tolerance=1e-9");
         let rows = run("pin_on_disc", &[steps[0], steps[1], &solver]);
         assert_carried(&rows, |_| 10.2);
         // The contact grows beyond the pair that it began on.

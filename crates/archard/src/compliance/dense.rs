@@ -168,13 +168,6 @@ impl Compliance for Dense {
         self.multiply(2 * self.pairs, 2 * self.pairs, pressure, displacement);
     }
 
-    fn normal_matrix(&self, pairs: &[usize], _: usize) -> Mat<f64> {
-        let first = 2 * self.pairs;
-        Mat::from_fn(pairs.len(), pairs.len(), |row, column| {
-            self.columns.values()[(first + pairs[column]) * 3 * self.pairs + first + pairs[row]]
-        })
-    }
-
     fn matrix(&self, pairs: &[usize]) -> Option<Mat<f64>> {
         let at = |direction: usize| pairs.iter().map(move |pair| direction * self.pairs + pair);
         let places: Vec<usize> = (0..3).flat_map(at).collect();

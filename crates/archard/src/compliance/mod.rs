@@ -37,23 +37,6 @@ pub trait Compliance: Debug + Send + Sync {
         displacement.copy_from_slice(&self.apply(&tractions).n);
     }
 
-    /// What `apply_normal` makes of the pressures of some pairs there, as a matrix (m/Pa): row by pair
-    /// displaced, column by pair pressed. By default one application a column.
-    fn normal_matrix(&self, pairs: &[usize], size: usize) -> Mat<f64> {
-        let mut matrix = Mat::zeros(pairs.len(), pairs.len());
-        let (mut pressure, mut displacement) = (vec![0.0; size], vec![0.0; size]);
-        for (column, &pressed) in pairs.iter().enumerate() {
-            pressure[pressed] = 1.0;
-            self.apply_normal(&pressure, &mut displacement);
-            pressure[pressed] = 0.0;
-            pairs
-                .iter()
-                .enumerate()
-                .for_each(|(row, &at)| matrix[(row, column)] = displacement[at]);
-        }
-        matrix
-    }
-
     /// What `apply` makes of the tractions of some pairs there, as a matrix (m/Pa): row by pair displaced, column
     /// by pair drawn, along t1 of all of them, then along t2, then along n. `None` where no matrix is at hand.
     fn matrix(&self, _pairs: &[usize]) -> Option<Mat<f64>> {

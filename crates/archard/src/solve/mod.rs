@@ -10,9 +10,7 @@
 //! A new solver is one file here and one line in [`SOLVERS`].
 
 mod accept;
-mod active_set;
 mod conjugate_gradient;
-mod gauss_seidel;
 pub mod joint;
 mod residual;
 mod start;
@@ -103,16 +101,10 @@ pub trait Solver: Debug + Send + Sync {
 
     /// What it was told.
     fn settings(&self) -> Settings;
-
-    /// Memory (bytes) that it takes beside some fields, of so many pairs and those of them in contact.
-    fn memory(&self, _pairs: f64, _in_contact: f64) -> f64 {
-        0.0
-    }
 }
 
 /// The solvers a case can name; the first is the default.
-pub const SOLVERS: &[Choice<Box<dyn Solver>>] =
-    &[conjugate_gradient::CHOICE, active_set::CHOICE, gauss_seidel::CHOICE, uzawa::CHOICE];
+pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uzawa::CHOICE];
 
 /// Bound on the residual where a case gives none.
 const TOLERANCE: f64 = 1e-8;

@@ -55,10 +55,6 @@ pub fn random_case(seed: u64, folder: &Path) -> String {
         "path" => path(random, &scales, &folder.join(format!("path_{seed}.csv"))),
         _ => rolling(random, &scales, motion == "sweep", wears),
     };
-    if slips_everywhere && random.chance(0.3) {
-        let solver = random.one(&["conjugate_gradient", "active_set", "gauss_seidel"]);
-        let _ = writeln!(text, "[solver]\n{solver} = {{}}");
-    }
     text
 }
 

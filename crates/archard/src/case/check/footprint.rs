@@ -73,30 +73,19 @@ pub(super) fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             None => 0.0,
         },
     };
-    let solver = of_solver(parts, contact) + of_friction(parts, contact);
-    BYTES_OF_THE_PROGRAM + meshed + solver + (BYTES_A_PAIR + histories + friction) * pairs
+    let factors = of_factors(parts, contact);
+    BYTES_OF_THE_PROGRAM + meshed + factors + (BYTES_A_PAIR + histories + friction) * pairs
 }
 
-/// Memory (bytes) that the solver of friction takes for matrices of meshed bodies, and that of the factors they
-/// keep for each increment of a cycle.
-fn of_friction(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+/// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
+fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
     match parts.motion.kinematics.shift() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
-            let pairs = parts.pairs() as f64;
-            let in_contact = share_in_contact(parts, contact) * pairs;
-            let solver = parts.case.friction_solver.build();
-            let own = solver.map_or(0.0, |solver| solver.memory(pairs));
-            own + shift.cycle.len() as f64 * factors_memory(in_contact)
+            let in_contact = share_in_contact(parts, contact) * parts.pairs() as f64;
+            shift.cycle.len() as f64 * factors_memory(in_contact)
         }
         _ => 0.0,
     }
-}
-
-/// Memory (bytes) that the solver of the pressures takes for matrices.
-pub(super) fn of_solver(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
-    let pairs = parts.pairs() as f64;
-    let in_contact = share_in_contact(parts, contact) * pairs;
-    parts.case.solver.build().map_or(0.0, |solver| solver.memory(pairs, in_contact))
 }
 
 /// Memory for each pair (bytes) of bodies that are pressed and shifted: the solutions of a cycle, which the

@@ -7,7 +7,7 @@ use super::contact::{Contact, Worn};
 use super::creep::Creep;
 use super::cycles::Cycles;
 use super::finite::Finiteness;
-use super::footprint::{memory, of_solver};
+use super::footprint::memory;
 use super::foreseen;
 use super::partial_slip::{Fretting, stick_ratio};
 use super::words::{length, pressure, three};
@@ -42,8 +42,6 @@ pub struct Forecast {
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
     pub memory: f64,
-    /// What of it the solver of the pressures takes for matrices (bytes).
-    pub of_solver: f64,
     /// What of the verdict on a run can be foreseen.
     pub verdict: Verdict,
 }
@@ -86,7 +84,6 @@ impl Forecast {
             unknowns: unknowns(parts),
             finiteness: Finiteness::of(parts, contact.as_ref()),
             memory: memory(parts, contact.as_ref()),
-            of_solver: of_solver(parts, contact.as_ref()),
             verdict: Verdict::default(),
         };
         Self { verdict: foreseen::verdict(parts, &forecast), ..forecast }

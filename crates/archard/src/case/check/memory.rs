@@ -35,14 +35,6 @@ pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
     Some(Problem { key: parts.frame_key("elements"), ..problem }.help(help))
 }
 
-/// A solver whose matrices (bytes) are too large.
-pub(super) fn of_solver(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
-    let problem = too_large(memory, available_to_equations())?;
-    let key = Key::of(["solver", parts.case.solver.choice.name]);
-    let help = "leave it out: the default needs no matrix; or take fewer elements";
-    Some(Problem { key, ..problem }.at_name().help(help))
-}
-
 /// What is wrong with the memory (bytes) that a case takes whose largest mesh is that of a body.
 pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> {
     let finite = body.finite.as_ref()?;

@@ -179,12 +179,7 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
 
 /// What is wrong or doubtful; nothing else is worth checking where the bodies do not meet.
 fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
-    let mut problems: Vec<Problem> =
-        memory::of_solver(parts, forecast.of_solver).into_iter().collect();
-    // What is said of a solver's matrices is enough of a frame.
-    if parts.case.is_meshed() || problems.is_empty() {
-        problems.extend(memory::problems(parts, forecast.memory));
-    }
+    let mut problems: Vec<Problem> = memory::problems(parts, forecast.memory).into_iter().collect();
     if parts.case.is_meshed() {
         if problems.iter().all(|problem| problem.severity == Severity::Warning) {
             problems.extend(meeting::problems(parts));

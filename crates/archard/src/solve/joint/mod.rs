@@ -11,7 +11,6 @@ mod factors;
 mod linear;
 mod regime;
 mod state;
-mod sweeps;
 
 use std::sync::Arc;
 
@@ -27,7 +26,6 @@ pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
 use regime::{Regime, Touch};
 use state::State;
-pub(super) use sweeps::sweep;
 
 /// One step of contact and friction.
 #[derive(Debug, Clone, Copy)]

@@ -3,62 +3,17 @@
 //! B. He and L.-Z. Liao, *J. Optim. Theory Appl.* 112 (2002) 111: a projection predicts, and a step along
 //! the direction that it and a second application of the operator give contracts the distance to the
 //! solution, whatever the operator, if it is monotone. The length of the projection's step adapts
-//! itself. The map is monotone in the product weighted by the areas of the pairs. Forces that are given enter as unknown slips, which adds a skew border to the operator.
+//! itself. The map is monotone in the product weighted by the areas of the pairs. Forces that are given enter as unknown
+//! slips, which adds a skew border to the operator.
 
 use super::pairs::{Pairs, State};
-use super::{FrictionSolver, Outcome, Start, Step, TOLERANCE};
-use crate::numerics::vector::{in_pool, sum};
-use crate::parameters::Choice;
-use crate::solve::{PARAMETERS, Settings, Status};
-
-pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
-    name: "projection_contraction",
-    meaning: "projection and contraction with self-adaptive steps; slow but sure",
-    parameters: PARAMETERS,
-    build: |values| {
-        Ok(Box::new(ProjectionContraction { settings: Settings::read(values, TOLERANCE, 10_000) }))
-    },
-};
+use crate::numerics::vector::sum;
 
 /// Relaxation of the contraction, below 2.
 const RELAXATION: f64 = 1.8;
 /// Ratio of the change of the slip to that of the tractions above which a step is shortened, and below
 /// which the next is lengthened.
 const RATIO: (f64, f64) = (0.9, 0.5);
-
-/// See the module.
-#[derive(Debug)]
-struct ProjectionContraction {
-    settings: Settings,
-}
-
-impl FrictionSolver for ProjectionContraction {
-    fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
-        in_pool(|| {
-            let mut pairs = Pairs::of(step);
-            let state = pairs.start(start);
-            let mut iteration = Contraction::new(&pairs, state);
-            let mut count = 0;
-            loop {
-                let residual = pairs.residual(&iteration.state);
-                let status = if residual <= self.settings.tolerance {
-                    Status::Converged
-                } else if count == self.settings.max_iterations || residual.is_nan() {
-                    Status::OutOfIterations
-                } else {
-                    count += 1;
-                    iteration.advance(&mut pairs);
-                    continue;
-                };
-                return pairs.finish(iteration.state, status, count, residual);
-            }
-        })
-    }
-
-    fn settings(&self) -> Settings {
-        self.settings
-    }
-}
 
 /// The state of an iteration.
 pub(super) struct Contraction {

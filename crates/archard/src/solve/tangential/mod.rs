@@ -10,7 +10,6 @@
 mod blocks;
 mod contraction;
 mod crop;
-mod gauss_seidel;
 mod newton;
 mod pairs;
 mod uzawa;
@@ -100,16 +99,10 @@ pub trait FrictionSolver: Debug + Send + Sync {
 
     /// What it was told.
     fn settings(&self) -> Settings;
-
-    /// Memory (bytes) it takes for matrices of meshed bodies with so many pairs.
-    fn memory(&self, _pairs: f64) -> f64 {
-        0.0
-    }
 }
 
 /// The solvers of friction a case can name; the first is the default.
-pub const FRICTION_SOLVERS: &[Choice<Box<dyn FrictionSolver>>] =
-    &[newton::CHOICE, gauss_seidel::CHOICE, contraction::CHOICE, uzawa::CHOICE];
+pub const FRICTION_SOLVERS: &[Choice<Box<dyn FrictionSolver>>] = &[newton::CHOICE, uzawa::CHOICE];
 
 /// Bound on the residual where a case gives none.
 const TOLERANCE: f64 = 1e-6;
