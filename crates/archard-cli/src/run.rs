@@ -142,6 +142,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::NotPlane
         | Error::NotPassed(_)
         | Error::NotJoint
+        | Error::NoFriction { .. }
         | Error::Observer(_) => Failure::Wrong(message),
     }
 }

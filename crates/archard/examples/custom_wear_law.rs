@@ -19,11 +19,11 @@ struct Threshold {
 }
 
 impl WearLaw for Threshold {
-    fn depth(&self, Rubbing { pressure, slip }: Rubbing) -> f64 {
+    fn depth(&self, Rubbing { pressure, slip, .. }: Rubbing) -> f64 {
         self.coefficient * (pressure - self.threshold).max(0.0) * slip
     }
 
-    fn slope(&self, Rubbing { pressure, slip }: Rubbing) -> f64 {
+    fn slope(&self, Rubbing { pressure, slip, .. }: Rubbing) -> f64 {
         if pressure > self.threshold { self.coefficient * slip } else { 0.0 }
     }
 }

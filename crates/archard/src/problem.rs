@@ -31,6 +31,13 @@ impl ContactProblem {
         self.bodies.iter().any(|body| body.wear.is_some())
     }
 
+    /// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
+    pub fn rubbing(&self, pressure: f64, slip: f64) -> Rubbing {
+        let rubbing = Rubbing::new(pressure, slip);
+        let Some(friction) = &self.friction else { return rubbing };
+        rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
+    }
+
     /// Depths (m) the rubbing wears off body 1 and body 2.
     pub fn wear_depths(&self, rubbing: Rubbing) -> [f64; 2] {
         self.bodies.each_ref().map(|body| body.wear.as_ref().map_or(0.0, |law| law.depth(rubbing)))

@@ -89,12 +89,12 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
     all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &[]);
     for (name, numbers) in WEAR_EXAMPLES {
         let law = choose(WEAR_LAWS, name, numbers);
-        let depth = |pressure: f64, slip: f64| law.depth(Rubbing { pressure, slip });
+        let depth = |pressure: f64, slip: f64| law.depth(Rubbing::new(pressure, slip));
         assert_eq!(depth(0.0, 1.0), 0.0, "{name}");
         assert_eq!(depth(1e8, 0.0), 0.0, "{name}");
         for pressure in [0.0, 1e6, 1e8, 3e9] {
             let change = 1e-4 * f64::max(pressure, 1e6);
-            let slope = law.slope(Rubbing { pressure, slip: 0.3 });
+            let slope = law.slope(Rubbing::new(pressure, 0.3));
             let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
             assert!(slope >= 0.0 && rise >= 0.0, "{name}");
             assert_relative_eq!(rise / change, slope, max_relative = 1e-3);

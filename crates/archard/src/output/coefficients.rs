@@ -1,7 +1,6 @@
 //! The one number that says all of a law, where there is one.
 
 use crate::problem::ContactProblem;
-use crate::wear::Rubbing;
 
 /// Pressures (Pa) and slips (m) from far below to far above what contacts bear, so that no law with a
 /// threshold passes.
@@ -11,8 +10,9 @@ const TRIALS: [(f64, f64); 4] = [(1e8, 1.0), (1e4, 1.0), (3e9, 1.0), (1e8, 1e-6)
 /// by another law.
 pub(super) fn of_wear(problem: &ContactProblem, body: usize) -> Option<f64> {
     let law = problem.bodies[body].wear.as_ref()?;
-    let ratio =
-        |(pressure, slip): (f64, f64)| law.depth(Rubbing { pressure, slip }) / (pressure * slip);
+    let ratio = |(pressure, slip): (f64, f64)| {
+        law.depth(problem.rubbing(pressure, slip)) / (pressure * slip)
+    };
     shared(TRIALS.map(ratio))
 }
 

@@ -120,7 +120,7 @@ impl Chain {
     fn wear(&mut self, slip: f64, problem: &ContactProblem) {
         let ContactState { pressure, worn, .. } = &mut self.state;
         for (i, &pressure) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
-            let depths = problem.wear_depths(Rubbing { pressure, slip });
+            let depths = problem.wear_depths(problem.rubbing(pressure, slip));
             worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[i] += depth);
         }
     }
@@ -140,7 +140,7 @@ impl Chain {
             return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
         let slip = problem.kinematics.slip(advance);
-        let depth = |&pressure: &f64| total_depth(problem, Rubbing { pressure, slip });
+        let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip));
         Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
 
@@ -242,7 +242,7 @@ struct Linearised {
 impl Linearised {
     fn about(pressure: &[f64], slip: f64, problem: &ContactProblem) -> Self {
         let line = |&pressure: &f64| {
-            let rubbing = Rubbing { pressure, slip };
+            let rubbing = problem.rubbing(pressure, slip);
             let slope = problem.wear_slope(rubbing);
             (total_depth(problem, rubbing) - slope * pressure, slope)
         };
@@ -254,7 +254,7 @@ impl Linearised {
     fn holds(&self, pressure: &[f64], slip: f64, problem: &ContactProblem) -> bool {
         let (mut error, mut deepest) = (0.0f64, 0.0f64);
         for ((constant, slope), &pressure) in self.constant.iter().zip(&self.slope).zip(pressure) {
-            let depth = total_depth(problem, Rubbing { pressure, slip });
+            let depth = total_depth(problem, problem.rubbing(pressure, slip));
             error = error.max((constant + slope * pressure - depth).abs());
             deepest = deepest.max(depth);
         }

@@ -9,7 +9,6 @@
 
 use crate::frame::{Flow, Passage, VectorField};
 use crate::problem::{ContactProblem, ContactState};
-use crate::wear::Rubbing;
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
@@ -41,7 +40,7 @@ impl Collected {
                 if mean <= 0.0 {
                     continue;
                 }
-                let rubbing = Rubbing { pressure: mean, slip: slips[pair] };
+                let rubbing = problem.rubbing(mean, slips[pair]);
                 let times = scale * times;
                 let worn = problem.wear_depths(rubbing);
                 depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);

@@ -22,6 +22,7 @@ impl Simulation {
 
     fn carry_through(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
         self.check_frame()?;
+        self.problem.check_inputs()?;
         if let Some(shift) = self.problem.kinematics.shift() {
             return Cycles::new(self, shift).run(observers);
         }

@@ -12,7 +12,7 @@ mod suits;
 use std::error::Error as StdError;
 
 pub use history::row;
-pub(crate) use suits::crossed;
+pub(crate) use suits::{crossed, lacks};
 
 use crate::kinematics::{Control, Progress, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
@@ -198,6 +198,12 @@ pub enum Error {
         "friction on a curved surface acts on the pressures; use a `friction_solver` that finds both at once: newton"
     )]
     NotJoint,
+    /// A wear law of friction's work, without friction.
+    #[error("the wear law of `{body}` goes by the work of friction: give a `friction` table")]
+    NoFriction {
+        /// The body's name.
+        body: String,
+    },
     /// An observer could not go on.
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),

@@ -1,8 +1,11 @@
-//! Whether a frame suits a motion: symmetric halves move along their plane of symmetry only, and rolling needs
-//! a plane of pairs that particles pass.
+//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only, rolling
+//! needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};
+use crate::body::Body;
 use crate::kinematics::{Drive, Guide, Kinematics, Rolling, Shift};
+use crate::problem::ContactProblem;
+use crate::wear::{Input, WearLaw};
 
 /// The axes of the frame.
 const AXES: [&str; 2] = ["x", "y"];
@@ -20,6 +23,24 @@ impl Simulation {
         crossed(kinematics, frame.mirrored())
             .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))
     }
+}
+
+impl ContactProblem {
+    /// Whether there is all that the wear laws ask for.
+    pub(super) fn check_inputs(&self) -> Result<(), Error> {
+        let lacks = |body: &&Body| {
+            body.wear.as_ref().is_some_and(|law| lacks(&**law, self.friction.is_some()))
+        };
+        let lacking = self.bodies.iter().find(lacks);
+        lacking.map_or(Ok(()), |body| Err(Error::NoFriction { body: body.name.clone() }))
+    }
+}
+
+/// Whether a wear law asks for something that is not there.
+pub(crate) fn lacks(law: &dyn WearLaw, friction: bool) -> bool {
+    law.inputs().iter().any(|input| match input {
+        Input::Friction => !friction,
+    })
 }
 
 /// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it

@@ -1,16 +1,18 @@
-//! Wear laws that are not linear in the pressure.
+//! Wear laws that are not linear in the pressure, or go by the work of friction.
 
+use approx::assert_relative_eq;
 use archard::kinematics::Stepping;
-use archard::wear::{Rubbing, WearLaw};
+use archard::simulation::{Error, Simulation};
+use archard::wear::{Input, Rubbing, WearLaw};
 
-use crate::common::{Ball, peak, states};
+use crate::common::{Ball, Rows, case, peak, states};
 
 /// k p (p / p_0)^(1/2) s.
 #[derive(Debug)]
 struct Power;
 
 impl WearLaw for Power {
-    fn depth(&self, Rubbing { pressure, slip }: Rubbing) -> f64 {
+    fn depth(&self, Rubbing { pressure, slip, .. }: Rubbing) -> f64 {
         1.33e-13 * pressure * (pressure / 100e6).sqrt() * slip
     }
 }
@@ -20,7 +22,7 @@ impl WearLaw for Power {
 struct Threshold;
 
 impl WearLaw for Threshold {
-    fn depth(&self, Rubbing { pressure, slip }: Rubbing) -> f64 {
+    fn depth(&self, Rubbing { pressure, slip, .. }: Rubbing) -> f64 {
         1.33e-13 * (pressure - 30e6).max(0.0) * slip
     }
 }
@@ -43,7 +45,7 @@ fn implicit_steps_obey_the_law_and_the_contact() {
             simulation.problem.compliance.apply_normal(&after.pressure, &mut displacement);
             for (i, &pressure) in after.pressure.iter().enumerate() {
                 let worn = after.worn[0][i] - before.worn[0][i];
-                let expected = law().depth(Rubbing { pressure, slip: step });
+                let expected = law().depth(Rubbing::new(pressure, step));
                 assert!((worn - expected).abs() < 1e-12 * deepest);
                 let gap = simulation.problem.frame.gap()[i] + after.worn[0][i] + displacement[i]
                     - after.approach;
@@ -55,4 +57,93 @@ fn implicit_steps_obey_the_law_and_the_contact() {
             }
         }
     }
+}
+
+/// Depth = alpha times the work of friction, its slope left to the difference.
+#[derive(Debug)]
+struct Energy {
+    /// alpha (1/Pa).
+    alpha: f64,
+}
+
+impl WearLaw for Energy {
+    fn inputs(&self) -> &'static [Input] {
+        &[Input::Friction]
+    }
+
+    fn depth(&self, rubbing: Rubbing) -> f64 {
+        self.alpha * rubbing.work
+    }
+}
+
+/// The last row, worn by an energy law in the place of Archard's.
+fn by_energy(simulation: &mut Simulation, body: usize, alpha: f64) -> Rows {
+    simulation.problem.bodies[body].wear = Some(Box::new(Energy { alpha }));
+    rows(simulation)
+}
+
+fn rows(simulation: &Simulation) -> Rows {
+    let mut rows = Rows::default();
+    simulation.run(&mut [&mut rows]).expect("it converges");
+    rows
+}
+
+const BODIES: &str = r#"
+    [body.ball]
+    material = { young = "210 GPa", poisson = 0.3 }
+    profile.sphere = { radius = "50 mm" }
+    wear.archard.coefficient = "3e-13 1/Pa"
+    [body.flat]
+    material = { young = "210 GPa", poisson = 0.3 }
+    profile.flat = {}
+    [friction.coulomb]
+    coefficient = 0.3
+    [frame]
+    size = ["1 mm", "1 mm"]
+    elements = [20, 20]
+"#;
+
+/// Where surfaces slide, or roll under Coulomb's law, an energy law is Archard's with k = alpha mu, implicit steps included:
+/// its slope has to know that the limit of friction grows with the pressure.
+#[test]
+fn by_the_work_of_friction_is_archards_law_where_all_slides() {
+    let rolls = |creepage: &str| {
+        let motion = "[motion.rolling]\nload = \"20 N\"\nrevolutions = 300\nstep = 100";
+        format!("{motion}\ncreepage = {creepage}")
+    };
+    let slides = "[motion.sliding]\nload = \"10 N\"\ndistance = \"0.3 m\"\nstep = \"60 mm\"";
+    for motion in [slides.to_owned(), rolls("1.0"), rolls("0.002")] {
+        let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
+        let archard = rows(&simulation);
+        let energy = by_energy(&mut simulation, 0, 1e-12);
+        for column in ["approach_m", "centre_pressure_Pa", "wear_depth_ball_m"] {
+            let pairs = archard.column(column).into_iter().zip(energy.column(column));
+            pairs.for_each(|(one, other)| assert_relative_eq!(one, other, max_relative = 1e-6));
+        }
+        assert!(archard.last("wear_depth_ball_m") > 1e-8, "{motion}");
+    }
+}
+
+/// In fretting the worn volume is alpha times what friction dissipates, in stick and slip, jumps included.
+#[test]
+fn by_the_work_of_friction_wears_what_is_dissipated() {
+    let motion = "[motion.fretting]\nload = \"10 N\"\namplitude = [\"0.3 um\", \"0 um\"]\ncycles = 40\nincrements = 12";
+    for jumps in ["", "jump = 10"] {
+        let mut simulation = case(&format!("{BODIES}{motion}\n{jumps}"), &[]);
+        let energy = by_energy(&mut simulation, 0, 1e-12);
+        let [volume, dissipated] =
+            ["worn_volume_ball_m3", "dissipated_J"].map(|name| energy.last(name));
+        assert_relative_eq!(volume, 1e-12 * dissipated, max_relative = 1e-3);
+        assert!(volume > 0.0);
+    }
+}
+
+/// Without friction there is no work to go by.
+#[test]
+fn by_the_work_of_friction_asks_for_friction() {
+    let motion = "[motion.sliding]\nload = \"10 N\"\ndistance = \"0.3 m\"\nstep = \"60 mm\"";
+    let mut simulation = case(&format!("{BODIES}{motion}"), &["friction="]);
+    simulation.problem.bodies[0].wear = Some(Box::new(Energy { alpha: 1e-12 }));
+    let refused = simulation.run(&mut []);
+    assert!(matches!(refused, Err(Error::NoFriction { body }) if body == "ball"));
 }

@@ -97,6 +97,7 @@ impl Worn {
 
 /// Depth worn off both bodies per pressure and distance slid (1/Pa), at that pressure (Pa).
 pub(super) fn coefficient(parts: &Parts<'_>, pressure: f64) -> f64 {
-    let rubbing = Rubbing { pressure, slip: 1.0 };
+    let mu = parts.friction_coefficient(pressure);
+    let rubbing = Rubbing::new(pressure, 1.0).with_friction(mu * pressure, mu);
     parts.wear.iter().flatten().map(|law| law.slope(rubbing)).sum()
 }

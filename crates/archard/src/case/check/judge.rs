@@ -4,9 +4,11 @@ use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
 use super::{Finiteness, Forecast, Parts, Solves, rolling, shift};
 use crate::body::Elasticity;
+use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::kinematics::Stepping;
+use crate::simulation::lacks;
 
 /// Cells across the contact below which it is poorly resolved.
 const FEW_CELLS: f64 = 8.0;
@@ -24,6 +26,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(useless_friction(parts));
+    problems.extend(without_friction(parts));
     problems.extend(rolling::problems(parts, forecast.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
@@ -70,11 +73,25 @@ fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
 
 /// Friction where the motion does not ask for it.
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
-    (parts.friction.is_some() && !tells_slip_from_stick(parts)).then(|| {
+    let asked = parts.wear.iter().flatten().any(|law| lacks(&**law, false));
+    (parts.friction.is_some() && !asked && !tells_slip_from_stick(parts)).then(|| {
         let name = parts.case.motion.choice.name;
         let message = format!("has no effect in `motion.{name}`: all of the contact slides");
         Problem::warning(Key::of(["friction"]), message).at_name()
     })
+}
+
+/// Wear laws of friction's work where there is no friction.
+fn without_friction(parts: &Parts<'_>) -> Vec<Problem> {
+    let bodies = parts.case.bodies.iter().zip(&parts.wear);
+    let lacking = bodies
+        .filter(|(_, law)| law.as_ref().is_some_and(|law| lacks(&**law, parts.friction.is_some())));
+    let problem = |body: &BodyCase| {
+        let key = Key::of(["body", &body.name, "wear"]);
+        Problem::error(key, "goes by the work of friction, and there is none")
+            .help("give a `friction` table")
+    };
+    lacking.map(|(body, _)| problem(body)).collect()
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.

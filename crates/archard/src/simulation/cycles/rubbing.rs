@@ -33,13 +33,12 @@ impl Rubbed {
     /// Takes up what was rubbed since a state, and wears both bodies by it.
     pub fn take_up(&mut self, chain: &mut Chain, before: &ContactState, problem: &ContactProblem) {
         for pair in 0..before.pressure.len() {
-            let Some(stroke) = Stroke::of(pair, [before, &chain.state], problem) else { continue };
-            let rubbing = stroke.rubbing;
+            let Some(rubbing) = stroke(pair, [before, &chain.state], problem) else { continue };
             let work = rubbing.pressure * rubbing.slip;
             self.slip[pair] += rubbing.slip;
             self.work[pair] += work;
             let area = problem.frame.area(pair);
-            self.dissipated += stroke.dissipated * area;
+            self.dissipated += rubbing.work * area;
             chain.load_distance += work * area;
             for (index, worn) in chain.state.worn.iter_mut().enumerate() {
                 let Some(law) = &problem.bodies[index].wear else { continue };
@@ -52,41 +51,30 @@ impl Rubbed {
     }
 }
 
-/// What one pair went through in an increment.
-struct Stroke {
-    rubbing: Rubbing,
-    /// Energy dissipated per area (J/m^2).
-    dissipated: f64,
-}
-
-impl Stroke {
-    /// Between two states; `None` where nothing rubs.
-    fn of(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> Option<Self> {
-        let [before, after] = states;
-        let tangential = after.tangential.as_ref()?;
-        let pressures = states.map(|state| state.pressure[pair]);
-        let own = problem.compliance.normal_self_term();
-        let gaps = states.map(|state| state.gap[pair]);
-        let (share, pressure) =
-            if problem.kinematics.shift().is_some_and(|shift| shift.end_pressure) {
-                (f64::from(pressures[1] > 0.0), pressures[1])
-            } else {
-                (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))
-            };
-        if share == 0.0 || tangential.sticks(problem, &after.pressure, pair) {
-            return None;
-        }
-        let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
-        let earlier = before.tangential.as_ref();
-        let traction = |axis: usize| {
-            let earlier = earlier.map_or(0.0, |earlier| earlier.traction[axis][pair]);
-            0.5 * (earlier + tangential.traction[axis][pair])
-        };
-        Some(Self {
-            rubbing: Rubbing { pressure, slip: slip[0].hypot(slip[1]) },
-            dissipated: traction(0) * slip[0] + traction(1) * slip[1],
-        })
+/// What one pair went through between two states; `None` where nothing rubs.
+fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> Option<Rubbing> {
+    let [before, after] = states;
+    let tangential = after.tangential.as_ref()?;
+    let pressures = states.map(|state| state.pressure[pair]);
+    let own = problem.compliance.normal_self_term();
+    let gaps = states.map(|state| state.gap[pair]);
+    let (share, pressure) = if problem.kinematics.shift().is_some_and(|shift| shift.end_pressure) {
+        (f64::from(pressures[1] > 0.0), pressures[1])
+    } else {
+        (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))
+    };
+    if share == 0.0 || tangential.sticks(problem, &after.pressure, pair) {
+        return None;
     }
+    let slip = [0, 1].map(|axis| share * tangential.slip[axis][pair]);
+    let earlier = before.tangential.as_ref();
+    let traction = |axis: usize| {
+        let earlier = earlier.map_or(0.0, |earlier| earlier.traction[axis][pair]);
+        0.5 * (earlier + tangential.traction[axis][pair])
+    };
+    let work = traction(0) * slip[0] + traction(1) * slip[1];
+    let friction = problem.friction.as_ref().map_or(0.0, |friction| friction.slope(pressure));
+    Some(Rubbing::new(pressure, slip[0].hypot(slip[1])).with_friction(work, friction))
 }
 
 /// Share of an increment during which a pair is under pressure, from its pressures (Pa) and gaps (m) before
