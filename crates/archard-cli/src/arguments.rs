@@ -52,7 +52,7 @@ pub struct Run {
     /// Replace the results of another case
     #[arg(long)]
     pub force: bool,
-    /// Number of threads; as many as there are processors if not given
+    /// Number of threads; if not given one for half-spaces of up to 3600 elements, else as many as there are processors
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
     /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not

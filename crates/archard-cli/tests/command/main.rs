@@ -230,6 +230,12 @@ fn threads_are_few_and_many_are_refused() {
     let dir = TempDir::new().unwrap();
     let hertz = case("hertz");
     let hertz = hertz.to_str().unwrap();
+    let few = ["run", hertz, "-o", "few", "--quiet", "--set", "frame.elements=[41, 41]"];
+    for (threads, known) in [(&[][..], 1), (&["--threads", "2"], 2)] {
+        archard(&dir, &[&few, threads, &["--force"]].concat()).success();
+        let summary = std::fs::read_to_string(dir.path().join("few/summary.json")).unwrap();
+        assert!(summary.contains(&format!("\"threads\": {known}")), "{summary}");
+    }
     archard(&dir, &["run", hertz, "-o", "out", "--threads", "1", "--quiet"]).success();
     let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
     assert!(summary.contains("\"threads\": 1"), "{summary}");
