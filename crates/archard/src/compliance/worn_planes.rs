@@ -17,8 +17,8 @@ const SETS: usize = 50;
 /// Share of the load that has to move from plane to plane for pressures worth foreseeing.
 const HARDLY: f64 = 0.03;
 
-/// Looks after which pairs that were in contact once stay among those whose means are taken: large steps let
-/// the contact swing to and fro.
+/// Updates of the contact after which a pair that has been in contact stays in the means. Large steps let the contact
+/// swing to and fro; a fixed set ends that.
 const SWINGING: usize = 24;
 
 /// A compliance with the wear of its planes.

@@ -1,4 +1,4 @@
-//! The value of a field at the centre of the pairs, which lie anyhow or form a grid.
+//! The value of a field at the centre of the pairs, scattered or on a grid.
 
 use super::Grid;
 use crate::numerics::dense::Cholesky;

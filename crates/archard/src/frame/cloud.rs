@@ -1,4 +1,4 @@
-//! Pairs that lie anyhow, with the derivative along the direction in which particles pass them.
+//! Scattered pairs, with the derivative along the direction in which particles pass them.
 
 use std::sync::OnceLock;
 

@@ -1,8 +1,8 @@
 //! How particles pass from pair to pair while the contact rolls.
 //!
-//! Where pairs form rows, a particle comes to each of them from the pair ahead. To pairs that lie anyhow it
-//! comes from between others: what it gains on its way is the derivative along its path, from
-//! [upstream](crate::numerics::upwind), times the side of a mean pair. On a square grid both are the same.
+//! Where pairs form rows, a particle reaches each pair from the pair ahead. Scattered pairs have no pair ahead. What a
+//! particle gains on the passage is then the [upwind](crate::numerics::upwind) derivative along its path times the mean
+//! side of a pair. On a square grid both are the same.
 
 use std::borrow::Cow;
 

@@ -175,8 +175,8 @@ impl Rolling {
         let (forward, lateral) = (self.direction.forward(), self.direction.lateral());
         let pairs = flow.frame().len();
         let advances = flow.advances().unwrap_or_else(|| vec![flow.advance(); pairs]);
-        // What spin displaces a particle by until it is at a pair, since it was at x = 0 on its path against x: its
-        // gain has the same error of the difference as that of the elastic displacements, none where it is linear.
+        // The displacement by spin of a particle, counted from x = 0. Its gain from pair to pair is the slip. The
+        // difference has the same error as that of the elastic displacements.
         let turned = |pair: usize| {
             let place = flow.frame().place(pair);
             let along = |unit: [f64; 2]| place[0] * unit[0] + place[1] * unit[1];

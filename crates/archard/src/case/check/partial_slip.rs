@@ -77,7 +77,7 @@ fn radius(parts: &Parts<'_>, contact: &Contact) -> Option<f64> {
     parts.curvatures().filter(|_| round).map(|curvatures| 1.0 / curvatures[0])
 }
 
-/// A sphere that is pressed on a body of its elasticity and about to slip.
+/// Partial slip of a sphere on a body of the same material.
 pub(super) fn contact_in_partial_slip(parts: &Parts<'_>, contact: &Contact) -> Option<PartialSlip> {
     let radius = radius(parts, contact).filter(|_| parts.dundurs_beta().abs() < ALIKE)?;
     let materials = parts.case.bodies.each_ref().map(|body| body.material.as_ref());

@@ -83,7 +83,7 @@ impl Regime {
         self.slope[pair] = step.friction.slope(pressure);
     }
 
-    /// What the rows ask for at a state, be it that of which the pairs do so or one near it.
+    /// Sets the right-hand side for a state: the one that the rows were made from, or one near it.
     pub fn aim_at(&mut self, state: &State, step: &Step<'_>) {
         let pairs = self.touch.len();
         let VectorField { t1, t2, n } = &state.solution.traction;

@@ -85,7 +85,7 @@ pub enum ContactError {
     /// The compliance of all pairs is too large.
     #[error(transparent)]
     NoMemory(#[from] NoMemory),
-    /// Pairs that are none.
+    /// A description of pairs that is not sound.
     #[error(transparent)]
     Pairs(#[from] PairsError),
 }
