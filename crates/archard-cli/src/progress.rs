@@ -2,6 +2,7 @@
 
 use std::error::Error;
 
+use archard::simulation::history::{self, PEAK_PRESSURE, WEAR_DEPTH};
 use archard::simulation::{Observer, Report, row};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -49,14 +50,14 @@ impl Follower {
 
     /// A number of the last step.
     pub fn number(&self, column: &str) -> Option<f64> {
-        self.last.iter().find_map(|(known, value)| (known == column).then_some(*value))
+        history::number(&self.last, column)
     }
 
     /// Where the run is: "distance 250 mm, depth 1.46 um, peak pressure 25.1 MPa".
     fn standing(&self, report: &Report<'_>) -> String {
         let place = progress(report.problem.kinematics.progress(), report.state.progress);
-        let depth = self.number("wear_depth_m").unwrap_or(0.0) * 1e6;
-        let peak = self.number("peak_pressure_Pa").unwrap_or(0.0) * 1e-6;
+        let depth = self.number(WEAR_DEPTH).unwrap_or(0.0) * 1e6;
+        let peak = self.number(PEAK_PRESSURE).unwrap_or(0.0) * 1e-6;
         format!("{place}, depth {} um, peak pressure {} MPa", four(depth), four(peak))
     }
 }

@@ -8,6 +8,9 @@ use archard::body::Body;
 use archard::case::{Case, Resolved, Task};
 use archard::kinematics::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
+use archard::simulation::history::{
+    self, CREEPAGE, FORCE, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
+};
 use archard::simulation::{Effort, Error, Simulation};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -182,9 +185,9 @@ fn summarize(
     dir: &Path,
 ) -> Result<(), Failure> {
     let number = |column: &str, factor: f64| four(follower.number(column).unwrap_or(0.0) * factor);
-    say(&format!("peak pressure     {} MPa", number("peak_pressure_Pa", 1e-6)))?;
-    say(&format!("approach          {} um", number("approach_m", 1e6)))?;
-    say(&format!("contact area      {} mm^2", number("contact_area_m2", 1e6)))?;
+    say(&format!("peak pressure     {} MPa", number(history::PEAK_PRESSURE, 1e-6)))?;
+    say(&format!("approach          {} um", number(history::APPROACH, 1e6)))?;
+    say(&format!("contact area      {} mm^2", number(history::CONTACT_AREA, 1e6)))?;
     if let Some(rolling) = simulation.problem.kinematics.rolling() {
         summarize_rolling(simulation, rolling, follower)?;
     }
@@ -192,12 +195,12 @@ fn summarize(
         summarize_shift(simulation, shift, follower, effort)?;
     }
     if simulation.problem.wears() {
-        say(&format!("wear depth        {} um", number("wear_depth_m", 1e6)))?;
+        say(&format!("wear depth        {} um", number(history::WEAR_DEPTH, 1e6)))?;
         for Body { name, .. } in &simulation.problem.bodies {
-            if let Some(volume) = follower.number(&format!("worn_volume_{name}_m3")) {
+            if let Some(volume) = follower.number(&of_body(WORN_VOLUME, name)) {
                 say(&format!("worn volume       {} mm^3 off `{name}`", four(volume * 1e9)))?;
             }
-            if let Some(section) = follower.number(&format!("worn_section_{name}_m2")) {
+            if let Some(section) = follower.number(&of_body(WORN_SECTION, name)) {
                 say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
             }
         }
@@ -214,16 +217,16 @@ fn summarize_rolling(
     follower: &Follower,
 ) -> Result<(), Failure> {
     let number = |column: &str| follower.number(column).unwrap_or(0.0);
-    let creepage = along_and_across([number("creepage"), number("lateral_creepage")], "");
+    let creepage = along_and_across(CREEPAGE.map(number), "");
     say(&format!("creepage          {creepage}"))?;
     if simulation.problem.friction.is_none() {
         return Ok(());
     }
-    let [x, y] = [number("force_x_N"), number("force_y_N")];
+    let [x, y] = FORCE.map(number);
     let units = [rolling.direction.forward(), rolling.direction.lateral()];
     let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
     say(&format!("creep force       {force}, on `{}`", simulation.problem.bodies[0].name))?;
-    say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))
+    say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))
 }
 
 /// Says what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
@@ -235,7 +238,7 @@ fn summarize_shift(
 ) -> Result<(), Failure> {
     if simulation.problem.friction.is_some() {
         let number = |column: &str| follower.number(column).unwrap_or(0.0);
-        say(&format!("stick area        {} mm^2", four(number("stick_area_m2") * 1e6)))?;
+        say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))?;
         let [last, all] = effort.dissipated.map(energy);
         let last =
             if last == all { String::new() } else { format!(", {last} of it in the last cycle") };

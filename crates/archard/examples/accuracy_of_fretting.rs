@@ -8,7 +8,7 @@ use archard::case::CaseFile;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::fretting_wear::WornOut;
 use archard::closed_form::spence::{self, Indentation};
-use archard::simulation::{Observer, Report, row};
+use archard::simulation::{Observer, Report, history, row};
 
 type Wrong = Box<dyn std::error::Error>;
 
@@ -51,7 +51,7 @@ impl Rows {
 
 /// The number in a column of a row.
 fn number(row: &[(String, f64)], column: &str) -> f64 {
-    row.iter().find_map(|(known, value)| (known == column).then_some(*value)).unwrap_or(f64::NAN)
+    history::number(row, column).unwrap_or(f64::NAN)
 }
 
 /// The rows of a case of the gallery with options.

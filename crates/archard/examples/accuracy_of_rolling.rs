@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use archard::case::CaseFile;
-use archard::simulation::{Observer, Report, row};
+use archard::simulation::{Observer, Report, history, row};
 
 /// Independent solution of the twin discs at 0.5 % creepage: revolutions, total depth (um), force relative
 /// to mu F, peak pressure (MPa).
@@ -41,7 +41,7 @@ impl Observer for Rows {
 
 /// The number in a column of a row.
 fn number(row: &[(String, f64)], column: &str) -> f64 {
-    row.iter().find_map(|(known, value)| (known == column).then_some(*value)).unwrap_or(f64::NAN)
+    history::number(row, column).unwrap_or(f64::NAN)
 }
 
 /// The rows of a case of the gallery with options.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
+use archard::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 use kuva::plot::LegendPosition;
 use kuva::render::annotations::TextAnnotation;
 use kuva::render::layout::Layout;
@@ -30,7 +31,7 @@ pub(super) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
     let runs: Vec<&Results> = [first].into_iter().chain(&read).collect();
     let dirs: Vec<&Path> = [dir].into_iter().chain(others.iter().map(PathBuf::as_path)).collect();
     require_one_progress(&runs, &dirs)?;
-    let most = |run: &&Results| run.history.column("wear_depth_m").map_or(0.0, largest);
+    let most = |run: &&Results| run.history.column(WEAR_DEPTH).map_or(0.0, largest);
     let deepest = runs.iter().map(most).fold(0.0, f64::max);
     ensure!(deepest > 0.0, "nothing has worn in these runs, so there is nothing to compare");
     let column = first.progress().0;
@@ -92,11 +93,11 @@ fn quantities<'a>(runs: &[&'a Results]) -> Vec<(String, &'a str)> {
     let bodies = runs.first().map(|run| &*run.bodies).unwrap_or_default();
     let mut quantities: Vec<(String, &str)> = bodies
         .iter()
-        .map(|body| (format!("wear_depth_{body}_m"), &**body))
+        .map(|body| (of_body(BODY_DEPTH, body), &**body))
         .filter(|(column, _)| wears(column))
         .collect();
     if quantities.len() != 1 {
-        quantities.push(("wear_depth_m".to_owned(), "both"));
+        quantities.push((WEAR_DEPTH.to_owned(), "both"));
     }
     quantities
 }

@@ -4,6 +4,7 @@ use anyhow::Result;
 use archard::body::Material;
 use archard::closed_form::{kalker::Coefficients, vermeulen_johnson};
 use archard::kinematics::{Drive, Rolling};
+use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
@@ -53,10 +54,10 @@ struct Sweep<'a> {
 impl<'a> Sweep<'a> {
     fn of(results: &'a Results) -> Result<Self> {
         let history = &results.history;
-        let creepages = [history.column("creepage")?, history.column("lateral_creepage")?];
-        let forces = [history.column("force_x_N")?, history.column("force_y_N")?];
+        let creepages = [history.column(CREEPAGE[0])?, history.column(CREEPAGE[1])?];
+        let forces = [history.column(FORCE[0])?, history.column(FORCE[1])?];
         let abscissa = Abscissa::of(creepages.map(size));
-        let load = history.column("load_N")?.last().copied().unwrap_or_default();
+        let load = history.column(LOAD)?.last().copied().unwrap_or_default();
         let limit = results.friction_limits(&[load]);
         Ok(Self {
             abscissa,

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use archard::closed_form::cattaneo_mindlin::{Branch, PartialSlip};
+use archard::simulation::history::{FORCE, SHIFT};
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
@@ -20,7 +21,7 @@ pub(super) fn panels(results: &Results) -> Result<Vec<Panel>> {
         return Ok(Vec::new());
     };
     let shown = if results.loops.len() > 1 { vec![first, last] } else { vec![first] };
-    let sizes = [Axis::X, Axis::Y].map(|axis| reach(&shown, "shift", axis));
+    let sizes = [Axis::X, Axis::Y].map(|axis| reach(&shown, SHIFT, axis));
     let most = sizes[0].max(sizes[1]);
     let worth = |axis: &Axis| most > 0.0 && sizes[axis.index()] >= NEGLIGIBLE * most;
     let axes = [Axis::X, Axis::Y].into_iter().filter(worth);
@@ -28,15 +29,14 @@ pub(super) fn panels(results: &Results) -> Result<Vec<Panel>> {
 }
 
 /// The largest shift (m) or force (N) along an axis.
-fn reach(loops: &[&Table], what: &str, axis: Axis) -> f64 {
-    let unit = if what == "shift" { "m" } else { "N" };
-    let column = format!("{what}_{}_{unit}", axis.name());
-    loops.iter().filter_map(|table| table.column(&column).ok()).map(size).fold(0.0, f64::max)
+fn reach(loops: &[&Table], columns: [&str; 2], axis: Axis) -> f64 {
+    let values = loops.iter().filter_map(|table| table.column(columns[axis.index()]).ok());
+    values.map(size).fold(0.0, f64::max)
 }
 
 fn panel(results: &Results, loops: &[&Table], axis: Axis) -> Result<Panel> {
-    let along = Unit::depth(reach(loops, "shift", axis));
-    let force = Unit::force(reach(loops, "force", axis));
+    let along = Unit::depth(reach(loops, SHIFT, axis));
+    let force = Unit::force(reach(loops, FORCE, axis));
     let shown = |(x, f): (f64, f64)| (x * along.factor, f * force.factor);
     let mut curves = Curves::new();
     if let Some((contact, amplitude, _)) = results.partial_slip().filter(|known| known.2 == axis) {
@@ -60,8 +60,8 @@ fn panel(results: &Results, loops: &[&Table], axis: Axis) -> Result<Panel> {
 /// Shift (m) and force (N) from increment to increment. A loop whose beginning was jumped over begins where
 /// it ends.
 fn points(table: &Table, axis: Axis) -> Result<Vec<(f64, f64)>> {
-    let shifts = table.column(&format!("shift_{}_m", axis.name()))?;
-    let forces = table.column(&format!("force_{}_N", axis.name()))?;
+    let shifts = table.column(SHIFT[axis.index()])?;
+    let forces = table.column(FORCE[axis.index()])?;
     let points: Vec<_> = shifts.iter().copied().zip(forces.iter().copied()).collect();
     let first = table.first().1.first().copied().unwrap_or_default();
     let lead = ((first - first.round()).abs() > SAME).then(|| points.last().copied()).flatten();

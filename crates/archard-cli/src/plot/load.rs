@@ -1,6 +1,7 @@
 //! Load over approach, with Hertz beside it.
 
 use anyhow::Result;
+use archard::simulation::history::{APPROACH, LOAD};
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
@@ -13,8 +14,8 @@ const POINTS: usize = 100;
 
 /// The load over the approach of the bodies.
 pub(super) fn panel(results: &Results) -> Result<Panel> {
-    let load = results.history.column("load_N")?;
-    let approach = results.history.column("approach_m")?;
+    let load = results.history.column(LOAD)?;
+    let approach = results.history.column(APPROACH)?;
     let (unit, force) = (Unit::depth(largest(approach)), Unit::force(largest(load)));
     let mut curves = Curves::new();
     let hertz: Vec<_> = (0..=POINTS)

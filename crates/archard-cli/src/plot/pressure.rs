@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use anyhow::{Context, Result};
+use archard::simulation::history::LOAD;
 use kuva::plot::{ColorMap, Heatmap, LegendPosition};
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
@@ -60,7 +61,7 @@ pub(super) fn along_axis(layout: Layout, results: &Results, window: f64) -> Layo
 
 /// Hertz's pressure (Pa) over the place (m) under the last load, out to `reach`.
 fn hertz(results: &Results, axis: Axis, reach: f64) -> Result<Option<Vec<(f64, f64)>>> {
-    let load = results.history.column("load_N")?.last().copied().unwrap_or_default();
+    let load = results.history.column(LOAD)?.last().copied().unwrap_or_default();
     let Some(hertz) = results.hertz(load) else { return Ok(None) };
     let semi_axis = hertz.semi_axes[axis.index()].min(reach);
     let pressure = |place: f64| match axis {

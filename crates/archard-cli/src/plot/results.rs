@@ -7,8 +7,9 @@ use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
-use archard::kinematics::Rolling;
+use archard::kinematics::{Progress, Rolling};
 use archard::output::{Image, Surface};
+use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
 use serde_json::{Map, Value};
 
 use super::tables::{
@@ -102,7 +103,7 @@ impl Results {
 
     /// Whether any body has worn.
     pub(super) fn wears(&self) -> bool {
-        self.history.column("wear_depth_m").is_ok_and(|depths| largest(depths) > 0.0)
+        self.history.column(WEAR_DEPTH).is_ok_and(|depths| largest(depths) > 0.0)
     }
 
     /// The column that measures how far the motion has gone.
@@ -112,23 +113,23 @@ impl Results {
 
     /// Whether the bodies roll.
     pub(super) fn rolls(&self) -> bool {
-        self.history.column("creepage").is_ok()
+        self.history.column(CREEPAGE[0]).is_ok()
     }
 
     /// Whether friction acts between bodies that are pressed and shifted against each other.
     pub(super) fn rubs(&self) -> bool {
-        !self.rolls() && self.history.column("force_x_N").is_ok()
+        !self.rolls() && self.history.column(FORCE[0]).is_ok()
     }
 
     /// The axis along which they are shifted most; x where they are not.
     pub(super) fn shift_axis(&self) -> Axis {
         let reach = |column: &str| size(self.history.column(column).unwrap_or_default());
-        if reach("shift_y_m") > reach("shift_x_m") { Axis::Y } else { Axis::X }
+        if reach(SHIFT[1]) > reach(SHIFT[0]) { Axis::Y } else { Axis::X }
     }
 
     /// Whether they roll at creepages raised step by step.
     pub(super) fn sweeps(&self) -> bool {
-        self.rolls() && self.progress().0 == "share"
+        self.rolls() && self.progress().0 == Progress::SHARE.column
     }
 
     /// How they roll.
@@ -155,7 +156,7 @@ impl Results {
 
     /// Whether body 2 has worn.
     pub(super) fn worn_below(&self) -> bool {
-        let column = self.bodies.get(1).map(|body| format!("wear_depth_{body}_m"));
+        let column = self.bodies.get(1).map(|body| of_body(BODY_DEPTH, body));
         column
             .and_then(|name| self.history.column(&name).ok())
             .is_some_and(|depths| largest(depths) > 0.0)

@@ -1,5 +1,7 @@
 //! Units a reader of pictures expects.
 
+use archard::kinematics::Progress;
+
 /// A unit and how many of it are in one SI unit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Unit {
@@ -79,7 +81,7 @@ impl Unit {
             Self::new("mm", 1e3)
         } else if column.ends_with("_s") {
             Self::new("s", 1.0)
-        } else if column == "share" {
+        } else if column == Progress::SHARE.column {
             Self::share()
         } else {
             Self::new("", 1.0)

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use archard::simulation::history::{BODY_DEPTH, body_of};
 
 /// An axis of the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,7 +70,7 @@ impl Table {
     pub(super) fn bodies(&self) -> Vec<String> {
         self.columns
             .iter()
-            .filter_map(|(name, _)| name.strip_prefix("wear_depth_")?.strip_suffix("_m"))
+            .filter_map(|(name, _)| body_of(BODY_DEPTH, name))
             .map(str::to_owned)
             .collect()
     }

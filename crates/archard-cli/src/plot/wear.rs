@@ -3,6 +3,9 @@
 
 use anyhow::Result;
 use archard::closed_form::{pin_on_disc, twin_discs};
+use archard::simulation::history::{
+    BODY_DEPTH, LOAD, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
+};
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
@@ -15,9 +18,8 @@ const POINTS: usize = 200;
 
 /// Deepest wear, in all and of each body that wears.
 pub(super) fn depth(results: &Results) -> Result<Panel> {
-    let total = results.history.column("wear_depth_m")?;
+    let total = results.history.column(WEAR_DEPTH)?;
     let unit = Unit::depth(largest(total));
-    let column = |body: &str| format!("wear_depth_{body}_m");
     let end = results.worn_out().map(|[depth, _]| depth);
     let closed = closed_form(
         results,
@@ -30,19 +32,16 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
         },
     );
     let name = "Wear depth";
-    panel(results, &Quantity { name, unit, total, column: &column, closed, end })
+    panel(results, &Quantity { name, unit, total, column: BODY_DEPTH, closed, end })
 }
 
 /// Worn volume, in rolling worn section, in all and of each body that wears.
 pub(super) fn worn_off(results: &Results) -> Result<Panel> {
     let rolls = results.rolls();
-    let column = |body: &str| match rolls {
-        true => format!("worn_section_{body}_m2"),
-        false => format!("worn_volume_{body}_m3"),
-    };
+    let column = if rolls { WORN_SECTION } else { WORN_VOLUME };
     let mut total = vec![0.0; results.progress().1.len()];
     for body in &results.bodies {
-        let worn = results.history.column(&column(body))?;
+        let worn = results.history.column(&of_body(column, body))?;
         total.iter_mut().zip(worn).for_each(|(sum, worn)| *sum += worn);
     }
     let (name, unit) = match rolls {
@@ -56,7 +55,7 @@ pub(super) fn worn_off(results: &Results) -> Result<Panel> {
         |discs, work| discs.coefficient * discs.creepage * work,
     );
     let end = results.worn_out().map(|[_, volume]| volume);
-    panel(results, &Quantity { name, unit, total: &total, column: &column, closed, end })
+    panel(results, &Quantity { name, unit, total: &total, column, closed, end })
 }
 
 /// Name of a closed form, and its value at an integral of the load over the progress.
@@ -83,8 +82,8 @@ struct Quantity<'a> {
     unit: Unit,
     /// Its value for both bodies together.
     total: &'a [f64],
-    /// The column of a body.
-    column: &'a dyn Fn(&str) -> String,
+    /// The column of each body.
+    column: &'a str,
     /// What a closed form says of it.
     closed: Option<ClosedForm<'a>>,
     /// The value at which a closed form has it end.
@@ -104,7 +103,7 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     };
     let mut curves = Curves::new();
     if let Some((name, closed)) = &quantity.closed {
-        let load_distance = load_distance(progress, results.history.column("load_N")?);
+        let load_distance = load_distance(progress, results.history.column(LOAD)?);
         let curve = load_distance
             .into_iter()
             .map(|(s, integral)| (s * along.factor, closed(integral) * unit.factor));
@@ -117,7 +116,7 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     }
     let mut worn = Vec::new();
     for body in &results.bodies {
-        let values = results.history.column(&(quantity.column)(body))?;
+        let values = results.history.column(&of_body(quantity.column, body))?;
         if largest(values) > 0.0 {
             worn.push((body, points(values)));
         }

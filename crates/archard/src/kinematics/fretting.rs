@@ -1,7 +1,7 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
-use super::shift::{CYCLE_COUNT, CYCLES, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
-use super::{APPROACH, Control, INCREMENTS, LOAD, Motion, control, jumps};
+use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
+use super::{APPROACH, Control, INCREMENTS, LOAD, Motion, Progress, control, jumps};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Motion> = Choice {
@@ -48,7 +48,7 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             places: (1..=count).map(|index| index as f64 / count as f64).collect(),
             released: false,
             end_pressure: false,
-            progress: CYCLES,
+            progress: Progress::CYCLES,
         };
         Ok(Motion {
             kinematics: Box::new(shift),

@@ -1,6 +1,6 @@
 //! Two bodies pressed together, once or again and again.
 
-use super::shift::{CYCLE_COUNT, CYCLES, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::shift::{CYCLE_COUNT, JUMP, JUMP_TOLERANCE, Shift, Station};
 use super::{APPROACH, INCREMENTS, LOAD, Motion, Progress, control, jumps};
 use crate::parameters::{Choice, Parameter, Quantity};
 
@@ -42,7 +42,7 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             cycle,
             released: true,
             end_pressure: values.word("rubbing") == Some("end"),
-            progress: if cycles.is_some() { CYCLES } else { SHARE },
+            progress: if cycles.is_some() { Progress::CYCLES } else { Progress::SHARE },
         };
         Ok(Motion {
             kinematics: Box::new(shift),
@@ -53,6 +53,3 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         })
     },
 };
-
-/// Progress is the share of the load or approach applied.
-const SHARE: Progress = Progress { name: "share", column: "share", quantity: Quantity::Number };

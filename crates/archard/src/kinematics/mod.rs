@@ -54,6 +54,22 @@ pub struct Progress {
 }
 
 impl Progress {
+    /// Distance slid (m).
+    pub const DISTANCE: Self =
+        Self { name: "distance", column: "distance_m", quantity: Quantity::Length };
+    /// Revolutions of body 1.
+    pub const REVOLUTIONS: Self =
+        Self { name: "revolution", column: "revolutions", quantity: Quantity::Number };
+    /// Cycles gone through.
+    pub const CYCLES: Self = Self { name: "cycle", column: "cycle", quantity: Quantity::Number };
+    /// Time (s).
+    pub const TIME: Self = Self { name: "time", column: "time_s", quantity: Quantity::Time };
+    /// Share of what is raised: a load, an approach, creepages.
+    pub const SHARE: Self = Self { name: "share", column: "share", quantity: Quantity::Number };
+    /// What the progress of some motion is.
+    pub const ALL: [Self; 5] =
+        [Self::DISTANCE, Self::REVOLUTIONS, Self::CYCLES, Self::TIME, Self::SHARE];
+
     /// A value of it (SI) in words: "distance 0.05 m".
     pub fn at(&self, value: f64) -> String {
         format!("{} {}", self.name, self.length(value))

@@ -55,9 +55,6 @@ const COLUMNS: &[(&str, Quantity)] = &[
     ("force_y", Quantity::Force),
 ];
 
-/// Progress in time.
-const TIME: Progress = Progress { name: "time", column: "time_s", quantity: Quantity::Time };
-
 /// The lines of a file.
 struct Path {
     /// Rising times (s).
@@ -127,7 +124,8 @@ impl Path {
         let first = self.stations[0];
         let rests = first == first.share(0.0);
         let lead = if rests { vec![] } else { lead(first) };
-        Shift { lead, cycle, places, released: false, end_pressure: false, progress: TIME }
+        let progress = Progress::TIME;
+        Shift { lead, cycle, places, released: false, end_pressure: false, progress }
     }
 }
 

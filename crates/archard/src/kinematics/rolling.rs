@@ -206,10 +206,6 @@ impl Kinematics for Rolling {
     }
 
     fn progress(&self) -> Progress {
-        if self.swept {
-            Progress { name: "share", column: "share", quantity: Quantity::Number }
-        } else {
-            Progress { name: "revolution", column: "revolutions", quantity: Quantity::Number }
-        }
+        if self.swept { Progress::SHARE } else { Progress::REVOLUTIONS }
     }
 }

@@ -99,10 +99,6 @@ impl Kinematics for Shift {
     }
 }
 
-/// Progress counted in cycles.
-pub(super) const CYCLES: Progress =
-    Progress { name: "cycle", column: "cycle", quantity: Quantity::Number };
-
 /// Cycles of a motion.
 pub(super) const CYCLE_COUNT: Parameter =
     Parameter::optional("cycles", Quantity::Count, "number of cycles; 1 if not given");

@@ -57,6 +57,6 @@ impl Kinematics for Sliding {
     }
 
     fn progress(&self) -> Progress {
-        Progress { name: "distance", column: "distance_m", quantity: Quantity::Length }
+        Progress::DISTANCE
     }
 }

@@ -4,10 +4,10 @@ use super::Error;
 use super::table::{Table, number};
 use crate::kinematics::Shift;
 use crate::simulation::Report;
+use crate::simulation::history::{self, CYCLE, FORCE, LOAD, SHIFT, STICK_AREA};
 
 /// What a loop holds, by the columns of the history.
-const COLUMNS: [&str; 7] =
-    ["cycle", "shift_x_m", "shift_y_m", "force_x_N", "force_y_N", "load_N", "stick_area_m2"];
+const COLUMNS: [&str; 7] = [CYCLE, SHIFT[0], SHIFT[1], FORCE[0], FORCE[1], LOAD, STICK_AREA];
 /// What rounding may make of the end of a cycle (cycles).
 const SAME: f64 = 1e-6;
 
@@ -28,8 +28,7 @@ impl FrettingLoop {
         if !report.problem.kinematics.shift().is_some_and(Shift::moves) {
             return false;
         }
-        let value = |column: &str| row.iter().find(|(known, _)| known == column).map(|cell| cell.1);
-        let point = COLUMNS.map(|column| value(column).unwrap_or(f64::NAN));
+        let point = COLUMNS.map(|column| history::number(row, column).unwrap_or(f64::NAN));
         let cycle = (point[0] - SAME).ceil();
         if cycle != self.cycle {
             // Where cycles were jumped over, the last point is not where this one begins.

@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::coefficients;
+use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{Effort, Report};
 use crate::verdict::{Bound, Line, Verdict};
 
@@ -103,13 +104,12 @@ pub(super) fn json_of(verdict: &Verdict) -> Value {
 /// across the direction; and, where its law says what that must be, k F s and how far the two are apart.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let Report { problem, effort, .. } = report;
-    let (measure, unit) = match problem.kinematics.rolling() {
-        Some(_) => ("section", "m2"),
-        None => ("volume", "m3"),
+    let (measure, unit, column) = match problem.kinematics.rolling() {
+        Some(_) => ("section", "m2", WORN_SECTION),
+        None => ("volume", "m3", WORN_VOLUME),
     };
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
-        let column = format!("worn_{measure}_{}_{unit}", body.name);
-        let worn = row.iter().find(|(known, _)| *known == column).map_or(0.0, |(_, worn)| *worn);
+        let worn = number(row, &of_body(column, &body.name)).unwrap_or(0.0);
         let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
         if let Some(k) = coefficients::of_wear(problem, index) {
             let expected = k * effort.load_distance;

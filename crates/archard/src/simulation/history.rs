@@ -1,124 +1,254 @@
-//! One row of numbers a step.
+//! One row of numbers a step, by the columns of one table.
+//!
+//! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
+//! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
 use super::Report;
-use crate::frame::VectorField;
-use crate::kinematics::{Rolling, Shift};
-use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::body::Body;
+use crate::frame::{Plane, VectorField};
+use crate::kinematics::{Progress, Rolling, Shift};
+use crate::problem::{ContactState, Tangential};
 
-/// The numbers of a step by column, units in the names.
-///
-/// Depths and volumes are followed by the body's own name. The columns are the same for every step
-/// of a run.
+/// What stands for the name of a body.
+const BODY: &str = "BODY";
+
+/// Normal force (N).
+pub const LOAD: &str = "load_N";
+/// Approach of the bodies from first touch (m).
+pub const APPROACH: &str = "approach_m";
+/// Largest pressure (Pa).
+pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
+/// Area in contact (m^2).
+pub const CONTACT_AREA: &str = "contact_area_m2";
+/// Worn volume of a body that does not roll (m^3).
+pub const WORN_VOLUME: &str = "worn_volume_BODY_m3";
+/// Worn section of a body that rolls, across the direction of rolling (m^2).
+pub const WORN_SECTION: &str = "worn_section_BODY_m2";
+/// Deepest wear of a body (m).
+pub const BODY_DEPTH: &str = "wear_depth_BODY_m";
+/// Deepest wear of both bodies together (m).
+pub const WEAR_DEPTH: &str = "wear_depth_m";
+/// Cycles gone through, as its own column or as the progress.
+pub const CYCLE: &str = Progress::CYCLES.column;
+/// Creepages along and across the direction of rolling, positive where body 1 is faster.
+pub const CREEPAGE: [&str; 2] = ["creepage", "lateral_creepage"];
+/// Displacements of body 2 over body 1 (m).
+pub const SHIFT: [&str; 2] = ["shift_x_m", "shift_y_m"];
+/// Tangential forces on body 1 (N).
+pub const FORCE: [&str; 2] = ["force_x_N", "force_y_N"];
+/// Area that sticks (m^2).
+pub const STICK_AREA: &str = "stick_area_m2";
+/// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
+pub const TIME_ERROR: &str = "time_error";
+
+/// A column of the history, or one for each body.
+#[derive(Debug)]
+pub struct Column {
+    /// Its name, which ends in the unit.
+    pub name: &'static str,
+    /// Its unit; empty for pure numbers.
+    pub unit: &'static str,
+    /// What it is.
+    pub meaning: &'static str,
+    value: Value,
+}
+
+/// The number in a report, of a body where there is a column for each; `None` in all reports of a run
+/// that has no such column.
+type Value = fn(&Report<'_>, usize) -> Option<f64>;
+type Text = &'static str;
+
+/// An entry of the table.
+const fn column(name: Text, unit: Text, meaning: Text, value: Value) -> Column {
+    Column { name, unit, meaning, value }
+}
+
+/// The columns that follow the progress of the motion, in the order of the files.
+pub const COLUMNS: &[Column] = &[
+    column(LOAD, "N", "normal force", |r, _| Some(r.state.load)),
+    column(APPROACH, "m", "approach from first touch", |r, _| Some(r.state.approach)),
+    column(PEAK_PRESSURE, "Pa", "pressure of the highest element", |r, _| {
+        Some(maximum(&r.state.pressure))
+    }),
+    column("centre_pressure_Pa", "Pa", "pressure at the centre of the frame", |r, _| {
+        Some(r.problem.frame.at_centre(&r.state.pressure))
+    }),
+    column(CONTACT_AREA, "m2", "area of the elements under pressure", |r, _| {
+        Some(r.problem.frame.area_where(|pair| r.state.pressure[pair] > 0.0))
+    }),
+    column(WORN_VOLUME, "m3", "volume worn off each body that does not roll", worn_volume),
+    column(WORN_SECTION, "m2", "worn off the profile of each body that rolls", worn_section),
+    column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| Some(maximum(&r.state.worn[i]))),
+    column(WEAR_DEPTH, "m", "deepest total wear", |r, _| Some(deepest(r.state))),
+    column(CREEPAGE[0], "", "creepage in rolling, positive where body 1 is faster", |r, _| {
+        rolling(r, |own, _| own.creepage[0])
+    }),
+    column(CREEPAGE[1], "", "creepage across the direction of rolling, signed likewise", |r, _| {
+        rolling(r, |own, _| own.creepage[1])
+    }),
+    column(CYCLE, "", "cycles gone through by bodies that are shifted, in parts", cycle),
+    column(SHIFT[0], "m", "displacement of body 2 over body 1 along x", |r, _| {
+        shifted(r).and(friction(r, |own| own.shift[0]))
+    }),
+    column(SHIFT[1], "m", "displacement of body 2 over body 1 along y", |r, _| {
+        shifted(r).and(friction(r, |own| own.shift[1]))
+    }),
+    column(FORCE[0], "N", "force on body 1 along x", |r, _| friction(r, |own| force(r, own)[0])),
+    column(FORCE[1], "N", "force on body 1 along y", |r, _| friction(r, |own| force(r, own)[1])),
+    column("moment_z_Nm", "Nm", "in rolling: moment on body 1, positive from x to y", |r, _| {
+        rolling(r, |own, _| own.moment(&r.problem.frame))
+    }),
+    column(STICK_AREA, "m2", "area of the elements under pressure that stick", |r, _| {
+        friction(r, |own| own.stick_area(r.problem, &r.state.pressure))
+    }),
+    column("frictional_power_per_speed_N", "N", "power of friction over rolling speed", |r, _| {
+        rolling(r, |own, rolling| own.creep_power(r.problem, rolling))
+    }),
+    column("dissipated_J", "J", "energy that friction dissipated in the cycle so far", |r, _| {
+        shifted(r).map(|_| r.effort.dissipated[0])
+    }),
+    column("true_cycles", "", "cycles computed so far, rejected ones included", |r, _| {
+        shifted(r).map(|_| r.effort.true_cycles as f64)
+    }),
+    column("iterations", "", "of the step's contact and friction solves", |r, _| {
+        Some(r.effort.iterations as f64)
+    }),
+    column("residual", "", "of the step's last solve", |r, _| Some(r.effort.residual)),
+    column("solves", "", "contact solves so far", |r, _| Some(r.effort.solves as f64)),
+    column("rejected", "", "rejected steps so far", |r, _| Some(r.effort.rejected as f64)),
+    column(TIME_ERROR, "", "relative error of the depth from the division into steps", |r, _| {
+        Some(r.effort.time_error.unwrap_or(f64::NAN))
+    }),
+];
+
+/// The numbers of a step by column: the progress, then [`COLUMNS`]. Steps of one run have the same ones.
 pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
-    let Report { problem, state, effort, .. } = report;
-    let frame = &problem.frame;
-    let area = frame.area_where(|pair| state.pressure[pair] > 0.0);
-    let mut row: Vec<(String, f64)> = vec![
-        (problem.kinematics.progress().column.to_owned(), state.progress),
-        ("load_N".to_owned(), state.load),
-        ("approach_m".to_owned(), state.approach),
-        ("peak_pressure_Pa".to_owned(), maximum(&state.pressure)),
-        ("centre_pressure_Pa".to_owned(), frame.at_centre(&state.pressure)),
-        ("contact_area_m2".to_owned(), area),
-    ];
-    let bodies = || problem.bodies.iter().zip(&state.worn);
-    match problem.kinematics.rolling() {
-        None => {
-            row.extend(bodies().map(|(body, worn)| {
-                (format!("worn_volume_{}_m3", body.name), frame.integrate(worn))
-            }))
-        }
-        Some(rolling) => row.extend(bodies().map(|(body, worn)| {
-            (format!("worn_section_{}_m2", body.name), section(problem, rolling, worn))
-        })),
+    let Report { problem, state, .. } = report;
+    let mut row = vec![(problem.kinematics.progress().column.to_owned(), state.progress)];
+    for Column { name, value, .. } in COLUMNS {
+        let bodies = if name.contains(BODY) { &problem.bodies[..] } else { &problem.bodies[..1] };
+        let cell = |(i, body): (usize, &Body)| Some((of_body(name, &body.name), value(report, i)?));
+        row.extend(bodies.iter().enumerate().filter_map(cell));
     }
-    row.extend(bodies().map(|(body, worn)| (format!("wear_depth_{}_m", body.name), maximum(worn))));
-    row.push(("wear_depth_m".to_owned(), deepest(state)));
-    if let (Some(rolling), Some(tangential)) = (problem.kinematics.rolling(), &state.tangential) {
-        let rolling = rolling.at(state.progress);
-        row.extend(rolling_columns(problem, &rolling, tangential, &state.pressure));
-    }
-    if let Some(shift) = problem.kinematics.shift()
-        && (problem.friction.is_some() || state.tangential.is_some())
-    {
-        row.extend(shift_columns(report, shift));
-    }
-    row.push(("iterations".to_owned(), effort.iterations as f64));
-    row.push(("residual".to_owned(), effort.residual));
-    row.push(("solves".to_owned(), effort.solves as f64));
-    row.push(("rejected".to_owned(), effort.rejected as f64));
-    row.push(("time_error".to_owned(), effort.time_error.unwrap_or(f64::NAN)));
     row
 }
 
-/// Worn section across the direction of rolling (m^2).
-pub fn section(problem: &ContactProblem, rolling: &Rolling, worn: &[f64]) -> f64 {
-    let frame = &problem.frame;
-    let Ok(flow) = frame.flow(rolling.direction) else { return f64::NAN };
-    let images = if frame.mirrored()[1 - rolling.direction.axis] { 2.0 } else { 1.0 };
-    images * flow.planes().iter().map(|plane| plane.width * plane.mean(worn)).sum::<f64>()
+/// The number in a column of a row.
+pub fn number(row: &[(String, f64)], column: &str) -> Option<f64> {
+    row.iter().find_map(|(known, value)| (known == column).then_some(*value))
 }
 
-/// Creepages, forces on body 1 and what they dissipate.
-fn rolling_columns(
-    problem: &ContactProblem,
-    rolling: &Rolling,
-    tangential: &Tangential,
-    pressure: &[f64],
-) -> Vec<(String, f64)> {
-    let [force_x, force_y] = tangential.force(&problem.frame);
-    let columns = [
-        ("creepage", tangential.creepage[0]),
-        ("lateral_creepage", tangential.creepage[1]),
-        ("force_x_N", force_x),
-        ("force_y_N", force_y),
-        ("moment_z_Nm", tangential.moment(&problem.frame)),
-        ("stick_area_m2", tangential.stick_area(problem, pressure)),
-        ("frictional_power_per_speed_N", tangential.creep_power(problem, rolling)),
-    ];
-    columns.map(|(column, value)| (column.to_owned(), value)).to_vec()
+/// The name of a column of each body for the body of that name.
+pub fn of_body(column: &str, body: &str) -> String {
+    column.replacen(BODY, body, 1)
 }
 
-/// Displacements, forces on body 1 and what friction dissipated since the cycle began.
-fn shift_columns(report: &Report<'_>, shift: &Shift) -> Vec<(String, f64)> {
-    let Report { problem, state, effort, .. } = report;
-    let tangential = state.tangential.as_ref();
-    let [shift_x, shift_y] = tangential.map_or([0.0; 2], |tangential| tangential.shift);
-    let [force_x, force_y] = tangential.map_or([0.0; 2], |own| force(problem, state, own));
-    let stick =
-        tangential.map_or(0.0, |tangential| tangential.stick_area(problem, &state.pressure));
-    let mut columns = vec![
-        ("shift_x_m", shift_x),
-        ("shift_y_m", shift_y),
-        ("force_x_N", force_x),
-        ("force_y_N", force_y),
-        ("stick_area_m2", stick),
-        ("dissipated_J", effort.dissipated[0]),
-        ("true_cycles", effort.true_cycles as f64),
-    ];
-    if problem.kinematics.progress().column != "cycle" {
-        columns.insert(0, ("cycle", state.progress / shift.period()));
+/// The body whose column this is, if it is one of that name: the inverse of [`of_body`].
+pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
+    let (start, end) = column.split_once(BODY)?;
+    name.strip_prefix(start)?.strip_suffix(end)
+}
+
+/// Worn volume (m^3) of a body; `None` in rolling.
+fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
+    let Report { problem, state, .. } = report;
+    problem.kinematics.rolling().is_none().then(|| problem.frame.integrate(&state.worn[body]))
+}
+
+/// Worn section (m^2) of a body across the direction of rolling; `None` where bodies do not roll.
+fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
+    let frame = &report.problem.frame;
+    let direction = report.problem.kinematics.rolling()?.direction;
+    let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
+    let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
+    let section = |plane: &Plane| plane.width * plane.mean(&report.state.worn[body]);
+    Some(images * flow.planes().iter().map(section).sum::<f64>())
+}
+
+/// A number of bodies that roll with friction; `None` of others.
+fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Rolling) -> f64) -> Option<f64> {
+    let rolling = report.problem.kinematics.rolling()?.at(report.state.progress);
+    report.state.tangential.as_ref().map(|own| value(own, &rolling))
+}
+
+/// How bodies with friction are shifted; `None` of others.
+fn shifted<'a>(report: &Report<'a>) -> Option<&'a Shift> {
+    let Report { problem, state, .. } = report;
+    let rubs = problem.friction.is_some() || state.tangential.is_some();
+    problem.kinematics.shift().filter(|_| rubs)
+}
+
+/// A number of bodies that roll or are shifted with friction, zero before it acts; `None` of others.
+fn friction(report: &Report<'_>, value: impl Fn(&Tangential) -> f64) -> Option<f64> {
+    match &report.state.tangential {
+        Some(own) => Some(value(own)),
+        None => shifted(report).map(|_| 0.0),
     }
-    columns.into_iter().map(|(column, value)| (column.to_owned(), value)).collect()
+}
+
+/// Cycles gone through, where that is not the progress itself.
+fn cycle(report: &Report<'_>, _: usize) -> Option<f64> {
+    let counted = report.problem.kinematics.progress() == Progress::CYCLES;
+    shifted(report).filter(|_| !counted).map(|shift| report.state.progress / shift.period())
 }
 
 /// Force on body 1 along x and y (N); on curved frames the pressures have a part in it.
-fn force(problem: &ContactProblem, state: &ContactState, tangential: &Tangential) -> [f64; 2] {
+fn force(Report { problem, state, .. }: &Report<'_>, own: &Tangential) -> [f64; 2] {
     if problem.frame.is_plane() {
-        return tangential.force(&problem.frame);
+        return own.force(&problem.frame);
     }
-    let [t1, t2] = tangential.traction.clone();
+    let [t1, t2] = own.traction.clone();
     let n = state.pressure.iter().map(|pressure| -pressure).collect();
     let [x, y, _] = problem.frame.force(&VectorField { t1, t2, n });
     [x, y]
 }
 
 /// Deepest total wear (m).
-pub fn deepest(state: &ContactState) -> f64 {
+fn deepest(state: &ContactState) -> f64 {
     state.worn[0].iter().zip(&state.worn[1]).map(|(a, b)| a + b).fold(0.0, f64::max)
 }
 
 /// Largest value, zero at least.
 fn maximum(field: &[f64]) -> f64 {
     field.iter().copied().fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BODY_DEPTH, COLUMNS, Progress, body_of, of_body};
+
+    #[test]
+    fn names_end_in_their_units() {
+        for column in COLUMNS.iter().filter(|column| !column.unit.is_empty()) {
+            assert!(column.name.ends_with(&format!("_{}", column.unit)), "{}", column.name);
+        }
+    }
+
+    #[test]
+    fn columns_know_their_bodies() {
+        assert_eq!(of_body(BODY_DEPTH, "pin"), "wear_depth_pin_m");
+        assert_eq!(body_of(BODY_DEPTH, "wear_depth_pin_m"), Some("pin"));
+        assert_eq!(body_of(BODY_DEPTH, "wear_depth_m"), None);
+    }
+
+    /// The page on results has this table, and no other name beside it.
+    #[test]
+    fn the_book_describes_every_column() {
+        let page = include_str!("../../../../book/src/results.md");
+        let (_, section) = page.split_once("## Columns of the history\n").unwrap();
+        let (section, _) = section.split_once("\n## ").unwrap();
+        let progress = Progress::ALL.map(|progress| format!("`{}`", progress.column)).join(", ");
+        let row = |name: &str, unit, meaning| format!("| {name} | {unit} | {meaning} |\n");
+        let rows = COLUMNS.iter().map(|c| row(&format!("`{}`", c.name), c.unit, c.meaning));
+        let table = row("column", "unit", "meaning")
+            + "|---|---|---|\n"
+            + &row(&progress, "", "how far the motion has gone, in one of these columns")
+            + &rows.collect::<String>();
+        let Some(remarks) = section.strip_prefix(&format!("\n{table}\n")) else {
+            panic!("`results.md` has to hold\n{table}");
+        };
+        let mut names = remarks.split('`').skip(1).step_by(2);
+        let wrong = names.find(|name| !table.contains(&format!("`{name}`")));
+        assert_eq!(wrong, None, "a name that is in no row of the table");
+    }
 }

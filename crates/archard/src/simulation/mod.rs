@@ -4,7 +4,7 @@ mod adaptive;
 mod chain;
 mod collected;
 mod cycles;
-mod history;
+pub mod history;
 mod march;
 mod rolling;
 mod suits;

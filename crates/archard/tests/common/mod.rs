@@ -12,6 +12,7 @@ use archard::frame::ContactFrame;
 use archard::kinematics::{Control, MOTIONS, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
+use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation, row};
 use archard::solve::tangential::FRICTION_SOLVERS;
 use archard::solve::{SOLVERS, Solver, Step};
@@ -189,10 +190,8 @@ impl Observer for Rows {
 impl Rows {
     /// A column.
     pub fn column(&self, name: &str) -> Vec<f64> {
-        let value = |row: &Vec<(String, f64)>| {
-            row.iter().find_map(|(known, value)| (known == name).then_some(*value))
-        };
-        self.0.iter().map(|row| value(row).expect("a column of that name")).collect()
+        let value = |row: &Vec<_>| number(row, name).expect("a column of that name");
+        self.0.iter().map(value).collect()
     }
 
     /// The last value of a column.

@@ -11,6 +11,7 @@ use super::coefficients;
 use crate::kinematics::{Control, Stepping};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
+use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
@@ -141,7 +142,6 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
-    let number = |column: String| row.iter().find(|(known, _)| *known == column).map(|one| one.1);
     let expected = match problem.kinematics.shift() {
         Some(shift) if shift.end_pressure => return None,
         Some(_) => effort.dissipated[1] / coefficients::of_friction(problem)?,
@@ -150,8 +150,8 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
     let off = |body: usize| {
         let k = coefficients::of_wear(problem, body)?;
         let name = &problem.bodies[body].name;
-        let worn = number(format!("worn_volume_{name}_m3"))
-            .or_else(|| number(format!("worn_section_{name}_m2")))?;
+        let columns = [WORN_VOLUME, WORN_SECTION].map(|column| of_body(column, name));
+        let worn = columns.iter().find_map(|column| number(row, column))?;
         (k * expected > 0.0).then(|| (worn / (k * expected) - 1.0).abs())
     };
     let mut both = None;

@@ -6,6 +6,7 @@
 
 use crate::kinematics::Shift;
 use crate::simulation::Report;
+use crate::simulation::history::{APPROACH, FORCE, LOAD, SHIFT, number};
 
 /// What rounding may make of the end of a cycle (cycles).
 const SAME: f64 = 1e-6;
@@ -27,18 +28,16 @@ impl Cycle {
         if shift.released || shift.end_pressure {
             return None;
         }
-        let value = |column: &str| {
-            row.iter().find(|(known, _)| known == column).map_or(f64::NAN, |cell| cell.1)
-        };
+        let value = |column| number(row, column).unwrap_or(f64::NAN);
         let cycle = report.state.progress / shift.period();
         let number = (cycle - SAME).ceil();
         if number != self.number {
             (self.points, self.number) = (vec![], number);
         }
         self.points.push([
-            [value("shift_x_m"), value("force_x_N")],
-            [value("shift_y_m"), value("force_y_N")],
-            [value("approach_m"), value("load_N")],
+            [SHIFT[0], FORCE[0]].map(value),
+            [SHIFT[1], FORCE[1]].map(value),
+            [APPROACH, LOAD].map(value),
         ]);
         let whole = (cycle - number).abs() < SAME && self.points.len() == shift.cycle.len();
         (whole && number > 1.0).then(|| self.off(report.effort.dissipated[0]))

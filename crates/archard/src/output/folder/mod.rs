@@ -19,6 +19,7 @@ use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{Error, Image, Surface, Totals, file, pvd, sections};
+use crate::simulation::history::TIME_ERROR;
 use crate::simulation::{Observer, Report, row};
 use crate::verdict::Verdict;
 
@@ -184,7 +185,7 @@ impl Observer for ResultFolder {
 
 /// Says whether all numbers of a step are numbers. Only an error in time may be missing.
 fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
-    let missing = |column: &str, value: f64| value.is_nan() && column == "time_error";
+    let missing = |column: &str, value: f64| value.is_nan() && column == TIME_ERROR;
     let wrong = row.iter().find(|(column, value)| !value.is_finite() && !missing(column, *value));
     let [one, other] = &report.state.worn;
     let fields = [("pressure_Pa", &report.state.pressure), ("wear_m", one), ("wear_m", other)];
