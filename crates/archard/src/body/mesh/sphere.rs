@@ -163,9 +163,8 @@ impl Shell {
         let z = Axis::even(FRAC_PI_2, count, false);
         let angles = [&x.places[..], &y.places, &z.places];
         let of = |shell: &Self, builder: &mut Builder| {
-            let (first, at) = (builder.faces(), |angles: [f64; 3]| shell.at(angles.map(f64::tan)));
+            let at = |angles: [f64; 3]| shell.at(angles.map(f64::tan));
             block(builder, angles, self.mirrored, [name; 6], at);
-            first
         };
         // Elements with their vertices on the sphere would enclose less: eight around it 15 %.
         let mut inscribed = Builder::new(self.radius);
