@@ -21,18 +21,13 @@ pub trait Friction: Debug + Send + Sync {
         let (low, high) = ((pressure - change).max(0.0), pressure + change);
         (self.limit(high) - self.limit(low)) / (high - low)
     }
-
-    /// The admissible traction (Pa) next to a trial one (Pa), under a pressure (Pa): the projection of
-    /// the augmented Lagrangian (the paper's eq. 11, with the sign of its eq. 10).
-    fn project(&self, trial: [f64; 2], pressure: f64) -> [f64; 2] {
-        onto_disc(trial, self.limit(pressure))
-    }
 }
 
 /// The friction laws a case can name.
 pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE];
 
-/// The point of a disc around zero that is next to a point.
+/// The point of a disc around zero that is next to a point. With the limit for radius it is the projection of the augmented
+/// Lagrangian on the admissible tractions (the paper's eq. 11, with the sign of its eq. 10).
 pub fn onto_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
     let length = x.hypot(y);
     if length <= radius { [x, y] } else { [x, y].map(|value| value * (radius / length)) }
