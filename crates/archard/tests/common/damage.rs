@@ -69,9 +69,11 @@ fn damage(bytes: &mut Vec<u8>, others: &[Vec<u8>], random: &mut Random) {
         6 => {
             // A line somewhere else.
             let mut lines: Vec<&[u8]> = bytes.split_inclusive(|&byte| byte == b'\n').collect();
-            let line = lines.remove(random.below(lines.len().max(1)).min(lines.len() - 1));
-            lines.insert(random.below(lines.len() + 1), line);
-            *bytes = lines.concat();
+            if !lines.is_empty() {
+                let line = lines.remove(random.below(lines.len()));
+                lines.insert(random.below(lines.len() + 1), line);
+                *bytes = lines.concat();
+            }
         }
         _ => {
             let words = numbers(bytes);
