@@ -9,7 +9,7 @@ use glam::DMat3;
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
 use crate::compliance::bem::{
-    Balance, Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined, forces,
+    Balance, Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined, advice, forces,
 };
 use crate::frame::VectorField;
 use crate::numerics::dense::Unsolved;
@@ -71,8 +71,12 @@ pub enum ElasticError {
         point: Point,
     },
     /// Its equations have no solution.
-    #[error("{0}; are elements degenerate?")]
-    Singular(#[from] Unsolved),
+    #[error("{cause}; {}", advice(.cause))]
+    Singular {
+        /// What is wrong.
+        #[from]
+        cause: Unsolved,
+    },
     /// It cannot touch the other body.
     #[error(transparent)]
     Contact(#[from] ContactError),

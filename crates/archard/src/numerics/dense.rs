@@ -47,7 +47,7 @@ pub struct Lu<T = f64> {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Unsolved {
     /// A matrix that has no inverse.
-    #[error("the matrix of {size} unknowns is singular; are elements degenerate?")]
+    #[error("the matrix of {size} unknowns is singular")]
     Singular {
         /// Number of unknowns.
         size: usize,

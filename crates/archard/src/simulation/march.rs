@@ -14,7 +14,8 @@ impl Simulation {
     /// Carries the motion through, showing the initial contact and every step to the observers.
     ///
     /// # Errors
-    /// If the frame does not suit the motion, a contact does not converge, fills the frame, or an observer cannot go on.
+    /// If the frame does not suit the motion, a wear law lacks what it asks for, a contact does not converge or fills
+    /// the frame, or an observer cannot go on.
     pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
         // Within the pool once, not anew for each of many small solves.
         in_pool(|| self.carry_through(observers))

@@ -1,6 +1,6 @@
 //! Areas and enclosed volumes.
 
-use super::{Corners, Face, Mesh};
+use super::{Corners, Face, Mesh, Meshed};
 
 impl Mesh {
     /// Area of the elements (m^2); mirror images do not count.
@@ -57,6 +57,20 @@ impl Mesh {
             }
         };
         cross(one, other).map(|component| 0.5 * component)
+    }
+}
+
+impl Meshed {
+    /// Whether the elements of the zone lie in one plane, or in parallel ones.
+    pub fn has_plane_zone(&self) -> bool {
+        /// Difference of unit normals that only rounding makes.
+        const SAME: f64 = 1e-9;
+        let mut normals = self.zone.faces.iter().map(|&face| {
+            let vector = self.mesh.area_vector(face);
+            vector.map(|component| component / length(vector))
+        });
+        let Some(first) = normals.next() else { return false };
+        normals.all(|normal| length(difference(normal, first)) < SAME)
     }
 }
 

@@ -265,22 +265,17 @@ impl Reader<'_> {
 /// What the contact zone of the body that bears the pairs amounts to as a frame: its extent along x and y, and as many
 /// elements as there are pairs.
 pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
-    let places = |meshed: &Meshed| -> Vec<[f64; 3]> {
-        let Meshed { mesh, zone, .. } = meshed;
-        let faces = zone.faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
-        faces.map(|&corner| mesh.vertices[corner]).collect()
+    let mut meshed = bodies.iter().filter_map(|body| {
+        let finite = body.finite.as_ref()?;
+        Some((finite, finite.meshed().ok()?))
+    });
+    let first = meshed.next()?;
+    let (finite, Meshed { mesh, zone: Zone { faces, grid }, .. }) = match first.1.has_plane_zone() {
+        true => first,
+        false => meshed.find(|(_, other)| other.has_plane_zone()).unwrap_or(first),
     };
-    let meshed: Vec<_> = bodies
-        .iter()
-        .filter_map(|body| {
-            let finite = body.finite.as_ref()?;
-            let meshed = finite.meshed().ok()?;
-            Some((finite, places(&meshed), meshed))
-        })
-        .collect();
-    let plane = |places: &[[f64; 3]]| places.windows(2).all(|two| two[0][2] == two[1][2]);
-    let bears = meshed.iter().find(|(_, places, _)| plane(places)).or(meshed.first());
-    let (finite, places, Meshed { zone: Zone { faces, grid }, .. }) = bears?;
+    let corners = faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
+    let places: Vec<[f64; 3]> = corners.map(|&corner| mesh.vertices[corner]).collect();
     let images = finite.mirrored.map(|mirrored| if mirrored { 2 } else { 1 });
     let size = [0, 1].map(|axis| {
         let values = places.iter().map(|place| place[axis]);

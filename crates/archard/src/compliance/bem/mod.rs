@@ -27,6 +27,7 @@ pub use interior::{Interior, Response};
 pub use kelvin::Evaluations;
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
+pub(crate) use solid::advice;
 pub use solid::{Assembled, Boundary, Condensed, Solid};
 pub use surface::{Surface, TractionNode};
 

@@ -51,6 +51,14 @@ pub struct Condensed {
     pub balance: Balance,
 }
 
+/// What to do about equations without a solution.
+pub(crate) fn advice(cause: &Unsolved) -> &'static str {
+    match cause {
+        Unsolved::Singular { .. } => "are elements degenerate?",
+        Unsolved::NoMemory(_) => "take fewer elements",
+    }
+}
+
 impl<'a> Assembled<'a> {
     /// Assembles the equations, integrals to that relative tolerance.
     ///

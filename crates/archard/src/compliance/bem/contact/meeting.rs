@@ -150,7 +150,7 @@ impl<'a> Side<'a> {
 /// first.
 fn bears_the_pairs(bodies: [&Body; 2]) -> usize {
     let plane = |which: usize| {
-        Host::new(bodies[which], which).is_some_and(|host| host.pairs().bases.is_empty())
+        bodies[which].finite.as_ref().is_some_and(|finite| finite.meshed.has_plane_zone())
     };
     match bodies.map(|body| body.finite.is_some()) {
         [true, true] => usize::from(!plane(0) && plane(1)),

@@ -18,7 +18,7 @@ use glam::DVec3;
 use super::conditions::{Conditions, Undetermined};
 use super::solid::{Condensed, Solid};
 use super::surface::Surface;
-use super::{Condition, Given, TractionNode};
+use super::{Condition, Given, TractionNode, advice};
 use crate::body::{Body, Finite, Material, Support};
 use crate::compliance::Dense;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
@@ -50,7 +50,7 @@ pub enum ContactError {
         cause: Undetermined,
     },
     /// Equations without a solution.
-    #[error("body {}: {cause}", .body + 1)]
+    #[error("body {}: {cause}; {}", .body + 1, advice(.cause))]
     Singular {
         /// The body's index, 0 or 1.
         body: usize,
@@ -83,7 +83,7 @@ pub enum ContactError {
     #[error(transparent)]
     OffTheSurface(#[from] OffTheSurface),
     /// The compliance of all pairs is too large.
-    #[error(transparent)]
+    #[error("{0}; take fewer elements")]
     NoMemory(#[from] NoMemory),
     /// A description of pairs that is not sound.
     #[error(transparent)]
