@@ -48,7 +48,7 @@ fn one_of_two_runs_into_a_folder_is_refused() {
     first.end();
     assert_whole(dir.path());
     // The lock ends with the process that held it. Rows of the first would not tell that the third has begun.
-    std::fs::remove_file(dir.path().join("out/history.csv")).unwrap();
+    fs::remove_file(dir.path().join("out/history.csv")).unwrap();
     let third = Run::start(&mut command(dir.path(), "pin_on_disc", &MANY_STEPS));
     wait_until("rows of the third run", || lines(dir.path()) > 3);
     third.signal("TERM");

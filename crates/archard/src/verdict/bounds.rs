@@ -49,7 +49,8 @@ pub fn stick_zone(across: f64) -> Line {
 }
 
 /// The estimated error of the worn depth that steps or jumps make, against the tolerance asked for: chosen bounds. Runs
-/// that choose their steps end below the tolerance unless the fewest or the most steps allowed bind.
+/// that choose their steps end below the tolerance unless the fewest or the most steps allowed bind; jumps state one and
+/// a half times their estimate, which ends below it.
 pub fn time(error: f64, tolerance: f64) -> Line {
     let text = format!("estimated error of the worn depth by steps in time, {tolerance} asked");
     Line::new("time", error, Bound::AtMost([1.5 * tolerance, (10.0 * tolerance).max(0.1)]), text)
@@ -66,7 +67,7 @@ pub fn energy(off: f64) -> Line {
 
 /// The share of contact solves after which what closing pairs slide before they touch had still not settled: a chosen bound.
 ///
-/// The case `punch_fretting` has 13 of 11,628, each at a pair or two.
+/// The case `punch_fretting` has 13 of 11,628.
 pub fn touch(share: f64) -> Line {
     let text =
         "of the solves did not settle on what pairs slide before they touch; take more increments";
