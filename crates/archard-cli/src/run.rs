@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use archard::body::Body;
 use archard::case::{Case, Resolved, Task};
-use archard::kinematics::{Rolling, Shift};
+use archard::motion::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::history::{
     self, CREEPAGE, FORCE, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
@@ -188,10 +188,10 @@ fn summarize(
     say(&format!("peak pressure     {} MPa", number(history::PEAK_PRESSURE, 1e-6)))?;
     say(&format!("approach          {} um", number(history::APPROACH, 1e6)))?;
     say(&format!("contact area      {} mm^2", number(history::CONTACT_AREA, 1e6)))?;
-    if let Some(rolling) = simulation.problem.kinematics.rolling() {
+    if let Some(rolling) = simulation.problem.motion.rolling() {
         summarize_rolling(simulation, rolling, follower)?;
     }
-    if let Some(shift) = simulation.problem.kinematics.shift() {
+    if let Some(shift) = simulation.problem.motion.shift() {
         summarize_shift(simulation, shift, follower, effort)?;
     }
     if simulation.problem.wears() {

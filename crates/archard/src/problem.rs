@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
-use crate::kinematics::{Kinematics, Rolling};
+use crate::motion::{Motion, Rolling};
 use crate::wear::Rubbing;
 
 /// How far below its limit a traction is where pairs stick, relative to it.
@@ -22,7 +22,7 @@ pub struct ContactProblem {
     /// How much tangential traction the pairs bear; `None` without friction.
     pub friction: Option<Box<dyn Friction>>,
     /// How the pairs rub.
-    pub kinematics: Box<dyn Kinematics>,
+    pub motion: Motion,
 }
 
 impl ContactProblem {

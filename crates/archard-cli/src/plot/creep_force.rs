@@ -3,7 +3,7 @@
 use anyhow::Result;
 use archard::body::Material;
 use archard::closed_form::{kalker::Coefficients, vermeulen_johnson};
-use archard::kinematics::{Drive, Rolling};
+use archard::motion::{Drive, Rolling};
 use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
 use kuva::plot::LegendPosition;
 

@@ -7,7 +7,7 @@ use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
-use archard::kinematics::{Progress, Rolling};
+use archard::motion::{Progress, Rolling};
 use archard::output::{Image, Surface};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
 use serde_json::{Map, Value};
@@ -134,8 +134,8 @@ impl Results {
 
     /// How they roll.
     pub(super) fn rolling(&self) -> Option<Rolling> {
-        let motion = self.case.as_ref()?.motion.build().ok()?;
-        motion.kinematics.rolling().copied()
+        let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
+        motion.rolling().copied()
     }
 
     /// The axis along which they roll or are shifted and the one across.

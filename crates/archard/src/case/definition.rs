@@ -9,10 +9,10 @@ use crate::compliance::{Compliance, HalfSpace};
 use crate::elastic::Point;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
-use crate::kinematics::Motion;
+use crate::motion::{Motion, Schedule};
 use crate::parameters::Invalid;
 use crate::problem::ContactProblem;
-use crate::simulation::{Schedule, Simulation};
+use crate::simulation::Simulation;
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
@@ -29,7 +29,7 @@ pub struct Case {
     /// The friction between the bodies; `None` without.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// The motion.
-    pub motion: Chosen<Motion>,
+    pub motion: Chosen<(Motion, Schedule)>,
     /// The solver of the contact steps.
     pub solver: Chosen<Box<dyn Solver>>,
     /// The solver of friction.
@@ -241,14 +241,14 @@ impl Case {
             let half_space = HalfSpace::new(materials, &frame);
             (frame, Box::new(half_space))
         };
-        let Motion { kinematics, control, ramped, extent, stepping } = self.motion.build()?;
+        let (motion, schedule) = self.motion.build()?;
         let friction = self.friction.as_ref().map(Chosen::build).transpose()?;
-        let outputs = self.output.places(extent);
+        let outputs = self.output.places(schedule.extent);
         Ok(Simulation {
-            problem: ContactProblem { bodies, frame, compliance, friction, kinematics },
+            problem: ContactProblem { bodies, frame, compliance, friction, motion },
             solver: self.solver.build()?,
             friction_solver: self.friction_solver.build()?,
-            schedule: Schedule { control, ramped, extent, stepping, outputs },
+            schedule: Schedule { outputs, ..schedule },
         })
     }
 }

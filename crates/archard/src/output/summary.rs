@@ -41,7 +41,7 @@ impl Standing {
             last: last.into(),
             wear: wear(report, row),
             closed_form,
-            cycles: report.problem.kinematics.shift().is_some(),
+            cycles: report.problem.motion.shift().is_some(),
             effort: report.effort,
             extent: report.extent,
         }
@@ -104,7 +104,7 @@ pub(super) fn json_of(verdict: &Verdict) -> Value {
 /// across the direction; and, where its law says what that must be, k F s and how far the two are apart.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let Report { problem, effort, .. } = report;
-    let (measure, unit, column) = match problem.kinematics.rolling() {
+    let (measure, unit, column) = match problem.motion.rolling() {
         Some(_) => ("section", "m2", WORN_SECTION),
         None => ("volume", "m3", WORN_VOLUME),
     };

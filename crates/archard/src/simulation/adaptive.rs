@@ -14,7 +14,7 @@
 
 use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::Values;
 use crate::problem::ContactState;
 
@@ -143,7 +143,7 @@ impl Adaptive {
             effort.rejected += 1;
             self.step = length * change.min(0.8);
             if self.step < smallest {
-                let measure = simulation.problem.kinematics.progress();
+                let measure = simulation.problem.motion.progress();
                 return Err(Error::StepTooSmall { measure, progress, step: self.step });
             }
         }
@@ -159,7 +159,7 @@ impl Adaptive {
         let leg = |advance: f64, end: f64| Leg {
             advance,
             progress: end,
-            control: simulation.control_at(end),
+            control: simulation.schedule.control_at(end),
         };
         let start = self.fine.state.progress;
         let (half, end) = (start + 0.5 * length, start + length);

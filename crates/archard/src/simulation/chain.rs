@@ -3,7 +3,7 @@
 use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
@@ -57,7 +57,7 @@ impl Chain {
         let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
         let gap = self.undeformed_gap(problem);
-        match problem.kinematics.rolling() {
+        match problem.motion.rolling() {
             Some(_) => self.roll_on(simulation, leg, &gap, &*problem.compliance, effort),
             None => self.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort),
         }
@@ -74,14 +74,14 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        if let Some(rolling) = problem.kinematics.rolling() {
+        if let Some(rolling) = problem.motion.rolling() {
             return if rolling.swept || !problem.wears() {
                 self.press(simulation, leg, effort)
             } else {
                 self.wear_planes(simulation, rolling, leg, effort)
             };
         }
-        let slip = problem.kinematics.slip(leg.advance);
+        let slip = problem.motion.slip(leg.advance);
         if slip == 0.0 || !problem.wears() {
             self.press(simulation, leg, effort)?;
             self.load_distance += self.prescribed_load(leg) * slip;
@@ -109,8 +109,8 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let slip = problem.kinematics.slip(leg.advance);
-        let before = simulation.control_at(self.state.progress);
+        let slip = problem.motion.slip(leg.advance);
+        let before = simulation.schedule.control_at(self.state.progress);
         self.wear(slip, problem);
         self.load_distance += self.prescribed_load(Leg { control: before, ..leg }) * slip;
         self.press(simulation, leg, effort)
@@ -135,11 +135,11 @@ impl Chain {
 
     /// Deepest wear (m) that an advance under the present contact makes.
     pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
-        if let Some(rolling) = problem.kinematics.rolling() {
+        if let Some(rolling) = problem.motion.rolling() {
             let flow = problem.frame.flow(rolling.direction)?;
             return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
-        let slip = problem.kinematics.slip(advance);
+        let slip = problem.motion.slip(advance);
         let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip));
         Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
@@ -220,10 +220,9 @@ impl Chain {
                 self.take(outcome, simulation, leg);
                 Ok(())
             }
-            Status::FrameFull => Err(Error::FrameFull {
-                measure: problem.kinematics.progress(),
-                progress: leg.progress,
-            }),
+            Status::FrameFull => {
+                Err(Error::FrameFull { measure: problem.motion.progress(), progress: leg.progress })
+            }
             Status::OutOfIterations => {
                 Err(not_converged(simulation, leg, outcome.iterations, outcome.residual))
             }
@@ -269,7 +268,7 @@ fn total_depth(problem: &ContactProblem, rubbing: Rubbing) -> f64 {
 
 fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
     Error::NotConverged {
-        measure: simulation.problem.kinematics.progress(),
+        measure: simulation.problem.motion.progress(),
         progress: leg.progress,
         iterations,
         residual,

@@ -4,7 +4,7 @@ use super::adaptive::Adaptive;
 use super::chain::{Chain, Leg};
 use super::cycles::Cycles;
 use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Control, Stepping};
+use crate::motion::Stepping;
 use crate::numerics::vector::in_pool;
 
 /// Two values of progress closer than this, relative to the extent, are the same.
@@ -24,7 +24,7 @@ impl Simulation {
     fn carry_through(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
         self.check_frame()?;
         self.problem.check_inputs()?;
-        if let Some(shift) = self.problem.kinematics.shift() {
+        if let Some(shift) = self.problem.motion.shift() {
             return Cycles::new(self, shift).run(observers);
         }
         let mut march = March::begin(self)?;
@@ -34,16 +34,6 @@ impl Simulation {
             march.show(observers)?;
         }
         Ok(march.effort)
-    }
-
-    /// The load or approach at some progress (the motion's unit).
-    pub(super) fn control_at(&self, progress: f64) -> Control {
-        let Self { schedule, .. } = self;
-        if schedule.ramped {
-            schedule.control.scaled(progress / schedule.extent)
-        } else {
-            schedule.control
-        }
     }
 }
 
@@ -117,7 +107,7 @@ impl<'a> March<'a> {
         let end = ((self.effort.steps + 1) as f64 * step).min(extent);
         let end = if extent - end <= SAME * extent { extent } else { end };
         let advance = end - self.chain.state.progress;
-        let leg = Leg { advance, progress: end, control: self.simulation.control_at(end) };
+        let leg = Leg { advance, progress: end, control: self.simulation.schedule.control_at(end) };
         scheme(&mut self.chain, self.simulation, leg, &mut self.effort)
     }
 
@@ -129,7 +119,7 @@ impl<'a> March<'a> {
             effort: self.effort,
             output: self.output,
             extent: self.simulation.schedule.extent,
-            prescribed: self.simulation.control_at(self.chain.state.progress),
+            prescribed: self.simulation.schedule.control_at(self.chain.state.progress),
             stepping: self.simulation.schedule.stepping,
         };
         observers

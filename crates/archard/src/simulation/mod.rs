@@ -14,7 +14,7 @@ use std::error::Error as StdError;
 pub use history::row;
 pub(crate) use suits::{crossed, lacks};
 
-use crate::kinematics::{Control, Progress, Stepping};
+use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
 use crate::problem::{ContactProblem, ContactState};
 use crate::solve::Solver;
@@ -31,22 +31,6 @@ pub struct Simulation {
     pub friction_solver: Box<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
-}
-
-/// Load, extent and steps of a motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Schedule {
-    /// What holds the bodies together, at the end of the motion.
-    pub control: Control,
-    /// Whether the control grows in proportion to the progress instead of being constant.
-    pub ramped: bool,
-    /// How far the motion goes (its own unit).
-    pub extent: f64,
-    /// How it is divided into steps.
-    pub stepping: Stepping,
-    /// Progress at which fields are put out, rising, the end of the motion among them. Steps chosen
-    /// by error end on them; fixed steps put out when they first reach or pass one.
-    pub outputs: Vec<f64>,
 }
 
 /// What an observer is shown after the initial contact and after every accepted step.

@@ -3,7 +3,7 @@
 use super::Parts;
 use crate::closed_form::hertz::{Hertz, Line};
 use crate::closed_form::pin_on_disc;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::wear::Rubbing;
 
 /// The contact of the unworn bodies under the full load, after Hertz.
@@ -33,7 +33,7 @@ pub struct Worn {
 impl Contact {
     /// The contact of the parts; `None` where there is no closed form.
     pub(super) fn of(parts: &Parts<'_>) -> Option<Self> {
-        Self::under(parts, parts.motion.control)
+        Self::under(parts, parts.schedule.control)
     }
 
     /// The same under another load or approach.
@@ -80,7 +80,7 @@ impl Worn {
     /// sqrt(Rx Ry).
     pub(super) fn of(parts: &Parts<'_>, contact: &Contact) -> Option<Self> {
         let slip = parts.slip();
-        let steady = matches!(parts.motion.control, Control::Load(_)) && !parts.motion.ramped;
+        let steady = matches!(parts.schedule.control, Control::Load(_)) && !parts.schedule.ramped;
         let curvatures =
             parts.curvatures().filter(|curvatures| curvatures.iter().all(|&c| c > 0.0))?;
         let coefficient = coefficient(parts, contact.peak_pressure);

@@ -7,7 +7,7 @@ use super::contact::{Contact, coefficient};
 use super::words::{length, three};
 use crate::closed_form::kalker::Coefficients;
 use crate::closed_form::{carter, free_rolling, strip, twin_discs, vermeulen_johnson};
-use crate::kinematics::{Control, Drive, Rolling};
+use crate::motion::{Control, Drive, Rolling};
 
 /// Dundurs' constant below which bodies count as alike.
 pub(super) const ALIKE: f64 = 0.01;
@@ -79,7 +79,7 @@ impl Creep {
 
 impl<'a> Rolled<'a> {
     fn of(parts: &'a Parts<'a>, contact: &'a Contact) -> Option<Self> {
-        let rolling = parts.motion.kinematics.rolling()?.at(parts.motion.extent);
+        let rolling = parts.motion.rolling()?.at(parts.schedule.extent);
         let axis = rolling.direction.axis;
         let by_direction = |both: [f64; 2]| [both[axis], both[1 - axis]];
         let creepages = match [rolling.longitudinal, rolling.lateral] {
@@ -151,14 +151,14 @@ impl<'a> Rolled<'a> {
 
     /// The models take the contact as slipping all over by the creepage.
     fn track(&self) -> Option<Track> {
-        let (Control::Load(load), [_, half_width]) = (self.parts.motion.control, self.semi_axes)
+        let (Control::Load(load), [_, half_width]) = (self.parts.schedule.control, self.semi_axes)
         else {
             return None;
         };
         let [along, across] = self.creepages?;
         let (creepage, crown) = (along.hypot(across), 1.0 / self.curvatures[1]);
         let coefficient = coefficient(self.parts, self.contact.peak_pressure);
-        let revolutions = self.parts.motion.extent;
+        let revolutions = self.parts.schedule.extent;
         let wears = coefficient * creepage * revolutions > 0.0 && !self.rolling.swept;
         if !wears || self.is_line() || self.rolling.spin != 0.0 {
             return None;

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use super::Parts;
 use super::contact::Contact;
 use crate::compliance::bem;
-use crate::kinematics::{Shift, Stepping};
+use crate::motion::{Shift, Stepping};
 use crate::solve::joint::factors_memory;
 
 // Measured as the peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two threads, per pair
@@ -52,14 +52,14 @@ const BYTES_OF_THE_PROGRAM: f64 = 12e6;
 
 /// Memory (bytes) of a run.
 pub(super) fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
-    let by_error = matches!(parts.motion.stepping, Stepping::Tolerance(_))
-        && parts.motion.kinematics.shift().is_none();
+    let by_error =
+        matches!(parts.schedule.stepping, Stepping::Tolerance(_)) && parts.motion.shift().is_none();
     let histories = if by_error { BYTES_A_PAIR_OF_HISTORIES } else { 0.0 };
     let pairs = parts.pairs() as f64;
     let meshed = bem::memory(parts.meshes.each_ref().map(|made| Some(made.as_ref()?.size)));
-    let friction = match parts.motion.kinematics.rolling() {
+    let friction = match parts.motion.rolling() {
         Some(rolling) if parts.friction.is_some() => {
-            let goes_on = !rolling.swept && parts.motion.extent > 0.0;
+            let goes_on = !rolling.swept && parts.schedule.extent > 0.0;
             let wears = goes_on && parts.wear.iter().any(Option::is_some);
             let wear = if wears { BYTES_A_PAIR_OF_PLANES } else { 0.0 };
             // The histories keep tractions and slip as well.
@@ -68,7 +68,7 @@ pub(super) fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
             let iterations = share_in_contact(parts, contact) * BYTES_A_PAIR_OF_FRICTION;
             iterations + unlike * BYTES_A_PAIR_OF_COUPLING + wear + both
         }
-        _ => match parts.motion.kinematics.shift() {
+        _ => match parts.motion.shift() {
             Some(shift) => cycle_memory(parts, shift, contact),
             None => 0.0,
         },
@@ -79,7 +79,7 @@ pub(super) fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
 
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
 fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
-    match parts.motion.kinematics.shift() {
+    match parts.motion.shift() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
             let in_contact = share_in_contact(parts, contact) * parts.pairs() as f64;
             shift.cycle.len() as f64 * factors_memory(in_contact)
@@ -97,7 +97,7 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> 
     let rubbing = if rubs { BYTES_A_PAIR_OF_RUBBING } else { 0.0 };
     let state = BYTES_A_PAIR_OF_AN_INCREMENT + rubbing;
     let solution = state + friction * unlike * BYTES_A_PAIR_OF_BOTH;
-    let kept = match parts.motion.stepping {
+    let kept = match parts.schedule.stepping {
         Stepping::Implicit(_) | Stepping::Explicit(_) => solution,
         Stepping::Jumps(_) => solution + state,
         // A jump that is taken back needs the solutions before it.

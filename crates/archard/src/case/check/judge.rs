@@ -7,7 +7,7 @@ use crate::body::Elasticity;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::kinematics::Stepping;
+use crate::motion::Stepping;
 use crate::simulation::lacks;
 
 /// Cells across the contact below which it is poorly resolved.
@@ -67,8 +67,7 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Whether friction decides where the bodies slip.
 fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
-    let kinematics = &parts.motion.kinematics;
-    kinematics.rolling().is_some() || kinematics.shift().is_some()
+    parts.motion.rolling().is_some() || parts.motion.shift().is_some()
 }
 
 /// Friction where the motion does not ask for it.
@@ -96,9 +95,9 @@ fn without_friction(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Explicit steps beyond their bound: pressures swing from step to step.
 fn explicit(parts: &Parts<'_>) -> Option<Problem> {
-    let Stepping::Explicit(step) = parts.motion.stepping else { return None };
+    let Stepping::Explicit(step) = parts.schedule.stepping else { return None };
     let opening = stable(parts);
-    let wear = coefficient(parts, 1e8) * parts.motion.kinematics.slip(step);
+    let wear = coefficient(parts, 1e8) * parts.motion.slip(step);
     (wear > opening).then(|| {
         let message = format!(
             "the explicit scheme is unstable with this step on square elements: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
@@ -123,7 +122,7 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
         Problem::warning(Key::of(["motion", motion]), message).help(
-            if parts.motion.kinematics.shift().is_some() {
+            if parts.motion.shift().is_some() {
                 "take fewer cycles or increments, or jump over cycles with `tolerance`"
             } else {
                 "take longer steps or a larger tolerance"

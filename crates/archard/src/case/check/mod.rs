@@ -36,7 +36,7 @@ use super::problem::{Problem, Severity};
 use crate::body::{Profile, contact_modulus, curvatures};
 use crate::closed_form::free_rolling;
 use crate::friction::Friction;
-use crate::kinematics::Motion;
+use crate::motion::{Motion, Schedule};
 use crate::parameters::Invalid;
 use crate::wear::WearLaw;
 use made::Made;
@@ -49,6 +49,7 @@ struct Parts<'a> {
     wear: [Option<Box<dyn WearLaw>>; 2],
     friction: Option<Box<dyn Friction>>,
     motion: Motion,
+    schedule: Schedule,
 }
 
 impl<'a> Parts<'a> {
@@ -56,13 +57,15 @@ impl<'a> Parts<'a> {
         let [first, second] = &case.bodies;
         let wear = |body: &BodyCase| body.wear.as_ref().map(|wear| wear.build()).transpose();
         let made = |body: &BodyCase| body.finite.as_ref().map(Made::of).transpose();
+        let (motion, schedule) = case.motion.build()?;
         Ok(Self {
             case,
             profiles: [first.profile.build()?, second.profile.build()?],
             meshes: [made(first)?, made(second)?],
             wear: [wear(first)?, wear(second)?],
             friction: case.friction.as_ref().map(|friction| friction.build()).transpose()?,
-            motion: case.motion.build()?,
+            motion,
+            schedule,
         })
     }
 
@@ -152,7 +155,7 @@ impl<'a> Parts<'a> {
 
     /// Distance slid in the whole motion (m).
     fn slip(&self) -> f64 {
-        self.motion.kinematics.slip(self.motion.extent)
+        self.motion.slip(self.schedule.extent)
     }
 }
 

@@ -9,7 +9,7 @@ use super::words::{length, three};
 use crate::closed_form::cattaneo_mindlin::PartialSlip;
 use crate::closed_form::fretting_wear::WornOut;
 use crate::closed_form::spence::Indentation;
-use crate::kinematics::{Control, Guide, Shift};
+use crate::motion::{Control, Guide, Shift};
 
 /// A sphere on a body of its elasticity, shifted to and fro under constant load or approach: Cattaneo
 /// and Mindlin before any wear, and where the wear ends.
@@ -89,8 +89,8 @@ impl Fretting {
     /// What to expect of the parts; `None` unless they are shifted to and fro along one axis under one
     /// load.
     pub(super) fn of(parts: &Parts<'_>, contact: &Contact) -> Option<Self> {
-        let shift = parts.motion.kinematics.shift()?;
-        let control = parts.motion.control;
+        let shift = parts.motion.shift()?;
+        let control = parts.schedule.control;
         let steady = shift.cycle.iter().all(|station| station.control == control);
         let slip = contact_in_partial_slip(parts, contact).filter(|_| steady)?;
         let (amplitude, force) = match swing(shift)? {
@@ -121,12 +121,12 @@ impl FrettingWear {
         stick_radius: f64,
         dissipated: f64,
     ) -> Option<Self> {
-        let Control::Load(load) = parts.motion.control else { return None };
+        let Control::Load(load) = parts.schedule.control else { return None };
         let coefficient = coefficient(parts, contact.peak_pressure);
         let radius = radius(parts, contact).filter(|_| coefficient > 0.0)?;
         let last = WornOut::new(radius, parts.contact_modulus(), load, stick_radius)?;
         let friction = parts.friction_coefficient(contact.peak_pressure);
-        let cycles = parts.motion.extent / parts.motion.kinematics.shift()?.period();
+        let cycles = parts.schedule.extent / parts.motion.shift()?.period();
         Some(Self {
             steady_volume: coefficient * dissipated / friction * cycles,
             final_volume: last.volume(),
@@ -145,7 +145,7 @@ impl FrettingWear {
 /// (Spence); `None` where there is no such closed form.
 pub(super) fn stick_ratio(parts: &Parts<'_>, contact: &Contact) -> Option<f64> {
     const SPHERE: f64 = 2.0;
-    let shift = parts.motion.kinematics.shift()?;
+    let shift = parts.motion.shift()?;
     let pressed = |control: Control| match control {
         Control::Load(value) | Control::Approach(value) => value,
     };

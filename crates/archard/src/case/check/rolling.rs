@@ -5,14 +5,14 @@ use super::contact::Contact;
 use super::words::{length, size_list_up, three};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::kinematics::{Control, Drive, Rolling};
+use crate::motion::{Control, Drive, Rolling};
 
 /// Pressure (Pa) at which a coefficient of friction is read off where no other is known.
 const PRESSURE: f64 = 1e8;
 
 /// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
-    let Some(rolling) = parts.motion.kinematics.rolling() else { return vec![] };
+    let Some(rolling) = parts.motion.rolling() else { return vec![] };
     let mut problems = wear(parts, rolling);
     problems.extend(friction(parts, rolling, contact));
     problems.extend(narrow(parts, rolling, contact));
@@ -32,7 +32,7 @@ fn motion(parts: &Parts<'_>) -> Key {
 
 /// Wear that cannot come about, or rolling on and on without any.
 fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
-    let goes_on = parts.motion.extent > 0.0 && !rolling.swept;
+    let goes_on = parts.schedule.extent > 0.0 && !rolling.swept;
     let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wear.is_some()).collect();
     let mut problems = vec![];
     if is_still(parts, rolling) {
@@ -83,7 +83,7 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> 
         let message = "without a `friction` table the bodies slide freely: no traction, and all of the creepage slips";
         return Some(Problem::warning(motion(parts), message).at_name());
     }
-    let Control::Load(load) = parts.motion.control else { return None };
+    let Control::Load(load) = parts.schedule.control else { return None };
     let pressure = contact.map_or(PRESSURE, |contact| contact.peak_pressure);
     let bears = parts.friction_coefficient(pressure) * load;
     (asked > 0.0 && asked >= bears).then(|| {

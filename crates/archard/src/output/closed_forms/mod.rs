@@ -11,7 +11,7 @@ use crate::body::{Body, contact_modulus};
 use crate::closed_form::hertz::{Hertz, Line};
 use crate::closed_form::spence::Indentation;
 use crate::closed_form::{carter, pin_on_disc, strip, twin_discs};
-use crate::kinematics::{Drive, Rolling};
+use crate::motion::{Drive, Rolling};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
 
@@ -50,8 +50,7 @@ fn of(report: &Report<'_>, spence: &OnceCell<Option<Indentation>>) -> Value {
         });
     }
     let contact = Contact { problem, curvatures, modulus, hertz };
-    let kinematics = &problem.kinematics;
-    let added = match (kinematics.rolling(), kinematics.shift()) {
+    let added = match (problem.motion.rolling(), problem.motion.shift()) {
         (Some(rolling), _) => contact.rolling(report, &rolling.at(state.progress)),
         (None, Some(shift)) => contact.shifted(report, shift, spence),
         (None, None) => vec![("pin_on_disc", contact.pin_on_disc(report))],
@@ -86,7 +85,7 @@ impl Contact<'_> {
     /// A sphere that slides.
     fn pin_on_disc(&self, report: &Report<'_>) -> Option<Value> {
         let worn = coefficients::of_all_wear(self.problem);
-        if worn <= 0.0 || self.problem.kinematics.slip(1.0) <= 0.0 {
+        if worn <= 0.0 || self.problem.motion.slip(1.0) <= 0.0 {
             return None;
         }
         let (radius, volume) = (self.radius()?, worn * report.effort.load_distance);

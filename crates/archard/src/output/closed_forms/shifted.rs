@@ -9,7 +9,7 @@ use crate::closed_form::Hertz;
 use crate::closed_form::cattaneo_mindlin::PartialSlip;
 use crate::closed_form::fretting_wear::WornOut;
 use crate::closed_form::spence::{Indentation, coupling};
-use crate::kinematics::{Control, Guide, Shift, Station};
+use crate::motion::{Control, Guide, Shift, Station};
 use crate::output::coefficients;
 use crate::simulation::Report;
 

@@ -10,7 +10,7 @@ use tempfile::tempdir;
 
 use super::{Claim, ResultFolder};
 use crate::frame::Direction;
-use crate::kinematics::{Control, Stepping};
+use crate::motion::{Control, Stepping};
 use crate::output::fixture::{COEFFICIENTS, CREEPAGE, CROWN, FRICTION, LOAD, Run};
 use crate::output::{Error, Image, Totals};
 use crate::problem::ContactState;

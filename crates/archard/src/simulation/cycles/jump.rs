@@ -7,7 +7,7 @@
 
 use super::rig::Rig;
 use super::spread::spread;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
 use crate::simulation::chain::{Chain, Leg};

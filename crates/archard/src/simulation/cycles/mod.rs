@@ -10,7 +10,7 @@ mod touch;
 mod unlike;
 
 use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
+use crate::motion::{Control, Guide, Shift, Station, Stepping};
 use crate::numerics::vector::update;
 use crate::problem::ContactState;
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::rig::{Found, Rig};
 use super::touch::{Before, Course};
-use crate::kinematics::{Control, Station};
+use crate::motion::{Control, Station};
 use crate::problem::ContactState;
 use crate::simulation::chain::Leg;
 use crate::simulation::{Effort, Error, Simulation};
@@ -69,7 +69,7 @@ impl Rig {
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;
-        let ends = problem.kinematics.shift().is_some_and(|shift| shift.end_pressure);
+        let ends = problem.motion.shift().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
             let found = self.solve(simulation, leg, station, known, effort)?;
             return Ok(self.settled(found));

@@ -18,7 +18,7 @@ use super::{Settings, Status};
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::map;
 use crate::solve::tangential::Held;
 

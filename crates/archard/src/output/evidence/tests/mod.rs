@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 
 use super::{Evidence, worst};
 use crate::frame::Direction;
-use crate::kinematics::{Control, Stepping};
+use crate::motion::{Control, Stepping};
 use crate::output::fixture::{CREEPAGE, DISSIPATED, FRICTION, LOAD, Run};
 use crate::problem::ContactState;
 use crate::simulation::{Effort, Report, row};
