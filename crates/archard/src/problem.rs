@@ -1,5 +1,7 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+use serde::{Deserialize, Serialize};
+
 use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
@@ -50,7 +52,7 @@ impl ContactProblem {
 }
 
 /// What is known of the contact at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactState {
     /// How far the motion has gone (its own unit).
     pub progress: f64,
@@ -69,7 +71,7 @@ pub struct ContactState {
 }
 
 /// What is known of friction at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tangential {
     /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
     pub traction: [Vec<f64>; 2],

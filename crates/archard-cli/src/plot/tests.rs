@@ -121,6 +121,8 @@ fn write(
             extent: states[last].progress,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
+            again: false,
+            march: None,
         };
         folder.observe(&report).unwrap();
     }

@@ -9,7 +9,7 @@ use crate::compliance::{Compliance, HalfSpace};
 use crate::elastic::Point;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
-use crate::motion::{Motion, Schedule};
+use crate::motion::{Planned, Schedule};
 use crate::parameters::Invalid;
 use crate::problem::ContactProblem;
 use crate::simulation::Simulation;
@@ -29,7 +29,7 @@ pub struct Case {
     /// The friction between the bodies; `None` without.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// The motion.
-    pub motion: Chosen<(Motion, Schedule)>,
+    pub motion: Chosen<Planned>,
     /// The solver of the contact steps.
     pub solver: Chosen<Box<dyn Solver>>,
     /// The solver of friction.

@@ -1,10 +1,10 @@
 //! Steady rolling at creepages raised step by step: the curve of forces over creepages.
 
 use super::rolling::{CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPIN};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Schedule, Stepping, steady};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Stepping, steady};
 use crate::parameters::{Choice, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "creepage_sweep",
     meaning: "steady rolling at creepages, forces and spin raised together in equal increments",
     parameters: &[

@@ -1,10 +1,12 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
 use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
-use super::{APPROACH, Control, INCREMENTS, LOAD, Motion, Progress, Schedule, control, jumps};
+use super::{
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps,
+};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "fretting",
     meaning: "tangential oscillation of given displacement or force under constant or varying load",
     parameters: &[

@@ -1,10 +1,10 @@
 //! Two bodies pressed together, once or again and again.
 
 use super::shift::{CYCLE_COUNT, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Progress, Schedule, control, jumps};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps};
 use crate::parameters::{Choice, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "indentation",
     meaning: "load or approach raised in equal increments, once or in cycles",
     parameters: &[

@@ -10,6 +10,8 @@ mod rolling;
 mod shift;
 mod sliding;
 
+use serde::{Deserialize, Serialize};
+
 pub use rolling::{Drive, Rolling};
 pub use shift::{Guide, Shift, Station};
 
@@ -103,7 +105,7 @@ impl Progress {
 }
 
 /// What holds the bodies together.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Control {
     /// The normal force (N); the approach follows.
     Load(f64),
@@ -163,8 +165,11 @@ impl Schedule {
     }
 }
 
+/// A motion and what it is put through, as a case states them.
+pub type Planned = (Motion, Schedule);
+
 /// The motions a case can name.
-pub const MOTIONS: &[Choice<(Motion, Schedule)>] = &[
+pub const MOTIONS: &[Choice<Planned>] = &[
     indentation::CHOICE,
     fretting::CHOICE,
     path::CHOICE,

@@ -1,10 +1,10 @@
 //! Loads and displacements as a table gives them over time.
 
 use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Progress, Schedule, jumps};
+use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, jumps};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "path",
     meaning: "load or approach and tangential displacements or forces over time, from a file",
     parameters: &[

@@ -5,11 +5,11 @@
 //! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
-use super::{APPROACH, LOAD, Motion, Schedule, Stepping, TOLERANCE, few_steps, steady};
+use super::{APPROACH, LOAD, Motion, Planned, Stepping, TOLERANCE, few_steps, steady};
 use crate::frame::{Direction, Flow};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "rolling",
     meaning: "steady rolling with creepage and spin; both profiles wear evenly around (twin discs)",
     parameters: &[

@@ -1,9 +1,9 @@
 //! Gross sliding: every pair in contact slides the same distance (pin on disc).
 
-use super::{APPROACH, LOAD, Motion, Schedule, Stepping, TOLERANCE, few_steps, steady};
+use super::{APPROACH, LOAD, Motion, Planned, Stepping, TOLERANCE, few_steps, steady};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<(Motion, Schedule)> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "sliding",
     meaning: "sliding at constant load or approach, the same distance everywhere (pin on disc)",
     parameters: &[

@@ -279,6 +279,8 @@ impl Run {
                 extent: places.last().copied().unwrap_or_default(),
                 prescribed: Control::Load(state.load),
                 stepping: Stepping::Implicit(1.0),
+                again: false,
+                march: None,
             };
             observer.observe(&report).expect("the temporary folder takes files");
         }

@@ -1,5 +1,7 @@
 //! Force over shift, cycle by cycle.
 
+use serde::{Deserialize, Serialize};
+
 use super::Error;
 use super::table::{Table, number};
 use crate::motion::Shift;
@@ -13,7 +15,7 @@ const SAME: f64 = 1e-6;
 
 /// The increments of the present cycle, kept until its end shows whether they are put out: those of the
 /// first cycle and of every cycle in which an output falls due are.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct FrettingLoop {
     points: Vec<[f64; COLUMNS.len()]>,
     /// The number of the cycle, from 1 on.

@@ -12,6 +12,8 @@
 //! estimate never falls during a run. The pressure of an Euler step lags behind by the order of the
 //! step; the two histories show by how much, and the step is kept short enough for that too.
 
+use serde::{Deserialize, Serialize};
+
 use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
 use crate::motion::Control;
@@ -31,7 +33,7 @@ const SHORTER: f64 = 0.25;
 const SMALLEST: f64 = 1e-10;
 
 /// Two histories of wear and the extrapolation from them.
-#[derive(Debug)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Adaptive {
     tolerance: f64,
     coarse: Chain,

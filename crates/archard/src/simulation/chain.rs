@@ -1,5 +1,7 @@
 //! Wear in time: one history of wear, carried from step to step by one contact solve a step.
 
+use serde::{Deserialize, Serialize};
+
 use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
@@ -15,7 +17,7 @@ const LINEARISATION: f64 = 1e-9;
 const PASSES: usize = 50;
 
 /// Where a history has arrived.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Chain {
     /// The contact and the worn depths.
     pub state: ContactState,

@@ -2,16 +2,23 @@
 
 mod adaptive;
 mod chain;
+mod checkpoint;
 mod collected;
 mod cycles;
 pub mod history;
 mod march;
 mod rolling;
+mod run;
 mod suits;
 
 use std::error::Error as StdError;
 
+use serde::{Deserialize, Serialize};
+
+pub use checkpoint::NotResumed;
 pub use history::row;
+pub use march::March;
+pub use run::Run;
 pub(crate) use suits::{crossed, lacks};
 
 use crate::motion::{Control, Progress, Schedule, Stepping};
@@ -50,10 +57,21 @@ pub struct Report<'a> {
     pub prescribed: Control,
     /// How the motion is divided into steps.
     pub stepping: Stepping,
+    /// Whether it is shown for the second time, by a run that goes on after an interruption.
+    pub again: bool,
+    /// The run, where it can be kept.
+    pub march: Option<&'a March>,
+}
+
+impl Report<'_> {
+    /// All that the further steps of the run follow from, for [`Run::resume`].
+    pub fn checkpoint(&self) -> Option<Vec<u8>> {
+        self.march.map(March::to_bytes)
+    }
 }
 
 /// What a step took, and what the run took so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
     /// Steps accepted so far.
     pub steps: usize,
@@ -188,6 +206,9 @@ pub enum Error {
         /// The body's name.
         body: String,
     },
+    /// A run that was kept does not go on.
+    #[error(transparent)]
+    NotResumed(#[from] NotResumed),
     /// An observer could not go on.
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),

@@ -8,7 +8,7 @@ use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::elastic::Point;
-use crate::motion::{Motion, Schedule};
+use crate::motion::{Motion, Planned};
 use crate::parameters::{Quantity, Values};
 
 impl Reader<'_> {
@@ -17,7 +17,7 @@ impl Reader<'_> {
     pub(super) fn output(
         &mut self,
         root: &Section<'_>,
-        (motion, schedule): &(Motion, Schedule),
+        (motion, schedule): &Planned,
     ) -> Option<Output> {
         let default = Output::Every(tenth(motion, schedule.extent));
         let Some((key, entry)) = root.get("output") else { return Some(default) };

@@ -7,6 +7,8 @@ mod extent;
 mod roughness;
 mod work;
 
+use serde::{Deserialize, Serialize};
+
 use super::coefficients;
 use crate::motion::{Control, Stepping};
 use crate::problem::ContactProblem;
@@ -18,7 +20,7 @@ use edges::Edges;
 use work::Cycle;
 
 /// The numbers so far; the worst of all reports where nothing else is said.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Evidence {
     /// Load or approach off the one prescribed, relative to it.
     load: Option<f64>,

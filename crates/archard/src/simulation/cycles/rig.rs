@@ -5,6 +5,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::rubbing::Rubbed;
 use super::settle::Settled;
 use super::touch::Course;
@@ -18,7 +20,7 @@ use crate::solve::tangential::{self, Held};
 use crate::solve::{Status, joint};
 
 /// Bodies on their way, and what they went through in the present cycle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rig {
     pub chain: Chain,
     /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes

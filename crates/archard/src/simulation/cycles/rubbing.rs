@@ -5,12 +5,14 @@
 //! takes the mean of the pressures before and after, friction the mean of the tractions, so that what is
 //! dissipated in a closed cycle equals the work done on the bodies.
 
+use serde::{Deserialize, Serialize};
+
 use crate::problem::{ContactProblem, ContactState};
 use crate::simulation::chain::Chain;
 use crate::wear::Rubbing;
 
 /// What rubbing did since a cycle began.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Rubbed {
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub depths: [Vec<f64>; 2],

@@ -5,6 +5,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::rig::{Found, Rig};
 use super::touch::{Before, Course};
 use crate::motion::{Control, Station};
@@ -21,7 +23,7 @@ const LATER: f64 = 0.005;
 const TOUCHES: usize = 9;
 
 /// A solution to start the same increment of another cycle from.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Settled {
     pub state: ContactState,
     pub displacement: Vec<f64>,
