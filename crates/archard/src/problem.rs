@@ -7,7 +7,7 @@ use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::{Motion, Rolling};
-use crate::wear::Rubbing;
+use crate::wear::{Rubbing, WearLaw};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
@@ -40,14 +40,19 @@ impl ContactProblem {
         rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
     }
 
-    /// Depths (m) the rubbing wears off body 1 and body 2.
-    pub fn wear_depths(&self, rubbing: Rubbing) -> [f64; 2] {
-        self.bodies.each_ref().map(|body| body.wear.as_ref().map_or(0.0, |law| law.depth(rubbing)))
+    /// Depths (m) the rubbing wears off body 1 and body 2, of those that are meant.
+    pub fn wear_depths(&self, rubbing: Rubbing, meant: [bool; 2]) -> [f64; 2] {
+        [0, 1].map(|body| self.law(body, meant).map_or(0.0, |law| law.depth(rubbing)))
     }
 
-    /// Slope (m/Pa) of the total wear depth with respect to the pressure.
-    pub fn wear_slope(&self, rubbing: Rubbing) -> f64 {
-        self.bodies.iter().filter_map(|body| body.wear.as_ref()).map(|law| law.slope(rubbing)).sum()
+    /// Slope (m/Pa) of the wear depth of those together with respect to the pressure.
+    pub fn wear_slope(&self, rubbing: Rubbing, meant: [bool; 2]) -> f64 {
+        let laws = (0..2).filter_map(|body| self.law(body, meant));
+        laws.map(|law| law.slope(rubbing)).sum()
+    }
+
+    fn law(&self, body: usize, meant: [bool; 2]) -> Option<&dyn WearLaw> {
+        self.bodies[body].wear.as_deref().filter(|_| meant[body])
     }
 }
 

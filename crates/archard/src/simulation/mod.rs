@@ -3,12 +3,14 @@
 mod adaptive;
 mod chain;
 mod checkpoint;
-mod collected;
+mod collector;
 mod cycles;
 pub mod history;
 mod march;
+mod passing;
 mod rolling;
 mod run;
+mod step;
 mod suits;
 
 use std::error::Error as StdError;

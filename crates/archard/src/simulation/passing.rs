@@ -1,6 +1,6 @@
-//! Wear collected along the planes of rolling.
+//! Wear of surfaces that pass: all points on a line along the motion wear alike.
 //!
-//! A particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
+//! Where bodies roll, a particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
 //! and it is rubbed until it has left the last pair under pressure, as far as it slips under the limit of friction. With
 //! that pairing of tractions and slip the worn section equals the work of the creepage in rows of pairs, as it does in
 //! nature, to the last digits: by construction, so that it says nothing about the force itself. Between
@@ -8,12 +8,24 @@
 //! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
 
 use crate::frame::{Flow, Passage, VectorField};
+use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState};
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
 
-/// Wear of the planes under the contact as it is, in one revolution.
+/// The lines of the surfaces that pass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lines<'a> {
+    pub problem: &'a ContactProblem,
+    pub flow: Flow<'a>,
+    /// Which bodies pass.
+    pub bodies: [bool; 2],
+    /// How often they pass while the motion advances by one (its own unit).
+    pub passages: f64,
+}
+
+/// Wear of the lines under the contact as it is, in one passage.
 pub(super) struct Collected {
     /// Depth worn off body 1 and body 2 (m), one value a plane.
     pub depths: Vec<[f64; 2]>,
@@ -24,13 +36,25 @@ pub(super) struct Collected {
 }
 
 impl Collected {
-    pub fn of(state: &ContactState, problem: &ContactProblem, flow: Flow<'_>) -> Self {
+    pub fn of(state: &ContactState, lines: Lines<'_>) -> Self {
+        let Lines { problem, flow, bodies, .. } = lines;
         let pressure = &state.pressure;
         let weight = problem.frame.measure().weight;
-        let means = flow.on_the_way(pressure);
-        let slips = rubbed_slip(state, problem, flow, &means);
-        let scale =
-            if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
+        let (means, slips, scale) = match problem.motion {
+            Motion::Rolling(_) => {
+                let means = flow.on_the_way(pressure);
+                let slips = rubbed_slip(state, problem, flow, &means);
+                let rows = flow.has_rows();
+                let scale =
+                    if rows { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
+                (means, slips, scale)
+            }
+            // A point slides the length of every element.
+            _ => {
+                let all = || vec![flow.advance(); pressure.len()];
+                (pressure.clone(), flow.advances().unwrap_or_else(all), 1.0)
+            }
+        };
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
         for plane in flow.planes().iter() {
             let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
@@ -42,9 +66,9 @@ impl Collected {
                 }
                 let rubbing = problem.rubbing(mean, slips[pair]);
                 let times = scale * times;
-                let worn = problem.wear_depths(rubbing);
+                let worn = problem.wear_depths(rubbing, bodies);
                 depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
-                slope += times * problem.wear_slope(rubbing) * mean;
+                slope += times * problem.wear_slope(rubbing, bodies) * mean;
             }
             collected.depths.push(depths);
             collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
