@@ -33,9 +33,7 @@ impl ContactProblem {
 
     /// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
     pub fn rubbing(&self, pressure: f64, slip: f64) -> Rubbing {
-        let rubbing = Rubbing::new(pressure, slip);
-        let Some(friction) = &self.friction else { return rubbing };
-        rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
+        rubbing(self.friction.as_deref(), pressure, slip)
     }
 
     /// Depths (m) the rubbing wears off body 1 and body 2.
@@ -47,6 +45,13 @@ impl ContactProblem {
     pub fn wear_slope(&self, rubbing: Rubbing) -> f64 {
         self.bodies.iter().filter_map(|body| body.wear.as_ref()).map(|law| law.slope(rubbing)).sum()
     }
+}
+
+/// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
+pub(crate) fn rubbing(friction: Option<&dyn Friction>, pressure: f64, slip: f64) -> Rubbing {
+    let rubbing = Rubbing::new(pressure, slip);
+    let Some(friction) = friction else { return rubbing };
+    rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
 }
 
 /// What is known of the contact at the end of a step.

@@ -12,7 +12,7 @@ const LAYERS: &[&[&str]] = &[
     &["compliance", "kinematics"],
     &["elastic", "problem"],
     &["solve"],
-    &["simulation"],
+    &["simulation", "estimate"],
     &["output"],
     &["case"],
 ];

@@ -23,7 +23,6 @@
 
 mod appended;
 mod closed_forms;
-mod coefficients;
 mod elastic;
 mod evidence;
 mod fields;

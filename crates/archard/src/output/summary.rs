@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::coefficients;
+use crate::estimate::Subject;
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{Effort, Report};
 use crate::verdict::{Bound, Line, Verdict};
@@ -111,7 +111,7 @@ fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
         let worn = number(row, &of_body(column, &body.name)).unwrap_or(0.0);
         let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
-        if let Some(k) = coefficients::of_wear(problem, index) {
+        if let Some(k) = Subject::from(*problem).wear_coefficient(index) {
             let expected = k * effort.load_distance;
             let difference = (expected > 0.0).then(|| worn / expected - 1.0);
             entry["coefficient_per_Pa"] = json!(k);

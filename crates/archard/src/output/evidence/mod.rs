@@ -7,7 +7,7 @@ mod extent;
 mod roughness;
 mod work;
 
-use super::coefficients;
+use crate::estimate::Subject;
 use crate::kinematics::{Control, Stepping};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
@@ -142,13 +142,14 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
+    let subject = Subject::from(*problem);
     let expected = match problem.kinematics.shift() {
         Some(shift) if shift.end_pressure => return None,
-        Some(_) => effort.dissipated[1] / coefficients::of_friction(problem)?,
+        Some(_) => effort.dissipated[1] / subject.friction_coefficient()?,
         None => effort.load_distance,
     };
     let off = |body: usize| {
-        let k = coefficients::of_wear(problem, body)?;
+        let k = subject.wear_coefficient(body)?;
         let name = &problem.bodies[body].name;
         let columns = [WORN_VOLUME, WORN_SECTION].map(|column| of_body(column, name));
         let worn = columns.iter().find_map(|column| number(row, column))?;

@@ -12,13 +12,14 @@ use std::path::{Path, PathBuf};
 pub use claim::Claim;
 use lock::Lock;
 
-use super::closed_forms::ClosedForms;
+use super::closed_forms;
 use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{Error, Image, Surface, Totals, file, pvd, sections};
+use crate::estimate::Estimator;
 use crate::simulation::history::TIME_ERROR;
 use crate::simulation::{Observer, Report, row};
 use crate::verdict::Verdict;
@@ -48,7 +49,7 @@ pub struct ResultFolder {
     /// Progress and file of every output so far.
     outputs: Vec<(f64, String)>,
     iterations: usize,
-    closed_forms: ClosedForms,
+    estimator: Estimator,
     standing: Option<Standing>,
     evidence: Evidence,
 }
@@ -77,7 +78,7 @@ impl ResultFolder {
             fretting_loop: FrettingLoop::default(),
             outputs: Vec::new(),
             iterations: 0,
-            closed_forms: ClosedForms::default(),
+            estimator: Estimator::default(),
             standing: None,
             evidence: Evidence::default(),
             dir,
@@ -128,7 +129,8 @@ impl ResultFolder {
         }
         self.evidence.take(report, &row);
         self.iterations += report.effort.iterations;
-        self.standing = Some(Standing::of(report, &row, self.closed_forms.of(report)));
+        let closed_forms = closed_forms::of(report, &self.estimator);
+        self.standing = Some(Standing::of(report, &row, closed_forms));
         Ok(())
     }
 
