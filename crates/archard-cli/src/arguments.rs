@@ -42,9 +42,16 @@ pub struct Case {
 /// The arguments of `run`.
 #[derive(Debug, Args)]
 pub struct Run {
-    /// The case.
-    #[command(flatten)]
-    pub case: Case,
+    /// A case file, or a folder with a `case.toml`
+    #[arg(required_unless_present = "resume")]
+    pub case: Option<PathBuf>,
+    /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
+    /// out, a table replaces the table that is there, and KEY= removes the key
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Go on with the run in this folder where it was interrupted, to the same results as without
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["case", "set", "output", "force"])]
+    pub resume: Option<PathBuf>,
     /// Where to write the results; results/NAME if not given, with the values of --set in its name.
     /// Files of an earlier run of the same case in it are replaced, others left alone
     #[arg(short, long, value_name = "DIR")]
@@ -65,6 +72,12 @@ pub struct Run {
 }
 
 impl Run {
+    /// The case, of a run that goes on the one in its folder.
+    pub fn case(&self) -> Case {
+        let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
+        Case { case: case.unwrap_or_default(), set: self.set.clone() }
+    }
+
     /// The folder of compliances, if there is any place for one.
     pub fn store(&self) -> Option<Store> {
         let cache = || {

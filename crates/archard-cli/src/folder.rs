@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use archard::output::Claim;
 
-use crate::arguments::Run;
+use crate::arguments::{Case, Run};
 use crate::failure::Failure;
 
 /// Most letters that settings take in the name of a folder.
@@ -12,11 +12,12 @@ const LONGEST: usize = 100;
 
 /// The folder of the arguments, held for a case that prints like this.
 pub fn claim(arguments: &Run, case_toml: &str) -> Result<Claim, Failure> {
-    let dir = arguments
-        .output
-        .clone()
-        .unwrap_or_else(|| default(&arguments.case.case, &arguments.case.set));
-    keep_the_case(&arguments.case.case, &dir)?;
+    if let Some(dir) = &arguments.resume {
+        return Claim::take(dir).map_err(|error| Failure::wrong(error.to_string()));
+    }
+    let Case { case, set } = arguments.case();
+    let dir = arguments.output.clone().unwrap_or_else(|| default(&case, &set));
+    keep_the_case(&case, &dir)?;
     let claim = Claim::take(&dir).map_err(|error| Failure::wrong(error.to_string()))?;
     if arguments.force || !claim.holds_another(case_toml) {
         return Ok(claim);

@@ -139,10 +139,14 @@ impl Watch {
 impl Observer for Watch {
     /// Hands the report to the results, and ends the run where that was asked for.
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        let asked = self.0.asked.load(Ordering::Relaxed);
         if let Held::Results(results) = &mut *self.lock() {
             results.folder.observe(report)?;
+            if asked {
+                results.folder.keep_now(report)?;
+            }
         }
-        if self.0.asked.load(Ordering::Relaxed) { Err(Interrupted.into()) } else { Ok(()) }
+        if asked { Err(Interrupted.into()) } else { Ok(()) }
     }
 }
 
@@ -150,8 +154,8 @@ impl Observer for Watch {
 pub fn with_results(dir: &Path) -> Failure {
     let dir = dir.display();
     Failure::Interrupted(format!(
-        "{Interrupted}\nwhat was computed so far is in {dir}; to go on, draw it with `archard plot {dir}`, or give \
-         the same command again, which starts from the beginning"
+        "{Interrupted}\nwhat was computed so far is in {dir}; go on with `archard run --resume {dir}`, or draw it with \
+         `archard plot {dir}`"
     ))
 }
 

@@ -1,6 +1,6 @@
 //! Numbers as a tribologist reads them.
 
-use archard::kinematics::Progress;
+use archard::motion::Progress;
 use archard::parameters::Quantity;
 
 /// A number with four significant digits.
@@ -50,7 +50,7 @@ pub fn progress(progress: Progress, value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use archard::kinematics::Progress;
+    use archard::motion::Progress;
     use archard::parameters::Quantity;
 
     use super::{energy, progress};

@@ -6,12 +6,12 @@ use std::time::Instant;
 
 use archard::body::Body;
 use archard::case::{Case, Resolved, Task};
-use archard::kinematics::{Rolling, Shift};
+use archard::motion::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::history::{
     self, CREEPAGE, FORCE, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
 };
-use archard::simulation::{Effort, Error, Simulation};
+use archard::simulation::{Effort, Error, Observer, Simulation};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     // First of all: whatever works in parallel before it would fix the number of threads.
     set_threads(arguments)?;
     let watch = Watch::set();
-    let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
+    let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
     let case_toml = match &task {
         Task::Contact(resolved) => resolved.case.to_string(),
         Task::Elastic(resolved) => resolved.case.to_string(),
@@ -53,6 +53,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
                 true => one_thread()?.install(contact),
                 false => contact(),
             }
+        }
+        Task::Elastic(_) if arguments.resume.is_some() => {
+            Err(Failure::wrong("a body by itself is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => elastic::run(resolved, &watch, arguments.quiet),
     };
@@ -85,13 +88,26 @@ fn contact(
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));
     }
     let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
+    let mut kept = None;
     let begin = |claim: output::Claim| {
-        let folder = claim.begin(case_toml)?;
+        let folder = match arguments.resume {
+            None => claim.begin(case_toml)?,
+            Some(_) => {
+                let (folder, run) = claim.resume()?;
+                kept = Some(run);
+                folder
+            }
+        };
         Ok(Underway { folder, begun, warnings, bar: follower.bar() })
     };
     watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
     let mut inside = Inside::at(case.points.clone());
-    let outcome = simulation.run(&mut [&mut watch.clone(), &mut follower, &mut inside]);
+    let mut watching = watch.clone();
+    let observers: &mut [&mut dyn Observer] = &mut [&mut watching, &mut follower, &mut inside];
+    let outcome = match kept {
+        None => simulation.run(observers),
+        Some(run) => simulation.resume(&run, observers),
+    };
     let outcome = outcome.map_err(|error| failure(error, dir)).and_then(|effort| {
         let written = inside.write(dir, simulation.problem.bodies.each_ref());
         written.map_err(|error| Failure::wrong(error.to_string()))?;
@@ -167,6 +183,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::NotPassed(_)
         | Error::NotJoint
         | Error::NoFriction { .. }
+        | Error::NotResumed(_)
         | Error::Observer(_) => Failure::Wrong(message),
     }
 }
@@ -188,10 +205,10 @@ fn summarize(
     say(&format!("peak pressure     {} MPa", number(history::PEAK_PRESSURE, 1e-6)))?;
     say(&format!("approach          {} um", number(history::APPROACH, 1e6)))?;
     say(&format!("contact area      {} mm^2", number(history::CONTACT_AREA, 1e6)))?;
-    if let Some(rolling) = simulation.problem.kinematics.rolling() {
+    if let Some(rolling) = simulation.problem.motion.rolling() {
         summarize_rolling(simulation, rolling, follower)?;
     }
-    if let Some(shift) = simulation.problem.kinematics.shift() {
+    if let Some(shift) = simulation.problem.motion.shift() {
         summarize_shift(simulation, shift, follower, effort)?;
     }
     if simulation.problem.wears() {

@@ -37,7 +37,7 @@ impl Underway {
             bar.finish_and_clear();
         }
         let totals = Totals {
-            seconds: self.begun.elapsed().as_secs_f64(),
+            seconds: self.folder.seconds_before() + self.begun.elapsed().as_secs_f64(),
             threads: rayon::current_num_threads(),
             warnings: self.warnings.into_iter().chain(doubts).collect(),
             failure,

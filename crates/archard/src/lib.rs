@@ -45,7 +45,7 @@
 //!
 //! A [`Case`] builds a [`Simulation`]: a [`ContactProblem`], a [`Solver`] and a schedule. The problem
 //! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
-//! seen from the frame, and the [`Kinematics`] of their motion; each body may have a [`WearLaw`].
+//! seen from the frame, and their [`Motion`]; each body may have a [`WearLaw`].
 //! What is known at the end of a step is a [`ContactState`]. Profiles, wear laws, motions and solvers
 //! are interchangeable parts, declared as [`parameters::Choice`]s.
 //!
@@ -60,7 +60,7 @@ pub mod elastic;
 pub mod estimate;
 pub mod frame;
 pub mod friction;
-pub mod kinematics;
+pub mod motion;
 pub mod numerics;
 pub mod output;
 pub mod parameters;
@@ -76,7 +76,7 @@ pub use case::Case;
 pub use compliance::Compliance;
 pub use frame::ContactFrame;
 pub use friction::Friction;
-pub use kinematics::Kinematics;
+pub use motion::Motion;
 pub use problem::{ContactProblem, ContactState};
 pub use simulation::Simulation;
 pub use solve::Solver;

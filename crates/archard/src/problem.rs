@@ -1,10 +1,12 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+use serde::{Deserialize, Serialize};
+
 use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
-use crate::kinematics::{Kinematics, Rolling};
+use crate::motion::{Motion, Rolling};
 use crate::wear::Rubbing;
 
 /// How far below its limit a traction is where pairs stick, relative to it.
@@ -22,7 +24,7 @@ pub struct ContactProblem {
     /// How much tangential traction the pairs bear; `None` without friction.
     pub friction: Option<Box<dyn Friction>>,
     /// How the pairs rub.
-    pub kinematics: Box<dyn Kinematics>,
+    pub motion: Motion,
 }
 
 impl ContactProblem {
@@ -55,7 +57,7 @@ pub(crate) fn rubbing(friction: Option<&dyn Friction>, pressure: f64, slip: f64)
 }
 
 /// What is known of the contact at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ContactState {
     /// How far the motion has gone (its own unit).
     pub progress: f64,
@@ -74,7 +76,7 @@ pub struct ContactState {
 }
 
 /// What is known of friction at the end of a step.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Tangential {
     /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
     pub traction: [Vec<f64>; 2],

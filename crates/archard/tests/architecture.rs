@@ -9,7 +9,7 @@ const LAYERS: &[&[&str]] = &[
     &["wear", "friction"],
     &["body"],
     &["frame", "closed_form"],
-    &["compliance", "kinematics"],
+    &["compliance", "motion"],
     &["elastic", "problem"],
     &["solve"],
     &["simulation", "estimate"],

@@ -13,7 +13,7 @@ use approx::assert_relative_eq;
 use archard::body::profile::PROFILES;
 use archard::compliance::{Compliance, HalfSpace};
 use archard::frame::VectorField;
-use archard::kinematics::{Control, MOTIONS};
+use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
 use archard::wear::{Rubbing, WEAR_LAWS};
@@ -106,11 +106,11 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
 fn motions_go_somewhere() {
     all_have_examples(MOTIONS, MOTION_EXAMPLES, OTHER_MOTIONS);
     for (name, numbers) in MOTION_EXAMPLES {
-        let motion = choose(MOTIONS, name, numbers);
-        assert!(motion.extent > 0.0, "{name}");
-        let slips = [0.0, 0.1, 0.2].map(|advance| motion.kinematics.slip(advance));
+        let (motion, schedule) = choose(MOTIONS, name, numbers);
+        assert!(schedule.extent > 0.0, "{name}");
+        let slips = [0.0, 0.1, 0.2].map(|advance| motion.slip(advance));
         assert!(slips[0] == 0.0 && slips[1] >= 0.0 && slips[2] >= slips[1], "{name}");
-        assert!(motion.kinematics.progress().column.contains(char::is_alphabetic), "{name}");
+        assert!(motion.progress().column.contains(char::is_alphabetic), "{name}");
     }
 }
 

@@ -16,7 +16,7 @@ use std::path::Path;
 use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::case::{Case, CaseFile, Output, Resolved, Solves};
-use archard::kinematics::{Control, Stepping};
+use archard::motion::{Control, Stepping};
 use proptest::prelude::*;
 
 use good_cases::fretting::{self, PATH, fretting};

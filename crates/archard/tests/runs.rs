@@ -1,6 +1,8 @@
 //! Cases run in ways the published ones are not, against closed forms and identities.
 
 mod common;
+#[path = "runs/resume.rs"]
+mod resume;
 
 use std::fmt::Write;
 use std::path::Path;

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use archard::case::{CaseFile, Severity};
-use archard::kinematics::Control;
+use archard::motion::Control;
 use archard::simulation::{Observer, Report, Simulation, row};
 
 use cases::random_case;
@@ -79,7 +79,7 @@ fn wrong(report: &Report<'_>, tolerance: f64) -> Option<String> {
 /// by one solver, that of friction.
 fn tolerance(simulation: &Simulation) -> f64 {
     let problem = &simulation.problem;
-    let shifted = problem.friction.is_some() && problem.kinematics.shift().is_some();
+    let shifted = problem.friction.is_some() && problem.motion.shift().is_some();
     if shifted && problem.compliance.couples() {
         return simulation.friction_solver.settings().tolerance;
     }

@@ -1,7 +1,7 @@
 //! The force on body 1 over the creepage, with the limit and a closed form beside it.
 
 use anyhow::Result;
-use archard::kinematics::Drive;
+use archard::motion::Drive;
 use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
 use kuva::plot::LegendPosition;
 

@@ -8,7 +8,7 @@ use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
-use archard::kinematics::{Progress, Rolling};
+use archard::motion::{Progress, Rolling};
 use archard::output::{Image, Surface};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
 use serde_json::{Map, Value};
@@ -123,8 +123,8 @@ impl Results {
 
     /// How they roll.
     pub(super) fn rolling(&self) -> Option<Rolling> {
-        let motion = self.case.as_ref()?.motion.build().ok()?;
-        motion.kinematics.rolling().copied()
+        let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
+        motion.rolling().copied()
     }
 
     /// The axis along which they roll or are shifted and the one across.

@@ -1,6 +1,6 @@
 //! Units a reader of pictures expects.
 
-use archard::kinematics::Progress;
+use archard::motion::Progress;
 
 /// A unit and how many of it are in one SI unit.
 #[derive(Debug, Clone, PartialEq)]

@@ -16,7 +16,7 @@ use archard::body::{Body, Material, profile::PROFILES};
 use archard::closed_form::pin_on_disc;
 use archard::compliance::Compliance;
 use archard::frame::{ContactFrame, VectorField};
-use archard::kinematics::{Control, MOTIONS, Stepping};
+use archard::motion::{Control, MOTIONS, Stepping};
 use archard::output::{ResultFolder, Totals};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
@@ -70,7 +70,7 @@ fn problem(
         frame,
         compliance: Box::new(Stiff),
         friction: None,
-        kinematics: build(MOTIONS, motion, numbers).kinematics,
+        motion: build(MOTIONS, motion, numbers).0,
     }
 }
 
@@ -121,6 +121,8 @@ fn write(
             extent: states[last].progress,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
+            again: false,
+            march: None,
         };
         folder.observe(&report).unwrap();
     }

@@ -1,5 +1,9 @@
 //! Runs that are killed at any moment.
 
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
 use std::time::Duration;
 
 use super::{Run, assert_no_parts, assert_whole, command};
@@ -80,6 +84,172 @@ fn killed_runs_leave_whole_files() {
 #[ignore = "takes some minutes"]
 fn killed_a_hundred_times() {
     kill(20, 0x2545f4914f6cdd1d);
+}
+
+/// Runs that are kept often, one of each way through the engine.
+const KEPT: [Busy; 5] = [
+    Busy {
+        case: "pin_on_disc",
+        settings: &[
+            "frame.elements=[24, 24]",
+            "motion.sliding.step=",
+            "motion.sliding.tolerance=2e-4",
+            "output.every=20 mm",
+        ],
+        time: 900,
+    },
+    Busy {
+        case: "twin_disc",
+        settings: &["frame.elements=[16, 16]", "output.at=", "output.every=1000"],
+        time: 1200,
+    },
+    Busy {
+        case: "fretting_sphere",
+        settings: &["frame.elements=[20, 20]", "motion.fretting.cycles=2000", "output.every=100"],
+        time: 2000,
+    },
+    Busy {
+        case: "cattaneo_mindlin",
+        settings: &[
+            "frame.elements=[16, 16]",
+            "motion.fretting=",
+            "motion.path={ file = \"path.csv\", increments = 10, cycles = 4 }",
+            "output.every=1 s",
+        ],
+        time: 1500,
+    },
+    Busy {
+        case: "punch_fretting_block",
+        settings: &[
+            "body.block.mesh.box.contact.elements=[8, 8]",
+            "motion.indentation.cycles=60",
+            "output.every=5",
+        ],
+        time: 2000,
+    },
+];
+
+const PATH: &str = "time_s,load_N,shift_x_um\n0,0,0\n1,15,0\n2,15,0.3\n3,15,-0.3\n4,0,0\n";
+
+/// The files of a result folder but the lock, the summary without the time it took.
+fn files(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let folders = [dir.join("out"), dir.join("out/fields")];
+    for path in folders.iter().flat_map(|folder| fs::read_dir(folder).unwrap()) {
+        let path = path.unwrap().path();
+        if path.is_file() && !path.ends_with(".archard.lock") {
+            found.insert(path.strip_prefix(dir).unwrap().to_owned(), fs::read(&path).unwrap());
+        }
+    }
+    let mut summary = super::summary(dir);
+    summary.as_object_mut().unwrap().remove("seconds");
+    found.insert("out/summary.json".into(), summary.to_string().into_bytes());
+    found
+}
+
+/// Kills every case at a random moment, goes on with it, kills it again, and so on: it ends in the same files.
+fn kill_and_resume(times: u64, seed: u64) {
+    let mut chance = Chance(seed);
+    let mut resumed = 0;
+    for busy in &KEPT {
+        let dir = tempfile::tempdir().unwrap();
+        fs::write(dir.path().join("path.csv"), PATH).unwrap();
+        let table = dir.path().join("path.csv").display().to_string();
+        let settings: Vec<_> =
+            busy.settings.iter().map(|setting| setting.replace("path.csv", &table)).collect();
+        let settings: Vec<&str> = settings.iter().map(String::as_str).collect();
+        let start = || command(dir.path(), busy.case, &settings);
+        let whole = start().output().unwrap();
+        assert!(whole.status.success(), "{}: {}", busy.case, super::said(&whole));
+        let expected = files(dir.path());
+        assert!(!expected.contains_key(Path::new("out/checkpoint")));
+        let mut killed = 0;
+        let mut going = false;
+        while killed < times {
+            let run = Run::start(&mut if going { resume(dir.path()) } else { start() });
+            std::thread::sleep(Duration::from_millis(chance.below(busy.time)));
+            run.signal("KILL");
+            run.end();
+            killed += 1;
+            // Killed before it was kept, or after its end, it begins anew.
+            going = dir.path().join("out/checkpoint").exists();
+            resumed += u64::from(going);
+        }
+        let mut last = if going { resume(dir.path()) } else { start() };
+        let ended = last.output().unwrap();
+        assert!(ended.status.success(), "{}: {}", busy.case, super::said(&ended));
+        let found = files(dir.path());
+        let names = |files: &BTreeMap<PathBuf, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
+        assert_eq!(names(&found), names(&expected), "{}", busy.case);
+        for (name, content) in &expected {
+            assert!(&found[name] == content, "{}: {} differs", busy.case, name.display());
+        }
+    }
+    assert!(resumed > 0, "nothing was kept");
+}
+
+/// The command that goes on with the run in `out`.
+fn resume(dir: &Path) -> std::process::Command {
+    let mut command = super::program();
+    command.current_dir(dir).env("ARCHARD_CACHE", dir.join("kept"));
+    command.args(["run", "--resume", "out", "--threads", "1"]);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+}
+
+#[test]
+fn killed_runs_go_on_to_the_same_files() {
+    kill_and_resume(3, 0x9e3779b97f4a7c15);
+}
+
+/// A hundred: `cargo test --test faults -- --ignored`.
+#[test]
+#[ignore = "takes some minutes"]
+fn killed_and_resumed_a_hundred_times() {
+    kill_and_resume(20, 0x2545f4914f6cdd1d);
+}
+
+/// What does not go on says why, and leaves the folder as it was.
+#[test]
+fn what_cannot_go_on_is_refused_in_words() {
+    let dir = tempfile::tempdir().unwrap();
+    let refused = |words: &str| {
+        let ended = resume(dir.path()).output().unwrap();
+        let said = super::said(&ended);
+        assert!(ended.status.code() == Some(2) && said.contains(words), "{words}: {said}");
+    };
+    refused("cannot read");
+    let small = ["frame.elements=[12, 12]", "motion.sliding.step=50 mm"];
+    assert!(command(dir.path(), "pin_on_disc", &small).status().unwrap().success());
+    refused("the run came to its end");
+    let mut long = command(dir.path(), "pin_on_disc", &super::MANY_STEPS);
+    let run = Run::start(long.arg("--force"));
+    super::wait_until("some rows", || super::lines(dir.path()) > 50);
+    run.signal("KILL");
+    run.end();
+    let out = dir.path().join("out");
+    let kept = fs::read(out.join("checkpoint")).unwrap();
+    let history = fs::read(out.join("history.csv")).unwrap();
+    let put = |bytes: &[u8]| fs::write(out.join("checkpoint"), bytes).unwrap();
+    for cut in [0, 5, 40, kept.len() / 2, kept.len() - 1] {
+        put(&kept[..cut]);
+        refused("start the run anew");
+    }
+    let mut changed = kept.clone();
+    changed[kept.len() / 3] ^= 1;
+    put(&changed);
+    refused("damaged");
+    put(&[b"archard 9.9.9", &kept[13..]].concat());
+    refused("another version");
+    put(&kept);
+    let case = fs::read_to_string(out.join("case.toml")).unwrap();
+    fs::write(out.join("case.toml"), case.replace("10.2 N", "10.3 N")).unwrap();
+    assert!(fs::read_to_string(out.join("case.toml")).unwrap() != case);
+    refused("another case");
+    fs::write(out.join("case.toml"), case).unwrap();
+    fs::write(out.join("history.csv"), &history[..9]).unwrap();
+    refused("shorter than it was");
+    assert!(out.join("checkpoint").exists());
 }
 
 #[test]

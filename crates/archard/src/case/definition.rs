@@ -9,10 +9,10 @@ use crate::compliance::{Compliance, HalfSpace};
 use crate::elastic::Point;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
-use crate::kinematics::Motion;
+use crate::motion::{Planned, Schedule};
 use crate::parameters::Invalid;
 use crate::problem::ContactProblem;
-use crate::simulation::{Schedule, Simulation};
+use crate::simulation::Simulation;
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
@@ -29,7 +29,7 @@ pub struct Case {
     /// The friction between the bodies; `None` without.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// The motion.
-    pub motion: Chosen<Motion>,
+    pub motion: Chosen<Planned>,
     /// The solver of the contact steps.
     pub solver: Chosen<Box<dyn Solver>>,
     /// The solver of friction.
@@ -227,7 +227,7 @@ impl Case {
     /// # Errors
     /// As [`Case::build`].
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
-        let Parts { bodies, friction, motion, .. } = self.fitting()?;
+        let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
         let (frame, compliance): (_, Box<dyn Compliance>) = if self.is_meshed() {
             let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
             (frame, Box::new(compliance))
@@ -238,13 +238,12 @@ impl Case {
             let half_space = HalfSpace::new(materials, &frame);
             (frame, Box::new(half_space))
         };
-        let Motion { kinematics, control, ramped, extent, stepping } = motion;
-        let outputs = self.output.places(extent);
+        let outputs = self.output.places(schedule.extent);
         Ok(Simulation {
-            problem: ContactProblem { bodies, frame, compliance, friction, kinematics },
+            problem: ContactProblem { bodies, frame, compliance, friction, motion },
             solver: self.solver.build()?,
             friction_solver: self.friction_solver.build()?,
-            schedule: Schedule { control, ramped, extent, stepping, outputs },
+            schedule: Schedule { outputs, ..schedule },
         })
     }
 }

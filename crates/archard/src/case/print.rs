@@ -54,10 +54,8 @@ impl Display for Case {
 
 impl Case {
     fn print_output(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let quantity = self
-            .motion
-            .build()
-            .map_or(Quantity::Number, |motion| motion.kinematics.progress().quantity);
+        let quantity =
+            self.motion.build().map_or(Quantity::Number, |(motion, _)| motion.progress().quantity);
         let place = |place: f64| match measure(quantity, &Values::default()) {
             Some(measure) => si(place, &measure.si),
             None => number(place),

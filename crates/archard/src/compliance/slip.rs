@@ -2,6 +2,8 @@
 
 use std::fmt::Debug;
 
+use serde::{Deserialize, Serialize};
+
 use super::Compliance;
 use crate::frame::{ContactFrame, Flow, VectorField};
 
@@ -52,7 +54,7 @@ pub struct Coarser<'a> {
 }
 
 /// Which pairs stick and which slip, one value a pair of the frame.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rub {
     /// One where a pair sticks, zero elsewhere.
     pub stick: Vec<f64>,

@@ -19,7 +19,7 @@ use crate::body::{Body, Material, contact_modulus};
 use crate::closed_form::hertz::{Hertz, Line};
 use crate::closed_form::spence::{Indentation, coupling};
 use crate::friction::Friction;
-use crate::kinematics::{Control, Kinematics};
+use crate::motion::{Control, Motion};
 use crate::problem::ContactProblem;
 
 /// How little Dundurs' constant has to be for bodies to count as alike, and in rolling the creepage it is worth.
@@ -38,7 +38,7 @@ pub struct Subject<'a> {
     /// How much tangential traction the pairs bear; `None` without friction.
     pub friction: Option<&'a dyn Friction>,
     /// How the pairs rub.
-    pub kinematics: &'a dyn Kinematics,
+    pub motion: &'a Motion,
 }
 
 /// What a problem is put through, up to some moment.
@@ -123,7 +123,7 @@ impl<'a> From<&'a ContactProblem> for Subject<'a> {
             bodies: &problem.bodies,
             size: problem.frame.size(),
             friction: problem.friction.as_deref(),
-            kinematics: &*problem.kinematics,
+            motion: &problem.motion,
         }
     }
 }

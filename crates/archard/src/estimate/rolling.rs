@@ -5,7 +5,7 @@ use crate::body::Material;
 use crate::closed_form::kalker::Coefficients;
 use crate::closed_form::twin_discs::TwinDiscs;
 use crate::closed_form::{carter, free_rolling, strip, vermeulen_johnson};
-use crate::kinematics::{Control, Drive, Rolling};
+use crate::motion::{Control, Drive, Rolling};
 
 /// What closed forms expect of rolling at the creepages and the spin given.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +81,7 @@ struct Contacted<'a> {
 impl Rolled {
     /// What to expect of a contact; `None` unless it rolls.
     pub(super) fn of(subject: &Subject<'_>, course: &Course, contact: Contact) -> Option<Self> {
-        let rolling = subject.kinematics.rolling()?.at(course.progress);
+        let rolling = subject.motion.rolling()?.at(course.progress);
         let axis = rolling.direction.axis;
         let by_direction = |both: [f64; 2]| [both[axis], both[1 - axis]];
         let creepages = match [rolling.longitudinal, rolling.lateral] {

@@ -6,7 +6,7 @@ use super::{ALIKE, Course, Subject};
 use crate::closed_form::cattaneo_mindlin::PartialSlip;
 use crate::closed_form::fretting_wear::WornOut;
 use crate::closed_form::spence::Indentation;
-use crate::kinematics::{Control, Guide, Shift};
+use crate::motion::{Control, Guide, Shift};
 
 /// A sphere on a body of its elasticity, shifted to and fro under constant load or approach: Cattaneo
 /// and Mindlin before any wear, and where the wear ends.
@@ -73,7 +73,7 @@ fn swing(shift: &Shift) -> Option<(usize, Guide)> {
 impl Fretting {
     /// What to expect; `None` unless a sphere is shifted to and fro along one axis, pressed on evenly.
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
-        let shift = subject.kinematics.shift()?;
+        let shift = subject.motion.shift()?;
         let control = shift.cycle.first()?.control;
         let steady = shift.cycle.iter().all(|station| station.control == control);
         if !steady || subject.dundurs_beta().abs() >= ALIKE {
@@ -101,7 +101,7 @@ impl Fretting {
         let coefficient = subject.total_wear_coefficient()?;
         let modulus = subject.contact_modulus();
         let end = WornOut::new(subject.radius()?, modulus, self.load, self.stick_radius)?;
-        let cycles = course.progress / subject.kinematics.shift()?.period();
+        let cycles = course.progress / subject.motion.shift()?.period();
         let steady_volume = coefficient * self.dissipated / self.contact.friction * cycles;
         Some(FrettingWear { steady_volume, end })
     }
@@ -122,7 +122,7 @@ impl Pressed {
         known: &OnceCell<Option<Indentation>>,
     ) -> Option<Self> {
         const SPHERE: f64 = 2.0;
-        let shift = subject.kinematics.shift()?;
+        let shift = subject.motion.shift()?;
         if subject.radius().is_none() || shift.moves() || !rises(shift) {
             return None;
         }

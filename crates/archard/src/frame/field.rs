@@ -1,7 +1,9 @@
 //! Vectors on the pairs of a frame.
 
+use serde::{Deserialize, Serialize};
+
 /// A vector a pair, in the local bases {t1, t2, n}, one array a component.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct VectorField {
     /// Component along t1 (x).
     pub t1: Vec<f64>,

@@ -30,6 +30,16 @@ pub(super) fn write_private(path: &Path, content: &[u8]) -> Result<(), Error> {
     write_by(path, content, options)
 }
 
+/// Removes a file, if it is there.
+pub(super) fn remove(path: &Path) -> Result<(), Error> {
+    match fs::remove_file(path) {
+        Err(source) if source.kind() != io::ErrorKind::NotFound => {
+            Err(Error::Write { path: path.to_owned(), source })
+        }
+        _ => Ok(()),
+    }
+}
+
 fn write_by(path: &Path, content: &[u8], mut options: OpenOptions) -> Result<(), Error> {
     let part = part(path);
     let written = limit::admit(content.len() as u64)

@@ -6,7 +6,7 @@ use crate::closed_form::pin_on_disc;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, Direction, VectorField};
 use crate::friction::FRICTION as FRICTION_LAWS;
-use crate::kinematics::{Control, Drive, MOTIONS, Rolling, Stepping};
+use crate::motion::{Control, Drive, MOTIONS, Motion, Rolling, Stepping};
 use crate::parameters::{Choice, Value, Values};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::{Effort, Observer, Report};
@@ -83,7 +83,7 @@ impl Run {
                 frame: frame.expect("the sphere reaches"),
                 compliance: Box::new(Stiff),
                 friction: None,
-                kinematics: build(MOTIONS, "sliding", &motion).kinematics,
+                motion: build(MOTIONS, "sliding", &motion).0,
             },
         }
     }
@@ -95,10 +95,10 @@ impl Run {
         values.insert("amplitude", Value::Pair([AMPLITUDE, 0.0]));
         values.insert("increments", Value::Number(8.0));
         let motion = MOTIONS.iter().find(|motion| motion.name == "fretting").expect("fretting");
-        let motion = (motion.build)(&values).expect("fretting");
+        let (motion, _) = (motion.build)(&values).expect("fretting");
         let mut run = Self::pin_on_disc(elements);
         run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]));
-        run.problem.kinematics = motion.kinematics;
+        run.problem.motion = motion;
         run
     }
 
@@ -108,7 +108,7 @@ impl Run {
         run.problem.bodies[0].material = None;
         run.problem.bodies.iter_mut().for_each(|body| body.wear = None);
         run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", friction)]));
-        run.problem.kinematics = build(MOTIONS, "indentation", &[("load", LOAD)]).kinematics;
+        run.problem.motion = build(MOTIONS, "indentation", &[("load", LOAD)]).0;
         run
     }
 
@@ -134,15 +134,15 @@ impl Run {
                 frame: frame.expect("the discs reach"),
                 compliance: Box::new(Stiff),
                 friction: Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)])),
-                kinematics: Box::new(rolling),
+                motion: Motion::Rolling(rolling),
             },
         }
     }
 
     /// The state at that progress (m or revolutions).
     pub(super) fn state(&self, progress: f64) -> ContactState {
-        let kinematics = &self.problem.kinematics;
-        match (kinematics.rolling(), kinematics.shift()) {
+        let motion = &self.problem.motion;
+        match (motion.rolling(), motion.shift()) {
             (Some(rolling), _) => self.rolled(rolling, progress),
             (None, Some(_)) => self.fretted(progress),
             (None, None) => self.slid(progress),
@@ -152,7 +152,7 @@ impl Run {
     /// Load times distance (N m), or work of the creepage over friction (N).
     pub(super) fn load_distance(&self, progress: f64) -> f64 {
         match &self.state(progress).tangential {
-            Some(tangential) if self.problem.kinematics.rolling().is_some() => {
+            Some(tangential) if self.problem.motion.rolling().is_some() => {
                 let [along_x, along_y] = tangential.force(&self.problem.frame);
                 CREEPAGE * along_x.hypot(along_y) / FRICTION * progress
             }
@@ -279,6 +279,8 @@ impl Run {
                 extent: places.last().copied().unwrap_or_default(),
                 prescribed: Control::Load(state.load),
                 stepping: Stepping::Implicit(1.0),
+                again: false,
+                march: None,
             };
             observer.observe(&report).expect("the temporary folder takes files");
         }

@@ -1,8 +1,10 @@
 //! Force over shift, cycle by cycle.
 
+use serde::{Deserialize, Serialize};
+
 use super::Error;
 use super::table::{Table, number};
-use crate::kinematics::Shift;
+use crate::motion::Shift;
 use crate::simulation::Report;
 use crate::simulation::history::{self, CYCLE, FORCE, LOAD, SHIFT, STICK_AREA};
 
@@ -13,7 +15,7 @@ const SAME: f64 = 1e-6;
 
 /// The increments of the present cycle, kept until its end shows whether they are put out: those of the
 /// first cycle and of every cycle in which an output falls due are.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct FrettingLoop {
     points: Vec<[f64; COLUMNS.len()]>,
     /// The number of the cycle, from 1 on.
@@ -25,7 +27,7 @@ impl FrettingLoop {
     /// Takes up a report, whose row of the history is given; says whether the loop is now complete and
     /// to be put out. Only motions that shift the bodies have one.
     pub(super) fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) -> bool {
-        if !report.problem.kinematics.shift().is_some_and(Shift::moves) {
+        if !report.problem.motion.shift().is_some_and(Shift::moves) {
             return false;
         }
         let point = COLUMNS.map(|column| history::number(row, column).unwrap_or(f64::NAN));

@@ -10,7 +10,8 @@
 //!   every one in which an output falls due, a row an increment;
 //! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView; on frames
 //!   that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
-//! - `summary.json`: the last row, checks and totals.
+//! - `summary.json`: the last row, checks and totals;
+//! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
 //!
 //! Where points inside of bodies in contact are asked for, [`Inside`] adds `points.csv`, a row a point, and
 //! `surface_1.vtu` or `surface_2.vtu` with displacements, tractions and stresses, at the end.
@@ -90,6 +91,14 @@ pub enum Error {
         dir: PathBuf,
         /// The process that holds it, where it can be told.
         process: Option<u32>,
+    },
+    /// A folder without a run to go on with.
+    #[error("`{}` holds no run to go on with: {why}", .dir.display())]
+    NoCheckpoint {
+        /// The folder.
+        dir: PathBuf,
+        /// What is the matter, and what to do.
+        why: &'static str,
     },
     /// A number that is none.
     #[error(

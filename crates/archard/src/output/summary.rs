@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use crate::estimate::Subject;
+use super::closed_forms;
+use crate::estimate::{Estimator, Subject};
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{Effort, Report};
 use crate::verdict::{Bound, Line, Verdict};
@@ -34,14 +35,14 @@ pub(super) struct Standing {
 
 impl Standing {
     /// What a report says, with its row of the history and what closed forms say of it.
-    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)], closed_form: Value) -> Self {
+    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)], estimator: &Estimator) -> Self {
         let last: Map<String, Value> =
             row.iter().map(|(column, value)| (column.clone(), json!(value))).collect();
         Self {
             last: last.into(),
             wear: wear(report, row),
-            closed_form,
-            cycles: report.problem.kinematics.shift().is_some(),
+            closed_form: closed_forms::of(report, estimator),
+            cycles: report.problem.motion.shift().is_some(),
             effort: report.effort,
             extent: report.extent,
         }
@@ -104,7 +105,7 @@ pub(super) fn json_of(verdict: &Verdict) -> Value {
 /// across the direction; and, where its law says what that must be, k F s and how far the two are apart.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let Report { problem, effort, .. } = report;
-    let (measure, unit, column) = match problem.kinematics.rolling() {
+    let (measure, unit, column) = match problem.motion.rolling() {
         Some(_) => ("section", "m2", WORN_SECTION),
         None => ("volume", "m3", WORN_VOLUME),
     };

@@ -4,6 +4,8 @@ use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
 use super::{Error, limit};
 
 /// A CSV file. Every `flush` hands its rows to the system in one piece; where that fails, the file is cut back to the
@@ -19,7 +21,35 @@ pub(super) struct Table {
     headed: bool,
 }
 
+/// What a table was, to go on with it.
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+pub(super) struct Kept {
+    length: u64,
+    headed: bool,
+}
+
 impl Table {
+    /// What is in the file now, brought to the disk.
+    pub(super) fn keep(&self) -> Result<Kept, Error> {
+        self.sync()?;
+        Ok(Kept { length: self.length, headed: self.headed })
+    }
+
+    /// A table as it was kept; rows that were added since are cut off.
+    pub(super) fn resume(path: PathBuf, Kept { length, headed }: Kept) -> Result<Self, Error> {
+        let opened = OpenOptions::new().append(true).open(&path).and_then(|file| {
+            if file.metadata()?.len() < length {
+                return Err(io::Error::other("it is shorter than it was; start the run anew"));
+            }
+            file.set_len(length)?;
+            Ok(file)
+        });
+        match opened {
+            Ok(file) => Ok(Self { path, file, rows: no_rows(), length, headed }),
+            Err(source) => Err(Error::Write { path, source }),
+        }
+    }
+
     /// An empty table where no file is; the first row gives it its header.
     pub(super) fn create(path: PathBuf) -> Result<Self, Error> {
         match OpenOptions::new().write(true).create_new(true).open(&path) {

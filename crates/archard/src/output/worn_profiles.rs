@@ -16,7 +16,7 @@ pub(super) struct WornProfiles<'a> {
 impl<'a> WornProfiles<'a> {
     /// The profiles of a state; `None` unless the bodies roll and may wear while they do.
     pub(super) fn of(problem: &'a ContactProblem, state: &'a ContactState) -> Option<Self> {
-        let rolling = problem.kinematics.rolling().filter(|rolling| !rolling.swept)?;
+        let rolling = problem.motion.rolling().filter(|rolling| !rolling.swept)?;
         Some(Self { problem, state, direction: rolling.direction })
     }
 
@@ -24,7 +24,7 @@ impl<'a> WornProfiles<'a> {
     pub(super) fn write(&self, table: &mut Table) -> Result<(), Error> {
         let Self { problem, state, direction } = *self;
         let (axis, frame) = (direction.axis, &problem.frame);
-        let progress = (problem.kinematics.progress().column.to_owned(), state.progress);
+        let progress = (problem.motion.progress().column.to_owned(), state.progress);
         let Ok(flow) = frame.flow(direction) else { return Ok(()) };
         let planes = flow.planes();
         let mut places: Vec<(&Plane, f64)> =

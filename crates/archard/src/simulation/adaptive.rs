@@ -12,9 +12,11 @@
 //! estimate never falls during a run. The pressure of an Euler step lags behind by the order of the
 //! step; the two histories show by how much, and the step is kept short enough for that too.
 
+use serde::{Deserialize, Serialize};
+
 use super::chain::{Chain, Leg};
 use super::{Effort, Error, Simulation};
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::Values;
 use crate::problem::ContactState;
 
@@ -31,7 +33,7 @@ const SHORTER: f64 = 0.25;
 const SMALLEST: f64 = 1e-10;
 
 /// Two histories of wear and the extrapolation from them.
-#[derive(Debug)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Adaptive {
     tolerance: f64,
     coarse: Chain,
@@ -143,7 +145,7 @@ impl Adaptive {
             effort.rejected += 1;
             self.step = length * change.min(0.8);
             if self.step < smallest {
-                let measure = simulation.problem.kinematics.progress();
+                let measure = simulation.problem.motion.progress();
                 return Err(Error::StepTooSmall { measure, progress, step: self.step });
             }
         }
@@ -159,7 +161,7 @@ impl Adaptive {
         let leg = |advance: f64, end: f64| Leg {
             advance,
             progress: end,
-            control: simulation.control_at(end),
+            control: simulation.schedule.control_at(end),
         };
         let start = self.fine.state.progress;
         let (half, end) = (start + 0.5 * length, start + length);

@@ -1,9 +1,11 @@
 //! Wear in time: one history of wear, carried from step to step by one contact solve a step.
 
+use serde::{Deserialize, Serialize};
+
 use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
@@ -15,7 +17,7 @@ const LINEARISATION: f64 = 1e-9;
 const PASSES: usize = 50;
 
 /// Where a history has arrived.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Chain {
     /// The contact and the worn depths.
     pub state: ContactState,
@@ -57,7 +59,7 @@ impl Chain {
         let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
         let gap = self.undeformed_gap(problem);
-        match problem.kinematics.rolling() {
+        match problem.motion.rolling() {
             Some(_) => self.roll_on(simulation, leg, &gap, &*problem.compliance, effort),
             None => self.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort),
         }
@@ -74,14 +76,14 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        if let Some(rolling) = problem.kinematics.rolling() {
+        if let Some(rolling) = problem.motion.rolling() {
             return if rolling.swept || !problem.wears() {
                 self.press(simulation, leg, effort)
             } else {
                 self.wear_planes(simulation, rolling, leg, effort)
             };
         }
-        let slip = problem.kinematics.slip(leg.advance);
+        let slip = problem.motion.slip(leg.advance);
         if slip == 0.0 || !problem.wears() {
             self.press(simulation, leg, effort)?;
             self.load_distance += self.prescribed_load(leg) * slip;
@@ -109,8 +111,8 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let slip = problem.kinematics.slip(leg.advance);
-        let before = simulation.control_at(self.state.progress);
+        let slip = problem.motion.slip(leg.advance);
+        let before = simulation.schedule.control_at(self.state.progress);
         self.wear(slip, problem);
         self.load_distance += self.prescribed_load(Leg { control: before, ..leg }) * slip;
         self.press(simulation, leg, effort)
@@ -135,11 +137,11 @@ impl Chain {
 
     /// Deepest wear (m) that an advance under the present contact makes.
     pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
-        if let Some(rolling) = problem.kinematics.rolling() {
+        if let Some(rolling) = problem.motion.rolling() {
             let flow = problem.frame.flow(rolling.direction)?;
             return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
-        let slip = problem.kinematics.slip(advance);
+        let slip = problem.motion.slip(advance);
         let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip));
         Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
@@ -220,10 +222,9 @@ impl Chain {
                 self.take(outcome, simulation, leg);
                 Ok(())
             }
-            Status::FrameFull => Err(Error::FrameFull {
-                measure: problem.kinematics.progress(),
-                progress: leg.progress,
-            }),
+            Status::FrameFull => {
+                Err(Error::FrameFull { measure: problem.motion.progress(), progress: leg.progress })
+            }
             Status::OutOfIterations => {
                 Err(not_converged(simulation, leg, outcome.iterations, outcome.residual))
             }
@@ -269,7 +270,7 @@ fn total_depth(problem: &ContactProblem, rubbing: Rubbing) -> f64 {
 
 fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
     Error::NotConverged {
-        measure: simulation.problem.kinematics.progress(),
+        measure: simulation.problem.motion.progress(),
         progress: leg.progress,
         iterations,
         residual,

@@ -6,7 +6,7 @@
 use super::Report;
 use crate::body::Body;
 use crate::frame::{Plane, VectorField};
-use crate::kinematics::{Progress, Rolling, Shift};
+use crate::motion::{Progress, Rolling, Shift};
 use crate::problem::{ContactState, Tangential};
 
 /// What stands for the name of a body.
@@ -124,7 +124,7 @@ pub const COLUMNS: &[Column] = &[
 /// The numbers of a step by column: the progress, then [`COLUMNS`]. Steps of one run have the same ones.
 pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
     let Report { problem, state, .. } = report;
-    let mut row = vec![(problem.kinematics.progress().column.to_owned(), state.progress)];
+    let mut row = vec![(problem.motion.progress().column.to_owned(), state.progress)];
     for Column { name, value, .. } in COLUMNS {
         let bodies = if name.contains(BODY) { &problem.bodies[..] } else { &problem.bodies[..1] };
         let cell = |(i, body): (usize, &Body)| Some((of_body(name, &body.name), value(report, i)?));
@@ -152,13 +152,13 @@ pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
 /// Worn volume (m^3) of a body; `None` in rolling.
 fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
     let Report { problem, state, .. } = report;
-    problem.kinematics.rolling().is_none().then(|| problem.frame.integrate(&state.worn[body]))
+    problem.motion.rolling().is_none().then(|| problem.frame.integrate(&state.worn[body]))
 }
 
 /// Worn section (m^2) of a body across the direction of rolling; `None` where bodies do not roll.
 fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
     let frame = &report.problem.frame;
-    let direction = report.problem.kinematics.rolling()?.direction;
+    let direction = report.problem.motion.rolling()?.direction;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
     let section = |plane: &Plane| plane.width * plane.mean(&report.state.worn[body]);
@@ -167,7 +167,7 @@ fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
 
 /// A number of bodies that roll with friction; `None` of others.
 fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Rolling) -> f64) -> Option<f64> {
-    let rolling = report.problem.kinematics.rolling()?.at(report.state.progress);
+    let rolling = report.problem.motion.rolling()?.at(report.state.progress);
     report.state.tangential.as_ref().map(|own| value(own, &rolling))
 }
 
@@ -175,7 +175,7 @@ fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Rolling) -> f64) ->
 fn shifted<'a>(report: &Report<'a>) -> Option<&'a Shift> {
     let Report { problem, state, .. } = report;
     let rubs = problem.friction.is_some() || state.tangential.is_some();
-    problem.kinematics.shift().filter(|_| rubs)
+    problem.motion.shift().filter(|_| rubs)
 }
 
 /// A number of bodies that roll or are shifted with friction, zero before it acts; `None` of others.
@@ -188,7 +188,7 @@ fn friction(report: &Report<'_>, value: impl Fn(&Tangential) -> f64) -> Option<f
 
 /// Cycles gone through, where that is not the progress itself.
 fn cycle(report: &Report<'_>, _: usize) -> Option<f64> {
-    let counted = report.problem.kinematics.progress() == Progress::CYCLES;
+    let counted = report.problem.motion.progress() == Progress::CYCLES;
     shifted(report).filter(|_| !counted).map(|shift| report.state.progress / shift.period())
 }
 

@@ -1,67 +1,128 @@
 //! The loop over the steps of a motion.
 
+use serde::{Deserialize, Serialize};
+
 use super::adaptive::Adaptive;
 use super::chain::{Chain, Leg};
-use super::cycles::Cycles;
-use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Control, Stepping};
-use crate::numerics::vector::in_pool;
+use super::checkpoint::digest;
+use super::cycles::{Cycles, Setting};
+use super::{Effort, Error, Report, Simulation};
+use crate::motion::{Motion, Stepping};
+use crate::problem::ContactState;
 
 /// Two values of progress closer than this, relative to the extent, are the same.
-const SAME: f64 = 1e-9;
+pub(super) const SAME: f64 = 1e-9;
 
-impl Simulation {
-    /// Carries the motion through, showing the initial contact and every step to the observers.
-    ///
-    /// # Errors
-    /// If the frame does not suit the motion, a wear law lacks what it asks for, a contact does not converge or fills
-    /// the frame, or an observer cannot go on.
-    pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
-        // Within the pool once, not anew for each of many small solves.
-        in_pool(|| self.carry_through(observers))
-    }
-
-    fn carry_through(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
-        self.check_frame()?;
-        self.problem.check_inputs()?;
-        if let Some(shift) = self.problem.kinematics.shift() {
-            return Cycles::new(self, shift).run(observers);
-        }
-        let mut march = March::begin(self)?;
-        march.show(observers)?;
-        while march.chain.state.progress < self.schedule.extent {
-            march.step()?;
-            march.show(observers)?;
-        }
-        Ok(march.effort)
-    }
-
-    /// The load or approach at some progress (the motion's unit).
-    pub(super) fn control_at(&self, progress: f64) -> Control {
-        let Self { schedule, .. } = self;
-        if schedule.ramped {
-            schedule.control.scaled(progress / schedule.extent)
-        } else {
-            schedule.control
-        }
-    }
+/// A run under way: all that its further steps follow from, beside the simulation.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct March {
+    /// Of the simulation.
+    pub(super) digest: [u8; 32],
+    stepper: Stepper,
+    /// Outputs that were put out.
+    past: usize,
+    /// Whether the fields of the present state are due.
+    output: bool,
 }
 
-/// A run under way.
-struct March<'a> {
-    simulation: &'a Simulation,
+/// What carries a motion on.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+enum Stepper {
+    /// Steps of wear, of a given length or by error.
+    Steps(Box<Steps>),
+    /// Increments, in cycles or once.
+    Cycles(Box<Cycles>),
+}
+
+/// A motion in steps of wear.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Steps {
     chain: Chain,
     /// Both histories, where steps are chosen by error.
     adaptive: Option<Adaptive>,
     effort: Effort,
-    /// Outputs that are still due.
-    due: &'a [f64],
-    output: bool,
 }
 
-impl<'a> March<'a> {
+impl March {
     /// The initial contact; bodies that are pressed together later only touch.
-    fn begin(simulation: &'a Simulation) -> Result<Self, Error> {
+    pub(super) fn begin(simulation: &Simulation) -> Result<Self, Error> {
+        simulation.check_frame()?;
+        simulation.problem.check_inputs()?;
+        let stepper = match &simulation.problem.motion {
+            Motion::Shift(shift) => {
+                Stepper::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
+            }
+            Motion::Sliding | Motion::Rolling(_) => {
+                Stepper::Steps(Box::new(Steps::begin(simulation)?))
+            }
+        };
+        Ok(Self { digest: digest(simulation), stepper, past: 0, output: true })
+    }
+
+    /// Goes on to the next state that is shown; whether there was one.
+    pub(super) fn step(&mut self, simulation: &Simulation) -> Result<bool, Error> {
+        let schedule = &simulation.schedule;
+        let next = schedule.outputs.get(self.past).copied().unwrap_or(schedule.extent);
+        let next = next.min(schedule.extent);
+        let went = match (&mut self.stepper, &simulation.problem.motion) {
+            (Stepper::Steps(steps), _) => steps.step(simulation, next)?,
+            (Stepper::Cycles(cycles), Motion::Shift(shift)) => {
+                cycles.step(Setting { simulation, shift }, next)?
+            }
+            (Stepper::Cycles(_), _) => false,
+        };
+        if went {
+            let progress = self.state().progress;
+            let margin = SAME * schedule.extent;
+            self.output = schedule.extent - progress <= margin;
+            let due = |past: &usize| {
+                schedule.outputs.get(*past).is_some_and(|&due| due <= progress + margin)
+            };
+            while due(&self.past) {
+                (self.past, self.output) = (self.past + 1, true);
+            }
+        }
+        Ok(went)
+    }
+
+    fn state(&self) -> &ContactState {
+        match &self.stepper {
+            Stepper::Steps(steps) => &steps.chain.state,
+            Stepper::Cycles(cycles) => &cycles.shown().state,
+        }
+    }
+
+    /// What the run took, also after the last state shown.
+    pub(super) fn effort(&self) -> Effort {
+        match &self.stepper {
+            Stepper::Steps(steps) => steps.effort,
+            Stepper::Cycles(cycles) => cycles.effort(),
+        }
+    }
+
+    /// The present state.
+    pub(super) fn report<'a>(&'a self, simulation: &'a Simulation) -> Report<'a> {
+        let (state, schedule) = (self.state(), &simulation.schedule);
+        let (effort, prescribed) = match &self.stepper {
+            Stepper::Steps(steps) => (steps.effort, schedule.control_at(state.progress)),
+            Stepper::Cycles(cycles) => (cycles.shown().effort, cycles.shown().control),
+        };
+        Report {
+            problem: &simulation.problem,
+            state,
+            effort,
+            output: self.output,
+            extent: schedule.extent,
+            prescribed,
+            stepping: schedule.stepping,
+            again: false,
+            march: Some(self),
+        }
+    }
+}
+
+impl Steps {
+    fn begin(simulation: &Simulation) -> Result<Self, Error> {
         let schedule = &simulation.schedule;
         let mut effort = Effort::default();
         let mut chain = Chain::new(&simulation.problem);
@@ -73,67 +134,51 @@ impl<'a> March<'a> {
             Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &chain, tolerance)?),
             Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => None,
         };
-        Ok(Self { simulation, chain, adaptive, effort, due: &schedule.outputs, output: true })
+        Ok(Self { chain, adaptive, effort })
     }
 
-    /// One accepted step.
-    fn step(&mut self) -> Result<(), Error> {
-        let schedule = &self.simulation.schedule;
+    /// One accepted step, which ends on an output or before it where steps are chosen by error.
+    fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
+        let schedule = &simulation.schedule;
+        if self.chain.state.progress >= schedule.extent {
+            return Ok(false);
+        }
         self.effort.iterations = 0;
-        let target = self.due.first().copied().unwrap_or(schedule.extent).min(schedule.extent);
         match (&mut self.adaptive, schedule.stepping) {
             (Some(adaptive), _) => {
-                self.chain = adaptive.step(self.simulation, target, &mut self.effort)?;
+                self.chain = adaptive.step(simulation, next, &mut self.effort)?;
             }
-            (None, Stepping::Explicit(step)) => self.fixed(step, Chain::explicit)?,
+            (None, Stepping::Explicit(step)) => self.fixed(simulation, step, Chain::explicit)?,
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
-                self.fixed(step, Chain::implicit)?;
+                self.fixed(simulation, step, Chain::implicit)?;
             }
             // Cycles are gone through elsewhere.
-            (None, Stepping::Jumps(_)) => self.fixed(schedule.extent, Chain::implicit)?,
+            (None, Stepping::Jumps(_)) => {
+                self.fixed(simulation, schedule.extent, Chain::implicit)?
+            }
         }
         self.effort.steps += 1;
         self.effort.load_distance = self.chain.load_distance;
-        self.output = false;
         let progress = &mut self.chain.state.progress;
-        let margin = SAME * schedule.extent;
-        if schedule.extent - *progress <= margin {
-            (*progress, self.output, self.due) = (schedule.extent, true, &[]);
+        if schedule.extent - *progress <= SAME * schedule.extent {
+            *progress = schedule.extent;
         }
-        while self.due.first().is_some_and(|&due| due <= *progress + margin) {
-            (self.due, self.output) = (&self.due[1..], true);
-        }
-        Ok(())
+        Ok(true)
     }
 
     /// One step of a given length, the last one shorter where the extent is not a multiple of it.
     fn fixed(
         &mut self,
+        simulation: &Simulation,
         step: f64,
         scheme: fn(&mut Chain, &Simulation, Leg, &mut Effort) -> Result<(), Error>,
     ) -> Result<(), Error> {
-        let extent = self.simulation.schedule.extent;
+        let extent = simulation.schedule.extent;
         // From the count of steps, so that rounding does not add up.
         let end = ((self.effort.steps + 1) as f64 * step).min(extent);
         let end = if extent - end <= SAME * extent { extent } else { end };
         let advance = end - self.chain.state.progress;
-        let leg = Leg { advance, progress: end, control: self.simulation.control_at(end) };
-        scheme(&mut self.chain, self.simulation, leg, &mut self.effort)
-    }
-
-    /// Shows the present state to the observers.
-    fn show(&self, observers: &mut [&mut dyn Observer]) -> Result<(), Error> {
-        let report = Report {
-            problem: &self.simulation.problem,
-            state: &self.chain.state,
-            effort: self.effort,
-            output: self.output,
-            extent: self.simulation.schedule.extent,
-            prescribed: self.simulation.control_at(self.chain.state.progress),
-            stepping: self.simulation.schedule.stepping,
-        };
-        observers
-            .iter_mut()
-            .try_for_each(|observer| observer.observe(&report).map_err(Error::Observer))
+        let leg = Leg { advance, progress: end, control: simulation.schedule.control_at(end) };
+        scheme(&mut self.chain, simulation, leg, &mut self.effort)
     }
 }

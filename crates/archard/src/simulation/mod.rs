@@ -2,19 +2,26 @@
 
 mod adaptive;
 mod chain;
+mod checkpoint;
 mod collected;
 mod cycles;
 pub mod history;
 mod march;
 mod rolling;
+mod run;
 mod suits;
 
 use std::error::Error as StdError;
 
+use serde::{Deserialize, Serialize};
+
+pub use checkpoint::NotResumed;
 pub use history::row;
+pub use march::March;
+pub use run::Run;
 pub(crate) use suits::{crossed, lacks};
 
-use crate::kinematics::{Control, Progress, Stepping};
+use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
 use crate::problem::{ContactProblem, ContactState};
 use crate::solve::Solver;
@@ -31,22 +38,6 @@ pub struct Simulation {
     pub friction_solver: Box<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
-}
-
-/// Load, extent and steps of a motion.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Schedule {
-    /// What holds the bodies together, at the end of the motion.
-    pub control: Control,
-    /// Whether the control grows in proportion to the progress instead of being constant.
-    pub ramped: bool,
-    /// How far the motion goes (its own unit).
-    pub extent: f64,
-    /// How it is divided into steps.
-    pub stepping: Stepping,
-    /// Progress at which fields are put out, rising, the end of the motion among them. Steps chosen
-    /// by error end on them; fixed steps put out when they first reach or pass one.
-    pub outputs: Vec<f64>,
 }
 
 /// What an observer is shown after the initial contact and after every accepted step.
@@ -66,10 +57,21 @@ pub struct Report<'a> {
     pub prescribed: Control,
     /// How the motion is divided into steps.
     pub stepping: Stepping,
+    /// Whether it is shown for the second time, by a run that goes on after an interruption.
+    pub again: bool,
+    /// The run, where it can be kept.
+    pub march: Option<&'a March>,
+}
+
+impl Report<'_> {
+    /// All that the further steps of the run follow from, for [`Run::resume`].
+    pub fn checkpoint(&self) -> Option<Vec<u8>> {
+        self.march.map(March::to_bytes)
+    }
 }
 
 /// What a step took, and what the run took so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Effort {
     /// Steps accepted so far.
     pub steps: usize,
@@ -204,6 +206,9 @@ pub enum Error {
         /// The body's name.
         body: String,
     },
+    /// A run that was kept does not go on.
+    #[error(transparent)]
+    NotResumed(#[from] NotResumed),
     /// An observer could not go on.
     #[error(transparent)]
     Observer(Box<dyn StdError + Send + Sync>),

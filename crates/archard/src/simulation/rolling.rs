@@ -8,7 +8,7 @@ use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::{Compliance, WornPlanes};
 use crate::frame::{Flow, Passage, VectorField};
-use crate::kinematics::{Drive, Rolling};
+use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
 use crate::solve::Status;
@@ -55,7 +55,7 @@ impl Chain {
             }
         }
         Err(Error::NotConsistent {
-            measure: problem.kinematics.progress(),
+            measure: problem.motion.progress(),
             progress: leg.progress,
             passes: PASSES,
         })
@@ -79,7 +79,7 @@ impl Chain {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let Some(rolling) = problem.kinematics.rolling() else { return Ok(()) };
+        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
         let rolling = &rolling.at(leg.progress);
         let frame = &problem.frame;
         let flow = frame.flow(rolling.direction)?;
@@ -143,7 +143,7 @@ impl Chain {
         effort.residual = effort.residual.max(outcome.residual);
         if outcome.status != Status::Converged {
             return Err(Error::FrictionNotConverged {
-                measure: problem.kinematics.progress(),
+                measure: problem.motion.progress(),
                 progress: leg.progress,
                 iterations: outcome.iterations,
                 residual: outcome.residual,
@@ -262,7 +262,7 @@ impl Chain {
             }
         }
         Err(Error::NotConsistent {
-            measure: problem.kinematics.progress(),
+            measure: problem.motion.progress(),
             progress: leg.progress,
             passes: PASSES,
         })

@@ -3,7 +3,7 @@
 
 use super::{Error, Simulation};
 use crate::body::Body;
-use crate::kinematics::{Drive, Guide, Kinematics, Rolling, Shift};
+use crate::motion::{Drive, Guide, Motion, Rolling, Shift};
 use crate::problem::ContactProblem;
 use crate::wear::{Input, WearLaw};
 
@@ -13,14 +13,14 @@ const AXES: [&str; 2] = ["x", "y"];
 impl Simulation {
     /// Whether the motion is possible on the frame.
     pub(super) fn check_frame(&self) -> Result<(), Error> {
-        let (kinematics, frame) = (&*self.problem.kinematics, &self.problem.frame);
-        if let Some(rolling) = kinematics.rolling() {
+        let (motion, frame) = (&self.problem.motion, &self.problem.frame);
+        if let Some(rolling) = motion.rolling() {
             if !frame.is_plane() {
                 return Err(Error::NotPlane);
             }
             frame.flow(rolling.direction)?;
         }
-        crossed(kinematics, frame.mirrored())
+        crossed(motion, frame.mirrored())
             .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))
     }
 }
@@ -45,9 +45,9 @@ pub(crate) fn lacks(law: &dyn WearLaw, friction: bool) -> bool {
 
 /// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it
 /// keeps to the planes there are.
-pub(crate) fn crossed(kinematics: &dyn Kinematics, mirrored: [bool; 2]) -> Option<usize> {
-    let rolls = kinematics.rolling().map(rolls);
-    let shifts = kinematics.shift().map(shifts);
+pub(crate) fn crossed(motion: &Motion, mirrored: [bool; 2]) -> Option<usize> {
+    let rolls = motion.rolling().map(rolls);
+    let shifts = motion.shift().map(shifts);
     let moves = |axis: usize| [rolls, shifts].into_iter().flatten().any(|moves| moves[axis]);
     (0..2).find(|&axis| mirrored[axis] && moves(axis))
 }

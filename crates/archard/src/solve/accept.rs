@@ -6,7 +6,7 @@
 
 use super::residual::worse;
 use super::{Outcome, Solver, Start, Status, Step};
-use crate::kinematics::Control;
+use crate::motion::Control;
 
 /// The pressures of a step, from those of an earlier one where they bear anything.
 pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {

@@ -12,7 +12,7 @@ use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::compliance::Preconditioner;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::{Values, in_pool, map, sum, sum_with, sweep, sweep_with, update};
 use crate::parameters::Choice;
 

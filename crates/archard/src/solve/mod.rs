@@ -23,7 +23,7 @@ pub use accept::press;
 
 use crate::compliance::Compliance;
 use crate::frame::Measure;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::parameters::{Bound, Choice, Parameter, Quantity, Values};
 
 /// One normal contact step.

@@ -1,7 +1,7 @@
 //! How far a state is from contact: one measure for every solver.
 
 use super::Step;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector;
 
 /// The measure for one step.

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Step;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::{map, sum_with};
 
 /// Halvings of the interval that holds the depth at the edge of the contact: 1e-9 of the frame's.

@@ -7,7 +7,7 @@
 use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector;
 use crate::parameters::Choice;
 

@@ -9,11 +9,11 @@ use archard::body::{Body, Material};
 use archard::case::CaseFile;
 use archard::compliance::HalfSpace;
 use archard::frame::ContactFrame;
-use archard::kinematics::{Control, MOTIONS, Stepping};
+use archard::motion::{Control, Motion, Schedule, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::history::number;
-use archard::simulation::{Effort, Error, Observer, Report, Schedule, Simulation, row};
+use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::tangential::FRICTION_SOLVERS;
 use archard::solve::{SOLVERS, Solver, Step};
 use archard::wear::WEAR_LAWS;
@@ -87,11 +87,8 @@ impl Ball {
                 .then(|| choose(WEAR_LAWS, "archard", &[("coefficient", coefficient)]));
             Body { name: name.to_owned(), profile, material, finite: None, wear }
         });
-        let kinematics =
-            choose(MOTIONS, "sliding", &[("load", 1.0), ("distance", 1.0), ("step", 1.0)])
-                .kinematics;
         let compliance = Box::new(compliance);
-        ContactProblem { bodies, frame, compliance, friction: None, kinematics }
+        ContactProblem { bodies, frame, compliance, friction: None, motion: Motion::Sliding }
     }
 
     /// Its sliding over an extent (m) with outputs there (m).
@@ -101,11 +98,8 @@ impl Ball {
             solver: solver("conjugate_gradient", self.solver_tolerance),
             friction_solver: choose(FRICTION_SOLVERS, "newton", &[]),
             schedule: Schedule {
-                control: self.control,
-                ramped: false,
-                extent,
-                stepping,
                 outputs: outputs.to_vec(),
+                ..Schedule::steady(self.control, extent, stepping)
             },
         }
     }

@@ -6,7 +6,7 @@ use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornPlanes};
 use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
 use archard::friction::{FRICTION, onto_disc};
-use archard::kinematics::Control;
+use archard::motion::Control;
 use archard::solve::tangential::{self, FRICTION_SOLVERS, Held};
 use archard::solve::{Start, Status, Step};
 use proptest::prelude::*;

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard::compliance::{Compliance, HalfSpace, Rub, SlipMap};
 use archard::frame::{ContactFrame, VectorField};
-use archard::kinematics::{Guide, MOTIONS, Motion};
+use archard::motion::{Guide, MOTIONS, Motion, Schedule};
 use archard::parameters::{Value, Values};
 
 use crate::common::Ball;
@@ -11,7 +11,11 @@ use crate::common::Ball;
 use super::rolling::{PAIRS, Plain, apply, arbitrary, compliances, dot, small_frame};
 
 /// A motion of that name out of numbers (SI) and one value of another kind.
-fn motion(name: &str, numbers: &[(&'static str, f64)], other: (&'static str, Value)) -> Motion {
+fn motion(
+    name: &str,
+    numbers: &[(&'static str, f64)],
+    other: (&'static str, Value),
+) -> (Motion, Schedule) {
     let mut values = Values::default();
     numbers.iter().for_each(|(name, number)| values.insert(name, Value::Number(*number)));
     values.insert(other.0, other.1);
@@ -20,7 +24,7 @@ fn motion(name: &str, numbers: &[(&'static str, f64)], other: (&'static str, Val
 }
 
 /// Every motion that shifts bodies against each other, with the cycles it makes.
-fn motions() -> [(Motion, f64); 4] {
+fn motions() -> [((Motion, Schedule), f64); 4] {
     let column = |name: &str, values: [f64; 3]| (name.to_owned(), values.to_vec());
     let table = Value::Table(vec![
         column("time", [0.0, 1.0, 3.0]),
@@ -42,13 +46,13 @@ fn motions() -> [(Motion, f64); 4] {
 /// slide that friction could hold.
 #[test]
 fn motions_in_increments_come_back() {
-    for (motion, cycles) in motions() {
-        let shift = motion.kinematics.shift().expect("a motion in increments");
+    for ((motion, schedule), cycles) in motions() {
+        let shift = motion.shift().expect("a motion in increments");
         assert_eq!(shift.cycle.len(), shift.places.len());
         assert!(shift.places[0] > 0.0 && shift.places.windows(2).all(|pair| pair[0] < pair[1]));
-        assert_relative_eq!(motion.extent, cycles * shift.period());
-        assert_eq!(motion.kinematics.slip(0.1), 0.0);
-        assert!(motion.kinematics.progress().column.contains(char::is_alphabetic));
+        assert_relative_eq!(schedule.extent, cycles * shift.period());
+        assert_eq!(motion.slip(0.1), 0.0);
+        assert!(motion.progress().column.contains(char::is_alphabetic));
         let guided = |guide: &Guide| !matches!(guide, Guide::Shift(0.0) | Guide::Force(0.0));
         let moves = shift.cycle.iter().any(|station| station.guides.iter().any(guided));
         assert_eq!(shift.moves(), moves);

@@ -3,7 +3,7 @@
 
 use approx::assert_relative_eq;
 use archard::closed_form::cattaneo_mindlin::{Branch, Oscillation, PartialSlip};
-use archard::kinematics::Guide;
+use archard::motion::Guide;
 use archard::problem::{ContactProblem, ContactState};
 
 use crate::common::{Rows, STEEL, case, states};
@@ -215,7 +215,7 @@ fn forces_given_make_mindlins_shifts() {
     let swing = contact().oscillation(FORCE);
     let rows = rows(&sphere(128, 0.3, motion));
     let columns = ["cycle", "shift_x_m", "force_x_N"].map(|name| rows.column(name));
-    let asked = case(&sphere(8, 0.3, motion), &[]).problem.kinematics;
+    let asked = case(&sphere(8, 0.3, motion), &[]).problem.motion;
     let stations = &asked.shift().expect("increments").cycle;
     for row in 1..columns[0].len() {
         let [cycle, shift, force] = columns.each_ref().map(|column| column[row]);

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::closed_form::Hertz;
-use archard::kinematics::Control;
+use archard::motion::Control;
 use archard::solve::{SOLVERS, Status, Step};
 
 use crate::common::{Ball, at_rest, peak, solver};

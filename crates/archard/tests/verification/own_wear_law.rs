@@ -1,7 +1,7 @@
 //! Wear laws that are not linear in the pressure, or go by the work of friction.
 
 use approx::assert_relative_eq;
-use archard::kinematics::Stepping;
+use archard::motion::Stepping;
 use archard::simulation::{Error, Simulation};
 use archard::wear::{Input, Rubbing, WearLaw};
 

@@ -1,7 +1,7 @@
 //! Pin on disc, the paper's section 6.2: fixed steps against an axisymmetric reference.
 
 use approx::assert_relative_eq;
-use archard::kinematics::Stepping;
+use archard::motion::Stepping;
 use archard::problem::ContactState;
 use archard::simulation::Simulation;
 

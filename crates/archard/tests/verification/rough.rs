@@ -1,7 +1,7 @@
 //! Contacts of many patches: a wavy and a random surface, far from the convex shapes the rest of the
 //! suite lives on.
 
-use archard::kinematics::Control;
+use archard::motion::Control;
 use archard::solve::{SOLVERS, Status, Step};
 
 use crate::common::{Ball, at_rest, solver};

@@ -1,7 +1,7 @@
 //! Similarity: the equations have no scale of their own.
 
 use archard::body::Material;
-use archard::kinematics::{Control, Stepping};
+use archard::motion::{Control, Stepping};
 use archard::problem::ContactState;
 use proptest::prelude::*;
 

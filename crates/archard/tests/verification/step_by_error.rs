@@ -1,6 +1,6 @@
 //! Steps chosen by error, against a run on the same grid that is converged in time.
 
-use archard::kinematics::Stepping;
+use archard::motion::Stepping;
 use archard::problem::ContactState;
 use archard::simulation::Effort;
 
@@ -72,7 +72,7 @@ impl Plain {
             let rest = crate::common::at_rest(
                 &self.problem,
                 &addition,
-                archard::kinematics::Control::Load(10.2),
+                archard::motion::Control::Load(10.2),
             );
             let start = self.last.as_ref().map(|last| archard::solve::Start {
                 pressure: &last.pressure,

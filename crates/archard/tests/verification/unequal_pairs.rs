@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use archard::closed_form::Hertz;
-use archard::kinematics::{Control, Guide, Shift, Station, Stepping};
+use archard::motion::{Control, Guide, Motion, Shift, Station, Stepping};
 use archard::problem::ContactState;
 use archard::simulation::Simulation;
 
@@ -210,7 +210,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
             control: Control::Approach(approach),
             guides: [Guide::Shift(shift), Guide::Shift(0.0)],
         };
-        let shift = simulation.problem.kinematics.shift().expect("increments");
+        let shift = simulation.problem.motion.shift().expect("increments");
         let shift = Shift {
             lead: vec![],
             cycle: path.map(station).to_vec(),
@@ -218,7 +218,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
             ..shift.clone()
         };
         simulation.schedule.extent = 1.0;
-        simulation.problem.kinematics = Box::new(shift);
+        simulation.problem.motion = Motion::Shift(shift);
         let (mut states, mut rows) = (States::default(), Rows::default());
         simulation.run(&mut [&mut states, &mut rows]).expect("it converges");
         (simulation, states.0.pop().expect("a state").0, rows)

@@ -49,7 +49,7 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
     let bowl: Vec<f64> = (0..frame.len()).map(bowl).collect();
     let peak = LOAD / frame.integrate(&bowl);
     let scaled = |factor: f64| -> Vec<f64> { bowl.iter().map(|bowl| factor * bowl).collect() };
-    let rolling = problem.kinematics.rolling().unwrap();
+    let rolling = problem.motion.rolling().unwrap();
     let forward = rolling.direction.forward();
     let mut worn = vec![0.0; frame.len()];
     for plane in rolling.direction.planes(frame.elements()) {

@@ -35,7 +35,7 @@ impl Case {
     /// the approach. A mesh from a file cannot be made coarser and is left out.
     pub fn beside_half_spaces(&self) -> Vec<BesideHalfSpace> {
         let contact =
-            Parts::of(self).ok().and_then(|parts| parts.subject().contact(parts.motion.control));
+            Parts::of(self).ok().and_then(|parts| parts.subject().contact(parts.schedule.control));
         let Some((contact, approach)) = contact.and_then(|one| Some((one, one.approach?))) else {
             return vec![];
         };

@@ -1,7 +1,7 @@
 //! How many cycles of a motion are computed, and the contact solves they take.
 
 use super::{Parts, Solves};
-use crate::kinematics::{Control, Shift, Station, Stepping};
+use crate::motion::{Control, Shift, Station, Stepping};
 
 /// Contact solves in a jump of fixed length.
 const SOLVES_A_JUMP: u64 = 8;
@@ -24,13 +24,13 @@ pub struct Cycles {
 impl Cycles {
     /// The cycles of the parts; `None` unless they are pressed and shifted step by step.
     pub(super) fn of(parts: &Parts<'_>) -> Option<Self> {
-        let period = parts.motion.kinematics.shift()?.period();
+        let period = parts.motion.shift()?.period();
         let cycle = |place: f64| (place / period - 1e-9).ceil().max(1.0) as u64;
-        let total = (parts.motion.extent / period).round().max(1.0) as u64;
+        let total = (parts.schedule.extent / period).round().max(1.0) as u64;
         let mut outputs: Vec<u64> =
-            parts.case.output.places(parts.motion.extent).into_iter().map(cycle).collect();
+            parts.case.output.places(parts.schedule.extent).into_iter().map(cycle).collect();
         outputs.dedup();
-        let computed = match parts.motion.stepping {
+        let computed = match parts.schedule.stepping {
             Stepping::Jumps(every) => Solves::Exactly(by_jumps(every as u64, &outputs)),
             Stepping::Tolerance(tolerance) => {
                 Solves::About(by_error(tolerance, total, outputs.len() as u64))
@@ -47,7 +47,7 @@ impl Cycles {
             stations.iter().filter(|station| station.control != Control::Load(0.0)).count() as u64
         };
         let (lead, cycle) = (under_load(&shift.lead), under_load(&shift.cycle));
-        match (self.computed, parts.motion.stepping) {
+        match (self.computed, parts.schedule.stepping) {
             (Solves::Exactly(cycles) | Solves::AtLeast(cycles), Stepping::Jumps(_)) => {
                 Solves::AtLeast(lead + cycles * cycle + (cycles - 1) * SOLVES_A_JUMP)
             }

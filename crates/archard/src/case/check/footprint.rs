@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::{Parts, size};
 use crate::compliance::bem;
-use crate::kinematics::{Shift, Stepping};
+use crate::motion::{Shift, Stepping};
 use crate::solve::joint::factors_memory;
 
 // Measured as the peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two threads, per pair
@@ -51,14 +51,14 @@ const BYTES_OF_THE_PROGRAM: f64 = 12e6;
 
 /// Memory (bytes) of a run.
 pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
-    let by_error = matches!(parts.motion.stepping, Stepping::Tolerance(_))
-        && parts.motion.kinematics.shift().is_none();
+    let by_error =
+        matches!(parts.schedule.stepping, Stepping::Tolerance(_)) && parts.motion.shift().is_none();
     let histories = if by_error { BYTES_A_PAIR_OF_HISTORIES } else { 0.0 };
     let pairs = parts.pairs() as f64;
     let meshed = bem::memory(parts.bodies.each_ref().map(|body| body.finite.as_ref().map(size)));
-    let friction = match parts.motion.kinematics.rolling() {
+    let friction = match parts.motion.rolling() {
         Some(rolling) if parts.friction.is_some() => {
-            let goes_on = !rolling.swept && parts.motion.extent > 0.0;
+            let goes_on = !rolling.swept && parts.schedule.extent > 0.0;
             let wears = goes_on && parts.wears();
             let wear = if wears { BYTES_A_PAIR_OF_PLANES } else { 0.0 };
             // The histories keep tractions and slip as well.
@@ -67,7 +67,7 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
             let iterations = share_in_contact(parts) * BYTES_A_PAIR_OF_FRICTION;
             iterations + unlike * BYTES_A_PAIR_OF_COUPLING + wear + both
         }
-        _ => match parts.motion.kinematics.shift() {
+        _ => match parts.motion.shift() {
             Some(shift) => cycle_memory(parts, shift),
             None => 0.0,
         },
@@ -78,7 +78,7 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
 
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
 fn of_factors(parts: &Parts<'_>) -> f64 {
-    match parts.motion.kinematics.shift() {
+    match parts.motion.shift() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
             let in_contact = share_in_contact(parts) * parts.pairs() as f64;
             shift.cycle.len() as f64 * factors_memory(in_contact)
@@ -96,7 +96,7 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift) -> f64 {
     let rubbing = if rubs { BYTES_A_PAIR_OF_RUBBING } else { 0.0 };
     let state = BYTES_A_PAIR_OF_AN_INCREMENT + rubbing;
     let solution = state + friction * unlike * BYTES_A_PAIR_OF_BOTH;
-    let kept = match parts.motion.stepping {
+    let kept = match parts.schedule.stepping {
         Stepping::Implicit(_) | Stepping::Explicit(_) => solution,
         Stepping::Jumps(_) => solution + state,
         // A jump that is taken back needs the solutions before it.
@@ -114,7 +114,7 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift) -> f64 {
 
 /// Share of the frame that the contact fills; a half where it is not known.
 fn share_in_contact(parts: &Parts<'_>) -> f64 {
-    let Some(contact) = parts.subject().contact(parts.motion.control) else { return 0.5 };
+    let Some(contact) = parts.subject().contact(parts.schedule.control) else { return 0.5 };
     let across =
         |axis: usize| (2.0 * contact.semi_axes[axis] / parts.case.frame.size[axis]).min(1.0);
     FRAC_PI_4 * across(0) * across(1)

@@ -10,7 +10,7 @@ use super::words::{length, three};
 use super::{Parts, foreseen, size};
 use crate::body::{Elasticity, Finite};
 use crate::estimate::{Estimate, Estimator};
-use crate::kinematics::Stepping;
+use crate::motion::Stepping;
 use crate::verdict::Verdict;
 
 /// What to expect of a run.
@@ -55,7 +55,7 @@ impl Default for Solves {
 
 impl Forecast {
     pub(super) fn of(parts: &Parts<'_>) -> Self {
-        let estimate = parts.estimate(&Estimator::default(), parts.motion.extent);
+        let estimate = parts.estimate(&Estimator::default(), parts.schedule.extent);
         let spacing = parts.case.frame.spacing();
         let [nx, ny] = parts.case.frame.elements;
         let forecast = Self {
@@ -86,23 +86,23 @@ fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
 impl Solves {
     /// One for the contact before a motion that starts under load, and one a step.
     fn of(parts: &Parts<'_>) -> Self {
-        if let (Some(shift), Some(cycles)) = (parts.motion.kinematics.shift(), Cycles::of(parts)) {
+        if let (Some(shift), Some(cycles)) = (parts.motion.shift(), Cycles::of(parts)) {
             return cycles.solves(parts, shift);
         }
-        let first = u64::from(!parts.motion.ramped);
-        let rolling = parts.motion.kinematics.rolling();
+        let first = u64::from(!parts.schedule.ramped);
+        let rolling = parts.motion.rolling();
         let wears = rolling.is_some_and(|rolling| !rolling.swept)
-            && parts.motion.extent > 0.0
+            && parts.schedule.extent > 0.0
             && parts.wears();
         let coupled = rolling.is_some() && parts.friction.is_some() && !parts.alike();
-        match parts.motion.stepping {
+        match parts.schedule.stepping {
             Stepping::Implicit(step) | Stepping::Explicit(step) => {
-                let solves = first + (parts.motion.extent / step - 1e-9).ceil() as u64;
+                let solves = first + (parts.schedule.extent / step - 1e-9).ceil() as u64;
                 if wears || coupled { Self::AtLeast(solves) } else { Self::Exactly(solves) }
             }
             Stepping::Jumps(_) => Self::AtLeast(first),
             Stepping::Tolerance(tolerance) => {
-                let outputs = parts.case.output.places(parts.motion.extent).len();
+                let outputs = parts.case.output.places(parts.schedule.extent).len();
                 Self::About(match rolling {
                     Some(_) => Self::by_error_in_rolling(tolerance, outputs),
                     None => Self::by_error(tolerance, outputs),

@@ -6,7 +6,7 @@ use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::estimate::Contact;
-use crate::kinematics::Stepping;
+use crate::motion::Stepping;
 use crate::problem;
 use crate::simulation::lacks;
 
@@ -69,8 +69,7 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Whether friction decides where the bodies slip.
 fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
-    let kinematics = &parts.motion.kinematics;
-    kinematics.rolling().is_some() || kinematics.shift().is_some()
+    parts.motion.rolling().is_some() || parts.motion.shift().is_some()
 }
 
 /// Friction where the motion does not ask for it.
@@ -101,9 +100,9 @@ fn without_friction(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Explicit steps beyond their bound: pressures swing from step to step.
 fn explicit(parts: &Parts<'_>) -> Option<Problem> {
-    let Stepping::Explicit(step) = parts.motion.stepping else { return None };
+    let Stepping::Explicit(step) = parts.schedule.stepping else { return None };
     let opening = stable(parts);
-    let wear = wear_slope(parts) * parts.motion.kinematics.slip(step);
+    let wear = wear_slope(parts) * parts.motion.slip(step);
     (wear > opening).then(|| {
         let message = format!(
             "the explicit scheme is unstable with this step on square elements: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
@@ -135,7 +134,7 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
         Problem::warning(Key::of(["motion", motion]), message).help(
-            if parts.motion.kinematics.shift().is_some() {
+            if parts.motion.shift().is_some() {
                 "take fewer cycles or increments, or jump over cycles with `tolerance`"
             } else {
                 "take longer steps or a larger tolerance"

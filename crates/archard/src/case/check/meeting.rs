@@ -21,7 +21,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, meeting.pairs()));
-            if parts.motion.kinematics.rolling().is_some() && !meeting.is_plane() {
+            if parts.motion.rolling().is_some() && !meeting.is_plane() {
                 problems.push(on_a_curve(parts));
             }
         }
@@ -143,7 +143,7 @@ fn on_the_zone(parts: &Parts<'_>) -> Vec<Problem> {
 /// A motion across a plane of symmetry.
 fn across(parts: &Parts<'_>) -> Option<Problem> {
     let (body, mirrored) = parts.halved()?;
-    let axis = AXES[crossed(&*parts.motion.kinematics, mirrored)?];
+    let axis = AXES[crossed(&parts.motion, mirrored)?];
     let message = format!(
         "moves the bodies along {axis}, but the plane {axis} = 0 halves the body `{}`",
         body.name

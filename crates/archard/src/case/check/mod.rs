@@ -31,7 +31,7 @@ use crate::body::{Body, Elasticity, Finite};
 use crate::compliance::bem::Size;
 use crate::estimate::{Course, Estimate, Estimator, Subject};
 use crate::friction::Friction;
-use crate::kinematics::{Control, Motion};
+use crate::motion::{Control, Motion, Schedule};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
@@ -39,16 +39,19 @@ pub(super) struct Parts<'a> {
     pub(super) bodies: [Body; 2],
     pub(super) friction: Option<Box<dyn Friction>>,
     pub(super) motion: Motion,
+    pub(super) schedule: Schedule,
 }
 
 impl<'a> Parts<'a> {
     pub(super) fn of(case: &'a Case) -> Result<Self, BuildError> {
         let [first, second] = &case.bodies;
+        let (motion, schedule) = case.motion.build()?;
         Ok(Self {
             case,
             bodies: [first.build()?, second.build()?],
             friction: case.friction.as_ref().map(Chosen::build).transpose()?,
-            motion: case.motion.build()?,
+            motion,
+            schedule,
         })
     }
 
@@ -58,15 +61,15 @@ impl<'a> Parts<'a> {
             bodies: &self.bodies,
             size: self.case.frame.size,
             friction: self.friction.as_deref(),
-            kinematics: &*self.motion.kinematics,
+            motion: &self.motion,
         }
     }
 
     /// What closed forms expect once the motion has gone so far (its own unit).
     fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
-        let control = self.motion.control;
+        let control = self.schedule.control;
         let load_distance = match control {
-            Control::Load(load) => Some(load * self.motion.kinematics.slip(progress)),
+            Control::Load(load) => Some(load * self.motion.slip(progress)),
             Control::Approach(_) => None,
         };
         estimator.of(&self.subject(), &Course { control, progress, load_distance })
@@ -136,7 +139,7 @@ impl<'a> Parts<'a> {
 
     /// Distance slid in the whole motion (m).
     fn slip(&self) -> f64 {
-        self.motion.kinematics.slip(self.motion.extent)
+        self.motion.slip(self.schedule.extent)
     }
 }
 

@@ -6,11 +6,11 @@ use crate::body::Body;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::estimate::Contact;
-use crate::kinematics::{Control, Drive, Rolling};
+use crate::motion::{Control, Drive, Rolling};
 
 /// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
-    let Some(rolling) = parts.motion.kinematics.rolling() else { return vec![] };
+    let Some(rolling) = parts.motion.rolling() else { return vec![] };
     let mut problems = wear(parts, rolling);
     problems.extend(friction(parts, rolling));
     problems.extend(narrow(parts, rolling, contact));
@@ -30,7 +30,7 @@ fn motion(parts: &Parts<'_>) -> Key {
 
 /// Wear that cannot come about, or rolling on and on without any.
 fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
-    let goes_on = parts.motion.extent > 0.0 && !rolling.swept;
+    let goes_on = parts.schedule.extent > 0.0 && !rolling.swept;
     let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wear.is_some()).collect();
     let mut problems = vec![];
     if is_still(parts, rolling) {
@@ -83,7 +83,7 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
         let message = "without a `friction` table the bodies slide freely: no traction, and all of the creepage slips";
         return Some(Problem::warning(motion(parts), message).at_name());
     }
-    let Control::Load(load) = parts.motion.control else { return None };
+    let Control::Load(load) = parts.schedule.control else { return None };
     let bears = parts.subject().friction_coefficient()? * load;
     (asked > 0.0 && asked >= bears).then(|| {
         let both =

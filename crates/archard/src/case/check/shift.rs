@@ -9,7 +9,7 @@ use crate::case::definition::Output;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::estimate::Contact;
-use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
+use crate::motion::{Control, Guide, Shift, Station, Stepping};
 
 /// Size of a comfortable frame in radii of a scar.
 const ROOM: f64 = 2.2;
@@ -18,7 +18,7 @@ const FAR: f64 = 0.3;
 
 /// All that is wrong or doubtful about pressing and shifting.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
-    let Some(shift) = parts.motion.kinematics.shift() else { return vec![] };
+    let Some(shift) = parts.motion.shift() else { return vec![] };
     let mut problems: Vec<Problem> = sliding_away(parts, shift).into_iter().collect();
     problems.extend(no_effect(parts, shift));
     problems.extend(far(parts, shift, forecast.estimate.contact.as_ref()));
@@ -160,7 +160,7 @@ fn useless_phases(parts: &Parts<'_>) -> Vec<Problem> {
 /// Jumps that jump over nothing.
 fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let total = forecast.cycles?.total;
-    let (name, jump) = match parts.motion.stepping {
+    let (name, jump) = match parts.schedule.stepping {
         Stepping::Jumps(jump) => ("jump", jump as u64),
         Stepping::Tolerance(_) => ("tolerance", 0),
         Stepping::Implicit(_) | Stepping::Explicit(_) => return None,
@@ -187,7 +187,7 @@ fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
 
 /// Outputs so close that every cycle is computed for one of them.
 fn crowded(parts: &Parts<'_>, total: u64) -> Option<Problem> {
-    let period = parts.motion.extent / total as f64;
+    let period = parts.schedule.extent / total as f64;
     let name = match &parts.case.output {
         Output::Every(interval) if *interval < 1.5 * period => "every",
         Output::At(places) if places.len() as u64 >= total => "at",

@@ -12,7 +12,7 @@ use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::tree::Item;
 use crate::friction::{FRICTION, Friction};
-use crate::kinematics::{MOTIONS, Motion};
+use crate::motion::{MOTIONS, Planned};
 use crate::parameters::{Choice, Values};
 use crate::solve::SOLVERS;
 use crate::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
@@ -72,7 +72,7 @@ impl Reader<'_> {
         }
     }
 
-    fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Motion>, Motion)> {
+    fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Planned>, Planned)> {
         let section =
             self.table(root, "motion", "what the bodies do, for example `[motion.sliding]`")?;
         self.require_one(&section, "motion", MOTIONS);

@@ -8,18 +8,22 @@ use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::elastic::Point;
-use crate::kinematics::Motion;
+use crate::motion::{Motion, Planned};
 use crate::parameters::{Quantity, Values};
 
 impl Reader<'_> {
     /// When fields are put out; ten times where nothing is said, at the ends of cycles if there are
     /// several.
-    pub(super) fn output(&mut self, root: &Section<'_>, motion: &Motion) -> Option<Output> {
-        let default = Output::Every(tenth(motion));
+    pub(super) fn output(
+        &mut self,
+        root: &Section<'_>,
+        (motion, schedule): &Planned,
+    ) -> Option<Output> {
+        let default = Output::Every(tenth(motion, schedule.extent));
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
         self.unknown(&section, "key", &["every", "at", "points"]);
-        let quantity = motion.kinematics.progress().quantity;
+        let quantity = motion.progress().quantity;
         match (section.get("every"), section.get("at")) {
             (None, None) => Some(default),
             (Some(_), Some((key, _))) => {
@@ -29,9 +33,9 @@ impl Reader<'_> {
             }
             (Some((key, entry)), None) => {
                 let interval = self.number(key.clone(), &entry.node, quantity)?;
-                self.few_outputs(key, interval, motion.extent)
+                self.few_outputs(key, interval, schedule.extent)
             }
-            (None, Some((key, entry))) => self.places(key, entry, quantity, motion.extent),
+            (None, Some((key, entry))) => self.places(key, entry, quantity, schedule.extent),
         }
     }
 
@@ -122,10 +126,10 @@ impl Reader<'_> {
 }
 
 /// A tenth of a motion, in whole cycles where it counts them or repeats itself.
-fn tenth(motion: &Motion) -> f64 {
-    let tenth = motion.extent / 10.0;
-    let Some(shift) = motion.kinematics.shift() else { return tenth };
+fn tenth(motion: &Motion, extent: f64) -> f64 {
+    let tenth = extent / 10.0;
+    let Some(shift) = motion.shift() else { return tenth };
     let period = shift.period();
-    let counts = shift.progress.column == "cycle" || motion.extent > 1.5 * period;
+    let counts = shift.progress.column == "cycle" || extent > 1.5 * period;
     if counts { period * (tenth / period - 1e-9).ceil().max(1.0) } else { tenth }
 }

@@ -1,10 +1,12 @@
 //! A contact that is pressed against the edge of its frame: it would go on beyond.
 
+use serde::{Deserialize, Serialize};
+
 use crate::frame::ContactFrame;
 use crate::problem::ContactProblem;
 
 /// What the pairs at the edge bear.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Edges {
     /// Their share of the load.
     pub share: f64,

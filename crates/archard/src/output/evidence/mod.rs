@@ -7,8 +7,10 @@ mod extent;
 mod roughness;
 mod work;
 
+use serde::{Deserialize, Serialize};
+
 use crate::estimate::Subject;
-use crate::kinematics::{Control, Stepping};
+use crate::motion::{Control, Stepping};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
@@ -18,7 +20,7 @@ use edges::Edges;
 use work::Cycle;
 
 /// The numbers so far; the worst of all reports where nothing else is said.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Evidence {
     /// Load or approach off the one prescribed, relative to it.
     load: Option<f64>,
@@ -67,7 +69,7 @@ impl Evidence {
             }
             worst(&mut self.largest, Some(across));
         }
-        let shifted = problem.kinematics.shift().is_some();
+        let shifted = problem.motion.shift().is_some();
         self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
             let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
             let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
@@ -138,12 +140,12 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
         // Pressures in other directions than the load's wear too.
         return None;
     }
-    if problem.kinematics.rolling().is_some() && problem.compliance.couples() {
+    if problem.motion.rolling().is_some() && problem.compliance.couples() {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
     let subject = Subject::from(*problem);
-    let expected = match problem.kinematics.shift() {
+    let expected = match problem.motion.shift() {
         Some(shift) if shift.end_pressure => return None,
         Some(_) => effort.dissipated[1] / subject.friction_coefficient()?,
         None => effort.load_distance,
@@ -163,7 +165,7 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
 /// Whether whole cycles are done, which count as dissipated; always where there are none.
 fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
     const SAME: f64 = 1e-6;
-    problem.kinematics.shift().is_none_or(|shift| {
+    problem.motion.shift().is_none_or(|shift| {
         let cycles = progress / shift.period();
         (cycles - cycles.round()).abs() < SAME
     })

@@ -4,7 +4,9 @@
 //! what friction takes. The displacements are prescribed, or the forces. The first cycle begins from rest and is left
 //! out; others are closed by their own last state, which is that of the cycle before but for a cycle's wear.
 
-use crate::kinematics::Shift;
+use serde::{Deserialize, Serialize};
+
+use crate::motion::Shift;
 use crate::simulation::Report;
 use crate::simulation::history::{APPROACH, FORCE, LOAD, SHIFT, number};
 
@@ -14,7 +16,7 @@ const SAME: f64 = 1e-6;
 const NOTHING: f64 = 0.02;
 
 /// The increments of the present cycle: displacement and force along x and y, and normal.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Cycle {
     points: Vec<[[f64; 2]; 3]>,
     number: f64,
@@ -23,7 +25,7 @@ pub(super) struct Cycle {
 impl Cycle {
     /// Takes up a report and its row; at the end of a cycle, how far work and dissipation are apart.
     pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
-        let shift = report.problem.kinematics.shift().filter(|shift| Shift::moves(shift))?;
+        let shift = report.problem.motion.shift().filter(|shift| Shift::moves(shift))?;
         report.problem.friction.as_ref()?;
         if shift.released || shift.end_pressure {
             return None;

@@ -6,7 +6,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::lock::Lock;
-use super::{FRETTING_LOOP, HISTORY, PROFILES, ResultFolder, WORN_PROFILES};
+use super::{HISTORY, ResultFolder, TABLES, checkpoint};
 use crate::output::elastic::{POINTS, SURFACE};
 use crate::output::inside::SURFACES;
 use crate::output::{Error, file};
@@ -61,36 +61,50 @@ impl Claim {
         ResultFolder::begin(self, case_toml)
     }
 
+    /// Goes on with the results of a run that was interrupted; the run itself comes with them, for
+    /// [`Simulation::resume`](crate::simulation::Simulation::resume).
+    ///
+    /// # Errors
+    /// If there is no checkpoint of this version, it is damaged, or files of the results are.
+    pub fn resume(self) -> Result<(ResultFolder, Vec<u8>), Error> {
+        ResultFolder::resume(self)
+    }
+
+    /// Removes parts of files. The lock is held: whoever wrote them is gone.
+    pub(super) fn remove_parts(&self) {
+        file::remove_parts(&self.dir, |_| true);
+        file::remove_parts(&self.dir.join("fields"), |_| true);
+    }
+
     /// Removes what earlier runs left, whole or in parts; anything else is left alone.
     pub(in crate::output) fn clear(&self) -> Result<(), Error> {
         let fields = self.dir.join("fields");
-        for folder in [&self.dir, &fields] {
-            // The lock is held: whoever wrote them is gone.
-            file::remove_parts(folder, |_| true);
-        }
-        let names = ["summary.json", "fields.pvd", HISTORY, PROFILES, WORN_PROFILES, FRETTING_LOOP];
-        let names = names.into_iter().chain([POINTS, SURFACE]).chain(SURFACES);
-        let mut old: Vec<PathBuf> = names.map(|name| self.dir.join(name)).collect();
-        match fs::read_dir(&fields) {
-            Ok(entries) => {
-                let paths = entries.flatten().map(|entry| entry.path());
-                old.extend(paths.filter(|path| is_output(path)));
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {}
-            Err(source) => return Err(Error::Write { path: fields, source }),
-        }
-        old.into_iter().try_for_each(|path| match fs::remove_file(&path) {
-            Err(source) if source.kind() != io::ErrorKind::NotFound => {
-                Err(Error::Write { path, source })
-            }
-            _ => Ok(()),
-        })
+        self.remove_parts();
+        let names = ["summary.json", "fields.pvd", checkpoint::NAME].into_iter().chain(TABLES);
+        let mut names = names.chain([POINTS, SURFACE]).chain(SURFACES);
+        names.try_for_each(|name| file::remove(&self.dir.join(name)))?;
+        remove_fields(&fields, 0)
     }
 }
 
-/// Whether that is the name of a numbered output.
-fn is_output(path: &Path) -> bool {
-    let digits = |stem: &str| stem.len() >= 4 && stem.bytes().all(|byte| byte.is_ascii_digit());
-    [Some(OsStr::new("vti")), Some(OsStr::new("vtu"))].contains(&path.extension())
-        && path.file_stem().and_then(OsStr::to_str).is_some_and(digits)
+/// Removes the outputs from a number on.
+pub(super) fn remove_fields(fields: &Path, first: usize) -> Result<(), Error> {
+    match fs::read_dir(fields) {
+        Ok(entries) => {
+            let paths = entries.flatten().map(|entry| entry.path());
+            let mut old = paths.filter(|path| number(path).is_some_and(|number| number >= first));
+            old.try_for_each(|path| file::remove(&path))
+        }
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        Err(source) => Err(Error::Write { path: fields.to_owned(), source }),
+    }
+}
+
+/// The number of an output, if that is the name of one.
+fn number(path: &Path) -> Option<usize> {
+    let digits = |stem: &&str| stem.len() >= 4 && stem.bytes().all(|byte| byte.is_ascii_digit());
+    let fields = [Some(OsStr::new("vti")), Some(OsStr::new("vtu"))].contains(&path.extension());
+    let stem = path.file_stem().and_then(OsStr::to_str).filter(|_| fields).filter(digits)?;
+    // More digits than a number has are of no run that goes on.
+    Some(stem.parse().unwrap_or(usize::MAX))
 }

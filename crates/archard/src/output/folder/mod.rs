@@ -1,5 +1,6 @@
 //! The result folder of a run.
 
+mod checkpoint;
 mod claim;
 mod lock;
 #[cfg(test)]
@@ -8,11 +9,12 @@ mod tests;
 use std::error::Error as StdError;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
+use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;
 
-use super::closed_forms;
 use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
@@ -32,6 +34,8 @@ const PROFILES: &str = "profiles.csv";
 const WORN_PROFILES: &str = "worn_profiles.csv";
 /// The file of force over shift.
 const FRETTING_LOOP: &str = "fretting_loop.csv";
+/// All tables.
+const TABLES: [&str; 4] = [HISTORY, PROFILES, WORN_PROFILES, FRETTING_LOOP];
 
 /// Writes the results of a run into a folder as it goes; see [the module](super) for the files.
 #[derive(Debug)]
@@ -52,6 +56,10 @@ pub struct ResultFolder {
     estimator: Estimator,
     standing: Option<Standing>,
     evidence: Evidence,
+    clock: Clock,
+    begun: Instant,
+    /// Time the run took before it was interrupted (s).
+    before: f64,
 }
 
 impl ResultFolder {
@@ -81,9 +89,94 @@ impl ResultFolder {
             estimator: Estimator::default(),
             standing: None,
             evidence: Evidence::default(),
+            clock: Clock::new(),
+            begun: Instant::now(),
+            before: 0.0,
             dir,
             _lock: lock,
         })
+    }
+
+    /// Goes on with the results of a run that was kept; the run itself comes with them.
+    fn resume(claim: Claim) -> Result<(Self, Vec<u8>), Error> {
+        let (kept, run) = checkpoint::read(&claim.dir)?;
+        claim.remove_parts();
+        let Claim { dir, lock, .. } = claim;
+        let Kept { tables, fretting_loop, outputs, iterations, evidence, seconds } = kept;
+        let mut tables = TABLES.into_iter().zip(tables).map(|(name, kept)| {
+            let path = dir.join(name);
+            match kept {
+                Some(kept) => Table::resume(path, kept).map(Some),
+                // Rows that were added since.
+                None => file::remove(&path).map(|()| None),
+            }
+        });
+        let mut next = || tables.next().unwrap_or(Ok(None));
+        let [history, profiles, worn_profiles, fretting_loops] =
+            [next()?, next()?, next()?, next()?];
+        drop(tables);
+        let (Some(history), Some(profiles)) = (history, profiles) else {
+            let why = "its checkpoint is damaged; start the run anew";
+            return Err(Error::NoCheckpoint { dir, why });
+        };
+        file::remove(&dir.join("summary.json"))?;
+        claim::remove_fields(&dir.join("fields"), outputs.len())?;
+        let folder = Self {
+            history,
+            profiles,
+            worn_profiles,
+            fretting_loops,
+            fretting_loop,
+            outputs,
+            iterations,
+            estimator: Estimator::default(),
+            standing: None,
+            evidence,
+            clock: Clock::new(),
+            begun: Instant::now(),
+            before: seconds,
+            dir,
+            _lock: lock,
+        };
+        Ok((folder, run))
+    }
+
+    /// Keeps the run, if it is time to, or in any case.
+    fn keep(&mut self, report: &Report<'_>, anyway: bool) -> Result<(), Error> {
+        let ended = report.state.progress >= report.extent;
+        if ended || !anyway && !self.clock.is_due(report.output) {
+            return Ok(());
+        }
+        let Some(run) = report.checkpoint() else { return Ok(()) };
+        let keep = |table: Option<&Table>| table.map(Table::keep).transpose();
+        let tables = [
+            keep(Some(&self.history))?,
+            keep(Some(&self.profiles))?,
+            keep(self.worn_profiles.as_ref())?,
+            keep(self.fretting_loops.as_ref())?,
+        ];
+        let kept = Kept {
+            tables,
+            fretting_loop: self.fretting_loop.clone(),
+            outputs: self.outputs.clone(),
+            iterations: self.iterations,
+            evidence: self.evidence.clone(),
+            seconds: self.before + self.begun.elapsed().as_secs_f64(),
+        };
+        self.clock.keep(&self.dir, &kept, &run)
+    }
+
+    /// Keeps the run where it is shown, whether it is time to or not: nothing of it is lost then.
+    ///
+    /// # Errors
+    /// If the checkpoint cannot be written.
+    pub fn keep_now(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        self.keep(report, true)
+    }
+
+    /// Time the run took before it was interrupted (s).
+    pub fn seconds_before(&self) -> f64 {
+        self.before
     }
 
     /// The folder.
@@ -108,12 +201,21 @@ impl ResultFolder {
         tables.try_for_each(Table::sync)?;
         let verdict = self.verdict();
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
-        file::write_whole(&self.dir.join("summary.json"), text.as_bytes())
+        file::write_whole(&self.dir.join("summary.json"), text.as_bytes())?;
+        match totals.failure {
+            Some(_) => Ok(()),
+            None => file::remove(&self.dir.join(checkpoint::NAME)),
+        }
     }
 
     /// Takes up a report.
     fn take(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let row = row(report);
+        if report.again {
+            // All else of it was kept.
+            self.standing = Some(Standing::of(report, &row, &self.estimator));
+            return Ok(());
+        }
         finite(report, &row)?;
         let cells: Vec<_> =
             row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
@@ -129,9 +231,8 @@ impl ResultFolder {
         }
         self.evidence.take(report, &row);
         self.iterations += report.effort.iterations;
-        let closed_forms = closed_forms::of(report, &self.estimator);
-        self.standing = Some(Standing::of(report, &row, closed_forms));
-        Ok(())
+        self.standing = Some(Standing::of(report, &row, &self.estimator));
+        self.keep(report, false)
     }
 
     /// Writes the fields and sections of a report.
@@ -152,7 +253,7 @@ impl ResultFolder {
     /// Writes the fields of a report and their sections.
     fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let Report { problem, state, .. } = report;
-        let progress = (problem.kinematics.progress().column, state.progress);
+        let progress = (problem.motion.progress().column, state.progress);
         let name = format!("fields/{:04}", self.outputs.len());
         let name = if problem.frame.is_uniform() {
             let (image, name) = (Image::of(problem, state), format!("{name}.vti"));
@@ -196,7 +297,7 @@ fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
     match wrong.map(|(column, _)| column.as_str()).or_else(field) {
         None => Ok(()),
         Some(name) => {
-            let place = report.problem.kinematics.progress().at(report.state.progress);
+            let place = report.problem.motion.progress().at(report.state.progress);
             Err(Error::NotFinite { name: name.to_owned(), place })
         }
     }

@@ -10,7 +10,7 @@ use tempfile::tempdir;
 
 use super::{Claim, ResultFolder};
 use crate::frame::Direction;
-use crate::kinematics::{Control, Stepping};
+use crate::motion::{Control, Stepping};
 use crate::output::fixture::{COEFFICIENTS, CREEPAGE, CROWN, FRICTION, LOAD, Run};
 use crate::output::{Error, Image, Totals};
 use crate::problem::ContactState;
@@ -309,6 +309,8 @@ fn numbers_that_are_none_are_refused() {
             extent,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
+            again: false,
+            march: None,
         };
         let error = folder.observe(&report).unwrap_err();
         assert!(error.to_string().contains("is not a finite number at distance"), "{error}");

@@ -5,16 +5,18 @@
 //! through (p, d), and the cycles of a jump wear implicitly by it: a normal contact solve with the slope
 //! on the diagonal of the compliance.
 
+use serde::{Deserialize, Serialize};
+
 use super::rig::Rig;
 use super::spread::spread;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
 use crate::simulation::chain::{Chain, Leg};
 use crate::simulation::{Effort, Error, Simulation};
 
 /// Wear a cycle as a function of the pressure at its most pressed instant.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rate {
     line: Line,
     /// The contact at the most pressed instant.
@@ -25,7 +27,7 @@ pub(super) struct Rate {
 }
 
 /// What a cycle does, in terms of the pressures of its most pressed instant; fields have one value a pair.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Line {
     /// Depth at zero pressure (m) and its slope (m/Pa), of body 1 and body 2.
     constant: [Vec<f64>; 2],

@@ -9,35 +9,63 @@ mod stride;
 mod touch;
 mod unlike;
 
-use super::{Effort, Error, Observer, Report, Simulation};
-use crate::kinematics::{Control, Guide, Shift, Station, Stepping};
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+
+use super::march::SAME;
+use super::{Effort, Error, Simulation};
+use crate::motion::{Control, Guide, Shift, Station, Stepping};
 use crate::numerics::vector::update;
 use crate::problem::ContactState;
+use crate::solve::joint;
 
 use jump::{Rate, Wear};
 use rig::Rig;
 use settle::Settled;
 use stride::{Stride, Tried};
 
-/// Two values of progress closer than this, relative to the extent, are the same.
-const SAME: f64 = 1e-9;
 /// Steps within a jump of fixed length, and the fewest in others.
 const STEPS: usize = 8;
 const FEWEST_STEPS: usize = 2;
 
-/// A run under way.
-pub(super) struct Cycles<'a> {
-    simulation: &'a Simulation,
-    shift: &'a Shift,
+/// A motion in increments.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Cycles {
     position: Position,
+    /// The cycle that is gone through.
+    open: Option<Open>,
+    /// The rate of wear of the cycle before, where jumps follow it.
+    rate: Option<Rate>,
+    stride: Stride,
     effort: Effort,
-    total: usize,
-    /// Outputs that are still due.
-    due: &'a [f64],
+    shown: Shown,
+    /// States behind a jump that are to be shown.
+    waiting: VecDeque<Shown>,
+}
+
+/// What the increments of a motion go by.
+#[derive(Clone, Copy)]
+pub(super) struct Setting<'a> {
+    pub simulation: &'a Simulation,
+    pub shift: &'a Shift,
+}
+
+/// A cycle under way.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+struct Open {
+    /// Increments done.
+    index: usize,
+    /// The bodies at the most pressed instant.
+    reference: Option<Rig>,
+    /// The pressures (Pa) at the beginning, where that is the same instant of the cycle before.
+    begun: Option<Vec<f64>>,
+    /// What became of the last increment since the cycle before.
+    change: Option<joint::Solution>,
 }
 
 /// Where a run has arrived.
-#[derive(Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 struct Position {
     rig: Rig,
     /// The solutions of the last cycle, to start those of the next from.
@@ -67,10 +95,11 @@ struct Jumped {
 }
 
 /// A state on the way, with what it took.
-struct Shown {
-    state: ContactState,
-    control: Control,
-    effort: Effort,
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub(super) struct Shown {
+    pub state: ContactState,
+    pub control: Control,
+    pub effort: Effort,
 }
 
 impl Position {
@@ -90,86 +119,139 @@ impl Position {
     }
 }
 
-impl<'a> Cycles<'a> {
-    pub fn new(simulation: &'a Simulation, shift: &'a Shift) -> Self {
-        let total = (simulation.schedule.extent / shift.period()).round().max(1.0);
-        Self {
-            simulation,
-            shift,
-            position: Position {
-                rig: Rig::new(&simulation.problem),
-                memory: vec![None; shift.cycle.len()],
-                done: 0,
-                dissipated: 0.0,
-            },
-            effort: Effort::default(),
-            total: total as usize,
-            due: &simulation.schedule.outputs,
+impl Setting<'_> {
+    /// A station as a symmetric frame has it: nothing moves across a plane of symmetry, whatever the force on
+    /// one side of it.
+    fn symmetric(self, mut station: Station) -> Station {
+        let mirrored = self.simulation.problem.frame.mirrored();
+        for (guide, mirrored) in station.guides.iter_mut().zip(mirrored) {
+            if mirrored {
+                *guide = Guide::Shift(0.0);
+            }
         }
+        station
     }
 
-    /// Carries the motion through.
-    pub fn run(mut self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
-        let Self { simulation, shift, .. } = self;
+    /// Cycles up to a place of the motion.
+    fn cycles_to(self, place: f64) -> usize {
+        (place / self.shift.period() - SAME).ceil().max(0.0) as usize
+    }
+
+    /// Cycles in all.
+    fn total(self) -> usize {
+        (self.simulation.schedule.extent / self.shift.period()).round().max(1.0) as usize
+    }
+}
+
+impl Position {
+    fn shown(&self, control: Control, effort: &mut Effort) -> Shown {
+        let Self { rig, dissipated, .. } = self;
+        effort.load_distance = rig.chain.load_distance;
+        effort.dissipated = [rig.rubbed.dissipated, *dissipated];
+        Shown { state: rig.chain.state.clone(), control, effort: *effort }
+    }
+}
+
+impl Cycles {
+    /// The bodies at rest, or where the first cycle begins.
+    pub fn begin(setting: Setting<'_>) -> Result<Self, Error> {
+        let Setting { simulation, shift } = setting;
+        let mut effort = Effort::default();
+        let mut position = Position {
+            rig: Rig::new(&simulation.problem),
+            memory: vec![None; shift.cycle.len()],
+            done: 0,
+            dissipated: 0.0,
+        };
         for station in &shift.lead {
-            let at = (self.symmetric(*station), 0.0);
-            self.position.rig.increment(simulation, at, None, &mut self.effort)?;
+            let at = (setting.symmetric(*station), 0.0);
+            position.rig.increment(simulation, at, None, &mut effort)?;
         }
         let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
-        let begun = self.shown(control);
-        self.show(&begun, true, observers)?;
-        match simulation.schedule.stepping {
-            Stepping::Jumps(every) => self.by_fixed_jumps(every, observers)?,
-            Stepping::Tolerance(tolerance) => self.by_error(tolerance, observers)?,
-            Stepping::Implicit(_) | Stepping::Explicit(_) => {
-                while self.position.done < self.total {
-                    self.cycle(&mut |cycles, shown| cycles.put_out(&shown, observers))?;
+        let tolerance = match simulation.schedule.stepping {
+            Stepping::Tolerance(tolerance) => tolerance,
+            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => 0.0,
+        };
+        Ok(Self {
+            shown: position.shown(control, &mut effort),
+            position,
+            open: None,
+            rate: None,
+            stride: Stride::new(tolerance),
+            effort,
+            waiting: VecDeque::new(),
+        })
+    }
+
+    /// The state to show.
+    pub fn shown(&self) -> &Shown {
+        &self.shown
+    }
+
+    /// What the run took so far.
+    pub fn effort(&self) -> Effort {
+        self.effort
+    }
+
+    /// Goes on to the next state, in jumps up to a place where fields are due; whether there was one.
+    pub fn step(&mut self, setting: Setting<'_>, next: f64) -> Result<bool, Error> {
+        if self.waiting.is_empty() {
+            if self.open.is_none() {
+                if self.position.done >= setting.total() {
+                    return Ok(false);
                 }
+                let ahead = setting.cycles_to(next).min(setting.total());
+                self.jump_on(setting, ahead.saturating_sub(self.position.done))?;
+            }
+            if self.waiting.is_empty() {
+                let shown = self.increment(setting)?;
+                self.waiting.push_back(shown);
             }
         }
-        Ok(self.effort)
+        let shown = self.waiting.pop_front();
+        Ok(shown.map(|shown| self.shown = shown).is_some())
     }
 
-    /// Every so many cycles one is computed, and those that end at an output.
-    fn by_fixed_jumps(
-        &mut self,
-        every: usize,
-        observers: &mut [&mut dyn Observer],
-    ) -> Result<(), Error> {
-        while self.position.done < self.total {
-            let rate = self.cycle(&mut |cycles, shown| cycles.put_out(&shown, observers))?;
-            let length = (every - 1).min(self.ahead().saturating_sub(1));
-            if length > 0 {
-                let start = self.position.wear();
-                let wear = self.jump([&rate, &rate], &start, (length, STEPS))?;
-                self.land(wear, length)?;
+    /// Jumps towards the next output, so many cycles ahead, if jumps are asked for and a cycle shows the rate.
+    fn jump_on(&mut self, setting: Setting<'_>, ahead: usize) -> Result<(), Error> {
+        let Some(rate) = self.rate.take() else { return Ok(()) };
+        match setting.simulation.schedule.stepping {
+            Stepping::Jumps(every) => {
+                // Every so many cycles one is computed, and those that end at an output.
+                let length = (every - 1).min(ahead.saturating_sub(1));
+                if length > 0 {
+                    let start = self.position.wear();
+                    let wear = self.jump(setting, [&rate, &rate], &start, (length, STEPS))?;
+                    self.land(setting, wear, length)?;
+                }
+                Ok(())
             }
+            Stepping::Tolerance(_) => self.jump_by_error(setting, rate, ahead),
+            Stepping::Implicit(_) | Stepping::Explicit(_) => Ok(()),
         }
-        Ok(())
     }
 
-    /// Jumps over cycles whose number is chosen by the error they make.
-    fn by_error(
+    /// Jumps over cycles whose number is chosen by the error they make, and goes through the one behind.
+    fn jump_by_error(
         &mut self,
-        tolerance: f64,
-        observers: &mut [&mut dyn Observer],
+        setting: Setting<'_>,
+        rate: Rate,
+        ahead: usize,
     ) -> Result<(), Error> {
-        let mut stride = Stride::new(tolerance);
-        let mut rate = self.cycle(&mut |cycles, shown| cycles.put_out(&shown, observers))?;
-        while self.position.done < self.total {
+        loop {
             let before = self.position.clone();
             let steps_before = self.effort.steps;
             let start = before.wear();
-            let length = stride.jump(self.ahead());
+            let length = self.stride.jump(ahead);
             let Jumped { foreseen, corrected, next, mut rows, lag } =
-                match self.jump_and_compute(&rate, &start, length, &stride) {
+                match self.jump_and_compute(setting, &rate, &start, length) {
                     Ok(jumped) => jumped,
                     // Too far on: shorter jumps are tried before the run is given up.
                     Err(error) if error.is_of_length() && length > 0 => {
                         self.effort.steps = steps_before;
-                        self.position = before;
+                        (self.position, self.open) = (before, None);
                         self.effort.rejected += 1;
-                        stride.shorten(length);
+                        self.stride.shorten(length);
                         continue;
                     }
                     Err(error) => return Err(error),
@@ -181,144 +263,134 @@ impl<'a> Cycles<'a> {
             let turned = sticks[0] != sticks[1];
             let (done, worn) = (before.done, corrected.total());
             let tried = Tried { length, made, off, flipped, worn, lag, turned, done };
-            if !stride.judge(tried) {
+            if !self.stride.judge(tried) {
                 self.effort.steps = steps_before;
                 self.position = before;
                 self.effort.rejected += 1;
                 continue;
             }
             self.correct(&foreseen, &corrected, &mut rows);
-            self.effort.time_error = Some(stride.estimate(self.position.wear().total()));
-            for mut row in rows {
-                row.effort.time_error = self.effort.time_error;
-                self.put_out(&row, observers)?;
-            }
-            rate = next;
+            self.effort.time_error = Some(self.stride.estimate(self.position.wear().total()));
+            rows.iter_mut().for_each(|row| row.effort.time_error = self.effort.time_error);
+            self.waiting = rows.into();
+            self.rate = Some(next);
+            return Ok(());
         }
-        Ok(())
     }
 
     /// Jumps at a rate, goes through the cycle behind the jump, and takes the jump again with both rates.
     fn jump_and_compute(
         &mut self,
+        setting: Setting<'_>,
         rate: &Rate,
         start: &Wear,
         length: usize,
-        stride: &Stride,
     ) -> Result<Jumped, Error> {
-        let Foreseen { wear: foreseen, steps, lag } = self.foresee(rate, start, length, stride)?;
-        self.land(foreseen.clone(), length)?;
+        let Foreseen { wear: foreseen, steps, lag } = self.foresee(setting, rate, start, length)?;
+        self.land(setting, foreseen.clone(), length)?;
         let mut rows = vec![];
-        let next = self.cycle(&mut |_, shown| {
-            rows.push(shown);
-            Ok(())
-        })?;
+        let next = loop {
+            rows.push(self.increment(setting)?);
+            if let Some(next) = self.rate.take() {
+                break next;
+            }
+        };
         let corrected = match length {
             0 => foreseen.clone(),
-            _ => self.jump([rate, &next], start, (length, steps))?,
+            _ => self.jump(setting, [rate, &next], start, (length, steps))?,
         };
         Ok(Jumped { foreseen, corrected, next, rows, lag })
     }
 
-    /// Goes through a cycle; its rate of wear.
-    fn cycle(
-        &mut self,
-        show: &mut dyn FnMut(&mut Self, Shown) -> Result<(), Error>,
-    ) -> Result<Rate, Error> {
-        let Self { simulation, shift, .. } = *self;
-        let (peak, last) = (shift.peak(), shift.cycle.len() - 1);
-        let done = self.position.done;
+    /// Begins a cycle.
+    fn open(&mut self, Setting { simulation, shift }: Setting<'_>) -> Open {
         self.position.done += 1;
         self.effort.true_cycles += 1;
+        let rig = &mut self.position.rig;
         if shift.released {
-            self.position.rig.release(&simulation.problem);
+            rig.release(&simulation.problem);
         }
-        self.position.rig.begin_cycle();
-        let comparable = peak == last && !shift.released;
-        let begun = comparable.then(|| self.position.rig.chain.state.pressure.clone());
-        let (mut reference, mut change) = (None, None);
-        for (index, station) in shift.cycle.iter().enumerate() {
-            let station = self.symmetric(*station);
-            let Position { rig, memory, .. } = &mut self.position;
-            self.effort.iterations = 0;
-            let progress = if index == last {
-                (done + 1) as f64 * shift.period()
-            } else {
-                done as f64 * shift.period() + shift.places[index]
-            };
-            let mut known = memory[index].take();
-            if let (Some(known), Some(change)) = (&mut known, &change) {
-                known.foresee(change);
-            }
-            let at = (station, progress);
-            let settled = rig.increment(simulation, at, known.as_ref(), &mut self.effort)?;
-            change = known.and_then(|known| known.change_to(&settled));
-            memory[index] = Some(settled);
-            if index == peak {
-                reference = Some(rig.clone());
-            }
-            if index == last {
-                self.position.dissipated += rig.rubbed.dissipated;
-            }
-            self.effort.steps += 1;
-            let shown = self.shown(station.control);
-            show(self, shown)?;
-        }
-        let rig = &self.position.rig;
-        let reference = reference.unwrap_or_else(|| rig.clone());
-        let control = shift.cycle[peak].control;
-        Ok(Rate::of(rig, reference, begun.as_deref(), control, &simulation.problem))
+        rig.begin_cycle();
+        let comparable = shift.peak() == shift.cycle.len() - 1 && !shift.released;
+        let begun = comparable.then(|| rig.chain.state.pressure.clone());
+        Open { begun, ..Open::default() }
     }
 
-    /// A station as a symmetric frame has it: nothing moves across a plane of symmetry, whatever the force on
-    /// one side of it.
-    fn symmetric(&self, mut station: Station) -> Station {
-        let mirrored = self.simulation.problem.frame.mirrored();
-        for (guide, mirrored) in station.guides.iter_mut().zip(mirrored) {
-            if mirrored {
-                *guide = Guide::Shift(0.0);
-            }
+    /// Goes on by an increment of the cycle under way, or of the next. Its end gives the rate of wear.
+    fn increment(&mut self, setting: Setting<'_>) -> Result<Shown, Error> {
+        let Setting { simulation, shift } = setting;
+        let mut open = match self.open.take() {
+            Some(open) => open,
+            None => self.open(setting),
+        };
+        let (index, last) = (open.index, shift.cycle.len() - 1);
+        let station = setting.symmetric(shift.cycle[index]);
+        let Position { rig, memory, done, dissipated } = &mut self.position;
+        self.effort.iterations = 0;
+        let progress = if index == last {
+            *done as f64 * shift.period()
+        } else {
+            (*done - 1) as f64 * shift.period() + shift.places[index]
+        };
+        let mut known = memory[index].take();
+        if let (Some(known), Some(change)) = (&mut known, &open.change) {
+            known.foresee(change);
         }
-        station
-    }
-
-    /// Cycles up to the next output, or to the end.
-    fn ahead(&self) -> usize {
-        let cycle = |place: f64| (place / self.shift.period() - SAME).ceil().max(0.0) as usize;
-        let next = self.due.first().map_or(self.total, |&place| cycle(place).min(self.total));
-        next.saturating_sub(self.position.done)
+        let at = (station, progress);
+        let settled = rig.increment(simulation, at, known.as_ref(), &mut self.effort)?;
+        open.change = known.and_then(|known| known.change_to(&settled));
+        memory[index] = Some(settled);
+        let jumps = !matches!(simulation.schedule.stepping, Stepping::Implicit(_));
+        if jumps && index == shift.peak() {
+            open.reference = Some(rig.clone());
+        }
+        self.effort.steps += 1;
+        open.index += 1;
+        if index == last {
+            *dissipated += rig.rubbed.dissipated;
+            if jumps {
+                let reference = open.reference.take().unwrap_or_else(|| rig.clone());
+                let control = shift.cycle[shift.peak()].control;
+                let begun = open.begun.as_deref();
+                self.rate = Some(Rate::of(rig, reference, begun, control, &simulation.problem));
+            }
+        } else {
+            self.open = Some(open);
+        }
+        Ok(self.position.shown(station.control, &mut self.effort))
     }
 
     /// Wear after a number of cycles in a number of steps, the rate going from the first to the second.
     fn jump(
         &mut self,
+        Setting { simulation, .. }: Setting<'_>,
         rates: [&Rate; 2],
         start: &Wear,
         length: (usize, usize),
     ) -> Result<Wear, Error> {
-        rates[0].wear_on(rates[1], start, length, self.simulation, &mut self.effort)
+        rates[0].wear_on(rates[1], start, length, simulation, &mut self.effort)
     }
 
     /// Wear after a jump at one rate, in as many steps as the tolerance asks for. The error that the steps make is
     /// that by which half as many differ: implicit steps are of first order.
     fn foresee(
         &mut self,
+        setting: Setting<'_>,
         rate: &Rate,
         start: &Wear,
         length: usize,
-        stride: &Stride,
     ) -> Result<Foreseen, Error> {
         if length == 0 {
             return Ok(Foreseen { wear: start.clone(), steps: 1, lag: 0.0 });
         }
         let mut steps = FEWEST_STEPS;
-        let mut coarse = self.jump([rate, rate], start, (length, steps))?;
+        let mut coarse = self.jump(setting, [rate, rate], start, (length, steps))?;
         loop {
             steps *= 2;
-            let wear = self.jump([rate, rate], start, (length, steps))?;
+            let wear = self.jump(setting, [rate, rate], start, (length, steps))?;
             let made = wear.norm_since(start);
             let lag = if made > 0.0 { wear.norm_since(&coarse) / made } else { 0.0 };
-            if stride.resolves(lag, steps) {
+            if self.stride.resolves(lag, steps) {
                 return Ok(Foreseen { wear, steps, lag });
             }
             coarse = wear;
@@ -326,15 +398,15 @@ impl<'a> Cycles<'a> {
     }
 
     /// Goes on by a jump, and brings pressures and tractions to the wear as it is then.
-    fn land(&mut self, wear: Wear, length: usize) -> Result<(), Error> {
+    fn land(&mut self, setting: Setting<'_>, wear: Wear, length: usize) -> Result<(), Error> {
+        let Setting { simulation, shift } = setting;
         self.position.done += length;
         self.position.take(wear);
-        let (Some(station), false) = (self.shift.cycle.last(), self.shift.released || length == 0)
-        else {
+        let (Some(station), false) = (shift.cycle.last(), shift.released || length == 0) else {
             return Ok(());
         };
-        let at = (self.symmetric(*station), self.position.done as f64 * self.shift.period());
-        self.position.rig.settle(self.simulation, at, None, &mut self.effort)?;
+        let at = (setting.symmetric(*station), self.position.done as f64 * shift.period());
+        self.position.rig.settle(simulation, at, None, &mut self.effort)?;
         Ok(())
     }
 
@@ -355,44 +427,5 @@ impl<'a> Cycles<'a> {
             effort.load_distance += further;
             effort.dissipated[1] += dissipated;
         }
-    }
-
-    /// The present state.
-    fn shown(&mut self, control: Control) -> Shown {
-        let Position { rig, dissipated, .. } = &self.position;
-        self.effort.load_distance = rig.chain.load_distance;
-        self.effort.dissipated = [rig.rubbed.dissipated, *dissipated];
-        Shown { state: rig.chain.state.clone(), control, effort: self.effort }
-    }
-
-    /// Shows a state, with its fields if they are due.
-    fn put_out(&mut self, shown: &Shown, observers: &mut [&mut dyn Observer]) -> Result<(), Error> {
-        let (progress, extent) = (shown.state.progress, self.simulation.schedule.extent);
-        let margin = SAME * extent;
-        let mut output = extent - progress <= margin;
-        while self.due.first().is_some_and(|&due| due <= progress + margin) {
-            (self.due, output) = (&self.due[1..], true);
-        }
-        self.show(shown, output, observers)
-    }
-
-    fn show(
-        &self,
-        shown: &Shown,
-        output: bool,
-        observers: &mut [&mut dyn Observer],
-    ) -> Result<(), Error> {
-        let report = Report {
-            problem: &self.simulation.problem,
-            state: &shown.state,
-            effort: shown.effort,
-            output,
-            extent: self.simulation.schedule.extent,
-            prescribed: shown.control,
-            stepping: self.simulation.schedule.stepping,
-        };
-        observers
-            .iter_mut()
-            .try_for_each(|observer| observer.observe(&report).map_err(Error::Observer))
     }
 }

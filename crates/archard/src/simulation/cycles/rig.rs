@@ -5,11 +5,13 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::rubbing::Rubbed;
 use super::settle::Settled;
 use super::touch::Course;
 use crate::frame::VectorField;
-use crate::kinematics::{Guide, Shift, Station};
+use crate::motion::{Guide, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::chain::{Chain, Leg};
@@ -18,7 +20,7 @@ use crate::solve::tangential::{self, Held};
 use crate::solve::{Status, joint};
 
 /// Bodies on their way, and what they went through in the present cycle.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rig {
     pub chain: Chain,
     /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes
@@ -48,7 +50,7 @@ impl Rig {
         let pairs = problem.frame.len();
         let zeros = || vec![0.0; pairs];
         let mut chain = Chain::new(problem);
-        let moves = problem.kinematics.shift().is_some_and(Shift::moves);
+        let moves = problem.motion.shift().is_some_and(Shift::moves);
         chain.state.tangential =
             (moves || problem.friction.is_some() || problem.wears()).then(|| {
                 let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
@@ -308,7 +310,7 @@ pub(super) fn not_converged(
     residual: f64,
 ) -> Error {
     Error::FrictionNotConverged {
-        measure: simulation.problem.kinematics.progress(),
+        measure: simulation.problem.motion.progress(),
         progress: leg.progress,
         iterations,
         residual,

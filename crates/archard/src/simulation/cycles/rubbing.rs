@@ -5,12 +5,14 @@
 //! takes the mean of the pressures before and after, friction the mean of the tractions, so that what is
 //! dissipated in a closed cycle equals the work done on the bodies.
 
+use serde::{Deserialize, Serialize};
+
 use crate::problem::{ContactProblem, ContactState};
 use crate::simulation::chain::Chain;
 use crate::wear::Rubbing;
 
 /// What rubbing did since a cycle began.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Rubbed {
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub depths: [Vec<f64>; 2],
@@ -58,7 +60,7 @@ fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> 
     let pressures = states.map(|state| state.pressure[pair]);
     let own = problem.compliance.normal_self_term();
     let gaps = states.map(|state| state.gap[pair]);
-    let (share, pressure) = if problem.kinematics.shift().is_some_and(|shift| shift.end_pressure) {
+    let (share, pressure) = if problem.motion.shift().is_some_and(|shift| shift.end_pressure) {
         (f64::from(pressures[1] > 0.0), pressures[1])
     } else {
         (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))

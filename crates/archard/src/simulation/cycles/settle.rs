@@ -5,9 +5,11 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::rig::{Found, Rig};
 use super::touch::{Before, Course};
-use crate::kinematics::{Control, Station};
+use crate::motion::{Control, Station};
 use crate::problem::ContactState;
 use crate::simulation::chain::Leg;
 use crate::simulation::{Effort, Error, Simulation};
@@ -21,7 +23,7 @@ const LATER: f64 = 0.005;
 const TOUCHES: usize = 9;
 
 /// A solution to start the same increment of another cycle from.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Settled {
     pub state: ContactState,
     pub displacement: Vec<f64>,
@@ -69,7 +71,7 @@ impl Rig {
             return Ok(self.settled(Found::default()));
         }
         let problem = &simulation.problem;
-        let ends = problem.kinematics.shift().is_some_and(|shift| shift.end_pressure);
+        let ends = problem.motion.shift().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
             let found = self.solve(simulation, leg, station, known, effort)?;
             return Ok(self.settled(found));

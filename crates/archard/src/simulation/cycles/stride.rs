@@ -8,6 +8,8 @@
 //! not change evenly, and half of the difference there counts instead. Steps within a jump add the lag of
 //! their pressures, which is measured by taking half as many.
 
+use serde::{Deserialize, Serialize};
+
 /// Aim relative to what the tolerance allows, and bounds on the change from one stride to the next.
 const AIM: f64 = 0.8;
 const CHANGE: (f64, f64) = (0.2, 2.0);
@@ -24,7 +26,7 @@ const LAG: f64 = 0.2;
 const MOST_STEPS: usize = 64;
 
 /// The stride and the error so far.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 pub(super) struct Stride {
     tolerance: f64,
     /// Cycles to go on by, the one computed included.

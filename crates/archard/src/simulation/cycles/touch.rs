@@ -7,6 +7,8 @@
 //! is the gap they had times the ratio. Under loads that rise together the ratio is constant, and pairs that
 //! close stick from where they touch (R. D. Mindlin and H. Deresiewicz, *J. Appl. Mech.* 20 (1953) 327).
 
+use serde::{Deserialize, Serialize};
+
 use super::spread::spread;
 use crate::frame::ContactFrame;
 use crate::numerics::vector::map;
@@ -25,7 +27,7 @@ pub(super) struct Before {
 }
 
 /// Distance slid (m) over gap closed (m), along t1 and t2, one value a pair.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Course([Vec<f64>; 2]);
 
 impl Before {

@@ -3,7 +3,7 @@
 use super::rig::{Found, Rig, not_converged};
 use super::settle::Settled;
 use crate::frame::VectorField;
-use crate::kinematics::Station;
+use crate::motion::Station;
 use crate::numerics::vector::map;
 use crate::simulation::chain::Leg;
 use crate::simulation::{Effort, Error, Simulation};
@@ -66,7 +66,7 @@ impl Rig {
                 return self.solve_in_turn(simulation, leg, station, known, effort);
             }
             Status::FrameFull => {
-                let measure = problem.kinematics.progress();
+                let measure = problem.motion.progress();
                 return Err(Error::FrameFull { measure, progress: leg.progress });
             }
         }
@@ -150,7 +150,7 @@ impl Rig {
             latest = Some(self.settled(found));
         }
         Err(Error::NotConsistent {
-            measure: problem.kinematics.progress(),
+            measure: problem.motion.progress(),
             progress: leg.progress,
             passes: TURNS,
         })

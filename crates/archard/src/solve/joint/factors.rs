@@ -5,7 +5,10 @@
 //! the system as it was, the Krylov iteration has only these to put right. Worth while where the compliance is a
 //! matrix; elsewhere there are none.
 
+use std::sync::OnceLock;
+
 use faer::MatMut;
+use serde::{Deserialize, Serialize};
 
 use super::Step;
 use super::regime::{Regime, Sliding, Touch};
@@ -19,14 +22,16 @@ const MOST: usize = 1536;
 const NEAR: f64 = 0.1;
 
 /// See the module.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Factors {
     /// The pairs that were in contact, and those that nearly were.
     pairs: Vec<usize>,
-    /// In single precision: Newton's steps make up for it.
-    lu: Lu<f32>,
     /// What they did.
     regime: Regime,
+    /// In single precision: Newton's steps make up for it. They follow from the others, and are made anew rather than
+    /// kept in a checkpoint.
+    #[serde(skip)]
+    lu: OnceLock<Lu<f32>>,
 }
 
 /// Memory (bytes) of what is kept for each place of a cycle with so many pairs in contact.
@@ -39,7 +44,7 @@ impl Factors {
     /// Of the rows of the pairs in contact, each along t1, t2 and n; `None` where the compliance has no matrix
     /// or it would be too large.
     pub(super) fn of(state: &State, step: &Step<'_>) -> Option<Self> {
-        let (regime, own) = (Regime::of(state, step), state.own[1]);
+        let regime = Regime::of(state, step);
         let augmented: Vec<f64> = (0..regime.touch.len()).map(|i| state.augmented(i)).collect();
         let least = -NEAR * augmented.iter().copied().fold(0.0, f64::max);
         let near = |pair: usize| regime.touch[pair] != Touch::Open || augmented[pair] > least;
@@ -48,7 +53,24 @@ impl Factors {
         if count == 0 || 3 * count > MOST {
             return None;
         }
-        let whole = step.compliance.matrix(&pairs)?;
+        let factors = Self { pairs, regime, lu: OnceLock::new() };
+        factors.are_made(step).then_some(factors)
+    }
+
+    /// Whether there are factors, made if need be.
+    pub(super) fn are_made(&self, step: &Step<'_>) -> bool {
+        if self.lu.get().is_none()
+            && let Some(lu) = self.make(step)
+        {
+            let _ = self.lu.set(lu);
+        }
+        self.lu.get().is_some()
+    }
+
+    fn make(&self, step: &Step<'_>) -> Option<Lu<f32>> {
+        let Self { pairs, regime, .. } = self;
+        let (count, own) = (pairs.len(), step.compliance.shifting(step.frame).own());
+        let whole = step.compliance.matrix(pairs)?;
         let mut system = Large::zeros(3 * count, 3 * count).ok()?;
         for (column, values) in system.values_mut().chunks_exact_mut(3 * count).enumerate() {
             let whole = whole.col_as_slice(column);
@@ -62,7 +84,7 @@ impl Factors {
                 leave_out(system.as_mut(), places, own as f32);
             }
         }
-        Some(Self { pairs, lu: Lu::new(system).ok()?, regime })
+        Lu::new(system).ok()
     }
 
     /// What the pairs did, asking for what a state near theirs lacks.
@@ -75,7 +97,9 @@ impl Factors {
     /// Replaces, on these pairs, tractions by those that the rows answer to.
     pub(super) fn solve(&self, rows: [&[f64]; 3], tractions: [&mut [f64]; 3]) {
         let mut image = self.gather(rows);
-        self.lu.solve(&mut image);
+        if let Some(lu) = self.lu.get() {
+            lu.solve(&mut image);
+        }
         self.scatter(&image, tractions);
     }
 

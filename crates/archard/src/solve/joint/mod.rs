@@ -14,11 +14,13 @@ mod state;
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use super::{Settings, Status};
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::map;
 use crate::solve::tangential::Held;
 
@@ -49,7 +51,7 @@ pub struct Step<'a> {
 }
 
 /// Tractions and what belongs to them.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Solution {
     /// Tractions on body 1 (Pa); the normal ones are zero or negative.
     pub traction: VectorField,
@@ -123,7 +125,7 @@ pub(super) fn solve(
     let mut newton = Newton {
         step,
         settings,
-        factors: start.factors.clone(),
+        factors: start.factors.clone().filter(|factors| factors.are_made(step)),
         state: foreseen.unwrap_or(known),
         last: vec![],
         count: 0,

@@ -1,5 +1,7 @@
 //! What each pair does, and what of its tractions is unknown then.
 
+use serde::{Deserialize, Serialize};
+
 use super::Step;
 use super::state::State;
 use crate::compliance::Rub;
@@ -7,7 +9,7 @@ use crate::frame::VectorField;
 use crate::numerics::vector::map;
 
 /// What a pair does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Touch {
     Open,
     Slips,
@@ -25,7 +27,7 @@ pub(super) struct Sliding {
 }
 
 /// What the pairs do, and how their equations read. Vectors hold values along t1, t2 and n.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Regime {
     pub touch: Vec<Touch>,
     pub rub: Rub,

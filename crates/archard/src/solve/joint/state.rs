@@ -3,7 +3,7 @@
 use super::{Outcome, Solution, Status, Step};
 use crate::frame::VectorField;
 use crate::friction::onto_disc;
-use crate::kinematics::Control;
+use crate::motion::Control;
 use crate::numerics::vector::map;
 use crate::solve::residual::worse;
 

@@ -7,7 +7,7 @@ use approx::assert_relative_eq;
 
 use super::{Evidence, worst};
 use crate::frame::Direction;
-use crate::kinematics::{Control, Stepping};
+use crate::motion::{Control, Stepping};
 use crate::output::fixture::{CREEPAGE, DISSIPATED, FRICTION, LOAD, Run};
 use crate::problem::ContactState;
 use crate::simulation::{Effort, Report, row};
@@ -29,7 +29,17 @@ fn the_worst_is_kept_and_no_number_is_the_worst() {
 fn report<'a>(run: &'a Run, state: &'a ContactState) -> Report<'a> {
     let effort = Effort { load_distance: run.load_distance(state.progress), ..Effort::default() };
     let (prescribed, stepping) = (Control::Load(LOAD), Stepping::Implicit(1.0));
-    Report { problem: &run.problem, state, effort, output: true, extent: 1.0, prescribed, stepping }
+    Report {
+        problem: &run.problem,
+        state,
+        effort,
+        output: true,
+        extent: 1.0,
+        prescribed,
+        stepping,
+        again: false,
+        march: None,
+    }
 }
 
 /// What reports leave.

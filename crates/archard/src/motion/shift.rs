@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::{Control, Kinematics, Progress};
+use super::{Control, Progress};
 use crate::parameters::{Bound, Parameter, Quantity};
 
 /// What guides the bodies along one direction.
@@ -82,20 +82,6 @@ impl Shift {
             }
         }
         peak
-    }
-}
-
-impl Kinematics for Shift {
-    fn slip(&self, _advance: f64) -> f64 {
-        0.0
-    }
-
-    fn shift(&self) -> Option<&Shift> {
-        Some(self)
-    }
-
-    fn progress(&self) -> Progress {
-        self.progress
     }
 }
 

@@ -1,10 +1,10 @@
 //! Steady rolling at creepages raised step by step: the curve of forces over creepages.
 
 use super::rolling::{CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPIN};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Stepping, control};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Stepping, steady};
 use crate::parameters::{Choice, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "creepage_sweep",
     meaning: "steady rolling at creepages, forces and spin raised together in equal increments",
     parameters: &[
@@ -21,12 +21,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
     ],
     build: |values| {
         let increments = values.number("increments").unwrap_or(10.0);
-        Ok(Motion {
-            kinematics: Box::new(Rolling { swept: true, ..Rolling::read(values)? }),
-            control: control(values)?,
-            ramped: false,
-            extent: 1.0,
-            stepping: Stepping::Implicit(1.0 / increments),
-        })
+        let rolling = Rolling { swept: true, ..Rolling::read(values)? };
+        let stepping = Stepping::Implicit(1.0 / increments);
+        Ok((Motion::Rolling(rolling), steady(values, 1.0, stepping)?))
     },
 };

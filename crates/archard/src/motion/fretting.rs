@@ -1,10 +1,12 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
 use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
-use super::{APPROACH, Control, INCREMENTS, LOAD, Motion, Progress, control, jumps};
+use super::{
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps,
+};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "fretting",
     meaning: "tangential oscillation of given displacement or force under constant or varying load",
     parameters: &[
@@ -50,13 +52,9 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             end_pressure: false,
             progress: Progress::CYCLES,
         };
-        Ok(Motion {
-            kinematics: Box::new(shift),
-            control: wave.control,
-            ramped: false,
-            extent: values.number("cycles").unwrap_or(1.0),
-            stepping: jumps(values, 1.0 / count as f64)?,
-        })
+        let extent = values.number("cycles").unwrap_or(1.0);
+        let stepping = jumps(values, 1.0 / count as f64)?;
+        Ok((Motion::Shift(shift), Schedule::steady(wave.control, extent, stepping)))
     },
 };
 
@@ -154,24 +152,24 @@ impl Wave {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{CHOICE, Guide};
-    use crate::kinematics::Control;
+    use super::{CHOICE, Guide, Shift};
+    use crate::motion::Control;
     use crate::parameters::{Value, Values};
 
-    fn built(numbers: &[(&'static str, f64)]) -> Result<crate::kinematics::Motion, String> {
+    fn built(numbers: &[(&'static str, f64)]) -> Result<Shift, String> {
         let mut values = Values::default();
         values.insert("amplitude", Value::Pair([1e-6, 2e-6]));
         values.insert("load", Value::Number(50.0));
         numbers.iter().for_each(|(name, value)| values.insert(name, Value::Number(*value)));
-        (CHOICE.build)(&values).map_err(|invalid| invalid.message)
+        let (motion, _) = (CHOICE.build)(&values).map_err(|invalid| invalid.message)?;
+        Ok(motion.shift().expect("increments").clone())
     }
 
     /// Along an ellipse the path begins where it ends, and turns at the amplitudes.
     #[test]
     fn a_path_closes_and_reaches_its_amplitudes() {
         let angle = std::f64::consts::FRAC_PI_2;
-        let motion = built(&[("phase", angle), ("increments", 8.0)]).unwrap();
-        let shift = motion.kinematics.shift().unwrap();
+        let shift = built(&[("phase", angle), ("increments", 8.0)]).unwrap();
         assert_eq!(shift.lead.last(), shift.cycle.last());
         assert_eq!(shift.cycle[1].guides[0], Guide::Shift(1e-6));
         let Guide::Shift(y) = shift.cycle[7].guides[1] else { panic!("a shift") };
@@ -181,8 +179,7 @@ mod tests {
 
     #[test]
     fn a_load_may_vary_but_not_fade() {
-        let motion = built(&[("load_amplitude", 10.0), ("increments", 8.0)]).unwrap();
-        let shift = motion.kinematics.shift().unwrap();
+        let shift = built(&[("load_amplitude", 10.0), ("increments", 8.0)]).unwrap();
         assert_eq!(shift.cycle[1].control, Control::Load(60.0));
         assert_eq!(shift.cycle[5].control, Control::Load(40.0));
         assert_eq!(shift.peak(), 1);

@@ -5,13 +5,11 @@
 //! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
-use super::{
-    APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control, few_steps,
-};
+use super::{APPROACH, LOAD, Motion, Planned, Stepping, TOLERANCE, few_steps, steady};
 use crate::frame::{Direction, Flow};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "rolling",
     meaning: "steady rolling with creepage and spin; both profiles wear evenly around (twin discs)",
     parameters: &[
@@ -37,13 +35,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         let revolutions = values.require("revolutions")?;
         let worn_radius = values.word("radius") == Some("worn");
         let rolling = Rolling { worn_radius, ..Rolling::read(values)? };
-        Ok(Motion {
-            kinematics: Box::new(rolling),
-            control: control(values)?,
-            ramped: false,
-            extent: revolutions,
-            stepping: stepping(values, revolutions)?,
-        })
+        let stepping = stepping(values, revolutions)?;
+        Ok((Motion::Rolling(rolling), steady(values, revolutions, stepping)?))
     },
 };
 
@@ -193,19 +186,5 @@ impl Rolling {
             slip.iter_mut().zip(&advances).for_each(|(slip, advance)| *slip += advance * creepage);
         }
         slip
-    }
-}
-
-impl Kinematics for Rolling {
-    fn slip(&self, _advance: f64) -> f64 {
-        0.0
-    }
-
-    fn rolling(&self) -> Option<&Rolling> {
-        Some(self)
-    }
-
-    fn progress(&self) -> Progress {
-        if self.swept { Progress::SHARE } else { Progress::REVOLUTIONS }
     }
 }

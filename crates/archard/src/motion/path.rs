@@ -1,10 +1,10 @@
 //! Loads and displacements as a table gives them over time.
 
 use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Progress, jumps};
+use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, jumps};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "path",
     meaning: "load or approach and tangential displacements or forces over time, from a file",
     parameters: &[
@@ -40,7 +40,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
         let step = shift.period() / shift.cycle.len() as f64;
         let control = shift.cycle[shift.peak()].control;
         let stepping = jumps(values, step)?;
-        Ok(Motion { kinematics: Box::new(shift), control, ramped: true, extent, stepping })
+        let schedule = Schedule::steady(control, extent, stepping);
+        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
     },
 };
 

@@ -1,11 +1,9 @@
 //! Gross sliding: every pair in contact slides the same distance (pin on disc).
 
-use super::{
-    APPROACH, Kinematics, LOAD, Motion, Progress, Stepping, TOLERANCE, control, few_steps,
-};
+use super::{APPROACH, LOAD, Motion, Planned, Stepping, TOLERANCE, few_steps, steady};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "sliding",
     meaning: "sliding at constant load or approach, the same distance everywhere (pin on disc)",
     parameters: &[
@@ -37,26 +35,6 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             }
             (None, tolerance) => Stepping::Tolerance(tolerance.unwrap_or_default()),
         };
-        Ok(Motion {
-            kinematics: Box::new(Sliding),
-            control: control(values)?,
-            ramped: false,
-            extent: distance,
-            stepping,
-        })
+        Ok((Motion::Sliding, steady(values, distance, stepping)?))
     },
 };
-
-/// Slip is the distance slid; so is progress (m).
-#[derive(Debug)]
-struct Sliding;
-
-impl Kinematics for Sliding {
-    fn slip(&self, advance: f64) -> f64 {
-        advance
-    }
-
-    fn progress(&self) -> Progress {
-        Progress::DISTANCE
-    }
-}

@@ -10,36 +10,53 @@ mod rolling;
 mod shift;
 mod sliding;
 
-use std::fmt::Debug;
+use serde::{Deserialize, Serialize};
 
 pub use rolling::{Drive, Rolling};
 pub use shift::{Guide, Shift, Station};
 
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-/// How the pairs of a frame rub while the motion goes on.
+/// How the bodies move on each other.
 ///
 /// The *advance* is the motion's own measure of progress: metres for sliding, revolutions for rolling,
-/// a pure number for indentation.
-pub trait Kinematics: Debug + Send + Sync {
+/// cycles or seconds for increments.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Motion {
+    /// All pairs in contact slide the same distance (gross sliding); progress is that distance (m).
+    Sliding,
+    /// Bodies roll: slip follows from the tractions, and all pairs on a line along the motion wear alike.
+    Rolling(Rolling),
+    /// Bodies are pressed and shifted in increments: each pair slips as far as the tractions let it.
+    Shift(Shift),
+}
+
+impl Motion {
     /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
     /// much; zero where what they slide depends on the place.
-    fn slip(&self, advance: f64) -> f64;
-
-    /// How the bodies roll, if they do: the slip then follows from the tractions, and rubbing is
-    /// collected along the planes of rolling.
-    fn rolling(&self) -> Option<&Rolling> {
-        None
+    pub fn slip(&self, advance: f64) -> f64 {
+        if matches!(self, Self::Sliding) { advance } else { 0.0 }
     }
 
-    /// How the bodies are shifted against each other, if they are: each pair then slips as far as the
-    /// tractions let it.
-    fn shift(&self) -> Option<&Shift> {
-        None
+    /// How the bodies roll, if they do.
+    pub fn rolling(&self) -> Option<&Rolling> {
+        if let Self::Rolling(rolling) = self { Some(rolling) } else { None }
     }
 
-    /// The name of the progress, for result columns and messages.
-    fn progress(&self) -> Progress;
+    /// How the bodies are shifted against each other, if they are.
+    pub fn shift(&self) -> Option<&Shift> {
+        if let Self::Shift(shift) = self { Some(shift) } else { None }
+    }
+
+    /// What progress measures, for result columns and messages.
+    pub fn progress(&self) -> Progress {
+        match self {
+            Self::Sliding => Progress::DISTANCE,
+            Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
+            Self::Rolling(_) => Progress::REVOLUTIONS,
+            Self::Shift(shift) => shift.progress,
+        }
+    }
 }
 
 /// How the progress of a motion is called and shown.
@@ -88,7 +105,7 @@ impl Progress {
 }
 
 /// What holds the bodies together.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Control {
     /// The normal force (N); the approach follows.
     Load(f64),
@@ -120,12 +137,10 @@ pub enum Stepping {
     Jumps(usize),
 }
 
-/// A motion as a case states it.
-#[derive(Debug)]
-pub struct Motion {
-    /// How the pairs rub.
-    pub kinematics: Box<dyn Kinematics>,
-    /// What holds the bodies together while the motion goes on.
+/// Load, extent and steps of a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Schedule {
+    /// What holds the bodies together, at the end of the motion.
     pub control: Control,
     /// Whether the control grows in proportion to the progress instead of being constant.
     pub ramped: bool,
@@ -133,10 +148,28 @@ pub struct Motion {
     pub extent: f64,
     /// How it is divided into steps.
     pub stepping: Stepping,
+    /// Progress at which fields are put out, rising, the end of the motion among them. Steps chosen
+    /// by error end on them; fixed steps put out when they first reach or pass one.
+    pub outputs: Vec<f64>,
 }
 
+impl Schedule {
+    /// Under one load or approach throughout, without outputs on the way.
+    pub fn steady(control: Control, extent: f64, stepping: Stepping) -> Self {
+        Self { control, ramped: false, extent, stepping, outputs: vec![] }
+    }
+
+    /// The load or approach at some progress (the motion's unit).
+    pub fn control_at(&self, progress: f64) -> Control {
+        if self.ramped { self.control.scaled(progress / self.extent) } else { self.control }
+    }
+}
+
+/// A motion and what it is put through, as a case states them.
+pub type Planned = (Motion, Schedule);
+
 /// The motions a case can name.
-pub const MOTIONS: &[Choice<Motion>] = &[
+pub const MOTIONS: &[Choice<Planned>] = &[
     indentation::CHOICE,
     fretting::CHOICE,
     path::CHOICE,
@@ -178,6 +211,11 @@ fn control(values: &Values) -> Result<Control, Invalid> {
         (Some(load), _) => Ok(Control::Load(load)),
         (None, approach) => Ok(Control::Approach(approach.unwrap_or_default())),
     }
+}
+
+/// The schedule under a constant `load` or `approach`.
+fn steady(values: &Values, extent: f64, stepping: Stepping) -> Result<Schedule, Invalid> {
+    Ok(Schedule::steady(control(values)?, extent, stepping))
 }
 
 /// Every increment of that length (the motion's unit), unless `jump` or `tolerance` ask for jumps.

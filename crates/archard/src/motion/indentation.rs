@@ -1,10 +1,10 @@
 //! Two bodies pressed together, once or again and again.
 
 use super::shift::{CYCLE_COUNT, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Progress, control, jumps};
+use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps};
 use crate::parameters::{Choice, Parameter, Quantity};
 
-pub(super) const CHOICE: Choice<Motion> = Choice {
+pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "indentation",
     meaning: "load or approach raised in equal increments, once or in cycles",
     parameters: &[
@@ -44,12 +44,8 @@ pub(super) const CHOICE: Choice<Motion> = Choice {
             end_pressure: values.word("rubbing") == Some("end"),
             progress: if cycles.is_some() { Progress::CYCLES } else { Progress::SHARE },
         };
-        Ok(Motion {
-            kinematics: Box::new(shift),
-            control,
-            ramped: true,
-            extent: cycles.unwrap_or(1.0),
-            stepping: jumps(values, 1.0 / steps as f64)?,
-        })
+        let stepping = jumps(values, 1.0 / steps as f64)?;
+        let schedule = Schedule::steady(control, cycles.unwrap_or(1.0), stepping);
+        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
     },
 };

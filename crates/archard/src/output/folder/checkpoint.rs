@@ -1,0 +1,107 @@
+//! A run that is kept in its folder, to go on with after an interruption.
+//!
+//! The file `checkpoint` is a line that names its format and the program's version, what the results so far amount to,
+//! the run itself, and a checksum of all before it. It is written when fields are put out, and at least twice a minute
+//! as far as steps end in that time; never so often that it takes more than a fiftieth of the time. When the run has
+//! come to its end, it goes.
+
+use std::fs;
+use std::io;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::super::evidence::Evidence;
+use super::super::fretting_loop::FrettingLoop;
+use super::super::table::Kept as KeptTable;
+use super::super::{Error, file};
+
+/// The file.
+pub(super) const NAME: &str = "checkpoint";
+/// The line it begins with: another one with every change of what is kept.
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 1\n");
+/// Bytes of a checksum.
+const SUM: usize = 32;
+/// The longest a run is not kept where it could be.
+const LONGEST: Duration = Duration::from_secs(30);
+/// Time between two times it is kept over the time that takes, at least.
+const SPARE: u32 = 50;
+
+/// What the results of a run amount to, beside what is in their files.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Kept {
+    /// The tables, in their order in the folder.
+    pub tables: [Option<KeptTable>; 4],
+    pub fretting_loop: FrettingLoop,
+    pub outputs: Vec<(f64, String)>,
+    pub iterations: usize,
+    pub evidence: Evidence,
+    /// Time the run has taken (s).
+    pub seconds: f64,
+}
+
+/// When a run was kept last, and how long that took.
+#[derive(Debug)]
+pub(super) struct Clock {
+    last: Instant,
+    took: Duration,
+}
+
+impl Clock {
+    pub fn new() -> Self {
+        Self { last: Instant::now(), took: Duration::ZERO }
+    }
+
+    /// Whether the run is to be kept again.
+    pub fn is_due(&self, output: bool) -> bool {
+        let since = self.last.elapsed();
+        since >= LONGEST || output && since >= SPARE * self.took
+    }
+
+    /// Keeps it.
+    pub fn keep(&mut self, dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
+        let begun = Instant::now();
+        let mut bytes = FORMAT.as_bytes().to_vec();
+        // Numbers, names and lists, which always can be written.
+        bytes.extend(postcard::to_allocvec(kept).unwrap_or_default());
+        bytes.extend_from_slice(run);
+        let sum = Sha256::digest(&bytes);
+        bytes.extend_from_slice(&sum);
+        file::write_whole(&dir.join(NAME), &bytes)?;
+        *self = Self { last: Instant::now(), took: begun.elapsed() };
+        Ok(())
+    }
+}
+
+/// What was kept in a folder: the results so far, and the run.
+pub(super) fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
+    let path = dir.join(NAME);
+    let refuse = |why: &'static str| Error::NoCheckpoint { dir: dir.to_owned(), why };
+    let bytes = match fs::read(&path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(refuse(missing(dir))),
+        Err(source) => return Err(Error::Read { path, source }),
+    };
+    let Some(rest) = bytes.strip_prefix(FORMAT.as_bytes()) else {
+        return Err(refuse(
+            "its checkpoint is of another version of the program, or none; start the run anew",
+        ));
+    };
+    let torn = || refuse("its checkpoint is damaged; start the run anew");
+    let (content, sum) = bytes.split_last_chunk::<SUM>().ok_or_else(torn)?;
+    let rest =
+        rest.get(..rest.len().saturating_sub(SUM)).filter(|_| Sha256::digest(content)[..] == *sum);
+    let (kept, run) = postcard::take_from_bytes(rest.ok_or_else(torn)?).map_err(|_| torn())?;
+    Ok((kept, run.to_vec()))
+}
+
+/// Why there is no checkpoint.
+fn missing(dir: &Path) -> &'static str {
+    if dir.join("summary.json").is_file() {
+        "it has none: the run came to its end, or ended before there was any"
+    } else {
+        "it has none"
+    }
+}

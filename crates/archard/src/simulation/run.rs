@@ -1,0 +1,119 @@
+//! A run: from the initial contact to the end of the motion, state by state.
+
+use super::checkpoint::NotResumed;
+use super::march::March;
+use super::{Effort, Error, Observer, Report, Simulation};
+use crate::numerics::vector::in_pool;
+
+/// A simulation under way. It goes on when it is asked to and shows where it is.
+///
+/// ```
+/// # use archard::case::CaseFile;
+/// # use archard::simulation::Run;
+/// # let text = "[body.pin.profile.sphere]\nradius = \"50 mm\"\n[body.pin.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[body.pin.wear.archard]\ncoefficient = \"1.33e-13 1/Pa\"\n[body.disc.profile.flat]\n[body.disc.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[frame]\nsize = \"1.2 mm\"\nelements = 20\n[motion.sliding]\nload = \"10.2 N\"\ndistance = \"10 mm\"\nstep = \"5 mm\"\n";
+/// # let simulation = CaseFile::from_text("case", text, ".").resolve().unwrap().build().unwrap();
+/// let mut run = Run::begin(simulation)?;
+/// while run.step()? {
+///     let report = run.report();
+///     println!("{} m: {} N", report.state.progress, report.state.load);
+/// }
+/// # assert_eq!(run.report().effort.steps, 2);
+/// # Ok::<(), archard::simulation::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Run {
+    simulation: Simulation,
+    march: March,
+}
+
+impl Run {
+    /// Brings the bodies into the initial contact.
+    ///
+    /// # Errors
+    /// As [`Run::step`], and if the frame does not suit the motion or a wear law lacks what it asks for.
+    pub fn begin(simulation: Simulation) -> Result<Self, Error> {
+        let march = in_pool(|| March::begin(&simulation))?;
+        Ok(Self { simulation, march })
+    }
+
+    /// Goes on to the next state; `false` at the end of the motion.
+    ///
+    /// # Errors
+    /// If a contact does not converge or fills the frame; the run cannot go on then.
+    pub fn step(&mut self) -> Result<bool, Error> {
+        let Self { simulation, march } = self;
+        in_pool(|| march.step(simulation))
+    }
+
+    /// Goes on with a run that was kept, to the same bits as if it had not been interrupted.
+    ///
+    /// # Errors
+    /// If it was another one, or cannot be read.
+    pub fn resume(simulation: Simulation, checkpoint: &[u8]) -> Result<Self, NotResumed> {
+        let march = March::from_bytes(checkpoint, &simulation)?;
+        Ok(Self { simulation, march })
+    }
+
+    /// All that its further steps follow from.
+    pub fn checkpoint(&self) -> Vec<u8> {
+        self.march.to_bytes()
+    }
+
+    /// Where it is.
+    pub fn report(&self) -> Report<'_> {
+        self.march.report(&self.simulation)
+    }
+
+    /// The problem, its solvers and what it is put through.
+    pub fn simulation(&self) -> &Simulation {
+        &self.simulation
+    }
+}
+
+impl Simulation {
+    /// Carries the motion through, showing the initial contact and every step to the observers.
+    ///
+    /// # Errors
+    /// If the frame does not suit the motion, a wear law lacks what it asks for, a contact does not converge or fills
+    /// the frame, or an observer cannot go on.
+    pub fn run(&self, observers: &mut [&mut dyn Observer]) -> Result<Effort, Error> {
+        // Within the pool once, not anew for each of many small solves.
+        in_pool(|| {
+            let march = March::begin(self)?;
+            show(&march.report(self), observers)?;
+            self.carry_on(march, observers)
+        })
+    }
+
+    /// Goes on with a run that was kept, showing the state it was kept in [again](Report::again), then every further
+    /// step.
+    ///
+    /// # Errors
+    /// As [`Simulation::run`], and if it was another run, or cannot be read.
+    pub fn resume(
+        &self,
+        checkpoint: &[u8],
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Effort, Error> {
+        in_pool(|| {
+            let march = March::from_bytes(checkpoint, self)?;
+            show(&Report { again: true, ..march.report(self) }, observers)?;
+            self.carry_on(march, observers)
+        })
+    }
+
+    fn carry_on(
+        &self,
+        mut march: March,
+        observers: &mut [&mut dyn Observer],
+    ) -> Result<Effort, Error> {
+        while march.step(self)? {
+            show(&march.report(self), observers)?;
+        }
+        Ok(march.effort())
+    }
+}
+
+fn show(report: &Report<'_>, observers: &mut [&mut dyn Observer]) -> Result<(), Error> {
+    observers.iter_mut().try_for_each(|observer| observer.observe(report).map_err(Error::Observer))
+}

@@ -1,0 +1,179 @@
+//! Runs that are kept at some state and go on from there, to the same bits.
+
+use std::error::Error;
+use std::path::Path;
+
+use archard::case::CaseFile;
+use archard::problem::ContactState;
+use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
+
+/// Cases with settings, one of each way through the engine.
+const CASES: [(&str, &[&str]); 12] = [
+    ("pin_on_disc", &["frame.elements=[12, 12]", "motion.sliding.step=90 mm"]),
+    (
+        "pin_on_disc",
+        &["frame.elements=[12, 12]", "motion.sliding.step=", "motion.sliding.tolerance=0.03"],
+    ),
+    (
+        "pin_on_disc",
+        &[
+            "frame.elements=[12, 12]",
+            "motion.sliding.step=25 mm",
+            "motion.sliding.scheme=explicit",
+            "motion.sliding.load=1 N",
+        ],
+    ),
+    ("twin_disc", &["frame.elements=[12, 16]", "motion.rolling.tolerance=0.1"]),
+    (
+        "twin_disc",
+        &[
+            "frame.elements=[12, 16]",
+            "frame.size=[\"0.8 mm\", \"4 mm\"]",
+            "body.disc2.material.young=70 GPa",
+            "motion.rolling.tolerance=",
+            "motion.rolling.step=3000",
+        ],
+    ),
+    ("kalker_creepage", &["frame.elements=[14, 14]"]),
+    // Every cycle, of like bodies; fixed jumps; jumps by error.
+    ("cattaneo_mindlin", &["frame.elements=[14, 14]", "motion.fretting.cycles=2"]),
+    (
+        "fretting_sphere",
+        &[
+            "frame.elements=[12, 12]",
+            "motion.fretting.tolerance=",
+            "motion.fretting.jump=4",
+            "motion.fretting.cycles=10",
+        ],
+    ),
+    (
+        "fretting_sphere",
+        &["frame.elements=[12, 12]", "motion.fretting.tolerance=0.1", "motion.fretting.cycles=60"],
+    ),
+    (
+        "cattaneo_mindlin",
+        &[
+            "frame.elements=[12, 12]",
+            "body.flat.material.poisson=0.1",
+            "motion.fretting.increments=8",
+        ],
+    ),
+    ("spence", &["frame.elements=[12, 12]", "motion.indentation.increments=6"]),
+    // Meshed, with kept factors, cycles that come again.
+    (
+        "punch_fretting_block",
+        &["body.block.mesh.box.contact.elements=[6, 6]", "motion.indentation.cycles=5"],
+    ),
+];
+
+fn build((case, settings): (&str, &[&str])) -> Simulation {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case);
+    let file = CaseFile::read(&folder).unwrap();
+    let file = settings.iter().fold(file, |file, setting| file.set(*setting));
+    let resolved = file.resolve().unwrap_or_else(|problems| {
+        let lines: Vec<String> = problems.iter().map(|one| file.describe(one)).collect();
+        panic!("{case}: {}", lines.join("\n"))
+    });
+    resolved.case.build().unwrap()
+}
+
+/// What a run shows: every number of its rows as bits, and the last fields.
+#[derive(Default)]
+struct Shown {
+    rows: Vec<Vec<(String, u64)>>,
+    last: Option<ContactState>,
+    kept: Vec<Vec<u8>>,
+    again: usize,
+}
+
+impl Observer for Shown {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
+        if report.again {
+            self.again += 1;
+            return Ok(());
+        }
+        let row = row(report).into_iter().map(|(column, value)| (column, value.to_bits()));
+        self.rows.push(row.collect());
+        self.last = Some(report.state.clone());
+        self.kept.extend(report.checkpoint());
+        Ok(())
+    }
+}
+
+/// From every state of short runs, and from some of longer ones.
+#[test]
+fn kept_runs_go_on_to_the_same_bits() {
+    for case in CASES {
+        let mut whole = Shown::default();
+        let effort = build(case).run(&mut [&mut whole]).unwrap();
+        let states = whole.rows.len();
+        assert!(states > 2 && whole.kept.len() == states, "{case:?}: {states} states");
+        for at in (0..states).step_by(states.div_ceil(7)) {
+            let mut rest = Shown::default();
+            let ended = build(case).resume(&whole.kept[at], &mut [&mut rest]).unwrap();
+            assert!(rest.rows == whole.rows[at + 1..], "{case:?} from state {at} of {states}");
+            assert!(at + 1 == states || rest.last == whole.last, "{case:?} from {at}");
+            assert_eq!((ended, rest.again), (effort, 1), "{case:?} from {at}");
+        }
+    }
+}
+
+/// A run that is stepped shows what one that is carried through shows.
+#[test]
+fn runs_can_be_stepped() {
+    let case = CASES[8];
+    let mut whole = Shown::default();
+    build(case).run(&mut [&mut whole]).unwrap();
+    let (mut run, mut stepped) = (Run::begin(build(case)).unwrap(), Shown::default());
+    stepped.observe(&run.report()).unwrap();
+    while run.step().unwrap() {
+        stepped.observe(&run.report()).unwrap();
+        if stepped.rows.len() == 30 {
+            run = Run::resume(build(case), &run.checkpoint()).unwrap();
+        }
+    }
+    assert!(stepped.rows.len() > 40 && stepped.rows == whole.rows);
+}
+
+/// A run goes on with its own case only.
+#[test]
+fn other_cases_do_not_go_on() {
+    let (case, settings) = ("fretting_sphere", CASES[8].1);
+    let kept = Run::begin(build((case, settings))).unwrap().checkpoint();
+    for other in [
+        "motion.fretting.load=51 N",
+        "motion.fretting.tolerance=0.2",
+        "motion.fretting.cycles=61",
+        "frame.size=[\"0.61 mm\", \"0.6 mm\"]",
+        "frame.elements=[12, 13]",
+        "friction.coulomb.coefficient=0.61",
+        "body.ball.material.young=211 GPa",
+        "body.ball.profile.sphere.radius=10.1 mm",
+        "solver.conjugate_gradient.tolerance=1e-7",
+        "output.every=7",
+    ] {
+        let settings = [settings, &[other]].concat();
+        let refused = Run::resume(build((case, &settings)), &kept).err();
+        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+    }
+    let meshed = CASES[11];
+    let kept = Run::begin(build(meshed)).unwrap().checkpoint();
+    let stiffer = [meshed.1, &["body.block.material.young=211 GPa"]].concat();
+    let refused = Run::resume(build((meshed.0, &stiffer)), &kept).err();
+    assert_eq!(refused, Some(NotResumed::OtherCase));
+}
+
+/// Cut off anywhere or changed anywhere, what was kept is refused.
+#[test]
+fn damaged_runs_do_not_go_on() {
+    let case = CASES[0];
+    let kept = Run::begin(build(case)).unwrap().checkpoint();
+    let refused = |bytes: &[u8]| Run::resume(build(case), bytes).err();
+    assert_eq!(refused(&kept), None);
+    for at in (0..kept.len()).step_by(kept.len() / 40) {
+        assert_eq!(refused(&kept[..at]), Some(NotResumed::Unreadable), "cut at {at}");
+        let mut changed = kept.clone();
+        changed[at] ^= 4;
+        assert_eq!(refused(&changed), Some(NotResumed::Unreadable), "changed at {at}");
+    }
+}
