@@ -35,9 +35,7 @@ impl ContactProblem {
 
     /// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
     pub fn rubbing(&self, pressure: f64, slip: f64) -> Rubbing {
-        let rubbing = Rubbing::new(pressure, slip);
-        let Some(friction) = &self.friction else { return rubbing };
-        rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
+        rubbing(self.friction.as_deref(), pressure, slip)
     }
 
     /// Depths (m) the rubbing wears off body 1 and body 2, of those that are meant.
@@ -54,6 +52,13 @@ impl ContactProblem {
     fn law(&self, body: usize, meant: [bool; 2]) -> Option<&dyn WearLaw> {
         self.bodies[body].wear.as_deref().filter(|_| meant[body])
     }
+}
+
+/// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
+pub(crate) fn rubbing(friction: Option<&dyn Friction>, pressure: f64, slip: f64) -> Rubbing {
+    let rubbing = Rubbing::new(pressure, slip);
+    let Some(friction) = friction else { return rubbing };
+    rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
 }
 
 /// What is known of the contact at the end of a step.

@@ -12,7 +12,7 @@ const LAYERS: &[&[&str]] = &[
     &["compliance", "motion"],
     &["elastic", "problem"],
     &["solve"],
-    &["simulation"],
+    &["simulation", "estimate"],
     &["output"],
     &["case"],
 ];

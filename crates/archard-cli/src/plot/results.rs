@@ -7,6 +7,7 @@ use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
+use archard::closed_form::twin_discs::TwinDiscs;
 use archard::motion::{Progress, Rolling};
 use archard::output::{Image, Surface};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
@@ -44,18 +45,6 @@ pub(super) struct WornSphere {
     pub(super) radius: f64,
     /// Wear coefficient of both bodies together (1/Pa).
     pub(super) coefficient: f64,
-}
-
-/// Crowned discs that slip all over, as the incremental model takes them.
-pub(super) struct WornDiscs {
-    /// Wear coefficient of both together (1/Pa).
-    pub(super) coefficient: f64,
-    /// Creepage.
-    pub(super) creepage: f64,
-    /// Combined radius across the direction of rolling (m).
-    pub(super) crown: f64,
-    /// Half width of the unworn contact across it (m).
-    pub(super) half_width: f64,
 }
 
 impl Results {
@@ -232,9 +221,9 @@ impl Results {
     }
 
     /// The worn discs of the incremental model, where the run was one of those.
-    pub(super) fn worn_discs(&self) -> Option<WornDiscs> {
+    pub(super) fn worn_discs(&self) -> Option<TwinDiscs> {
         let number = |key: &str| self.closed_form["twin_discs"][key].as_f64();
-        Some(WornDiscs {
+        Some(TwinDiscs {
             coefficient: number("coefficient_per_Pa")?,
             creepage: number("creepage")?,
             crown: number("crown_m")?,
