@@ -141,6 +141,26 @@ impl Parameter {
     pub const fn bound(self, bound: Bound) -> Self {
         Self { bound, ..self }
     }
+
+    /// The value (SI), where it is within the bound and of a size that can be computed with.
+    ///
+    /// # Errors
+    /// If it is not, with what it has to be.
+    pub fn admit(&self, value: f64) -> Result<f64, Invalid> {
+        let [least, most] = self.quantity.range();
+        let message = if !value.is_finite() {
+            format!("must be a finite number, not {value}")
+        } else if !self.bound.admits(value) {
+            format!("must be {}", self.bound)
+        } else if value != 0.0 && value.abs() > most {
+            format!("{value:e} in SI units is too large to compute with: {most:e} at most")
+        } else if value != 0.0 && value.abs() < least {
+            format!("{value:e} in SI units is too small to compute with: {least:e} at least")
+        } else {
+            return Ok(value);
+        };
+        Err(Invalid::new(self.name, message))
+    }
 }
 
 /// A value in SI.
@@ -283,7 +303,8 @@ fn only_one<T>(values: [(&'static str, Option<T>); 2]) -> Result<OneOf<T>, Inval
 
 /// Values that do not fit together, named by the parameter to change.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{message}")]
+#[non_exhaustive]
+#[error("`{parameter}`: {message}")]
 pub struct Invalid {
     /// The parameter to point at; one of a table inside the table is written `table.parameter`.
     pub parameter: &'static str,

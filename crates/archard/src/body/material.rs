@@ -1,6 +1,10 @@
 //! Linear isotropic elasticity.
 
-use crate::parameters::{Bound, Parameter, Quantity};
+use crate::parameters::{Bound, Invalid, Parameter, Quantity};
+
+const YOUNG: Parameter = Parameter::required("young", Quantity::Pressure, "Young's modulus");
+const POISSON: Parameter = Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
+    .bound(Bound::UpTo(-1.0, 0.5));
 
 /// An isotropic linear elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,11 +17,15 @@ pub struct Material {
 
 impl Material {
     /// What a material takes, for readers of case files.
-    pub const PARAMETERS: &'static [Parameter] = &[
-        Parameter::required("young", Quantity::Pressure, "Young's modulus"),
-        Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
-            .bound(Bound::UpTo(-1.0, 0.5)),
-    ];
+    pub const PARAMETERS: &'static [Parameter] = &[YOUNG, POISSON];
+
+    /// A material of that Young's modulus (Pa) and Poisson's ratio.
+    ///
+    /// # Errors
+    /// If the modulus is not greater than zero, or the ratio not between -1 and 0.5, which it may be.
+    pub fn new(young: f64, poisson: f64) -> Result<Self, Invalid> {
+        Ok(Self { young: YOUNG.admit(young)?, poisson: POISSON.admit(poisson)? })
+    }
 
     /// Plane-strain compliance (1 - nu^2)/E (1/Pa); the sum over the bodies is 1/E*.
     pub fn plane_strain_compliance(&self) -> f64 {

@@ -30,6 +30,32 @@ pub struct Body {
 }
 
 impl Body {
+    /// A rigid body of that name and profile that does not wear.
+    ///
+    /// Result columns carry the name: letters, digits, `_` and `-`.
+    pub fn new(name: impl Into<String>, profile: impl Profile + 'static) -> Self {
+        let profile = Box::new(profile);
+        Self { name: name.into(), profile, material: None, finite: None, wear: None }
+    }
+
+    /// The same body, elastic, of that material.
+    #[must_use]
+    pub fn material(self, material: Material) -> Self {
+        Self { material: Some(material), ..self }
+    }
+
+    /// The same body, worn by that law.
+    #[must_use]
+    pub fn wear(self, law: impl WearLaw + 'static) -> Self {
+        Self { wear: Some(Box::new(law)), ..self }
+    }
+
+    /// The same body with that meshed surface, which its profile lies on, in place of a half-space.
+    #[must_use]
+    pub fn finite(self, finite: Finite) -> Self {
+        Self { finite: Some(finite), ..self }
+    }
+
     /// Curvatures 1/R along x and y (1/m) of the surface in the middle of the contact, positive where it is
     /// convex: of the profile on a plane, or on the mesh. `None` where they are not known.
     pub fn curvatures(&self) -> Option<[f64; 2]> {
@@ -42,14 +68,10 @@ impl Body {
 #[cfg(test)]
 mod tests {
     use super::mesh::Meshed;
-    use super::{Body, Elasticity, Finite, Interpolation, profile::PROFILES};
-    use crate::parameters::{Value, Values};
+    use super::{Body, Elasticity, Finite, Interpolation, profile::Sphere};
 
     /// A sphere of 0.5 m, on a mesh of these curvatures where there is one.
     fn sphere(mesh: Option<Option<[f64; 2]>>) -> Body {
-        let sphere = PROFILES.iter().find(|choice| choice.name == "sphere").unwrap();
-        let mut values = Values::default();
-        values.insert("radius", Value::Number(0.5));
         let finite = mesh.map(|curvatures| Finite {
             meshed: Meshed::default(),
             curvatures,
@@ -59,8 +81,7 @@ mod tests {
             tolerance: 1e-3,
             elasticity: Elasticity::default(),
         });
-        let profile = (sphere.build)(&values).unwrap();
-        Body { name: String::new(), profile, material: None, finite, wear: None }
+        Body { finite, ..Body::new("sphere", Sphere::new(0.5).unwrap()) }
     }
 
     #[test]

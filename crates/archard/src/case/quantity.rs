@@ -144,24 +144,7 @@ fn number(node: &Node) -> Result<(&str, f64, bool), Wrong> {
 }
 
 fn bounded(value: f64, parameter: &Parameter) -> Result<(Value, Option<PathBuf>), Wrong> {
-    if !value.is_finite() {
-        return Err(format!("must be a finite number, not {value}").into());
-    }
-    if !parameter.bound.admits(value) {
-        return Err(format!("must be {}", parameter.bound).into());
-    }
-    let [least, most] = parameter.quantity.range();
-    if value != 0.0 && value.abs() > most {
-        return Err(format!(
-            "{value:e} in SI units is too large to compute with: {most:e} at most"
-        )
-        .into());
-    }
-    if value != 0.0 && value.abs() < least {
-        let message =
-            format!("{value:e} in SI units is too small to compute with: {least:e} at least");
-        return Err(message.into());
-    }
+    let value = parameter.admit(value).map_err(|invalid| invalid.message)?;
     Ok((Value::Number(value), None))
 }
 

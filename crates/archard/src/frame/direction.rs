@@ -11,6 +11,16 @@ pub struct Direction {
 }
 
 impl Direction {
+    /// Along x.
+    pub const X: Self = Self { axis: 0, reversed: false };
+    /// Along y.
+    pub const Y: Self = Self { axis: 1, reversed: false };
+
+    /// The opposite direction.
+    pub fn back(self) -> Self {
+        Self { reversed: !self.reversed, ..self }
+    }
+
     fn sense(self) -> f64 {
         if self.reversed { -1.0 } else { 1.0 }
     }
@@ -43,7 +53,7 @@ impl Direction {
     /// What material passing from the pair ahead gains of a field, one value a pair; on the foremost
     /// pairs, what it gains on the way to the next.
     pub fn gained(self, field: &[f64], elements: [usize; 2]) -> Vec<f64> {
-        let back = Direction { reversed: !self.reversed, ..self };
+        let back = self.back();
         let gain = |pair: usize| match self.ahead(pair, elements) {
             Some(ahead) => field[pair] - field[ahead],
             None => back.ahead(pair, elements).map_or(0.0, |next| field[next] - field[pair]),

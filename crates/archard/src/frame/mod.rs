@@ -367,18 +367,12 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::ContactFrame;
-    use crate::body::profile::PROFILES;
-    use crate::parameters::Values;
+    use crate::body::profile::Flat;
 
     #[test]
     fn the_centre_of_a_smooth_field_is_exact_for_cubics() {
-        let flat = || {
-            (PROFILES.iter().find(|choice| choice.name == "flat").unwrap().build)(&Values::default())
-        };
         for elements in [[5, 5], [6, 5], [5, 6], [4, 8]] {
-            let profiles = [flat().unwrap(), flat().unwrap()];
-            let frame = ContactFrame::uniform([2.0, 1.0], elements, [&*profiles[0], &*profiles[1]])
-                .unwrap();
+            let frame = ContactFrame::uniform([2.0, 1.0], elements, [&Flat, &Flat]).unwrap();
             let cubic = |[x, y]: [f64; 2]| 3.0 + x - 2.0 * y + x * y + x * x - y * y * y;
             let field: Vec<f64> = (0..frame.len()).map(|pair| cubic(frame.place(pair))).collect();
             assert_relative_eq!(frame.at_centre(&field), 3.0, epsilon = 1e-13);

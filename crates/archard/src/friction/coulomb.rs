@@ -3,25 +3,33 @@
 //! A pair bears mu times its pressure and slips once that is reached (the paper's eq. 9).
 
 use super::Friction;
-use crate::parameters::{Bound, Choice, Parameter, Quantity};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "coulomb",
     meaning: "Coulomb: the largest traction is mu times the pressure",
-    parameters: &[Parameter::required(
-        "coefficient",
-        Quantity::Number,
-        "coefficient of friction mu",
-    )
-    .bound(Bound::NonNegative)],
-    build: |values| Ok(Box::new(Coulomb { coefficient: values.require("coefficient")? })),
+    parameters: &[COEFFICIENT],
+    build: |values| Ok(Box::new(Coulomb::new(values.require("coefficient")?)?)),
 };
 
+const COEFFICIENT: Parameter =
+    Parameter::required("coefficient", Quantity::Number, "coefficient of friction mu")
+        .bound(Bound::NonNegative);
+
 /// limit = mu p.
-#[derive(Debug)]
-struct Coulomb {
-    /// mu.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coulomb {
     coefficient: f64,
+}
+
+impl Coulomb {
+    /// The law with that coefficient of friction mu.
+    ///
+    /// # Errors
+    /// If the coefficient is negative.
+    pub fn new(coefficient: f64) -> Result<Self, Invalid> {
+        Ok(Self { coefficient: COEFFICIENT.admit(coefficient)? })
+    }
 }
 
 impl Friction for Coulomb {

@@ -6,6 +6,8 @@ mod coulomb;
 
 use std::fmt::Debug;
 
+pub use coulomb::Coulomb;
+
 use crate::parameters::Choice;
 
 /// The admissible tangential tractions under a pressure: a disc around zero.

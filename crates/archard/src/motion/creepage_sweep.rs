@@ -1,8 +1,11 @@
 //! Steady rolling at creepages raised step by step: the curve of forces over creepages.
 
 use super::rolling::{CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPIN};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Stepping, steady};
-use crate::parameters::{Choice, Parameter, Quantity};
+use super::{
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Schedule, Stepping, control, counted,
+    pressing,
+};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "creepage_sweep",
@@ -16,13 +19,27 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LATERAL_FORCE,
         SPIN,
         DIRECTION,
-        Parameter::optional("increments", Quantity::Count, "number of increments; 10 if not given")
-            .bound(INCREMENTS),
+        COUNT,
     ],
     build: |values| {
-        let increments = values.number("increments").unwrap_or(10.0);
-        let rolling = Rolling { swept: true, ..Rolling::read(values)? };
-        let stepping = Stepping::Implicit(1.0 / increments);
-        Ok((Motion::Rolling(rolling), steady(values, 1.0, stepping)?))
+        let increments = values.number("increments").unwrap_or(10.0) as usize;
+        Rolling::read(values)?.swept(increments, control(values)?)
     },
 };
+
+const COUNT: Parameter =
+    Parameter::optional("increments", Quantity::Count, "number of increments; 10 if not given")
+        .bound(INCREMENTS);
+
+impl Rolling {
+    /// Rolling at creepages, forces and spin raised together in that many equal increments, from nothing to what
+    /// they are here, at constant load or approach. Nothing wears.
+    ///
+    /// # Errors
+    /// If there are no increments or too many of them, or a value is not one to compute with.
+    pub fn swept(self, increments: usize, control: Control) -> Result<Planned, Invalid> {
+        let stepping = Stepping::Implicit(1.0 / counted(COUNT, increments)? as f64);
+        let rolling = Self { swept: true, ..self.checked()? };
+        Ok((Motion::Rolling(rolling), Schedule::steady(pressing(control)?, 1.0, stepping)))
+    }
+}

@@ -1,10 +1,11 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
-use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
+use super::shift::{CYCLE_COUNT, Cycles, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
 use super::{
-    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps,
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, counted,
+    pressing,
 };
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "fretting",
@@ -14,47 +15,26 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         APPROACH,
         AMPLITUDE,
         FORCE_AMPLITUDE,
-        Parameter::optional(
-            "phase",
-            Quantity::Angle,
-            "by how much the oscillation along y is ahead of that along x; 0 if not given",
-        )
-        .bound(Bound::Any),
-        Parameter::optional(
-            "load_amplitude",
-            Quantity::Force,
-            "amplitude of the load; 0 if not given",
-        ),
-        Parameter::optional(
-            "load_phase",
-            Quantity::Angle,
-            "by how much the load is ahead of the oscillation along x; 0 if not given",
-        )
-        .bound(Bound::Any),
+        PHASE,
+        LOAD_AMPLITUDE,
+        LOAD_PHASE,
         CYCLE_COUNT,
-        Parameter::optional(
-            "increments",
-            Quantity::Count,
-            "increments a cycle, a multiple of four; 20 if not given",
-        )
-        .bound(INCREMENTS),
+        COUNT,
         JUMP,
         JUMP_TOLERANCE,
     ],
     build: |values| {
-        let wave = Wave::read(values)?;
-        let count = wave.increments;
-        let shift = Shift {
-            lead: wave.lead(),
-            cycle: (1..=count).map(|index| wave.station(index)).collect(),
-            places: (1..=count).map(|index| index as f64 / count as f64).collect(),
-            released: false,
-            end_pressure: false,
-            progress: Progress::CYCLES,
+        let fretting = match values.one_pair_of("amplitude", "force_amplitude")? {
+            (Some(amplitude), _) => Fretting::shifted(amplitude),
+            (None, amplitude) => Fretting::pushed(amplitude.unwrap_or_default()),
         };
-        let extent = values.number("cycles").unwrap_or(1.0);
-        let stepping = jumps(values, 1.0 / count as f64)?;
-        Ok((Motion::Shift(shift), Schedule::steady(wave.control, extent, stepping)))
+        let number = |name| values.number(name).unwrap_or(0.0);
+        fretting
+            .phase(number("phase"))
+            .varying_load(number("load_amplitude"), number("load_phase"))
+            .increments(values.number("increments").unwrap_or(20.0) as usize)
+            .cycles(Cycles::read(values)?)
+            .under(control(values)?)
     },
 };
 
@@ -71,49 +51,128 @@ const FORCE_AMPLITUDE: Parameter = Parameter::optional(
 )
 .bound(Bound::NonNegative);
 
-/// A cycle of sines.
-struct Wave {
-    control: Control,
-    /// Amplitude of the load (N) and by which angle (rad) it is ahead.
-    load: [f64; 2],
+const PHASE: Parameter = Parameter::optional(
+    "phase",
+    Quantity::Angle,
+    "by how much the oscillation along y is ahead of that along x; 0 if not given",
+)
+.bound(Bound::Any);
+const LOAD_AMPLITUDE: Parameter =
+    Parameter::optional("load_amplitude", Quantity::Force, "amplitude of the load; 0 if not given");
+const LOAD_PHASE: Parameter = Parameter::optional(
+    "load_phase",
+    Quantity::Angle,
+    "by how much the load is ahead of the oscillation along x; 0 if not given",
+)
+.bound(Bound::Any);
+const COUNT: Parameter = Parameter::optional(
+    "increments",
+    Quantity::Count,
+    "increments a cycle, a multiple of four; 20 if not given",
+)
+.bound(INCREMENTS);
+
+/// Cycles of sines: tangential displacements or forces, under a load or approach that is constant or a load that
+/// varies as well.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fretting {
     /// Amplitudes along x and y (m or N), and by which angle (rad) that along y is ahead.
     amplitude: [f64; 2],
     phase: f64,
     /// Whether the amplitudes are forces.
     forces: bool,
+    /// Amplitude of the load (N) and by which angle (rad) it is ahead.
+    load: [f64; 2],
     increments: usize,
+    cycles: Cycles,
 }
 
-impl Wave {
-    fn read(values: &Values) -> Result<Self, Invalid> {
-        let (amplitude, forces) = match values.one_pair_of("amplitude", "force_amplitude")? {
-            (Some(amplitude), _) => (amplitude, false),
-            (None, amplitude) => (amplitude.unwrap_or_default(), true),
+impl Fretting {
+    /// One cycle of 20 increments; these are the amplitudes (m) of the displacement of body 2 over body 1 along x
+    /// and y.
+    pub fn shifted(amplitude: [f64; 2]) -> Self {
+        let cycles = Cycles::new(1);
+        Self { amplitude, phase: 0.0, forces: false, load: [0.0; 2], increments: 20, cycles }
+    }
+
+    /// One cycle of 20 increments; these are the amplitudes (N) of the tangential force on body 1 along x and y.
+    pub fn pushed(amplitude: [f64; 2]) -> Self {
+        Self { forces: true, ..Self::shifted(amplitude) }
+    }
+
+    /// The same, the oscillation along y ahead of that along x by this angle (rad).
+    #[must_use]
+    pub fn phase(self, phase: f64) -> Self {
+        Self { phase, ..self }
+    }
+
+    /// The same, the load oscillating with an amplitude (N), ahead of the oscillation along x by an angle (rad).
+    #[must_use]
+    pub fn varying_load(self, amplitude: f64, phase: f64) -> Self {
+        Self { load: [amplitude, phase], ..self }
+    }
+
+    /// The same with that number of increments a cycle, a multiple of four.
+    #[must_use]
+    pub fn increments(self, increments: usize) -> Self {
+        Self { increments, ..self }
+    }
+
+    /// The same with these cycles.
+    #[must_use]
+    pub fn cycles(self, cycles: Cycles) -> Self {
+        Self { cycles, ..self }
+    }
+
+    /// Under that load, the mean of one that varies, or approach.
+    ///
+    /// # Errors
+    /// If a value is not one to compute with, the increments are no multiple of four or too many, or the load
+    /// fades.
+    pub fn under(self, control: Control) -> Result<Planned, Invalid> {
+        self.check(control)?;
+        let count = self.increments;
+        let station = |index| self.station(control, index);
+        let (extent, stepping) = self.cycles.divided(1.0 / count as f64)?;
+        let shift = Shift {
+            lead: lead(station(0), count),
+            cycle: (1..=count).map(station).collect(),
+            places: (1..=count).map(|index| index as f64 / count as f64).collect(),
+            released: false,
+            end_pressure: false,
+            progress: Progress::CYCLES,
         };
-        let increments = values.number("increments").unwrap_or(20.0) as usize;
-        if !increments.is_multiple_of(4) {
+        Ok((Motion::Shift(shift), Schedule::steady(control, extent, stepping)))
+    }
+
+    fn check(&self, control: Control) -> Result<(), Invalid> {
+        let amplitude = if self.forces { FORCE_AMPLITUDE } else { AMPLITUDE };
+        self.amplitude.iter().try_for_each(|&one| amplitude.admit(one).map(|_| ()))?;
+        PHASE.admit(self.phase)?;
+        LOAD_PHASE.admit(self.load[1])?;
+        if !counted(COUNT, self.increments)?.is_multiple_of(4) {
             let message = "must be a multiple of four: the oscillation turns at its quarters";
             return Err(Invalid::new("increments", message));
         }
-        let control = control(values)?;
-        let number = |name| values.number(name).unwrap_or(0.0);
-        let load = [number("load_amplitude"), number("load_phase")];
-        match control {
-            Control::Load(mean) if load[0] >= mean => {
+        let load = match self.load[0] {
+            0.0 => 0.0,
+            load => LOAD_AMPLITUDE.admit(load)?,
+        };
+        match pressing(control)? {
+            Control::Load(mean) if load >= mean => {
                 let message = "`load_amplitude` is not less than `load`: the bodies would part";
-                return Err(Invalid::new("load_amplitude", message));
+                Err(Invalid::new("load_amplitude", message))
             }
-            Control::Approach(_) if load[0] > 0.0 => {
+            Control::Approach(_) if load > 0.0 => {
                 let message = "`load_amplitude` needs a `load`, not an `approach`";
-                return Err(Invalid::new("load_amplitude", message));
+                Err(Invalid::new("load_amplitude", message))
             }
-            _ => {}
+            _ => Ok(()),
         }
-        Ok(Self { control, load, amplitude, phase: number("phase"), forces, increments })
     }
 
     /// What holds the bodies at an increment of the cycle.
-    fn station(&self, index: usize) -> Station {
+    fn station(&self, control: Control, index: usize) -> Station {
         let count = self.increments;
         let ahead = |angle: f64| {
             let cosine = wave(index + count / 4, count);
@@ -123,7 +182,7 @@ impl Wave {
                 wave(index, count) * angle.cos() + cosine * angle.sin()
             }
         };
-        let control = match self.control {
+        let control = match control {
             Control::Load(mean) => Control::Load(mean + self.load[0] * ahead(self.load[1])),
             approach => approach,
         };
@@ -134,42 +193,40 @@ impl Wave {
         let guides = [guide(self.amplitude[0], 0.0), guide(self.amplitude[1], self.phase)];
         Station { control, guides }
     }
+}
 
-    /// From rest to the beginning of the first cycle: first pressed together, then shifted.
-    fn lead(&self) -> Vec<Station> {
-        let (count, start) = (self.increments, self.station(0));
-        let unmoved = Station { guides: start.share(0.0).guides, ..start };
-        let share = |index: usize| index as f64 / count as f64;
-        let press = (1..=count).map(|index| unmoved.share(share(index)));
-        let moved = if start.guides == unmoved.guides { 0 } else { count };
-        let shift =
-            (1..=moved).map(|index| Station { guides: start.share(share(index)).guides, ..start });
-        press.chain(shift).collect()
-    }
+/// From rest to the beginning of the first cycle, in that many increments: first pressed together, then shifted.
+fn lead(start: Station, count: usize) -> Vec<Station> {
+    let unmoved = Station { guides: start.share(0.0).guides, ..start };
+    let share = |index: usize| index as f64 / count as f64;
+    let press = (1..=count).map(|index| unmoved.share(share(index)));
+    let moved = if start.guides == unmoved.guides { 0 } else { count };
+    let shift =
+        (1..=moved).map(|index| Station { guides: start.share(share(index)).guides, ..start });
+    press.chain(shift).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{CHOICE, Guide, Shift};
+    use super::{Fretting, Guide, Shift};
     use crate::motion::Control;
-    use crate::parameters::{Value, Values};
 
-    fn built(numbers: &[(&'static str, f64)]) -> Result<Shift, String> {
-        let mut values = Values::default();
-        values.insert("amplitude", Value::Pair([1e-6, 2e-6]));
-        values.insert("load", Value::Number(50.0));
-        numbers.iter().for_each(|(name, value)| values.insert(name, Value::Number(*value)));
-        let (motion, _) = (CHOICE.build)(&values).map_err(|invalid| invalid.message)?;
+    fn built(fretting: Fretting) -> Result<Shift, String> {
+        let (motion, _) = fretting.under(Control::Load(50.0)).map_err(|invalid| invalid.message)?;
         Ok(motion.shift().expect("increments").clone())
+    }
+
+    fn ellipse() -> Fretting {
+        Fretting::shifted([1e-6, 2e-6])
     }
 
     /// Along an ellipse the path begins where it ends, and turns at the amplitudes.
     #[test]
     fn a_path_closes_and_reaches_its_amplitudes() {
         let angle = std::f64::consts::FRAC_PI_2;
-        let shift = built(&[("phase", angle), ("increments", 8.0)]).unwrap();
+        let shift = built(ellipse().phase(angle).increments(8)).unwrap();
         assert_eq!(shift.lead.last(), shift.cycle.last());
         assert_eq!(shift.cycle[1].guides[0], Guide::Shift(1e-6));
         let Guide::Shift(y) = shift.cycle[7].guides[1] else { panic!("a shift") };
@@ -179,11 +236,11 @@ mod tests {
 
     #[test]
     fn a_load_may_vary_but_not_fade() {
-        let shift = built(&[("load_amplitude", 10.0), ("increments", 8.0)]).unwrap();
+        let shift = built(ellipse().varying_load(10.0, 0.0).increments(8)).unwrap();
         assert_eq!(shift.cycle[1].control, Control::Load(60.0));
         assert_eq!(shift.cycle[5].control, Control::Load(40.0));
         assert_eq!(shift.peak(), 1);
-        assert!(built(&[("load_amplitude", 50.0)]).unwrap_err().contains("would part"));
-        assert!(built(&[("increments", 10.0)]).unwrap_err().contains("multiple of four"));
+        assert!(built(ellipse().varying_load(50.0, 0.0)).unwrap_err().contains("would part"));
+        assert!(built(ellipse().increments(10)).unwrap_err().contains("multiple of four"));
     }
 }

@@ -1,8 +1,11 @@
 //! Two bodies pressed together, once or again and again.
 
-use super::shift::{CYCLE_COUNT, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{APPROACH, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, jumps};
-use crate::parameters::{Choice, Parameter, Quantity};
+use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::{
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, counted,
+    pressing,
+};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "indentation",
@@ -10,8 +13,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
     parameters: &[
         LOAD,
         APPROACH,
-        Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given")
-            .bound(INCREMENTS),
+        COUNT,
         CYCLE_COUNT,
         Parameter::optional(
             "release",
@@ -27,25 +29,78 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         JUMP_TOLERANCE,
     ],
     build: |values| {
-        let count = values.number("increments").unwrap_or(1.0) as usize;
-        let control = control(values)?;
+        Indentation {
+            increments: values.number("increments").unwrap_or(1.0) as usize,
+            cycles: Cycles::read(values)?,
+            rubs_on_release: values.word("release") == Some("rubbing"),
+            end_pressure: values.word("rubbing") == Some("end"),
+        }
+        .under(control(values)?)
+    },
+};
+
+const COUNT: Parameter =
+    Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given")
+        .bound(INCREMENTS);
+
+/// Load or approach raised in equal increments, once or in cycles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Indentation {
+    increments: usize,
+    cycles: Cycles,
+    rubs_on_release: bool,
+    end_pressure: bool,
+}
+
+impl Indentation {
+    /// That many increments, once; bodies are taken apart without rubbing.
+    pub fn new(increments: usize) -> Self {
+        let cycles = Cycles::default();
+        Self { increments, cycles, rubs_on_release: false, end_pressure: false }
+    }
+
+    /// The same in cycles.
+    #[must_use]
+    pub fn cycles(self, cycles: Cycles) -> Self {
+        Self { cycles, ..self }
+    }
+
+    /// The same, unloaded in increments, on which the bodies rub as well.
+    #[must_use]
+    pub fn rubbing_on_release(self) -> Self {
+        Self { rubs_on_release: true, ..self }
+    }
+
+    /// The same, all slip of an increment rubbing under the pressure at its end, as in the paper, instead of the slip
+    /// in contact under the mean pressure.
+    #[must_use]
+    pub fn at_end_pressure(self) -> Self {
+        Self { end_pressure: true, ..self }
+    }
+
+    /// Up to that load or approach.
+    ///
+    /// # Errors
+    /// If there are no increments or too many of them, or a value is not one to compute with.
+    pub fn under(self, control: Control) -> Result<Planned, Invalid> {
+        let (count, control) = (counted(COUNT, self.increments)?, pressing(control)?);
         let share = |index: usize| Station::pressed(control.scaled(index as f64 / count as f64));
         let mut cycle: Vec<Station> = (1..=count).map(share).collect();
-        if values.word("release") == Some("rubbing") {
+        if self.rubs_on_release {
             cycle.extend((0..count).rev().map(share));
         }
-        let cycles = values.number("cycles");
         let steps = cycle.len();
+        let (extent, stepping) = self.cycles.divided(1.0 / steps as f64)?;
+        let once = self.cycles.count.is_none();
         let shift = Shift {
             lead: vec![],
             places: (1..=steps).map(|step| step as f64 / steps as f64).collect(),
             cycle,
             released: true,
-            end_pressure: values.word("rubbing") == Some("end"),
-            progress: if cycles.is_some() { Progress::CYCLES } else { Progress::SHARE },
+            end_pressure: self.end_pressure,
+            progress: if once { Progress::SHARE } else { Progress::CYCLES },
         };
-        let stepping = jumps(values, 1.0 / steps as f64)?;
-        let schedule = Schedule::steady(control, cycles.unwrap_or(1.0), stepping);
+        let schedule = Schedule::steady(control, extent, stepping);
         Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
-    },
-};
+    }
+}

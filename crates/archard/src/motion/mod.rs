@@ -12,8 +12,12 @@ mod sliding;
 
 use serde::{Deserialize, Serialize};
 
+pub use fretting::Fretting;
+pub use indentation::Indentation;
+pub use path::Path;
 pub use rolling::{Drive, Rolling};
-pub use shift::{Guide, Shift, Station};
+pub use shift::{Cycles, Guide, Shift, Station};
+pub use sliding::Sliding;
 
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
@@ -192,17 +196,32 @@ const TOLERANCE: Parameter =
 const MOST_INCREMENTS: f64 = 1e5;
 /// The bound of `increments`.
 const INCREMENTS: Bound = Bound::UpTo(0.0, MOST_INCREMENTS);
+
+/// That number of increments.
+fn counted(parameter: Parameter, increments: usize) -> Result<usize, Invalid> {
+    parameter.admit(increments as f64).map(|_| increments)
+}
 /// Steps of a fixed length, which no run ever gets through beyond this.
 const MOST_STEPS: f64 = 1e9;
 
-/// A step that divides the motion into no more steps than can be taken.
-fn few_steps(step: f64, extent: f64) -> Result<f64, Invalid> {
-    if extent / step > MOST_STEPS {
+/// The stepping, if a step divides the motion into no more steps than can be taken.
+fn few_steps(stepping: Stepping, step: Parameter, extent: f64) -> Result<Stepping, Invalid> {
+    let length = match stepping {
+        Stepping::Implicit(length) | Stepping::Explicit(length) => step.admit(length)?,
+        Stepping::Tolerance(tolerance) => {
+            TOLERANCE.admit(tolerance)?;
+            return Ok(stepping);
+        }
+        Stepping::Jumps(_) => {
+            return Err(Invalid::new(step.name, "only motions in cycles jump over some"));
+        }
+    };
+    if extent / length > MOST_STEPS {
         let message =
-            format!("asks for {:.1e} steps, {MOST_STEPS:e} at most can be taken", extent / step);
-        return Err(Invalid::new("step", message));
+            format!("asks for {:.1e} steps, {MOST_STEPS:e} at most can be taken", extent / length);
+        return Err(Invalid::new(step.name, message));
     }
-    Ok(step)
+    Ok(stepping)
 }
 
 /// The control out of `load` and `approach`.
@@ -213,18 +232,11 @@ fn control(values: &Values) -> Result<Control, Invalid> {
     }
 }
 
-/// The schedule under a constant `load` or `approach`.
-fn steady(values: &Values, extent: f64, stepping: Stepping) -> Result<Schedule, Invalid> {
-    Ok(Schedule::steady(control(values)?, extent, stepping))
-}
-
-/// Every increment of that length (the motion's unit), unless `jump` or `tolerance` ask for jumps.
-fn jumps(values: &Values, increment: f64) -> Result<Stepping, Invalid> {
-    match (values.number("jump"), values.number("tolerance")) {
-        (None, None) => Ok(Stepping::Implicit(increment)),
-        _ => match values.one_of("jump", "tolerance")? {
-            (Some(jump), _) => Ok(Stepping::Jumps(jump as usize)),
-            (None, tolerance) => Ok(Stepping::Tolerance(tolerance.unwrap_or_default())),
-        },
-    }
+/// The control, if its value is one to press bodies together by.
+fn pressing(control: Control) -> Result<Control, Invalid> {
+    match control {
+        Control::Load(load) => LOAD.admit(load)?,
+        Control::Approach(approach) => APPROACH.admit(approach)?,
+    };
+    Ok(control)
 }

@@ -1,7 +1,7 @@
 //! Loads and displacements as a table gives them over time.
 
-use super::shift::{CYCLE_COUNT, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, jumps};
+use super::shift::{CYCLE_COUNT, Cycles, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, counted};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
@@ -13,12 +13,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
             Quantity::Table(COLUMNS),
             "CSV with columns time_s, load_N or approach_um, and shift_x_um or force_x_N and the same along y where it is not zero",
         ),
-        Parameter::optional(
-            "increments",
-            Quantity::Count,
-            "increments between two lines of the file; 1 if not given",
-        )
-        .bound(INCREMENTS),
+        COUNT,
         CYCLE_COUNT,
         JUMP,
         JUMP_TOLERANCE,
@@ -26,24 +21,16 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
     build: |values| {
         let columns = values.table("file").unwrap_or_default();
         let increments = values.number("increments").unwrap_or(1.0) as usize;
-        let cycles = values.number("cycles").unwrap_or(1.0);
-        let path = Path::read(columns).map_err(|message| Invalid::new("file", message))?;
-        let all = increments as f64 * path.times.len() as f64;
-        if all > MOST_INCREMENTS {
-            let message = format!(
-                "makes {all:.1e} increments of the lines of the file, {MOST_INCREMENTS} at most can be kept"
-            );
-            return Err(Invalid::new("increments", message));
-        }
-        let shift = path.shift(increments);
-        let extent = cycles * shift.period();
-        let step = shift.period() / shift.cycle.len() as f64;
-        let control = shift.cycle[shift.peak()].control;
-        let stepping = jumps(values, step)?;
-        let schedule = Schedule::steady(control, extent, stepping);
-        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
+        read(columns)?.increments(increments).cycles(Cycles::read(values)?).plan()
     },
 };
+
+const COUNT: Parameter = Parameter::optional(
+    "increments",
+    Quantity::Count,
+    "increments between two lines of the file; 1 if not given",
+)
+.bound(INCREMENTS);
 
 /// The columns a path may have.
 const COLUMNS: &[(&str, Quantity)] = &[
@@ -56,61 +43,80 @@ const COLUMNS: &[(&str, Quantity)] = &[
     ("force_y", Quantity::Force),
 ];
 
-/// The lines of a file.
-struct Path {
+/// Loads or approaches and tangential displacements or forces over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
     /// Rising times (s).
     times: Vec<f64>,
     stations: Vec<Station>,
+    increments: usize,
+    cycles: Cycles,
 }
 
 impl Path {
-    fn read(columns: &[(String, Vec<f64>)]) -> Result<Self, String> {
-        let known: Vec<&str> = COLUMNS.iter().map(|(name, _)| *name).collect();
-        if let Some((name, _)) = columns.iter().find(|(name, _)| !known.contains(&name.as_str())) {
-            let known = known.join(", ");
-            return Err(format!("the column `{name}` is not known; known here: {known}"));
-        }
-        let column =
-            |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
-        let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
-            (Some(_), Some(_)) => {
-                Err(format!("the columns `{one}` and `{other}` exclude each other: keep one"))
-            }
-            given => Ok(given),
-        };
-        let times = column("time").ok_or("the column `time_s` is missing")?;
-        let pressed = either("load", "approach")?;
-        if pressed == (None, None) {
-            return Err("one of the columns `load_N` and `approach_um` is needed".to_owned());
-        }
-        let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
+    /// What holds the bodies at rising times (s), the first of them zero, and in proportion in between; gone through
+    /// once, an increment from each to the next.
+    ///
+    /// # Errors
+    /// If the times do not begin with zero or do not rise, a value is not finite, a load is negative, or it changes
+    /// on the way whether a load or an approach, a displacement or a force is given.
+    pub fn new(stations: &[(f64, Station)]) -> Result<Self, Invalid> {
+        let (times, stations): (Vec<f64>, Vec<Station>) = stations.iter().copied().unzip();
         let [instant, _] = Quantity::Time.range();
         let rise = |pair: &[f64]| pair[1] - pair[0] >= instant;
         if times.len() < 2 || times[0] != 0.0 || !times.windows(2).all(rise) {
-            return Err("times must begin with zero and rise from line to line".to_owned());
+            return Err(wrong("times must begin with zero and rise from line to line"));
         }
-        let control = |line: usize| match pressed {
-            (Some(load), _) => Control::Load(load[line]),
-            (None, approach) => Control::Approach(approach.map_or(0.0, |values| values[line])),
-        };
-        if let (Some(load), _) = pressed
-            && load.iter().any(|&load| load < 0.0)
-        {
-            return Err("a load must be zero or greater".to_owned());
+        if !stations.iter().all(Station::is_finite) {
+            return Err(wrong("loads, approaches, displacements and forces must be finite"));
         }
-        let guide = |line: usize, (shift, force): (Option<&[f64]>, Option<&[f64]>)| match force {
-            Some(force) => Guide::Force(force[line]),
-            None => Guide::Shift(shift.map_or(0.0, |shift| shift[line])),
-        };
-        let station = |line: usize| Station {
-            control: control(line),
-            guides: guided.map(|guided| guide(line, guided)),
-        };
-        Ok(Self { times: times.to_vec(), stations: (0..times.len()).map(station).collect() })
+        let negative =
+            |station: &Station| matches!(station.control, Control::Load(load) if load < 0.0);
+        if stations.iter().any(negative) {
+            return Err(wrong("a load must be zero or greater"));
+        }
+        if !stations.iter().all(|station| station.is_like(&stations[0])) {
+            return Err(wrong(
+                "all lines must give the same of load or approach, displacement or force",
+            ));
+        }
+        Ok(Self { times, stations, increments: 1, cycles: Cycles::default() })
+    }
+
+    /// The same with that number of increments from each time to the next.
+    #[must_use]
+    pub fn increments(self, increments: usize) -> Self {
+        Self { increments, ..self }
+    }
+
+    /// The same in cycles.
+    #[must_use]
+    pub fn cycles(self, cycles: Cycles) -> Self {
+        Self { cycles, ..self }
+    }
+
+    /// The motion it makes.
+    ///
+    /// # Errors
+    /// If there are no increments or too many of them, or the cycles are none to compute with.
+    pub fn plan(self) -> Result<Planned, Invalid> {
+        let all = counted(COUNT, self.increments)? as f64 * self.times.len() as f64;
+        if all > MOST_INCREMENTS {
+            let message = format!(
+                "makes {all:.1e} increments of the lines of the file, {MOST_INCREMENTS} at most can be kept"
+            );
+            return Err(Invalid::new("increments", message));
+        }
+        let shift = self.shift();
+        let (cycles, stepping) = self.cycles.divided(shift.period() / shift.cycle.len() as f64)?;
+        let control = shift.cycle[shift.peak()].control;
+        let schedule = Schedule::steady(control, cycles * shift.period(), stepping);
+        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
     }
 
     /// The lines and as many stations between them as makes that many increments.
-    fn shift(&self, increments: usize) -> Shift {
+    fn shift(&self) -> Shift {
+        let increments = self.increments;
         let (mut cycle, mut places) = (vec![], vec![]);
         for line in 1..self.times.len() {
             for step in 1..=increments {
@@ -128,6 +134,45 @@ impl Path {
         let progress = Progress::TIME;
         Shift { lead, cycle, places, released: false, end_pressure: false, progress }
     }
+}
+
+/// The path of the columns of a file.
+fn read(columns: &[(String, Vec<f64>)]) -> Result<Path, Invalid> {
+    let known: Vec<&str> = COLUMNS.iter().map(|(name, _)| *name).collect();
+    if let Some((name, _)) = columns.iter().find(|(name, _)| !known.contains(&name.as_str())) {
+        let known = known.join(", ");
+        return Err(wrong(format!("the column `{name}` is not known; known here: {known}")));
+    }
+    let column =
+        |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
+    let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
+        (Some(_), Some(_)) => {
+            Err(wrong(format!("the columns `{one}` and `{other}` exclude each other: keep one")))
+        }
+        given => Ok(given),
+    };
+    let times = column("time").ok_or_else(|| wrong("the column `time_s` is missing"))?;
+    let pressed = either("load", "approach")?;
+    if pressed == (None, None) {
+        return Err(wrong("one of the columns `load_N` and `approach_um` is needed"));
+    }
+    let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
+    let control = |line: usize| match pressed {
+        (Some(load), _) => Control::Load(load[line]),
+        (None, approach) => Control::Approach(approach.map_or(0.0, |values| values[line])),
+    };
+    let guide = |line: usize, (shift, force): (Option<&[f64]>, Option<&[f64]>)| match force {
+        Some(force) => Guide::Force(force[line]),
+        None => Guide::Shift(shift.map_or(0.0, |shift| shift[line])),
+    };
+    let station = |(line, &time): (usize, &f64)| {
+        (time, Station { control: control(line), guides: guided.map(|one| guide(line, one)) })
+    };
+    Path::new(&times.iter().enumerate().map(station).collect::<Vec<_>>())
+}
+
+fn wrong(message: impl Into<String>) -> Invalid {
+    Invalid::new("file", message)
 }
 
 /// From rest to the first line.
@@ -161,11 +206,12 @@ fn blend(before: Station, after: Station, between: impl Fn(f64, f64) -> f64) -> 
 #[cfg(test)]
 mod tests {
     use super::{Control, Guide, Path};
+    use crate::parameters::Invalid;
 
-    fn read(columns: &[(&str, &[f64])]) -> Result<Path, String> {
+    fn read(columns: &[(&str, &[f64])]) -> Result<Path, Invalid> {
         let owned: Vec<(String, Vec<f64>)> =
             columns.iter().map(|(name, values)| ((*name).to_owned(), values.to_vec())).collect();
-        Path::read(&owned)
+        super::read(&owned)
     }
 
     #[test]
@@ -175,7 +221,7 @@ mod tests {
             ("load", &[0.0, 10.0, 10.0]),
             ("force_x", &[0.0, 0.0, 4.0]),
         ]);
-        let shift = path.unwrap().shift(2);
+        let shift = path.unwrap().increments(2).shift();
         assert_eq!(shift.places, [0.5, 1.0, 2.0, 3.0]);
         assert_eq!(shift.cycle[0].control, Control::Load(5.0));
         assert_eq!(shift.cycle[2].guides, [Guide::Force(2.0), Guide::Shift(0.0)]);
@@ -184,7 +230,7 @@ mod tests {
 
     #[test]
     fn wrong_columns_are_named() {
-        let error = |columns: &[(&str, &[f64])]| read(columns).err().unwrap_or_default();
+        let error = |columns: &[(&str, &[f64])]| read(columns).expect_err("a mistake").message;
         let rising: (&str, &[f64]) = ("time", &[0.0, 1.0]);
         let load: (&str, &[f64]) = ("load", &[1.0, 1.0]);
         assert!(error(&[rising, load, ("speed", &[1.0, 1.0])]).contains("`speed` is not known"));

@@ -5,7 +5,10 @@
 //! the paper's eq. 7, xi = (v2 - v1)/V, seen along the direction of rolling, because both surfaces
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
-use super::{APPROACH, LOAD, Motion, Planned, Stepping, TOLERANCE, few_steps, steady};
+use super::{
+    APPROACH, Control, LOAD, Motion, Planned, Schedule, Stepping, TOLERANCE, control, few_steps,
+    pressing,
+};
 use crate::frame::{Direction, Flow};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
@@ -21,9 +24,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LATERAL_FORCE,
         SPIN,
         DIRECTION,
-        Parameter::required("revolutions", Quantity::Number, "revolutions of both discs")
-            .bound(Bound::NonNegative),
-        Parameter::optional("step", Quantity::Number, "revolutions in one step"),
+        REVOLUTIONS,
+        STEP,
         TOLERANCE,
         Parameter::optional(
             "radius",
@@ -35,10 +37,14 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         let revolutions = values.require("revolutions")?;
         let worn_radius = values.word("radius") == Some("worn");
         let rolling = Rolling { worn_radius, ..Rolling::read(values)? };
-        let stepping = stepping(values, revolutions)?;
-        Ok((Motion::Rolling(rolling), steady(values, revolutions, stepping)?))
+        rolling.over(revolutions, control(values)?, stepping(values, revolutions)?)
     },
 };
+
+const REVOLUTIONS: Parameter =
+    Parameter::required("revolutions", Quantity::Number, "revolutions of both discs")
+        .bound(Bound::NonNegative);
+const STEP: Parameter = Parameter::optional("step", Quantity::Number, "revolutions in one step");
 
 /// Longitudinal creepage.
 pub(super) const CREEPAGE: Parameter = Parameter::optional(
@@ -97,10 +103,7 @@ fn stepping(values: &Values, revolutions: f64) -> Result<Stepping, Invalid> {
         return Ok(Stepping::Implicit(1.0));
     }
     match values.one_of("step", "tolerance")? {
-        (Some(step), _) if revolutions > 0.0 && step > revolutions => {
-            Err(Invalid::new("step", "`step` is more than all `revolutions`"))
-        }
-        (Some(step), _) => Ok(Stepping::Implicit(few_steps(step, revolutions)?)),
+        (Some(step), _) => Ok(Stepping::Implicit(step)),
         (None, tolerance) => Ok(Stepping::Tolerance(tolerance.unwrap_or_default())),
     }
 }
@@ -133,16 +136,91 @@ pub struct Rolling {
 }
 
 impl Rolling {
-    /// What most rolling motions take.
-    pub(super) fn read(values: &Values) -> Result<Self, Invalid> {
-        Ok(Self {
-            direction: direction(values),
-            longitudinal: drive(values, "creepage", "force")?,
-            lateral: drive(values, "lateral_creepage", "lateral_force")?,
-            spin: values.number("spin").unwrap_or(0.0),
+    /// Free of creepage and spin, in that direction.
+    pub fn along(direction: Direction) -> Self {
+        Self {
+            direction,
+            longitudinal: Drive::Creepage(0.0),
+            lateral: Drive::Creepage(0.0),
+            spin: 0.0,
             worn_radius: false,
             swept: false,
-        })
+        }
+    }
+
+    /// The same with that drive along the direction.
+    #[must_use]
+    pub fn longitudinal(self, drive: Drive) -> Self {
+        Self { longitudinal: drive, ..self }
+    }
+
+    /// The same with that drive across the direction.
+    #[must_use]
+    pub fn lateral(self, drive: Drive) -> Self {
+        Self { lateral: drive, ..self }
+    }
+
+    /// The same with that spin (1/m).
+    #[must_use]
+    pub fn spin(self, spin: f64) -> Self {
+        Self { spin, ..self }
+    }
+
+    /// The same, its longitudinal creepage following the worn radii.
+    #[must_use]
+    pub fn with_worn_radius(self) -> Self {
+        Self { worn_radius: true, ..self }
+    }
+
+    /// Steady rolling over a number of revolutions at constant load or approach, in implicit steps of so many
+    /// revolutions or by error. With no revolutions at all, the contact alone.
+    ///
+    /// # Errors
+    /// If a value is not one to compute with, a step is more than all revolutions or far too short for them, or
+    /// the steps are explicit.
+    pub fn over(
+        self,
+        revolutions: f64,
+        control: Control,
+        stepping: Stepping,
+    ) -> Result<Planned, Invalid> {
+        let revolutions = REVOLUTIONS.admit(revolutions)?;
+        match stepping {
+            Stepping::Implicit(step) if revolutions > 0.0 && step > revolutions => {
+                return Err(Invalid::new("step", "`step` is more than all `revolutions`"));
+            }
+            Stepping::Explicit(_) => {
+                return Err(Invalid::new("step", "steps of rolling are implicit"));
+            }
+            _ => {}
+        }
+        let stepping = few_steps(stepping, STEP, revolutions)?;
+        let schedule = Schedule::steady(pressing(control)?, revolutions, stepping);
+        Ok((Motion::Rolling(self.checked()?), schedule))
+    }
+
+    /// The motion, if its drives and spin can be computed with.
+    pub(super) fn checked(self) -> Result<Self, Invalid> {
+        let drives = [
+            (self.longitudinal, [CREEPAGE, FORCE]),
+            (self.lateral, [LATERAL_CREEPAGE, LATERAL_FORCE]),
+        ];
+        for (drive, [creepage, force]) in drives {
+            match drive {
+                Drive::Creepage(value) => creepage.admit(value)?,
+                Drive::Force(value) => force.admit(value)?,
+            };
+        }
+        SPIN.admit(self.spin)?;
+        Ok(self)
+    }
+
+    /// What most rolling motions take.
+    pub(super) fn read(values: &Values) -> Result<Self, Invalid> {
+        Ok(Self::along(direction(values))
+            .longitudinal(drive(values, "creepage", "force")?)
+            .lateral(drive(values, "lateral_creepage", "lateral_force")?)
+            .spin(values.number("spin").unwrap_or(0.0)))
     }
 
     /// The motion at some progress.

@@ -1,9 +1,10 @@
 //! Bodies pressed and shifted against each other step by step, once or in cycles.
 
 use std::f64::consts::TAU;
+use std::mem::discriminant;
 
-use super::{Control, Progress};
-use crate::parameters::{Bound, Parameter, Quantity};
+use super::{Control, Progress, Stepping};
+use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
 
 /// What guides the bodies along one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -27,6 +28,25 @@ impl Station {
     /// Pressed together, not shifted.
     pub fn pressed(control: Control) -> Self {
         Self { control, guides: [Guide::Shift(0.0); 2] }
+    }
+
+    /// The same with these guides along x and y.
+    #[must_use]
+    pub fn guided(self, guides: [Guide; 2]) -> Self {
+        Self { guides, ..self }
+    }
+
+    /// Whether all its values are finite.
+    pub(super) fn is_finite(&self) -> bool {
+        let (Control::Load(pressed) | Control::Approach(pressed)) = self.control;
+        let [x, y] = self.guides.map(|(Guide::Shift(value) | Guide::Force(value))| value);
+        [pressed, x, y].into_iter().all(f64::is_finite)
+    }
+
+    /// Whether the other gives what this one does: a load or an approach, displacements or forces.
+    pub(super) fn is_like(&self, other: &Self) -> bool {
+        discriminant(&self.control) == discriminant(&other.control)
+            && self.guides.each_ref().map(discriminant) == other.guides.each_ref().map(discriminant)
     }
 
     /// Pressed and guided by that share of all that another one is.
@@ -82,6 +102,57 @@ impl Shift {
             }
         }
         peak
+    }
+}
+
+/// How often a cycle is gone through, and which of them are computed: all, unless it is said otherwise.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Cycles {
+    /// None: once, and the progress may be called something else.
+    pub(super) count: Option<usize>,
+    jumps: Option<Stepping>,
+}
+
+impl Cycles {
+    /// That many cycles.
+    pub fn new(count: usize) -> Self {
+        Self { count: Some(count), jumps: None }
+    }
+
+    /// The same, so many cycles from one that is computed to the next.
+    #[must_use]
+    pub fn jump(self, cycles: usize) -> Self {
+        Self { jumps: Some(Stepping::Jumps(cycles)), ..self }
+    }
+
+    /// The same, jumps chosen by that relative error of the worn depths.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self { jumps: Some(Stepping::Tolerance(tolerance)), ..self }
+    }
+
+    /// What motions in cycles take.
+    pub(super) fn read(values: &Values) -> Result<Self, Invalid> {
+        let count = values.number("cycles").map(|count| count as usize);
+        let jumps = match (values.number("jump"), values.number("tolerance")) {
+            (None, None) => None,
+            _ => Some(match values.one_of("jump", "tolerance")? {
+                (Some(jump), _) => Stepping::Jumps(jump as usize),
+                (None, tolerance) => Stepping::Tolerance(tolerance.unwrap_or_default()),
+            }),
+        };
+        Ok(Self { count, jumps })
+    }
+
+    /// How many there are, and how they are divided where all increments have that length (the motion's unit).
+    pub(super) fn divided(self, increment: f64) -> Result<(f64, Stepping), Invalid> {
+        let count = CYCLE_COUNT.admit(self.count.unwrap_or(1) as f64)?;
+        match self.jumps {
+            Some(Stepping::Jumps(cycles)) => JUMP.admit(cycles as f64)?,
+            Some(Stepping::Tolerance(tolerance)) => JUMP_TOLERANCE.admit(tolerance)?,
+            _ => increment,
+        };
+        Ok((count, self.jumps.unwrap_or(Stepping::Implicit(increment))))
     }
 }
 

@@ -21,14 +21,30 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
     meaning: "preconditioned conjugate gradients on the pairs in contact",
     parameters: PARAMETERS,
     build: |values| {
-        Ok(Box::new(ConjugateGradient { settings: Settings::read(values, TOLERANCE, 500) }))
+        Ok(Box::new(ConjugateGradient::new(Settings::read(
+            values,
+            ConjugateGradient::default().settings,
+        )?)))
     },
 };
 
-/// See the module.
-#[derive(Debug)]
-struct ConjugateGradient {
+/// Preconditioned conjugate gradients on the pairs in contact, by default to 1e-8 in 500 iterations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConjugateGradient {
     settings: Settings,
+}
+
+impl ConjugateGradient {
+    /// The solver with these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
+
+impl Default for ConjugateGradient {
+    fn default() -> Self {
+        Self::new(Settings { tolerance: TOLERANCE, max_iterations: 500 })
+    }
 }
 
 impl Solver for ConjugateGradient {

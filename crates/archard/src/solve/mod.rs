@@ -20,11 +20,13 @@ mod uzawa;
 use std::fmt::Debug;
 
 pub use accept::press;
+pub use conjugate_gradient::ConjugateGradient;
+pub use uzawa::Uzawa;
 
 use crate::compliance::Compliance;
 use crate::frame::Measure;
 use crate::motion::Control;
-use crate::parameters::{Bound, Choice, Parameter, Quantity, Values};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 /// One normal contact step.
 #[derive(Debug)]
@@ -85,6 +87,7 @@ pub struct Outcome {
 }
 
 /// What every solver is told.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// Bound on the residual; of pressures, |min(p, g / c)| / |p| (2-norms; c: the compliance of a pair to its own
@@ -110,20 +113,27 @@ pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uz
 const TOLERANCE: f64 = 1e-8;
 
 /// The parameters every solver takes.
-const PARAMETERS: &[Parameter] = &[
+const PARAMETERS: &[Parameter] = &[BOUND, MOST];
+const BOUND: Parameter =
     Parameter::optional("tolerance", Quantity::Number, "bound on the residual")
-        .bound(Bound::Between(0.0, 1.0)),
-    Parameter::optional("max_iterations", Quantity::Count, "iterations allowed in a solve"),
-];
+        .bound(Bound::Between(0.0, 1.0));
+const MOST: Parameter =
+    Parameter::optional("max_iterations", Quantity::Count, "iterations allowed in a solve");
 
 impl Settings {
+    /// A bound on the residual and how many iterations are allowed.
+    ///
+    /// # Errors
+    /// If the bound is not between 0 and 1, or no iteration is allowed.
+    pub fn new(tolerance: f64, max_iterations: usize) -> Result<Self, Invalid> {
+        MOST.admit(max_iterations as f64)?;
+        Ok(Self { tolerance: BOUND.admit(tolerance)?, max_iterations })
+    }
+
     /// The values given, the others as the solver has them.
-    fn read(values: &Values, tolerance: f64, max_iterations: usize) -> Self {
-        Self {
-            tolerance: values.number("tolerance").unwrap_or(tolerance),
-            max_iterations: values
-                .number("max_iterations")
-                .map_or(max_iterations, |count| count as usize),
-        }
+    fn read(values: &Values, otherwise: Self) -> Result<Self, Invalid> {
+        let tolerance = values.number("tolerance").unwrap_or(otherwise.tolerance);
+        let count = values.number("max_iterations").map(|count| count as usize);
+        Self::new(tolerance, count.unwrap_or(otherwise.max_iterations))
     }
 }

@@ -15,16 +15,29 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
     name: "uzawa",
     meaning: "the paper's Uzawa iteration; slow, the reference for the others",
     parameters: PARAMETERS,
-    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, TOLERANCE, 1_000_000) })),
+    build: |values| Ok(Box::new(Uzawa::new(Settings::read(values, Uzawa::default().settings)?))),
 };
 
 /// Penalty times the bound on the largest eigenvalue: a little below the limit of 2.
 const PENALTY: f64 = 1.8;
 
-/// See the module.
-#[derive(Debug)]
-struct Uzawa {
+/// The paper's Uzawa iteration, by default to 1e-8 in a million iterations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uzawa {
     settings: Settings,
+}
+
+impl Uzawa {
+    /// The solver with these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
+
+impl Default for Uzawa {
+    fn default() -> Self {
+        Self::new(Settings { tolerance: TOLERANCE, max_iterations: 1_000_000 })
+    }
 }
 
 impl Solver for Uzawa {

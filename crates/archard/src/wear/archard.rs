@@ -9,20 +9,10 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "archard",
     meaning: "Holm-Archard: depth = k p s, k given or k = k_ad / hardness",
-    parameters: &[
-        Parameter::optional(
-            "coefficient",
-            Quantity::WearCoefficient,
-            "dimensional wear coefficient k",
-        )
-        .bound(Bound::NonNegative),
-        Parameter::optional("k_ad", Quantity::Number, "dimensionless wear coefficient")
-            .bound(Bound::NonNegative),
-        Parameter::optional("hardness", Quantity::Pressure, "hardness of the body"),
-    ],
+    parameters: &[COEFFICIENT, K_AD, HARDNESS],
     build: |values| {
-        let coefficient = match values.one_of("coefficient", "k_ad")? {
-            (Some(coefficient), _) => coefficient,
+        Ok(Box::new(match values.one_of("coefficient", "k_ad")? {
+            (Some(coefficient), _) => Archard::new(coefficient)?,
             (None, k_ad) => {
                 let hardness = values.number("hardness").ok_or_else(|| {
                     Invalid::new(
@@ -30,18 +20,43 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
                         "`k_ad` needs the `hardness` beside it: k = k_ad / hardness",
                     )
                 })?;
-                k_ad.unwrap_or_default() / hardness
+                Archard::with_hardness(k_ad.unwrap_or_default(), hardness)?
             }
-        };
-        Ok(Box::new(Archard { coefficient }))
+        }))
     },
 };
 
+const COEFFICIENT: Parameter =
+    Parameter::optional("coefficient", Quantity::WearCoefficient, "dimensional wear coefficient k")
+        .bound(Bound::NonNegative);
+const K_AD: Parameter =
+    Parameter::optional("k_ad", Quantity::Number, "dimensionless wear coefficient")
+        .bound(Bound::NonNegative);
+const HARDNESS: Parameter =
+    Parameter::optional("hardness", Quantity::Pressure, "hardness of the body");
+
 /// depth = k p s.
-#[derive(Debug)]
-struct Archard {
-    /// k (1/Pa).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Archard {
     coefficient: f64,
+}
+
+impl Archard {
+    /// The law with that coefficient k (1/Pa, the same as m^3/(N m)).
+    ///
+    /// # Errors
+    /// If the coefficient is negative.
+    pub fn new(coefficient: f64) -> Result<Self, Invalid> {
+        Ok(Self { coefficient: COEFFICIENT.admit(coefficient)? })
+    }
+
+    /// The law with k = k_ad / hardness, from a number k_ad and the hardness (Pa) of the body.
+    ///
+    /// # Errors
+    /// If k_ad is negative, or the hardness not greater than zero.
+    pub fn with_hardness(k_ad: f64, hardness: f64) -> Result<Self, Invalid> {
+        Ok(Self { coefficient: K_AD.admit(k_ad)? / HARDNESS.admit(hardness)? })
+    }
 }
 
 impl WearLaw for Archard {

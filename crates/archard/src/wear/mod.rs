@@ -6,6 +6,8 @@ mod archard;
 
 use std::fmt::Debug;
 
+pub use archard::Archard;
+
 use crate::parameters::Choice;
 
 /// What one pair of points went through during a step.

@@ -2,27 +2,36 @@
 
 use super::Profile;
 use super::power::PARAMETERS;
-use crate::parameters::Choice;
+use crate::parameters::{Choice, Invalid};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "axisymmetric_power",
     meaning: "gap = c r^n, r the distance from the axis: a cone of slope c with n = 1",
-    parameters: PARAMETERS,
+    parameters: &PARAMETERS,
     build: |values| {
-        Ok(Box::new(AxisymmetricPower {
-            coefficient: values.require("coefficient")?,
-            exponent: values.require("exponent")?,
-        }))
+        let [coefficient, exponent] = ["coefficient", "exponent"].map(|name| values.require(name));
+        Ok(Box::new(AxisymmetricPower::new(coefficient?, exponent?)?))
     },
 };
 
 /// recess = c r^n.
-#[derive(Debug)]
-struct AxisymmetricPower {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisymmetricPower {
     /// c (m^(1 - n)).
     coefficient: f64,
     /// n.
     exponent: f64,
+}
+
+impl AxisymmetricPower {
+    /// The surface with that factor c (m^(1 - n)) and exponent n.
+    ///
+    /// # Errors
+    /// If one is not greater than zero.
+    pub fn new(coefficient: f64, exponent: f64) -> Result<Self, Invalid> {
+        let [c, n] = PARAMETERS;
+        Ok(Self { coefficient: c.admit(coefficient)?, exponent: n.admit(exponent)? })
+    }
 }
 
 impl Profile for AxisymmetricPower {

@@ -1,13 +1,13 @@
 //! The circular cylinder lying in the plane of contact.
 
 use super::{Profile, circle_recess};
-use crate::parameters::{Choice, Parameter, Quantity};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "cylinder",
     meaning: "a cylinder lying in the plane of contact",
     parameters: &[
-        Parameter::required("radius", Quantity::Length, "radius of the cylinder"),
+        RADIUS,
         Parameter::optional(
             "axis",
             Quantity::Word(&["x", "y"]),
@@ -15,20 +15,37 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
         ),
     ],
     build: |values| {
-        Ok(Box::new(Cylinder {
-            radius: values.require("radius")?,
-            along_x: values.word("axis") == Some("x"),
-        }))
+        let radius = values.require("radius")?;
+        let along_x = values.word("axis") == Some("x");
+        Ok(Box::new(if along_x { Cylinder::along_x(radius) } else { Cylinder::along_y(radius) }?))
     },
 };
 
+const RADIUS: Parameter = Parameter::required("radius", Quantity::Length, "radius of the cylinder");
+
 /// recess = R - sqrt(R^2 - d^2), d the distance from the axis.
-#[derive(Debug)]
-struct Cylinder {
-    /// Radius (m).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cylinder {
     radius: f64,
-    /// Whether the axis runs along x.
     along_x: bool,
+}
+
+impl Cylinder {
+    /// A cylinder of that radius (m) whose axis runs along x.
+    ///
+    /// # Errors
+    /// If the radius is not greater than zero.
+    pub fn along_x(radius: f64) -> Result<Self, Invalid> {
+        Ok(Self { radius: RADIUS.admit(radius)?, along_x: true })
+    }
+
+    /// A cylinder of that radius (m) whose axis runs along y.
+    ///
+    /// # Errors
+    /// If the radius is not greater than zero.
+    pub fn along_y(radius: f64) -> Result<Self, Invalid> {
+        Ok(Self { along_x: false, ..Self::along_x(radius)? })
+    }
 }
 
 impl Profile for Cylinder {

@@ -16,6 +16,16 @@ mod table;
 
 use std::fmt::Debug;
 
+pub use axisymmetric_power::AxisymmetricPower;
+pub use cylinder::Cylinder;
+pub use disc::Disc;
+pub use flat::Flat;
+pub use flat_end::FlatEnd;
+pub use paraboloid::Paraboloid;
+pub use power::Power;
+pub use sphere::Sphere;
+pub use table::Table;
+
 use crate::parameters::Choice;
 
 /// The shape of a surface as its recess below the plane of contact.

@@ -1,31 +1,47 @@
 //! The elliptic paraboloid, the shape of Hertz's theory.
 
 use super::Profile;
-use crate::parameters::{Bound, Choice, Parameter, Quantity};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "paraboloid",
     meaning: "a surface with two radii of curvature; negative where it is hollow",
-    parameters: &[
-        Parameter::required("radius_x", Quantity::Length, "radius of curvature along x")
-            .bound(Bound::Any),
-        Parameter::required("radius_y", Quantity::Length, "radius of curvature along y")
-            .bound(Bound::Any),
-    ],
+    parameters: &RADII,
     build: |values| {
-        let curvature = |name| match values.require(name)? {
-            0.0 => Err(crate::parameters::Invalid::new(name, format!("`{name}` cannot be zero"))),
-            radius => Ok(1.0 / radius),
-        };
-        Ok(Box::new(Paraboloid { curvatures: [curvature("radius_x")?, curvature("radius_y")?] }))
+        let radii = [values.require("radius_x")?, values.require("radius_y")?];
+        Ok(Box::new(Paraboloid::new(radii)?))
     },
 };
 
+const RADII: [Parameter; 2] = [
+    Parameter::required("radius_x", Quantity::Length, "radius of curvature along x")
+        .bound(Bound::Any),
+    Parameter::required("radius_y", Quantity::Length, "radius of curvature along y")
+        .bound(Bound::Any),
+];
+
 /// recess = x^2 / (2 Rx) + y^2 / (2 Ry).
-#[derive(Debug)]
-struct Paraboloid {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Paraboloid {
     /// 1/Rx and 1/Ry (1/m).
     curvatures: [f64; 2],
+}
+
+impl Paraboloid {
+    /// A surface of these radii of curvature along x and y (m), negative where it is hollow.
+    ///
+    /// # Errors
+    /// If a radius is zero.
+    pub fn new(radii: [f64; 2]) -> Result<Self, Invalid> {
+        let curvature = |axis: usize| match RADII[axis].admit(radii[axis])? {
+            0.0 => {
+                let name = RADII[axis].name;
+                Err(Invalid::new(name, format!("`{name}` cannot be zero")))
+            }
+            radius => Ok(1.0 / radius),
+        };
+        Ok(Self { curvatures: [curvature(0)?, curvature(1)?] })
+    }
 }
 
 impl Profile for Paraboloid {

@@ -1,22 +1,20 @@
 //! The power-law punch of the paper's section 6.1.
 
 use super::Profile;
-use crate::parameters::{Choice, Parameter, Quantity};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "power",
     meaning: "gap = c (|x|^n + |y|^n): with n = 1 a pyramid",
-    parameters: PARAMETERS,
+    parameters: &PARAMETERS,
     build: |values| {
-        Ok(Box::new(Power {
-            coefficient: values.require("coefficient")?,
-            exponent: values.require("exponent")?,
-        }))
+        let [coefficient, exponent] = ["coefficient", "exponent"].map(|name| values.require(name));
+        Ok(Box::new(Power::new(coefficient?, exponent?)?))
     },
 };
 
 /// The factor and the exponent of a power.
-pub(super) const PARAMETERS: &[Parameter] = &[
+pub(super) const PARAMETERS: [Parameter; 2] = [
     Parameter::required(
         "coefficient",
         Quantity::PowerFactor { exponent: "exponent" },
@@ -26,12 +24,23 @@ pub(super) const PARAMETERS: &[Parameter] = &[
 ];
 
 /// recess = c (|x|^n + |y|^n).
-#[derive(Debug)]
-struct Power {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Power {
     /// c (m^(1 - n)).
     coefficient: f64,
     /// n.
     exponent: f64,
+}
+
+impl Power {
+    /// The surface with that factor c (m^(1 - n)) and exponent n.
+    ///
+    /// # Errors
+    /// If one is not greater than zero.
+    pub fn new(coefficient: f64, exponent: f64) -> Result<Self, Invalid> {
+        let [c, n] = PARAMETERS;
+        Ok(Self { coefficient: c.admit(coefficient)?, exponent: n.admit(exponent)? })
+    }
 }
 
 impl Profile for Power {

@@ -1,20 +1,31 @@
 //! The exact sphere.
 
 use super::{Profile, circle_recess};
-use crate::parameters::{Choice, Parameter, Quantity};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "sphere",
     meaning: "a ball or a spherical end",
-    parameters: &[Parameter::required("radius", Quantity::Length, "radius of the sphere")],
-    build: |values| Ok(Box::new(Sphere { radius: values.require("radius")? })),
+    parameters: &[RADIUS],
+    build: |values| Ok(Box::new(Sphere::new(values.require("radius")?)?)),
 };
 
+const RADIUS: Parameter = Parameter::required("radius", Quantity::Length, "radius of the sphere");
+
 /// recess = R - sqrt(R^2 - r^2).
-#[derive(Debug)]
-struct Sphere {
-    /// Radius (m).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
     radius: f64,
+}
+
+impl Sphere {
+    /// A sphere of that radius (m).
+    ///
+    /// # Errors
+    /// If the radius is not greater than zero.
+    pub fn new(radius: f64) -> Result<Self, Invalid> {
+        Ok(Self { radius: RADIUS.admit(radius)? })
+    }
 }
 
 impl Profile for Sphere {

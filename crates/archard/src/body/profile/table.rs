@@ -16,19 +16,19 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
         let columns = values.table("file").unwrap_or_default();
         let column = |name| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
         let table = match (columns.len(), column("x"), column("y"), column("z")) {
-            (3, Some(x), Some(y), Some(z)) => Table::from_points(x, y, z),
-            (2, Some(x), None, Some(z)) => Table::from_points(x, &vec![0.0; x.len()], z),
-            (2, None, Some(y), Some(z)) => Table::from_points(&vec![0.0; y.len()], y, z),
-            _ => Err("the columns must be x, y and z, or x and z, or y and z".to_owned()),
+            (3, Some(x), Some(y), Some(z)) => Table::new(x, y, z),
+            (2, Some(x), None, Some(z)) => Table::new(x, &vec![0.0; x.len()], z),
+            (2, None, Some(y), Some(z)) => Table::new(&vec![0.0; y.len()], y, z),
+            _ => Err(wrong("the columns must be x, y and z, or x and z, or y and z")),
         };
-        Ok(Box::new(table.map_err(|message| Invalid::new("file", message))?))
+        Ok(Box::new(table?))
     },
 };
 
 /// Heights on a rectangular grid, interpolated by cubics; along an axis with a single place the
 /// height does not vary.
-#[derive(Debug)]
-struct Table {
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
     /// Rising places along x (m).
     x: Vec<f64>,
     /// Rising places along y (m).
@@ -38,11 +38,21 @@ struct Table {
 }
 
 impl Table {
-    /// Sorts points (m) onto their grid; an error where the grid has holes or a point twice.
-    fn from_points(x: &[f64], y: &[f64], z: &[f64]) -> Result<Self, String> {
+    /// Heights z (m), positive towards the other body, at points x and y (m) in any order that fill a rectangular
+    /// grid; with all x or all y alike, the height varies along the other axis alone.
+    ///
+    /// # Errors
+    /// If the lists differ in length, a value is not finite, the grid has holes, or a point is there twice.
+    pub fn new(x: &[f64], y: &[f64], z: &[f64]) -> Result<Self, Invalid> {
+        if x.len() != z.len() || y.len() != z.len() {
+            return Err(wrong(format!("{} x, {} y and {} z are given", x.len(), y.len(), z.len())));
+        }
+        if !x.iter().chain(y).chain(z).all(|value| value.is_finite()) {
+            return Err(wrong("places and heights must be finite numbers"));
+        }
         let (places_x, places_y) = (distinct(x), distinct(y));
         if places_x.len().max(places_y.len()) < 2 {
-            return Err("at least two different places are needed".to_owned());
+            return Err(wrong("at least two different places are needed"));
         }
         let top = z.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let mut recess = vec![f64::NAN; places_x.len() * places_y.len()];
@@ -51,16 +61,16 @@ impl Table {
             let row = places_y.partition_point(|&known| known < y);
             let place = &mut recess[row * places_x.len() + column];
             if !place.is_nan() {
-                return Err(format!("the point x = {x} m, y = {y} m is there twice"));
+                return Err(wrong(format!("the point x = {x} m, y = {y} m is there twice")));
             }
             *place = top - z;
         }
         if let Some(hole) = recess.iter().position(|recess| recess.is_nan()) {
             let (row, column) = (hole / places_x.len(), hole % places_x.len());
-            return Err(format!(
+            return Err(wrong(format!(
                 "the table has holes: no height at x = {} m, y = {} m; the points must fill a rectangular grid",
                 places_x[column], places_y[row]
-            ));
+            )));
         }
         Ok(Self { x: places_x, y: places_y, recess })
     }
@@ -80,6 +90,10 @@ impl Profile for Table {
             interpolate(&self.y, |row| self.along_row(row, x), y)
         }
     }
+}
+
+fn wrong(message: impl Into<String>) -> Invalid {
+    Invalid::new("file", message)
 }
 
 /// The different values, rising.
@@ -108,16 +122,16 @@ mod tests {
                 z.push(7.0 - a * a - 0.5 * b * b);
             }
         }
-        let table = Table::from_points(&x, &y, &z).unwrap();
+        let table = Table::new(&x, &y, &z).unwrap();
         assert_relative_eq!(table.recess(1.3, -2.2), 1.3 * 1.3 + 0.5 * 2.2 * 2.2, epsilon = 1e-12);
         assert!(table.recess(3.1, 0.0).is_nan());
     }
 
     #[test]
     fn holes_and_doubled_points_are_named() {
-        let hole = Table::from_points(&[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0; 3]).unwrap_err();
-        assert!(hole.contains("x = 1 m, y = 1 m"), "{hole}");
-        let twice = Table::from_points(&[0.0, 0.0], &[0.0, 0.0], &[1.0, 2.0]).unwrap_err();
-        assert!(twice.contains("two different places"), "{twice}");
+        let hole = Table::new(&[0.0, 1.0, 0.0], &[0.0, 0.0, 1.0], &[0.0; 3]).unwrap_err();
+        assert!(hole.message.contains("x = 1 m, y = 1 m"), "{hole}");
+        let twice = Table::new(&[0.0, 0.0], &[0.0, 0.0], &[1.0, 2.0]).unwrap_err();
+        assert!(twice.message.contains("two different places"), "{twice}");
     }
 }

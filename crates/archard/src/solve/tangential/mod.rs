@@ -17,6 +17,8 @@ mod uzawa;
 use std::fmt::Debug;
 
 pub use crop::solve;
+pub use newton::Newton;
+pub use uzawa::Uzawa;
 
 use super::{Settings, Status, joint};
 use crate::compliance::SlipMap;

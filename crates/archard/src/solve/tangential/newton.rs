@@ -28,7 +28,7 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     name: "newton",
     meaning: "semismooth Newton with Krylov iterations, from coarse elements to fine",
     parameters: PARAMETERS,
-    build: |values| Ok(Box::new(Newton { settings: Settings::read(values, TOLERANCE, 200) })),
+    build: |values| Ok(Box::new(Newton::new(Settings::read(values, Newton::default().settings)?))),
 };
 
 /// Residual of the linear system, relative to its right-hand side, while the sticking pairs change by more
@@ -48,10 +48,23 @@ const COARSEST: (usize, usize) = (150, 12);
 /// Residual that a coarser solution needs to start a finer one.
 const COARSE_TOLERANCE: f64 = 1e-3;
 
-/// See the module.
-#[derive(Debug)]
-pub(super) struct Newton {
-    pub settings: Settings,
+/// Semismooth Newton with Krylov iterations, from coarse elements to fine, by default to 1e-6 in 200 iterations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Newton {
+    settings: Settings,
+}
+
+impl Newton {
+    /// The solver with these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
+
+impl Default for Newton {
+    fn default() -> Self {
+        Self::new(Settings { tolerance: TOLERANCE, max_iterations: 200 })
+    }
 }
 
 impl FrictionSolver for Newton {

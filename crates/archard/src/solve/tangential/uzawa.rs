@@ -14,7 +14,7 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     name: "uzawa",
     meaning: "the paper's Uzawa iteration; slow, the reference for the others",
     parameters: PARAMETERS,
-    build: |values| Ok(Box::new(Uzawa { settings: Settings::read(values, TOLERANCE, 1_000_000) })),
+    build: |values| Ok(Box::new(Uzawa::new(Settings::read(values, Uzawa::default().settings)?))),
 };
 
 /// Penalty r times the slip of a pair under its own traction, times the number of pairs in a row. Twice
@@ -22,10 +22,23 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
 /// there is lateral creepage or spin.
 const PENALTY: f64 = 1.0;
 
-/// See the module.
-#[derive(Debug)]
-struct Uzawa {
+/// The paper's Uzawa iteration, by default to 1e-6 in a million iterations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Uzawa {
     settings: Settings,
+}
+
+impl Uzawa {
+    /// The solver with these settings.
+    pub fn new(settings: Settings) -> Self {
+        Self { settings }
+    }
+}
+
+impl Default for Uzawa {
+    fn default() -> Self {
+        Self::new(Settings { tolerance: TOLERANCE, max_iterations: 1_000_000 })
+    }
 }
 
 impl FrictionSolver for Uzawa {
