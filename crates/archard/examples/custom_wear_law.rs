@@ -3,11 +3,13 @@
 //! `cargo run --release --example custom_wear_law` slides a ball on a flat with it and prints the
 //! depth beside that of plain Archard wear.
 
-use std::path::Path;
+use std::error::Error;
 
-use archard::case::{CaseFile, Problem};
+use archard::body::profile::{Flat, Sphere};
+use archard::motion::{Control, Sliding, Stepping};
 use archard::simulation::{Observer, Report};
-use archard::wear::{Rubbing, WearLaw};
+use archard::wear::{Archard, Rubbing, WearLaw};
+use archard::{Body, Material, Simulation};
 
 /// depth = k (p - p_c) s where the pressure p exceeds the threshold p_c.
 #[derive(Debug)]
@@ -33,10 +35,7 @@ impl WearLaw for Threshold {
 struct Depths(Vec<(f64, f64)>);
 
 impl Observer for Depths {
-    fn observe(
-        &mut self,
-        report: &Report<'_>,
-    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
         if report.output {
             let deepest = report.state.total_worn().into_iter().fold(0.0, f64::max);
             self.0.push((report.state.progress, deepest));
@@ -45,34 +44,22 @@ impl Observer for Depths {
     }
 }
 
-const CASE: &str = r#"
-[body.ball]
-material = { young = "210 GPa", poisson = 0.3 }
-profile.sphere = { radius = "50 mm" }
-wear.archard = { coefficient = "1.33e-13 1/Pa" }
-[body.flat]
-material = { young = "210 GPa", poisson = 0.3 }
-profile.flat = {}
-[frame]
-size = ["1.2 mm", "1.2 mm"]
-elements = [40, 40]
-[motion.sliding]
-load = "10.2 N"
-distance = "200 mm"
-tolerance = 3e-3
-"#;
+/// A ball on a flat that wears by a law.
+fn ball_on_flat(law: impl WearLaw + 'static) -> Result<Depths, Box<dyn Error>> {
+    let steel = Material::new(210e9, 0.3)?;
+    let ball = Body::new("ball", Sphere::new(50e-3)?).material(steel).wear(law);
+    let flat = Body::new("flat", Flat).material(steel);
+    let sliding = Sliding::over(0.2, Control::Load(10.2), Stepping::Tolerance(3e-3))?;
+    let builder = Simulation::builder([ball, flat], sliding).frame([1.2e-3; 2], [40; 2]);
+    let outputs = (1..=10).map(|i| 0.02 * f64::from(i));
+    let mut depths = Depths::default();
+    builder.outputs(outputs).build()?.run(&mut [&mut depths])?;
+    Ok(depths)
+}
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let case = CaseFile::from_text("ball on flat", CASE, Path::new(".")).resolve();
-    let case = case
-        .map_err(|problems| problems.iter().map(Problem::title).collect::<Vec<_>>().join("\n"))?
-        .case;
-    let (mut plain, mut own) = (Depths::default(), Depths::default());
-    let mut simulation = case.build()?;
-    simulation.run(&mut [&mut plain])?;
-    simulation.problem.bodies[0].wear =
-        Some(Box::new(Threshold { coefficient: 1.33e-13, threshold: 30e6 }));
-    simulation.run(&mut [&mut own])?;
+fn main() -> Result<(), Box<dyn Error>> {
+    let plain = ball_on_flat(Archard::new(1.33e-13)?)?;
+    let own = ball_on_flat(Threshold { coefficient: 1.33e-13, threshold: 30e6 })?;
     println!("distance (mm)  Archard (um)  with a threshold of 30 MPa (um)");
     for ((distance, archard), (_, threshold)) in plain.0.iter().zip(&own.0) {
         println!("{:13.0} {:13.4} {:20.4}", 1e3 * distance, 1e6 * archard, 1e6 * threshold);

@@ -5,6 +5,32 @@
 //! is over. Boundary elements do the elasticity: nothing but the surfaces near the contact is
 //! divided into elements.
 //!
+//! # From types
+//!
+//! ```
+//! use archard::body::profile::{Flat, Sphere};
+//! use archard::motion::{Control, Sliding, Stepping};
+//! use archard::wear::Archard;
+//! use archard::{Body, Material, Simulation};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let steel = Material::new(210e9, 0.3)?;
+//! let pin = Body::new("pin", Sphere::new(50e-3)?).material(steel).wear(Archard::new(1.33e-13)?);
+//! let disc = Body::new("disc", Flat).material(steel);
+//! let sliding = Sliding::over(0.5, Control::Load(10.2), Stepping::Implicit(5e-3))?;
+//! let simulation = Simulation::builder([pin, disc], sliding).frame([1.2e-3; 2], [30; 2]).build()?;
+//! let effort = simulation.run(&mut [])?;
+//! assert_eq!(effort.steps, 100);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Values are in SI units, as a case in SI would list them. A constructor that checks what it is given
+//! returns an [`Invalid`](parameters::Invalid), which names the parameter. The other motions are
+//! [`Rolling`](motion::Rolling), [`Fretting`](motion::Fretting), [`Indentation`](motion::Indentation) and
+//! [`Path`](motion::Path); the [`Builder`](simulation::Builder) also takes friction, solvers and outputs.
+//! The folder `examples` has a program for each motion.
+//!
 //! # From a case file
 //!
 //! ```
@@ -28,9 +54,7 @@
 //!     step = "5 mm"
 //! "#;
 //! let resolved = CaseFile::from_text("pin on disc", text, ".").resolve().map_err(|_| "mistakes")?;
-//! let simulation = resolved.case.build()?;
-//! let effort = simulation.run(&mut [])?;
-//! assert_eq!(effort.steps, 100);
+//! assert_eq!(resolved.case.build()?.run(&mut [])?.steps, 100);
 //! # Ok(())
 //! # }
 //! ```
@@ -47,7 +71,8 @@
 //! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
 //! seen from the frame, and their [`Motion`]; each body may have a [`WearLaw`].
 //! What is known at the end of a step is a [`ContactState`]. Profiles, wear laws, motions and solvers
-//! are interchangeable parts, declared as [`parameters::Choice`]s.
+//! are interchangeable parts; those that a case file can name are declared as [`parameters::Choice`]s, which
+//! call the constructors of the same types.
 //!
 //! SI units everywhere; `case` and `output` are the only modules that know others. Signs and axes are
 //! stated in [`frame`].
@@ -71,7 +96,7 @@ pub mod units;
 pub mod verdict;
 pub mod wear;
 
-pub use body::Body;
+pub use body::{Body, Material};
 pub use case::Case;
 pub use compliance::Compliance;
 pub use frame::ContactFrame;

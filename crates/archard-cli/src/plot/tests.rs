@@ -12,7 +12,8 @@ mod rolling;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use archard::body::{Body, Material, profile::PROFILES};
+use archard::body::profile::{Flat, Sphere};
+use archard::body::{Body, Material};
 use archard::closed_form::pin_on_disc;
 use archard::compliance::Compliance;
 use archard::frame::{ContactFrame, VectorField};
@@ -20,8 +21,8 @@ use archard::motion::{Control, MOTIONS, Stepping};
 use archard::output::{ResultFolder, Totals};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
-use archard::simulation::{Effort, Observer, Report};
-use archard::wear::WEAR_LAWS;
+use archard::simulation::{Effort, Observer, Report, Simulation};
+use archard::wear::Archard;
 use tempfile::tempdir;
 
 use super::run;
@@ -54,24 +55,17 @@ fn problem(
     motion: &str,
     numbers: &[(&'static str, f64)],
 ) -> ContactProblem {
-    let body = |name: &str, profile, coefficient| Body {
-        name: name.to_owned(),
-        profile,
-        finite: None,
-        material: Some(Material { young: 210e9, poisson: 0.3 }),
-        wear: (coefficient > 0.0)
-            .then(|| build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
-    };
-    let sphere = build(PROFILES, "sphere", &[("radius", 50e-3)]);
-    let flat = build(PROFILES, "flat", &[]);
-    let frame = ContactFrame::uniform([1.2e-3; 2], [60, 60], [&*sphere, &*flat]).unwrap();
-    ContactProblem {
-        bodies: [body("pin", sphere, coefficients[0]), body("disc", flat, coefficients[1])],
-        frame,
-        compliance: Box::new(Stiff),
-        friction: None,
-        motion: build(MOTIONS, motion, numbers).0,
+    let steel = Material::new(210e9, 0.3).unwrap();
+    let mut bodies = [Body::new("pin", Sphere::new(50e-3).unwrap()), Body::new("disc", Flat)];
+    for (body, coefficient) in bodies.iter_mut().zip(coefficients) {
+        let worn = coefficient > 0.0;
+        body.material = Some(steel);
+        body.wear = worn.then(|| Box::new(Archard::new(coefficient).unwrap()) as _);
     }
+    let profiles = bodies.each_ref().map(|body| &*body.profile);
+    let frame = ContactFrame::uniform([1.2e-3; 2], [60, 60], profiles).unwrap();
+    let planned = build(MOTIONS, motion, numbers);
+    Simulation::builder(bodies, planned).contact(frame, Stiff).build().unwrap().problem
 }
 
 /// A state with that load (N) on a scar as deep as `volume` (m^3) makes it, shared as given.

@@ -15,6 +15,7 @@ use crate::wear::WearLaw;
 ///
 /// A body is an elastic half-space whose surface is the plane of contact less the recess of its
 /// profile, unless it is rigid or of finite shape.
+#[non_exhaustive]
 #[derive(Debug)]
 pub struct Body {
     /// The user's name for it; result columns carry it.
@@ -36,6 +37,15 @@ impl Body {
     pub fn new(name: impl Into<String>, profile: impl Profile + 'static) -> Self {
         let profile = Box::new(profile);
         Self { name: name.into(), profile, material: None, finite: None, wear: None }
+    }
+
+    /// What to write for a name that is none.
+    pub(crate) const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
+
+    /// Whether a body can be called that.
+    pub(crate) fn is_name(name: &str) -> bool {
+        let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
+        !name.is_empty() && name != "total" && name.chars().all(fits)
     }
 
     /// The same body, elastic, of that material.

@@ -4,15 +4,12 @@ use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{Held, MeshError, Meshed, Shape};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
-use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
-use crate::compliance::{Compliance, HalfSpace};
+use crate::compliance::bem::contact::{self, Condense};
 use crate::elastic::Point;
-use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::Friction;
-use crate::motion::{Planned, Schedule};
+use crate::motion::Planned;
 use crate::parameters::Invalid;
-use crate::problem::ContactProblem;
-use crate::simulation::Simulation;
+use crate::simulation::{self, Simulation};
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
@@ -91,14 +88,12 @@ pub enum Output {
 }
 
 /// A case whose parts cannot be put together; a checked one can.
+#[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum BuildError {
     /// Values that do not fit together.
     #[error(transparent)]
     Invalid(#[from] Invalid),
-    /// The frame is larger than a body.
-    #[error(transparent)]
-    OffTheSurface(#[from] OffTheSurface),
     /// A mesh that cannot be made.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -110,9 +105,9 @@ pub enum BuildError {
         /// The memory there is, in words.
         free: String,
     },
-    /// Meshed bodies that cannot be brought into contact.
+    /// Parts that do not make a simulation.
     #[error(transparent)]
-    Contact(#[from] ContactError),
+    Parts(#[from] simulation::BuildError),
 }
 
 impl Output {
@@ -228,22 +223,13 @@ impl Case {
     /// As [`Case::build`].
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
         let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
-        let (frame, compliance): (_, Box<dyn Compliance>) = if self.is_meshed() {
-            let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
-            (frame, Box::new(compliance))
-        } else {
-            let profiles = bodies.each_ref().map(|body| &*body.profile);
-            let frame = ContactFrame::uniform(self.frame.size, self.frame.elements, profiles)?;
-            let materials = bodies.each_ref().map(|body| body.material.as_ref());
-            let half_space = HalfSpace::new(materials, &frame);
-            (frame, Box::new(half_space))
-        };
         let outputs = self.output.places(schedule.extent);
-        Ok(Simulation {
-            problem: ContactProblem { bodies, frame, compliance, friction, motion },
-            solver: self.solver.build()?,
-            friction_solver: self.friction_solver.build()?,
-            schedule: Schedule { outputs, ..schedule },
-        })
+        let mut builder = Simulation::builder(bodies, (motion, schedule)).outputs(outputs);
+        builder.friction = friction;
+        builder.solver = self.solver.build()?;
+        builder.friction_solver = self.friction_solver.build()?;
+        let FrameCase { size, elements } = self.frame;
+        let builder = if self.is_meshed() { builder } else { builder.frame(size, elements) };
+        Ok(builder.build_with(condense)?)
     }
 }

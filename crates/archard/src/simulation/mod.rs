@@ -1,6 +1,7 @@
 //! A motion carried through: contact and wear step after step.
 
 mod adaptive;
+mod builder;
 mod chain;
 mod checkpoint;
 mod collector;
@@ -17,6 +18,7 @@ use std::error::Error as StdError;
 
 use serde::{Deserialize, Serialize};
 
+pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub use history::row;
 pub use march::March;

@@ -8,17 +8,22 @@ use crate::numerics::vector::in_pool;
 /// A simulation under way. It goes on when it is asked to and shows where it is.
 ///
 /// ```
-/// # use archard::case::CaseFile;
-/// # use archard::simulation::Run;
-/// # let text = "[body.pin.profile.sphere]\nradius = \"50 mm\"\n[body.pin.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[body.pin.wear.archard]\ncoefficient = \"1.33e-13 1/Pa\"\n[body.disc.profile.flat]\n[body.disc.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[frame]\nsize = [\"1.2 mm\", \"1.2 mm\"]\nelements = [20, 20]\n[motion.sliding]\nload = \"10.2 N\"\ndistance = \"10 mm\"\nstep = \"5 mm\"\n";
-/// # let simulation = CaseFile::from_text("case", text, ".").resolve().unwrap().case.build().unwrap();
+/// # use archard::body::{Body, Material, profile::{Flat, Sphere}};
+/// # use archard::motion::{Control, Sliding, Stepping};
+/// # use archard::simulation::{Run, Simulation};
+/// # use archard::wear::Archard;
+/// # let steel = Material::new(210e9, 0.3)?;
+/// # let pin = Body::new("pin", Sphere::new(50e-3)?).material(steel).wear(Archard::new(1.33e-13)?);
+/// # let disc = Body::new("disc", Flat).material(steel);
+/// # let sliding = Sliding::over(10e-3, Control::Load(10.2), Stepping::Implicit(5e-3))?;
+/// # let simulation = Simulation::builder([pin, disc], sliding).frame([1.2e-3; 2], [20; 2]).build()?;
 /// let mut run = Run::begin(simulation)?;
 /// while run.step()? {
 ///     let report = run.report();
 ///     assert!((report.state.load - 10.2).abs() < 1e-6);
 /// }
 /// # assert_eq!(run.report().effort.steps, 2);
-/// # Ok::<(), archard::simulation::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug)]
 pub struct Run {

@@ -4,19 +4,16 @@
 
 pub mod dense;
 
-use archard::body::profile::PROFILES;
+use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
 use archard::case::CaseFile;
-use archard::compliance::HalfSpace;
-use archard::frame::ContactFrame;
 use archard::motion::{Control, Motion, Schedule, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
-use archard::solve::tangential::FRICTION_SOLVERS;
-use archard::solve::{SOLVERS, Solver, Step};
-use archard::wear::WEAR_LAWS;
+use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
+use archard::wear::Archard;
 
 /// The steel of the reference problems.
 pub const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
@@ -71,37 +68,25 @@ impl Ball {
 
     /// The bodies in contact.
     pub fn problem(&self) -> ContactProblem {
-        let [radius_x, radius_y] = self.radii;
-        let profiles = [
-            choose(PROFILES, "paraboloid", &[("radius_x", radius_x), ("radius_y", radius_y)]),
-            choose(PROFILES, "flat", &[]),
-        ];
-        let frame = ContactFrame::uniform(self.size, self.elements, [&*profiles[0], &*profiles[1]])
-            .expect("paraboloids have no end");
-        let compliance = HalfSpace::new(self.materials.each_ref().map(Option::as_ref), &frame);
-        let mut parts =
-            ["pin", "disc"].into_iter().zip(profiles).zip(self.materials).zip(self.wear);
-        let bodies = std::array::from_fn(|_| {
-            let (((name, profile), material), coefficient) = parts.next().expect("two bodies");
-            let wear = (coefficient > 0.0)
-                .then(|| choose(WEAR_LAWS, "archard", &[("coefficient", coefficient)]));
-            Body { name: name.to_owned(), profile, material, finite: None, wear }
-        });
-        let compliance = Box::new(compliance);
-        ContactProblem { bodies, frame, compliance, friction: None, motion: Motion::Sliding }
+        self.sliding(1.0, Stepping::Explicit(1.0), &[]).problem
     }
 
     /// Its sliding over an extent (m) with outputs there (m).
     pub fn sliding(&self, extent: f64, stepping: Stepping, outputs: &[f64]) -> Simulation {
-        Simulation {
-            problem: self.problem(),
-            solver: solver("conjugate_gradient", self.solver_tolerance),
-            friction_solver: choose(FRICTION_SOLVERS, "newton", &[]),
-            schedule: Schedule {
-                outputs: outputs.to_vec(),
-                ..Schedule::steady(self.control, extent, stepping)
-            },
+        let paraboloid = Paraboloid::new(self.radii).expect("radii");
+        let mut bodies = [Body::new("pin", paraboloid), Body::new("disc", Flat)];
+        for (index, body) in bodies.iter_mut().enumerate() {
+            body.material = self.materials[index];
+            let law = Some(self.wear[index]).filter(|&coefficient| coefficient > 0.0);
+            body.wear = law.map(|k| Box::new(Archard::new(k).expect("a coefficient")) as _);
         }
+        let planned = (Motion::Sliding, Schedule::steady(self.control, extent, stepping));
+        let settings = Settings::new(self.solver_tolerance, 500).expect("a tolerance");
+        let builder = Simulation::builder(bodies, planned).frame(self.size, self.elements);
+        let simulation = builder.solver(ConjugateGradient::new(settings)).build();
+        let mut simulation = simulation.expect("paraboloids have no end");
+        simulation.schedule.outputs = outputs.to_vec();
+        simulation
     }
 
     /// Its contact, unworn.

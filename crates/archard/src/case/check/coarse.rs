@@ -12,6 +12,7 @@ use crate::case::definition::{BodyCase, BuildError, Case, FiniteCase};
 use crate::compliance::Compliance;
 use crate::compliance::bem::contact;
 use crate::parameters::{Value, Values};
+use crate::simulation;
 
 /// Elements of the coarse zone along x and y, an even number for planes of symmetry.
 const ELEMENTS: f64 = 2.0;
@@ -73,7 +74,8 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
     let profile = body.profile.build()?;
     let body = body.build()?;
     let rigid = Body { name: String::new(), profile, material: None, finite: None, wear: None };
-    let contact = contact::Contact::new([&body, &rigid], &contact::condense)?;
+    let contact = contact::Contact::new([&body, &rigid], &contact::condense)
+        .map_err(simulation::BuildError::from)?;
     let areas: Vec<f64> = (0..contact.frame.len()).map(|pair| contact.frame.area(pair)).collect();
     let (pressure, mut displacement) = (vec![1.0; areas.len()], vec![0.0; areas.len()]);
     contact.compliance.apply_normal(&pressure, &mut displacement);

@@ -1,9 +1,9 @@
 //! The bodies of a case.
 
-use crate::body::{Elasticity, Material, profile::PROFILES};
+use crate::body::{Body, Elasticity, Material, profile::PROFILES};
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
-use crate::case::key::{Key, is_bare};
+use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
@@ -61,9 +61,9 @@ impl Reader<'_> {
     /// A body.
     pub(super) fn body(&mut self, bodies: &Key, entry: &Entry) -> Option<BodyCase> {
         let key = bodies.child(&entry.name);
-        let named = is_bare(&entry.name) && entry.name != "total";
+        let named = Body::is_name(&entry.name);
         if !named {
-            let message = "a body's name becomes part of column names: use letters, digits, _ and - (and not `total`)";
+            let message = format!("a body's name becomes part of column names: {}", Body::NAMES);
             self.push(Problem::error(key.clone(), message).at_name());
         }
         let section = self.as_table(key, &entry.node)?;

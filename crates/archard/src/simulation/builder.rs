@@ -1,0 +1,221 @@
+//! A simulation put together from its parts, in SI.
+
+use super::Simulation;
+use crate::body::{Body, Elasticity};
+use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
+use crate::compliance::{Compliance, HalfSpace};
+use crate::frame::{ContactFrame, OffTheSurface};
+use crate::friction::Friction;
+use crate::motion::{Planned, Schedule};
+use crate::parameters::{Invalid, Parameter, Quantity};
+use crate::problem::ContactProblem;
+use crate::solve::tangential::{FrictionSolver, Newton};
+use crate::solve::{ConjugateGradient, Solver};
+
+/// The parts of a [`Simulation`], of which two bodies and a motion are always there.
+///
+/// ```
+/// use archard::body::profile::{Flat, Sphere};
+/// use archard::body::{Body, Material};
+/// use archard::motion::{Control, Sliding, Stepping};
+/// use archard::simulation::Simulation;
+/// use archard::wear::Archard;
+///
+/// let steel = Material::new(210e9, 0.3)?;
+/// let pin = Body::new("pin", Sphere::new(50e-3)?).material(steel).wear(Archard::new(1.33e-13)?);
+/// let disc = Body::new("disc", Flat).material(steel);
+/// let sliding = Sliding::over(0.5, Control::Load(10.2), Stepping::Implicit(5e-3))?;
+/// let simulation =
+///     Simulation::builder([pin, disc], sliding).frame([1.2e-3; 2], [30; 2]).build()?;
+/// # assert_eq!(simulation.problem.frame.len(), 900);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Builder {
+    bodies: [Body; 2],
+    planned: Planned,
+    pub(crate) friction: Option<Box<dyn Friction>>,
+    pub(crate) solver: Box<dyn Solver>,
+    pub(crate) friction_solver: Box<dyn FrictionSolver>,
+    contact: Touch,
+}
+
+/// Where the bodies may touch, and how they deform there.
+#[derive(Debug)]
+enum Touch {
+    /// At the nodes of a mesh.
+    Meshed,
+    /// On a uniform frame of that size (m) and number of elements, as half-spaces.
+    Frame([f64; 2], [usize; 2]),
+    /// As given.
+    Given(ContactFrame, Box<dyn Compliance>),
+}
+
+/// Why parts do not make a simulation.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum BuildError {
+    /// A part that is missing, or cannot be what it is.
+    #[error(transparent)]
+    Invalid(#[from] Invalid),
+    /// The frame is larger than a body.
+    #[error(transparent)]
+    OffTheSurface(#[from] OffTheSurface),
+    /// Meshed bodies that cannot be brought into contact.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+}
+
+const SIZE: Parameter = Parameter::required("size", Quantity::Length, "size of the frame");
+const ELEMENTS: Parameter =
+    Parameter::required("elements", Quantity::Count, "number of elements of the frame");
+
+impl Simulation {
+    /// Begins with two bodies, body 1 first, and what they are put through, as the motions of
+    /// [`motion`](crate::motion) make it.
+    pub fn builder(bodies: [Body; 2], planned: Planned) -> Builder {
+        Builder {
+            bodies,
+            planned,
+            friction: None,
+            solver: Box::new(ConjugateGradient::default()),
+            friction_solver: Box::new(Newton::default()),
+            contact: Touch::Meshed,
+        }
+        .outputs([])
+    }
+}
+
+impl Builder {
+    /// Half-spaces may touch in a rectangle of that size along x and y (m), centred at the origin, divided into so
+    /// many elements along x and y. Meshed bodies need no frame: theirs are the nodes of a mesh.
+    #[must_use]
+    pub fn frame(self, size: [f64; 2], elements: [usize; 2]) -> Self {
+        Self { contact: Touch::Frame(size, elements), ..self }
+    }
+
+    /// The bodies may touch at these pairs, and deform there by that compliance.
+    #[must_use]
+    pub fn contact(self, frame: ContactFrame, compliance: impl Compliance + 'static) -> Self {
+        Self { contact: Touch::Given(frame, Box::new(compliance)), ..self }
+    }
+
+    /// Friction between the bodies; none otherwise.
+    #[must_use]
+    pub fn friction(self, law: impl Friction + 'static) -> Self {
+        Self { friction: Some(Box::new(law)), ..self }
+    }
+
+    /// The solver of the contact steps; [`ConjugateGradient`] otherwise.
+    #[must_use]
+    pub fn solver(self, solver: impl Solver + 'static) -> Self {
+        Self { solver: Box::new(solver), ..self }
+    }
+
+    /// The solver of friction; [`Newton`] otherwise.
+    #[must_use]
+    pub fn friction_solver(self, solver: impl FrictionSolver + 'static) -> Self {
+        Self { friction_solver: Box::new(solver), ..self }
+    }
+
+    /// Fields are due at these places (the motion's own unit) and, always, at the end of the motion; places beyond
+    /// it are left out.
+    #[must_use]
+    pub fn outputs(mut self, places: impl IntoIterator<Item = f64>) -> Self {
+        let Schedule { extent, outputs, .. } = &mut self.planned.1;
+        *outputs = places.into_iter().filter(|place| place < extent).collect();
+        outputs.push(*extent);
+        outputs.sort_by(f64::total_cmp);
+        outputs.dedup();
+        self
+    }
+
+    /// Puts the parts together.
+    ///
+    /// # Errors
+    /// If a part is missing, parts do not fit together, or a body does not reach over the frame.
+    pub fn build(self) -> Result<Simulation, BuildError> {
+        self.build_with(&contact::condense)
+    }
+
+    /// The same with something that condenses meshed bodies or knows that they were.
+    pub(crate) fn build_with(self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
+        self.check()?;
+        let Self {
+            bodies,
+            planned: (motion, schedule),
+            friction,
+            solver,
+            friction_solver,
+            contact,
+        } = self;
+        let (frame, compliance): (_, Box<dyn Compliance>) = match contact {
+            Touch::Given(frame, compliance) => (frame, compliance),
+            Touch::Meshed => {
+                let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
+                (frame, Box::new(compliance))
+            }
+            Touch::Frame(size, elements) => {
+                let profiles = bodies.each_ref().map(|body| &*body.profile);
+                let frame = ContactFrame::uniform(size, elements, profiles)?;
+                let materials = bodies.each_ref().map(|body| body.material.as_ref());
+                let half_space = HalfSpace::new(materials, &frame);
+                (frame, Box::new(half_space))
+            }
+        };
+        let problem = ContactProblem { bodies, frame, compliance, friction, motion };
+        Ok(Simulation { problem, solver, friction_solver, schedule })
+    }
+
+    fn check(&self) -> Result<(), Invalid> {
+        let wrong = |part, message: &str| Err(Invalid::new(part, message));
+        let [one, two] = &self.bodies;
+        if let Some(body) = self.bodies.iter().find(|body| !Body::is_name(&body.name)) {
+            let message =
+                format!("`{}` cannot become part of column names: {}", body.name, Body::NAMES);
+            return Err(Invalid::new("name", message));
+        }
+        if one.name == two.name {
+            return wrong("name", "the bodies have the same name");
+        }
+        if one.material.is_none() && two.material.is_none() {
+            return wrong("material", "both bodies are rigid: one has to be elastic");
+        }
+        for body in &self.bodies {
+            let Some(finite) = &body.finite else { continue };
+            match body.material {
+                None => {
+                    return wrong(
+                        "finite",
+                        "a rigid body does not deform: give its shape as a profile",
+                    );
+                }
+                Some(material)
+                    if material.poisson == 0.5
+                        && finite.elasticity == Elasticity::BoundaryElements =>
+                {
+                    return wrong(
+                        "poisson",
+                        "a body of finite shape must be compressible: below 0.5",
+                    );
+                }
+                _ => {}
+            }
+        }
+        let meshed = self.bodies.iter().any(|body| body.finite.is_some());
+        match &self.contact {
+            Touch::Frame(..) if meshed => {
+                wrong("frame", "the pairs are the nodes of the mesh: leave the frame out")
+            }
+            Touch::Frame(size, elements) => {
+                size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
+                elements.iter().try_for_each(|&count| ELEMENTS.admit(count as f64).map(|_| ()))
+            }
+            Touch::Meshed if !meshed => wrong(
+                "frame",
+                "the contact zone of half-spaces is missing: give the frame's size and elements",
+            ),
+            _ => Ok(()),
+        }
+    }
+}
