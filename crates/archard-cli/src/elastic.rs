@@ -48,15 +48,15 @@ fn summarize(
     totals: &Totals,
     dir: &Path,
 ) -> Result<(), Failure> {
-    let largest = deformed.boundary.displacement.iter().map(|u| u.length()).fold(0.0, f64::max);
+    let largest = deformed.largest_displacement();
     say(&format!("displacement      {} um at most", four(largest * 1e6)))?;
     for (point, response) in body.points.iter().zip(&deformed.points) {
-        let [x, y, z] = response.displacement.to_array().map(|u| four(u * 1e6));
+        let [x, y, z] = response.displacement.map(|u| four(u * 1e6));
         let stress = four(von_mises(&response.stress) * 1e-6);
         let name = &point.name;
         say(&format!("at `{name}`  displacement ({x}, {y}, {z}) um, von Mises {stress} MPa"))?;
     }
-    let unknowns = deformed.surface.unknowns();
+    let unknowns = deformed.unknowns();
     say(&format!("time              {:.2} s, {unknowns} unknowns", totals.seconds))?;
     say(&format!("results           {}", dir.display()))
 }

@@ -77,9 +77,7 @@ fn contact(
     let begun = Instant::now();
     let store = arguments.store();
     let built = match &store {
-        Some(store) => {
-            case.build_with(&|finite, material, job| store.condense(finite, material, job))
-        }
+        Some(store) => case.build_keeping(store),
         None => case.build(),
     };
     let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
@@ -177,14 +175,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::FrictionNotConverged { .. }
         | Error::NotConsistent { .. }
         | Error::StepTooSmall { .. } => Failure::NotConverged(message),
-        Error::FrameFull { .. }
-        | Error::NotSymmetric { .. }
-        | Error::NotPlane
-        | Error::NotPassed(_)
-        | Error::NotJoint
-        | Error::NoFriction { .. }
-        | Error::NotResumed(_)
-        | Error::Observer(_) => Failure::Wrong(message),
+        _ => Failure::Wrong(message),
     }
 }
 

@@ -4,18 +4,17 @@
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
 //! in contact is one too, once its tractions are known: [`Deformed::in_contact`].
 
-use glam::DMat3;
+use glam::{DMat3, DVec3};
 
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
-use crate::compliance::bem::{
-    Balance, Boundary, Conditions, Interior, Response, Solid, Surface, Undetermined, advice, forces,
-};
+use crate::compliance::bem::{self, Conditions, Interior, Solid, Surface, advice, forces};
+use crate::compliance::{Balance, Undetermined, Unsolved};
 use crate::frame::VectorField;
-use crate::numerics::dense::Unsolved;
 use crate::verdict::{self, Verdict};
 
 /// A body with its loads and supports.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElasticBody {
     /// The user's name for it.
@@ -40,14 +39,17 @@ pub struct Point {
 }
 
 /// What loads and supports make of a body.
+#[non_exhaustive]
 #[derive(Debug, Clone)]
 pub struct Deformed {
     /// The elements.
-    pub surface: Surface,
-    /// Displacements and tractions on the surface.
-    pub boundary: Boundary,
-    /// Stress (Pa) on the surface, a value a node of tractions.
-    pub stress: Vec<DMat3>,
+    pub(crate) surface: Surface,
+    /// Displacement (m) of the surface along x, y and z, a value a node of displacements.
+    pub displacement: Vec<[f64; 3]>,
+    /// Traction (Pa) on the surface along x, y and z, a value a node of tractions.
+    pub traction: Vec<[f64; 3]>,
+    /// Stress (Pa) on the surface as of [`Response::stress`], a value a node of tractions.
+    pub stress: Vec<[[f64; 3]; 3]>,
     /// Displacement and stress at each point.
     pub points: Vec<Response>,
     /// What is left of the balance of forces and moments.
@@ -55,7 +57,24 @@ pub struct Deformed {
     forces: Vec<[f64; 3]>,
 }
 
+/// Displacement and stress at a point of a body.
+#[non_exhaustive]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Response {
+    /// Displacement along x, y and z (m).
+    pub displacement: [f64; 3],
+    /// Stress along x, y and z (Pa), positive in tension; symmetric.
+    pub stress: [[f64; 3]; 3],
+}
+
+impl From<bem::Response> for Response {
+    fn from(bem::Response { displacement, stress }: bem::Response) -> Self {
+        Self { displacement: displacement.to_array(), stress: stress.to_cols_array_2d() }
+    }
+}
+
 /// Why a body cannot be computed.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ElasticError {
     /// Its supports do not hold it.
@@ -84,20 +103,17 @@ pub enum ElasticError {
 
 impl ElasticBody {
     /// Its elements.
-    pub fn surface(&self) -> Surface {
+    pub(crate) fn surface(&self) -> Surface {
         Surface::new(&self.finite.meshed.mesh, self.finite.interpolation, self.finite.mirrored)
     }
 
-    /// What is known at the nodes.
-    ///
-    /// # Errors
-    /// If the supports do not hold the body.
-    pub fn conditions(&self, surface: &Surface) -> Result<Conditions, Undetermined> {
+    /// What is known at the nodes, if the supports hold the body.
+    fn conditions(&self, surface: &Surface) -> Result<Conditions, Undetermined> {
         Conditions::new(surface, |node| supported(&self.finite, node), &[])
     }
 
     /// All that can be known to be wrong before the equations are made.
-    pub fn check(&self, surface: &Surface) -> Vec<ElasticError> {
+    pub(crate) fn check(&self, surface: &Surface) -> Vec<ElasticError> {
         let undetermined = self.conditions(surface).err().map(ElasticError::from);
         let outside =
             self.points.iter().filter(|point| surface.depth(point.place.into()).is_none());
@@ -158,13 +174,30 @@ impl Deformed {
         let boundary = solid.boundary(acting);
         drop(solid);
         let interior = Interior::new(surface, material, &boundary, tolerance);
-        let stress = interior.surface_stress();
+        let stress = interior.surface_stress().iter().map(DMat3::to_cols_array_2d).collect();
         let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
-        let at = |point: &Point| interior.at(point.place.into()).ok_or_else(|| outside(point));
-        let points = points.iter().map(at).collect::<Result<_, _>>()?;
+        let at = |point: &Point| {
+            let response = interior.at(point.place.into()).ok_or_else(|| outside(point))?;
+            Ok(response.into())
+        };
+        let points = points.iter().map(at).collect::<Result<_, ElasticError>>()?;
         let balance = Balance::of(surface, job.conditions, &boundary.traction);
         let forces = forces(surface, job.conditions, &boundary);
-        Ok(Self { surface: surface.clone(), boundary, stress, points, balance, forces })
+        let [displacement, traction] = [boundary.displacement, boundary.traction]
+            .map(|vectors| vectors.iter().map(DVec3::to_array).collect());
+        let surface = surface.clone();
+        Ok(Self { surface, displacement, traction, stress, points, balance, forces })
+    }
+
+    /// The number of unknowns of its equations.
+    pub fn unknowns(&self) -> usize {
+        self.surface.unknowns()
+    }
+
+    /// The largest displacement of a node of the surface (m).
+    pub fn largest_displacement(&self) -> f64 {
+        let lengths = self.displacement.iter().map(|&u| DVec3::from_array(u).length());
+        lengths.fold(0.0, f64::max)
     }
 
     /// Force (N) on each surface, mirror images left out. Those of supports balance the loads: what the tractions
@@ -185,40 +218,40 @@ pub const STRESSES: [(&str, [usize; 2]); 6] = [
     ("zx", [2, 0]),
 ];
 
-/// The equivalent stress of von Mises (Pa).
-pub fn von_mises(stress: &DMat3) -> f64 {
+/// The equivalent stress of von Mises (Pa) of a stress along x, y and z (Pa).
+pub fn von_mises(stress: &[[f64; 3]; 3]) -> f64 {
+    let stress = DMat3::from_cols_array_2d(stress);
     let mean = (stress.x_axis.x + stress.y_axis.y + stress.z_axis.z) / 3.0;
-    let deviator = *stress - mean * DMat3::IDENTITY;
+    let deviator = stress - mean * DMat3::IDENTITY;
     let square: f64 = deviator.to_cols_array().iter().map(|value| value * value).sum();
     (1.5 * square).sqrt()
 }
 
 /// The columns of a response: displacements (m), stresses and the equivalent stress (Pa).
 pub fn row(response: &Response) -> Vec<(String, f64)> {
-    let displacement = response.displacement.to_array().into_iter();
+    let displacement = response.displacement.into_iter();
     let displacement = ["x", "y", "z"]
         .into_iter()
         .zip(displacement)
         .map(|(axis, value)| (format!("displacement_{axis}_m"), value));
     let stress = STRESSES
         .iter()
-        .map(|(name, [i, j])| (format!("stress_{name}_Pa"), response.stress.col(*j)[*i]));
+        .map(|(name, [i, j])| (format!("stress_{name}_Pa"), response.stress[*j][*i]));
     let equivalent = ("von_mises_Pa".to_owned(), von_mises(&response.stress));
     displacement.chain(stress).chain([equivalent]).collect()
 }
 
 #[cfg(test)]
 mod tests {
-    use glam::{DMat3, DVec3};
-
     use super::von_mises;
 
     #[test]
     fn von_mises_knows_tension_shear_and_pressure() {
-        let tension = DMat3::from_diagonal(DVec3::new(0.0, -3.0, 0.0));
-        let shear = DMat3::from_cols(DVec3::Y, DVec3::X, DVec3::ZERO);
+        let tension = [[0.0; 3], [0.0, -3.0, 0.0], [0.0; 3]];
+        let shear = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0; 3]];
+        let pressure = [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0]];
         assert!((von_mises(&tension) - 3.0).abs() < 1e-14);
         assert!((von_mises(&shear) - 3f64.sqrt()).abs() < 1e-14);
-        assert!(von_mises(&(5.0 * DMat3::IDENTITY)) < 1e-14);
+        assert!(von_mises(&pressure) < 1e-14);
     }
 }

@@ -86,6 +86,7 @@ pub mod estimate;
 pub mod frame;
 pub mod friction;
 pub mod motion;
+#[doc(hidden)]
 pub mod numerics;
 pub mod output;
 pub mod parameters;

@@ -8,6 +8,7 @@
 use std::fmt;
 
 /// The physical quantity of a parameter; decides which units a reader accepts.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// A number without unit.
@@ -71,6 +72,7 @@ impl Quantity {
 pub const EXCLUSIVE: &str = "exclude each other";
 
 /// What values of a numeric parameter are allowed.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
     /// Any finite value.
@@ -112,6 +114,7 @@ impl fmt::Display for Bound {
 }
 
 /// One value a choice takes.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// The key, as written in a case file.
@@ -164,6 +167,7 @@ impl Parameter {
 }
 
 /// A value in SI.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number (SI).

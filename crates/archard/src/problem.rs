@@ -13,6 +13,7 @@ use crate::wear::{Rubbing, WearLaw};
 const STICKS: f64 = 1e-6;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
+#[non_exhaustive]
 #[derive(Debug)]
 pub struct ContactProblem {
     /// The bodies; body 1 first.

@@ -8,6 +8,7 @@ use crate::compliance::bem::contact::{self, Condense};
 use crate::elastic::Point;
 use crate::friction::Friction;
 use crate::motion::Planned;
+use crate::output::Store;
 use crate::parameters::Invalid;
 use crate::simulation::{self, Simulation};
 use crate::solve::Solver;
@@ -15,6 +16,7 @@ use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
 
 /// A checked case in SI. It prints as a case file that reads back to the same bits.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
     /// What it is about.
@@ -38,6 +40,7 @@ pub struct Case {
 }
 
 /// One body of a case.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyCase {
     /// Its name.
@@ -53,6 +56,7 @@ pub struct BodyCase {
 }
 
 /// The mesh of a body and how it is held.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct FiniteCase {
     /// The mesh.
@@ -79,6 +83,7 @@ pub struct FrameCase {
 }
 
 /// When fields are put out; the end of the motion always is one of the places.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Output {
     /// Each time the motion went on by that much (its own unit).
@@ -217,10 +222,16 @@ impl Case {
         self.build_with(&contact::condense)
     }
 
-    /// The same with something that condenses meshed bodies or knows that they were.
+    /// The same, compliances of meshed bodies taken from a store or kept there.
     ///
     /// # Errors
     /// As [`Case::build`].
+    pub fn build_keeping(&self, store: &Store) -> Result<Simulation, BuildError> {
+        self.build_with(&|finite, material, job| store.condense(finite, material, job))
+    }
+
+    /// The same with something that condenses meshed bodies or knows that they were.
+    #[doc(hidden)]
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
         let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
         let outputs = self.output.places(schedule.extent);

@@ -11,6 +11,7 @@ use crate::elastic::{ElasticBody, ElasticError, Point};
 use crate::parameters::Invalid;
 
 /// A checked case of one elastic body, in SI. It prints as a case file that reads back to the same bits.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElasticCase {
     /// What it is about.
@@ -22,6 +23,7 @@ pub struct ElasticCase {
 }
 
 /// What the computation of an elastic body will take.
+#[non_exhaustive]
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ElasticForecast {
     /// The surfaces with their numbers of elements.

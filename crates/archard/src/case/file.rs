@@ -24,6 +24,7 @@ pub struct CaseFile {
 }
 
 /// A case file that cannot be read.
+#[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 #[error("cannot read the case `{}`: {cause}", .path.display())]
 pub struct Unreadable {
@@ -35,6 +36,7 @@ pub struct Unreadable {
 }
 
 /// A case that can be run.
+#[non_exhaustive]
 #[derive(Debug, Clone)]
 pub struct Resolved {
     /// The case in SI.
@@ -46,6 +48,7 @@ pub struct Resolved {
 }
 
 /// A case of one elastic body that can be computed.
+#[non_exhaustive]
 #[derive(Debug, Clone)]
 pub struct ResolvedElastic {
     /// The case in SI.

@@ -42,6 +42,7 @@ pub struct Location {
 }
 
 /// One thing that is wrong, or doubtful.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
     /// How much it matters.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use faer::{Mat, MatRef};
+use faer::MatRef;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -49,7 +49,7 @@ impl Dense {
     ///
     /// # Errors
     /// If there is no memory for it.
-    pub fn new(bodies: &[MatRef<'_, f64>]) -> Result<Self, NoMemory> {
+    pub(super) fn new(bodies: &[MatRef<'_, f64>]) -> Result<Self, NoMemory> {
         let pairs = bodies.iter().map(|body| body.nrows() / 3).max().unwrap_or_default();
         let mut columns = Large::zeros(3 * pairs, 3 * pairs)?;
         columns.values_mut().par_chunks_mut(3 * pairs).enumerate().for_each(|(column, values)| {
@@ -75,7 +75,7 @@ impl Dense {
 
     /// The same with what is left of the balance of the bodies of these indices.
     #[must_use]
-    pub fn balanced(self, balance: Vec<(usize, Balance)>) -> Self {
+    pub(super) fn balanced(self, balance: Vec<(usize, Balance)>) -> Self {
         Self { balance, ..self }
     }
 
@@ -168,14 +168,13 @@ impl Compliance for Dense {
         self.multiply(2 * self.pairs, 2 * self.pairs, pressure, displacement);
     }
 
-    fn matrix(&self, pairs: &[usize]) -> Option<Mat<f64>> {
+    fn matrix(&self, pairs: &[usize]) -> Option<Vec<f64>> {
         let at = |direction: usize| pairs.iter().map(move |pair| direction * self.pairs + pair);
         let places: Vec<usize> = (0..3).flat_map(at).collect();
-        let mut matrix = Mat::zeros(places.len(), places.len());
-        for (column, &place) in places.iter().enumerate() {
+        let mut matrix = Vec::with_capacity(places.len() * places.len());
+        for &place in &places {
             let from = &self.columns.values()[place * 3 * self.pairs..][..3 * self.pairs];
-            let values = matrix.col_as_slice_mut(column).iter_mut();
-            values.zip(&places).for_each(|(value, &row)| *value = from[row]);
+            matrix.extend(places.iter().map(|&row| from[row]));
         }
         Some(matrix)
     }

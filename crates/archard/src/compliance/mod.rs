@@ -1,6 +1,7 @@
 //! How two bodies deform, seen from the contact frame: one linear map from the tractions of the
 //! pairs to their relative displacements.
 
+#[doc(hidden)]
 pub mod bem;
 mod dense;
 pub mod half_space;
@@ -9,10 +10,12 @@ mod worn_planes;
 
 use std::fmt::Debug;
 
-use faer::Mat;
-
 use crate::frame::{ContactFrame, Flow, VectorField};
 
+pub use crate::numerics::dense::Unsolved;
+pub use crate::numerics::large::NoMemory;
+pub use bem::contact::ContactError;
+pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
 pub use half_space::HalfSpace;
 pub use slip::{Coarser, Rub, SlipMap};
@@ -37,9 +40,10 @@ pub trait Compliance: Debug + Send + Sync {
         displacement.copy_from_slice(&self.apply(&tractions).n);
     }
 
-    /// What `apply` makes of the tractions of some pairs there, as a matrix (m/Pa): row by pair displaced, column
-    /// by pair drawn, along t1 of all of them, then along t2, then along n. `None` where no matrix is at hand.
-    fn matrix(&self, _pairs: &[usize]) -> Option<Mat<f64>> {
+    /// What `apply` makes of the tractions of some pairs there, as a matrix (m/Pa), column after column: row by pair
+    /// displaced, column by pair drawn, along t1 of all of them, then along t2, then along n. `None` where no matrix is
+    /// at hand.
+    fn matrix(&self, _pairs: &[usize]) -> Option<Vec<f64>> {
         None
     }
 

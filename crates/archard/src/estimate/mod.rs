@@ -53,6 +53,7 @@ pub struct Course {
 }
 
 /// What closed forms say of a problem; `None` where there is none.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Estimate {
     /// Curvatures of both bodies together along x and y (1/m).
@@ -72,6 +73,7 @@ pub struct Estimate {
 }
 
 /// The contact of the unworn bodies after Hertz.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Half of its extent along x and y (m); infinite along the line where cylinders touch.

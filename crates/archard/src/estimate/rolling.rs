@@ -8,6 +8,7 @@ use crate::closed_form::{carter, free_rolling, strip, vermeulen_johnson};
 use crate::motion::{Control, Drive, Rolling};
 
 /// What closed forms expect of rolling at the creepages and the spin given.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolled {
     /// Whether the bodies touch along a line across the direction of rolling.
@@ -32,6 +33,7 @@ pub struct Rolled {
 }
 
 /// Carter's cylinders: the bodies themselves, or those of the middle strip of an ellipse.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Saturation {
     /// mu.
@@ -45,6 +47,7 @@ pub struct Saturation {
 }
 
 /// What models of twin discs that slip all over expect.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Track {
     /// The discs.

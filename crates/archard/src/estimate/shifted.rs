@@ -10,6 +10,7 @@ use crate::motion::{Control, Guide, Shift};
 
 /// A sphere on a body of its elasticity, shifted to and fro under constant load or approach: Cattaneo
 /// and Mindlin before any wear, and where the wear ends.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fretting {
     /// The axis, 0 for x and 1 for y, along which it goes.
@@ -31,6 +32,7 @@ pub struct Fretting {
 }
 
 /// How a sphere wears around its stick zone.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrettingWear {
     /// Volume (m^3) that the cycles so far would have worn off both bodies at the rate of the first.
@@ -40,6 +42,7 @@ pub struct FrettingWear {
 }
 
 /// A sphere that is pressed on a body of other elasticity with friction: Spence, before any wear.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pressed {
     /// Dundurs' constant.

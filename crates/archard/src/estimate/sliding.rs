@@ -4,6 +4,7 @@ use super::{Course, Subject};
 use crate::closed_form::pin_on_disc;
 
 /// The scar that the geometric model of the pin on disc expects.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WornCap {
     /// Radius (m) of the sphere whose cap is worn off.

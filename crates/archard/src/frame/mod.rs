@@ -24,6 +24,8 @@ mod measure;
 mod pairs;
 mod plane;
 
+pub use crate::numerics::upwind::DegenerateCloud;
+pub use crate::numerics::vector::Values;
 pub use direction::Direction;
 pub use field::VectorField;
 pub use flow::Flow;
@@ -34,7 +36,6 @@ pub use plane::{Passage, Plane};
 use rayon::prelude::*;
 
 use crate::body::Profile;
-use crate::numerics::vector::Values;
 use pairs::Described;
 
 /// The pairs that may touch, and their geometric gap.

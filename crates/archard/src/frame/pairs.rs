@@ -28,6 +28,7 @@ pub struct Pairs {
 }
 
 /// A description of pairs that describes none.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum PairsError {
     /// No pairs.

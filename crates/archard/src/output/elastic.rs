@@ -1,13 +1,11 @@
 //! The results of an elastic body: fields on its surface, and a row for each point inside.
 
-use glam::{DMat3, DVec3};
 use serde_json::{Map, Value, json};
 
 use super::summary;
 use super::table::{Table, number};
 use super::{Claim, Error, Field, Surface, Totals, file};
-use crate::compliance::bem::Response;
-use crate::elastic::{Deformed, ElasticBody, Point, row};
+use crate::elastic::{Deformed, ElasticBody, Point, Response, row};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder; what
 /// earlier runs left there is removed.
@@ -64,8 +62,6 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
     let names = deformed.surface.names().iter();
     let forces: Map<String, Value> =
         names.zip(deformed.forces()).map(|(name, force)| (name.clone(), json!(force))).collect();
-    let displacement =
-        deformed.boundary.displacement.iter().map(|u| u.length()).fold(0.0, f64::max);
     json!({
         "program": "archard",
         "version": env!("CARGO_PKG_VERSION"),
@@ -73,8 +69,8 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
         "failure": totals.failure,
         "body": body.name,
         "elements": body.finite.meshed.mesh.faces.len(),
-        "unknowns": deformed.surface.unknowns(),
-        "largest_displacement_m": displacement,
+        "unknowns": deformed.unknowns(),
+        "largest_displacement_m": deformed.largest_displacement(),
         "force_on_surfaces_N": forces,
         "verdict": summary::json_of(&body.verdict(deformed)),
         "seconds": totals.seconds,
@@ -93,12 +89,12 @@ impl Surface {
         for face in 0..deformed.surface.elements() {
             let parts = deformed.surface.parts_of(face);
             for (node, part) in deformed.surface.tractions_of(face).zip(parts) {
-                let displacement: DVec3 = deformed.boundary.displacement[nodes[node].node];
-                let stress: DMat3 = deformed.stress[node];
+                let displacement = deformed.displacement[nodes[node].node];
+                let stress = deformed.stress[node];
                 surface.places.push(nodes[node].place.to_array());
                 surface.outlines.push(part.map(|corner| corner.to_array()).to_vec());
-                displacements.push(displacement.to_array());
-                tractions.push(deformed.boundary.traction[node].to_array());
+                displacements.push(displacement);
+                tractions.push(deformed.traction[node]);
                 let row = row(&Response { displacement, stress });
                 columns.resize_with(row.len(), || Field { name: String::new(), values: vec![] });
                 for (column, (name, value)) in columns.iter_mut().zip(row) {

@@ -22,6 +22,7 @@ pub struct Inside {
 }
 
 /// Why stresses inside are not there.
+#[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum InsideError {
     /// The body cannot be computed.

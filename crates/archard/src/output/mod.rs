@@ -64,6 +64,7 @@ fn extension(path: &Path) -> String {
 }
 
 /// A result that cannot be written or read.
+#[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The file system refuses to write.

@@ -41,6 +41,7 @@ impl Store {
     ///
     /// # Errors
     /// If the body's equations have no unique solution.
+    #[doc(hidden)]
     pub fn condense(
         &self,
         finite: &Finite,

@@ -12,6 +12,7 @@ use super::march::March;
 const SUM: usize = 32;
 
 /// Why a run does not go on from what was kept.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum NotResumed {
     /// It does not read as a run of this version.
@@ -69,7 +70,7 @@ pub(super) fn digest(simulation: &Simulation) -> [u8; 32] {
     let pairs = frame.len();
     let few = [0, pairs / 2, pairs.saturating_sub(1)];
     let few = problem.compliance.matrix(&few);
-    let few = few.iter().flat_map(|few| few.col_iter()).flat_map(|column| column.iter());
+    let few = few.iter().flatten();
     let own = [problem.compliance.normal_self_term()];
     let places = (0..pairs).flat_map(|pair| frame.place(pair));
     let numbers = frame.gap().iter().chain(&own).chain(few).copied().chain(places);

@@ -42,6 +42,7 @@ pub const STICK_AREA: &str = "stick_area_m2";
 pub const TIME_ERROR: &str = "time_error";
 
 /// A column of the history, or one for each body.
+#[non_exhaustive]
 #[derive(Debug)]
 pub struct Column {
     /// Its name, which ends in the unit.

@@ -32,6 +32,7 @@ use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 
 /// A problem, how to solve it, and what to put it through.
+#[non_exhaustive]
 #[derive(Debug)]
 pub struct Simulation {
     /// The bodies, the frame and the motion.
@@ -111,6 +112,7 @@ pub trait Observer: Send {
 }
 
 /// Why a run stopped before its end.
+#[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A contact solve ran out of iterations.

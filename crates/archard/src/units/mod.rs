@@ -92,6 +92,7 @@ impl Measure {
 }
 
 /// Why a text is not the quantity expected.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// It does not begin with a number.

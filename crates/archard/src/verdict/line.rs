@@ -34,6 +34,7 @@ pub enum Bound {
 }
 
 /// One line of a verdict.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Line {
     /// What is judged, in a word or two: "load", "edges".

@@ -14,6 +14,7 @@ pub use bounds::{
 pub use line::{Bound, Line, Word};
 
 /// The lines of a run, in the order in which they are read.
+#[non_exhaustive]
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Verdict {
     /// What was judged.

@@ -130,7 +130,7 @@ fn the_forecast_of_a_meshed_body_is_that_of_a_half_space() {
 #[test]
 fn the_forecast_says_where_a_body_ends() {
     let found = punch(&[]).forecast.finiteness;
-    let [Finiteness { body, distance, approach, half_space }] = &found[..] else {
+    let [Finiteness { body, distance, approach, half_space, .. }] = &found[..] else {
         panic!("{found:?}")
     };
     assert_eq!((&body[..], *half_space), ("block", false));

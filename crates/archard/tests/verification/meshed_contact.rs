@@ -5,7 +5,7 @@ use archard::compliance::Compliance;
 use archard::frame::VectorField;
 use archard::simulation::Simulation;
 use archard::solve::SOLVERS;
-use faer::{Mat, Side};
+use faer::{Mat, MatRef, Side};
 
 use crate::common::{case, states};
 
@@ -133,6 +133,7 @@ fn sweeps_find_the_friction_of_newtons_steps() {
     let (frame, pairs) = (&simulation.problem.frame, simulation.problem.frame.len());
     let all: Vec<usize> = (0..pairs).collect();
     let matrix = simulation.problem.compliance.matrix(&all).expect("a meshed body has one");
+    let matrix = MatRef::from_column_major_slice(&matrix, 3 * pairs, 3 * pairs).to_owned();
     let mut tractions = vec![0.0; 3 * pairs];
     let mut displaced = vec![0.0; 3 * pairs];
     for (state, ..) in states(&simulation).unwrap() {

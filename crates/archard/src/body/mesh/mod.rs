@@ -79,6 +79,7 @@ pub struct Zone {
 }
 
 /// A surface with the part of it that may touch.
+#[non_exhaustive]
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Meshed {
     /// The surface of the body.
@@ -117,6 +118,7 @@ pub const MESHES: &[Choice<Box<dyn Shape>>] =
     &[block::CHOICE, cylinder::CHOICE, sphere::CHOICE, file::CHOICE];
 
 /// Why a body cannot be divided as asked for.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MeshError {
     /// A plane of symmetry would cut through elements of the zone.

@@ -22,6 +22,7 @@ const GROWTH: f64 = 3.0;
 const TOLERANCE: f64 = 1e-3;
 
 /// What a half-space in the place of a meshed body would change.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct BesideHalfSpace {
     /// The body.

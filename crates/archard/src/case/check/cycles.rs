@@ -13,6 +13,7 @@ const SOLVES_A_JUMP: u64 = 8;
 const SOLVES_A_JUMP_BY_ERROR: u64 = 80;
 
 /// Cycles of a motion.
+#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycles {
     /// How many there are.

@@ -29,6 +29,7 @@ const TURNED: f64 = 0.5;
 const DOUBTFUL: f64 = 0.05;
 
 /// What a meshed body may differ by from a half-space.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finiteness {
     /// The body.

@@ -14,6 +14,7 @@ use crate::motion::Stepping;
 use crate::verdict::Verdict;
 
 /// What to expect of a run.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Forecast {
     /// What closed forms expect at the end of the motion.

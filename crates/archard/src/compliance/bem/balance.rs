@@ -36,7 +36,7 @@ struct Resultant {
 
 impl Balance {
     /// That of a body whose tractions (Pa) are known, a value a node of tractions.
-    pub fn of(surface: &Surface, conditions: &Conditions, tractions: &[DVec3]) -> Self {
+    pub(crate) fn of(surface: &Surface, conditions: &Conditions, tractions: &[DVec3]) -> Self {
         let given: Vec<DVec3> =
             (0..tractions.len()).map(|node| given(conditions, node, tractions[node])).collect();
         let (middle, extent) = middle(surface);
@@ -72,7 +72,7 @@ impl Balance {
 
     /// The larger of two, each by itself; what is no number stays one.
     #[must_use]
-    pub fn worst(self, other: Self) -> Self {
+    pub(crate) fn worst(self, other: Self) -> Self {
         let worst = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
         Self { force: worst(self.force, other.force), moment: worst(self.moment, other.moment) }
     }

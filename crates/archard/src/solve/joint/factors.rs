@@ -72,10 +72,7 @@ impl Factors {
         let (count, own) = (pairs.len(), step.compliance.shifting(step.frame).own());
         let whole = step.compliance.matrix(pairs)?;
         let mut system = Large::zeros(3 * count, 3 * count).ok()?;
-        for (column, values) in system.values_mut().chunks_exact_mut(3 * count).enumerate() {
-            let whole = whole.col_as_slice(column);
-            values.iter_mut().zip(whole).for_each(|(one, value)| *one = *value as f32);
-        }
+        system.values_mut().iter_mut().zip(&whole).for_each(|(one, value)| *one = *value as f32);
         for (index, &pair) in pairs.iter().enumerate() {
             let places = [index, count + index, 2 * count + index];
             if let Some(sliding) = regime.sliding(pair) {

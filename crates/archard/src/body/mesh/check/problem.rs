@@ -1,6 +1,7 @@
 //! What can be wrong with a surface.
 
 /// Something wrong with a surface.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshProblem {
     /// An element names a vertex that is not there.

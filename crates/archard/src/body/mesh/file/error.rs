@@ -3,6 +3,7 @@
 use std::fmt;
 
 /// A mesh file that cannot be read.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{place}: {fault}")]
 pub struct MeshFileError {
@@ -31,6 +32,7 @@ impl fmt::Display for Place {
 }
 
 /// What is wrong with a mesh file.
+#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Fault {
     /// Neither of the formats.
