@@ -7,7 +7,8 @@ use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::{Motion, Rolling};
-use crate::wear::{Rubbing, WearLaw};
+use crate::numerics::vector;
+use crate::wear::{Columns, Per, Rubbing};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
@@ -39,19 +40,25 @@ impl ContactProblem {
         rubbing(self.friction.as_deref(), pressure, slip)
     }
 
-    /// Depths (m) the rubbing wears off body 1 and body 2, of those that are meant.
-    pub fn wear_depths(&self, rubbing: Rubbing, meant: [bool; 2]) -> [f64; 2] {
-        [0, 1].map(|body| self.law(body, meant).map_or(0.0, |law| law.depth(rubbing)))
+    /// Which of some bodies wear by laws that take that at once.
+    pub fn wearing(&self, bodies: [bool; 2], per: Per) -> [bool; 2] {
+        let takes = |body: &Body| body.wear.as_ref().is_some_and(|law| law.per() == per);
+        [0, 1].map(|body| bodies[body] && takes(&self.bodies[body]))
     }
 
-    /// Slope (m/Pa) of the wear depth of those together with respect to the pressure.
-    pub fn wear_slope(&self, rubbing: Rubbing, meant: [bool; 2]) -> f64 {
-        let laws = (0..2).filter_map(|body| self.law(body, meant));
-        laws.map(|law| law.slope(rubbing)).sum()
-    }
-
-    fn law(&self, body: usize, meant: [bool; 2]) -> Option<&dyn WearLaw> {
-        self.bodies[body].wear.as_deref().filter(|_| meant[body])
+    /// What wears off the bodies that are meant, at many points.
+    pub fn wear(&self, points: &Columns, meant: [bool; 2]) -> Wear {
+        let mut wear = Wear { depths: [vec![], vec![]], slopes: vec![0.0; points.len()] };
+        for (body, depths) in wear.depths.iter_mut().enumerate() {
+            depths.resize(points.len(), 0.0);
+            let Some(law) = self.bodies[body].wear.as_ref().filter(|_| meant[body]) else {
+                continue;
+            };
+            let mut slopes = vec![0.0; points.len()];
+            law.depths(points, depths, &mut slopes);
+            vector::update(&mut wear.slopes, [&slopes], |sum, [slope]| sum + slope);
+        }
+        wear
     }
 }
 
@@ -60,6 +67,22 @@ pub(crate) fn rubbing(friction: Option<&dyn Friction>, pressure: f64, slip: f64)
     let rubbing = Rubbing::new(pressure, slip);
     let Some(friction) = friction else { return rubbing };
     rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
+}
+
+/// What wears off two bodies, one value a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wear {
+    /// Depth off body 1 and body 2 (m).
+    pub depths: [Vec<f64>; 2],
+    /// How the depth of both together grows with the pressure (m/Pa).
+    pub slopes: Vec<f64>,
+}
+
+impl Wear {
+    /// Depth (m) off both bodies at a point.
+    pub fn depth(&self, point: usize) -> f64 {
+        self.depths[0][point] + self.depths[1][point]
+    }
 }
 
 /// What is known of the contact at the end of a step.

@@ -5,11 +5,10 @@
 //! line along the motion, again and again, and [wear alike](super::passing).
 
 use super::Error;
-use super::passing::{Collected, Lines};
+use super::passing::{Lines, OfLines};
 use crate::motion::Motion;
 use crate::numerics::vector;
-use crate::problem::{ContactProblem, ContactState};
-use crate::wear::Rubbing;
+use crate::problem::{ContactProblem, ContactState, Wear};
 
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
 /// linearised, and where friction is too, which in rolling changes with the wear.
@@ -25,6 +24,14 @@ pub(super) struct Collector<'a> {
     stays: [bool; 2],
     /// The lines of those that pass.
     lines: Option<Lines<'a>>,
+}
+
+/// What a step wears.
+pub(super) struct Collected {
+    /// Of surfaces that stay, one value a pair.
+    pairs: Option<Wear>,
+    /// Of surfaces that pass: of one passage, and the number of passages.
+    lines: Option<(OfLines, f64)>,
 }
 
 /// The wear (m) of a step as straight lines in the pressures (Pa).
@@ -57,9 +64,16 @@ impl<'a> Collector<'a> {
         self.lines
     }
 
-    /// What the lines wear under the contact as it is.
-    pub fn collect(&self, state: &ContactState) -> Option<Collected> {
-        self.lines.map(|lines| Collected::of(state, lines))
+    /// What an advance (the motion's unit) wears under the contact as it is.
+    pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
+        let pairs = self.any_stays().then(|| {
+            let slip = self.problem.motion.slip(advance);
+            let points =
+                state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip));
+            self.problem.wear(&points.collect(), self.stays)
+        });
+        let lines = self.lines.map(|lines| (OfLines::of(state, lines), advance * lines.passages));
+        Collected { pairs, lines }
     }
 
     /// Whether any body stays that wears.
@@ -67,99 +81,67 @@ impl<'a> Collector<'a> {
         (0..2).any(|body| self.stays[body] && self.problem.bodies[body].wear.is_some())
     }
 
-    /// The wear of an advance (the motion's unit) about the contact as it is, and what its lines wear.
-    pub fn foresee(
-        &self,
-        state: &ContactState,
-        collected: Option<&Collected>,
-        advance: f64,
-    ) -> Foreseen {
-        let pairs = self.any_stays().then(|| {
-            let line = |&pressure: &f64| {
-                let rubbing = self.rubbing(pressure, advance);
-                let slope = self.problem.wear_slope(rubbing, self.stays);
-                (self.depth(rubbing) - slope * pressure, slope)
-            };
-            let (constant, slope) = state.pressure.iter().map(line).unzip();
-            [constant, slope]
-        });
-        let lines = self.lines.zip(collected).map(|(lines, collected)| {
-            let times = advance * lines.passages;
-            let slope = collected.slopes.iter().map(|slope| times * slope).collect();
-            let constant = |line: usize| {
-                times * (collected.total(line) - collected.slopes[line] * collected.pressures[line])
-            };
-            [(0..collected.pressures.len()).map(constant).collect(), slope]
-        });
-        Foreseen { pairs, lines }
-    }
-
     /// Whether a step wears as it was foreseen.
-    pub fn agrees(
-        &self,
-        foreseen: &Foreseen,
-        state: &ContactState,
-        collected: Option<&Collected>,
-        advance: f64,
-    ) -> bool {
-        let pairs = foreseen.pairs.as_ref().is_none_or(|line| {
-            let of = |pair: usize| {
-                let pressure = state.pressure[pair];
-                (pressure, self.depth(self.rubbing(pressure, advance)))
-            };
+    pub fn agrees(&self, foreseen: &Foreseen, state: &ContactState, made: &Collected) -> bool {
+        let Collected { pairs, lines } = made;
+        let pairs = foreseen.pairs.as_ref().zip(pairs.as_ref()).is_none_or(|(line, wear)| {
+            let of = |pair: usize| (state.pressure[pair], wear.depth(pair));
             lies_on(line, (0..state.pressure.len()).map(of), OF_LAWS)
         });
-        let lines = self.lines.zip(collected).zip(foreseen.lines.as_ref());
+        let lines = foreseen.lines.as_ref().zip(lines.as_ref());
         pairs
-            && lines.is_none_or(|((lines, collected), line)| {
-                let times = advance * lines.passages;
-                let of = |line: usize| (collected.pressures[line], times * collected.total(line));
+            && lines.is_none_or(|(line, (made, times))| {
+                let of = |line: usize| (made.pressures[line], times * made.total(line));
                 let rolls = self.problem.motion.rolling().is_some();
                 let allowed = if rolls { OF_FRICTION } else { OF_LINES };
-                lies_on(line, (0..collected.pressures.len()).map(of), allowed)
+                lies_on(line, (0..made.pressures.len()).map(of), allowed)
             })
     }
 
-    /// Wears both bodies by an advance (the motion's unit) under the contact as it is.
-    pub fn wear(&self, state: &mut ContactState, collected: Option<&Collected>, advance: f64) {
-        let ContactState { pressure, worn, .. } = state;
-        if self.any_stays() {
-            for (pair, &pressure) in pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-                let depths = self.problem.wear_depths(self.rubbing(pressure, advance), self.stays);
-                worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[pair] += depth);
+    /// Wears both bodies.
+    pub fn wear(&self, state: &mut ContactState, made: &Collected) {
+        if let Some(wear) = &made.pairs {
+            for (worn, depths) in state.worn.iter_mut().zip(&wear.depths) {
+                vector::update(worn, [depths], |worn, [depth]| worn + depth);
             }
         }
-        let Some((lines, collected)) = self.lines.zip(collected) else { return };
-        let times = advance * lines.passages;
-        for (line, depths) in lines.flow.planes().iter().zip(&collected.depths) {
+        let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
+        for (line, depths) in lines.flow.planes().iter().zip(&made.depths) {
             for one in &line.passages {
-                for (worn, depth) in worn.iter_mut().zip(depths) {
+                for (worn, depth) in state.worn.iter_mut().zip(depths) {
                     worn[one.pair] += times * one.share * depth;
                 }
             }
         }
     }
+}
 
-    /// Deepest wear (m) that an advance under the contact as it is makes.
-    pub fn deepest(&self, state: &ContactState, advance: f64) -> f64 {
-        let depth = |&pressure: &f64| self.depth(self.rubbing(pressure, advance));
-        let pairs = match self.any_stays() {
-            true => state.pressure.iter().map(depth).fold(0.0, f64::max),
-            false => 0.0,
-        };
-        let lines = self.lines.zip(self.collect(state));
-        let lines = lines.map(|(lines, made)| advance * lines.passages * made.deepest());
-        pairs + lines.unwrap_or(0.0)
+impl Collected {
+    /// The same as straight lines in the pressures (Pa), about those it was collected under.
+    pub fn foresee(&self, pressure: &[f64]) -> Foreseen {
+        let pairs = self.pairs.as_ref().map(|wear| {
+            let [one, two] = &wear.depths;
+            let constant =
+                vector::map([one, two, &wear.slopes, pressure], |[one, two, slope, pressure]| {
+                    (one + two) - slope * pressure
+                });
+            [constant, wear.slopes.clone()]
+        });
+        let lines = self.lines.as_ref().map(|(made, times)| {
+            let slope = made.slopes.iter().map(|slope| times * slope).collect();
+            let constant =
+                |line: usize| times * (made.total(line) - made.slopes[line] * made.pressures[line]);
+            [(0..made.pressures.len()).map(constant).collect(), slope]
+        });
+        Foreseen { pairs, lines }
     }
 
-    /// What a pair of surfaces that stay goes through.
-    fn rubbing(&self, pressure: f64, advance: f64) -> Rubbing {
-        self.problem.rubbing(pressure, self.problem.motion.slip(advance))
-    }
-
-    /// Depth (m) worn off the bodies that stay.
-    fn depth(&self, rubbing: Rubbing) -> f64 {
-        self.problem.wear_depths(rubbing, self.stays).iter().sum()
+    /// Deepest wear (m) of both bodies together.
+    pub fn deepest(&self) -> f64 {
+        let pairs = self.pairs.as_ref().map_or(0.0, |wear| {
+            (0..wear.slopes.len()).map(|pair| wear.depth(pair)).fold(0.0, f64::max)
+        });
+        pairs + self.lines.as_ref().map_or(0.0, |(made, times)| times * made.deepest())
     }
 }
 

@@ -212,6 +212,14 @@ pub enum Error {
         /// The body's name.
         body: String,
     },
+    /// A wear law of whole cycles, where there are none.
+    #[error(
+        "the wear law of `{body}` takes a whole cycle at once, and bodies that slide on the same spot have none"
+    )]
+    NoCycle {
+        /// The body's name.
+        body: String,
+    },
     /// A run that was kept does not go on.
     #[error(transparent)]
     NotResumed(#[from] NotResumed),

@@ -10,6 +10,7 @@
 use crate::frame::{Flow, Passage, VectorField};
 use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState};
+use crate::wear::{Columns, Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
@@ -26,7 +27,7 @@ pub(super) struct Lines<'a> {
 }
 
 /// Wear of the lines under the contact as it is, in one passage.
-pub(super) struct Collected {
+pub(super) struct OfLines {
     /// Depth worn off body 1 and body 2 (m), one value a plane.
     pub depths: Vec<[f64; 2]>,
     /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
@@ -35,7 +36,7 @@ pub(super) struct Collected {
     pub pressures: Vec<f64>,
 }
 
-impl Collected {
+impl OfLines {
     pub fn of(state: &ContactState, lines: Lines<'_>) -> Self {
         let Lines { problem, flow, bodies, .. } = lines;
         let pressure = &state.pressure;
@@ -55,20 +56,37 @@ impl Collected {
                 (pressure.clone(), flow.advances().unwrap_or_else(all), 1.0)
             }
         };
+        let planes = flow.planes();
+        let rubs = |one: &&Passage| means[one.pair] > 0.0;
+        let points = planes.iter().flat_map(|plane| plane.passages.iter().filter(rubs));
+        let points = points.map(|one| problem.rubbing(means[one.pair], slips[one.pair]));
+        let wear = problem.wear(&points.collect(), problem.wearing(bodies, Per::Increment));
+        // All that a point goes through on a line.
+        let whole = planes.iter().map(|plane| {
+            let part = |one: &Passage| {
+                let times = scale * one.times;
+                problem.rubbing(means[one.pair], times * slips[one.pair])
+            };
+            let parts = plane.passages.iter().filter(rubs).map(part);
+            parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
+        });
+        let whole: Columns = whole.collect();
+        let passage = problem.wear(&whole, problem.wearing(bodies, Per::Cycle));
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
-        for plane in flow.planes().iter() {
-            let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
-            for &Passage { pair, share, times } in &plane.passages {
-                let mean = means[pair];
-                sum += share * weight.at(pair) * pressure[pair];
-                if mean <= 0.0 {
-                    continue;
+        let mut point = 0;
+        for (line, plane) in planes.iter().enumerate() {
+            let mut depths = passage.depths.each_ref().map(|depths| depths[line]);
+            let (mut slope, mut sum) = (passage.slopes[line] * whole.pressure[line], 0.0);
+            for one in &plane.passages {
+                sum += one.share * weight.at(one.pair) * pressure[one.pair];
+                if rubs(&one) {
+                    let times = scale * one.times;
+                    for (depth, worn) in depths.iter_mut().zip(&wear.depths) {
+                        *depth += times * worn[point];
+                    }
+                    slope += times * wear.slopes[point] * means[one.pair];
+                    point += 1;
                 }
-                let rubbing = problem.rubbing(mean, slips[pair]);
-                let times = scale * times;
-                let worn = problem.wear_depths(rubbing, bodies);
-                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
-                slope += times * problem.wear_slope(rubbing, bodies) * mean;
             }
             collected.depths.push(depths);
             collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });

@@ -30,15 +30,14 @@ impl Chain {
         }
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
-        let mut collected = collector.collect(&self.state);
+        let mut made = collector.collect(&self.state, leg.advance);
         for _ in 0..PASSES {
-            let foreseen = collector.foresee(&self.state, collected.as_ref(), leg.advance);
+            let foreseen = made.foresee(&self.state.pressure);
             let gap = foreseen.opened(&undeformed, collector.lines());
             self.contact_wearing(simulation, leg, &gap, (&collector, &foreseen), effort)?;
-            collected = collector.collect(&self.state);
-            let made = collected.as_ref();
-            if collector.agrees(&foreseen, &self.state, made, leg.advance) {
-                collector.wear(&mut self.state, made, leg.advance);
+            made = collector.collect(&self.state, leg.advance);
+            if collector.agrees(&foreseen, &self.state, &made) {
+                collector.wear(&mut self.state, &made);
                 self.load_distance += self.distance(simulation, leg, leg);
                 return Ok(());
             }
@@ -62,15 +61,15 @@ impl Chain {
     ) -> Result<(), Error> {
         let collector = Collector::of(&simulation.problem)?;
         let before = simulation.schedule.control_at(self.state.progress);
-        let collected = collector.collect(&self.state);
-        collector.wear(&mut self.state, collected.as_ref(), leg.advance);
+        let made = collector.collect(&self.state, leg.advance);
+        collector.wear(&mut self.state, &made);
         self.load_distance += self.distance(simulation, leg, Leg { control: before, ..leg });
         self.press(simulation, leg, effort)
     }
 
     /// Deepest wear (m) that an advance under the present contact makes.
     pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
-        Ok(Collector::of(problem)?.deepest(&self.state, advance))
+        Ok(Collector::of(problem)?.collect(&self.state, advance).deepest())
     }
 
     /// The contact under a gap (m) while wear gives way to the pressures.
