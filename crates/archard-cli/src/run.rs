@@ -179,6 +179,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::StepTooSmall { .. } => Failure::NotConverged(message),
         Error::FrameFull { .. }
         | Error::NotSymmetric { .. }
+        | Error::FrictionNotSymmetric
         | Error::NotPlane
         | Error::NotPassed(_)
         | Error::NotJoint

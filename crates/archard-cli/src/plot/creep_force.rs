@@ -10,6 +10,7 @@ use kuva::plot::LegendPosition;
 use super::figure::{COLOURS, Curves, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
+use super::tables::Axis;
 
 /// Share of the larger force below which the other is not drawn.
 const NEGLIGIBLE: f64 = 0.01;
@@ -47,7 +48,7 @@ struct Sweep<'a> {
     most: f64,
     /// Normal force (N).
     load: f64,
-    /// Friction times load (N), where the law is known.
+    /// Friction times load (N) along the axis of the larger force, where the law is known.
     limit: Option<f64>,
 }
 
@@ -58,12 +59,14 @@ impl<'a> Sweep<'a> {
         let forces = [history.column(FORCE[0])?, history.column(FORCE[1])?];
         let abscissa = Abscissa::of(creepages.map(size));
         let load = history.column(LOAD)?.last().copied().unwrap_or_default();
-        let limit = results.friction_limits(&[load]);
+        let sizes = forces.map(size);
+        let axis = if sizes[0] >= sizes[1] { Axis::X } else { Axis::Y };
+        let limit = results.friction_limits(&[load], axis);
         Ok(Self {
             abscissa,
             places: abscissa.index().map_or(results.progress().1, |index| creepages[index]),
             forces,
-            most: size(forces[0]).max(size(forces[1])),
+            most: sizes[0].max(sizes[1]),
             load,
             limit: limit.and_then(|limit| limit.first().copied()),
         })
@@ -165,9 +168,11 @@ struct Law {
 }
 
 impl Law {
-    /// The law, where bodies of one material touch on an ellipse and creep as given, without spin.
+    /// The law, where bodies of one material touch on an ellipse and creep as given, without spin, under friction
+    /// that is the same in all directions.
     fn of(results: &Results, load: f64, limit: f64) -> Option<Self> {
-        let rolling = results.rolling().filter(|rolling| rolling.spin == 0.0)?;
+        let straight = |rolling: &Rolling| rolling.spin == 0.0 && results.has_isotropic_friction();
+        let rolling = results.rolling().filter(straight)?;
         let (Drive::Creepage(along), Drive::Creepage(across)) =
             (rolling.longitudinal, rolling.lateral)
         else {

@@ -148,10 +148,19 @@ impl Results {
         if along == Axis::Y { [Axis::Y, Axis::X] } else { [Axis::X, Axis::Y] }
     }
 
-    /// The largest tractions (Pa) under these pressures (Pa), where the law of friction is known.
-    pub(super) fn friction_limits(&self, pressures: &[f64]) -> Option<Vec<f64>> {
+    /// Whether friction is known and the same in all directions.
+    pub(super) fn has_isotropic_friction(&self) -> bool {
+        let friction = self.case.as_ref().and_then(|case| case.friction.as_ref());
+        let law = friction.and_then(|friction| friction.build().ok());
+        law.is_some_and(|law| law.map().is_identity())
+    }
+
+    /// The largest tractions (Pa) along an axis under these pressures (Pa), where the law of friction is known.
+    pub(super) fn friction_limits(&self, pressures: &[f64], axis: Axis) -> Option<Vec<f64>> {
         let law = self.case.as_ref()?.friction.as_ref()?.build().ok()?;
-        Some(pressures.iter().map(|pressure| law.limit(*pressure)).collect())
+        let direction = if axis == Axis::X { [1.0, 0.0] } else { [0.0, 1.0] };
+        let resistance = law.map().resistance(direction);
+        Some(pressures.iter().map(|pressure| resistance * law.limit(*pressure)).collect())
     }
 
     /// Whether body 2 has worn.

@@ -4,6 +4,7 @@
 pub mod bem;
 mod dense;
 pub mod half_space;
+mod mapped;
 mod slip;
 mod worn_planes;
 
@@ -15,6 +16,7 @@ use crate::frame::{ContactFrame, Flow, VectorField};
 
 pub use dense::Dense;
 pub use half_space::HalfSpace;
+pub use mapped::Mapped;
 pub use slip::{Coarser, Rub, SlipMap};
 pub use worn_planes::WornPlanes;
 

@@ -1,17 +1,20 @@
-//! Friction laws: how much tangential traction a pair bears.
+//! Friction laws: which tangential tractions a pair bears.
 //!
 //! A new law is one file here and one line in [`FRICTION`].
 
 mod coulomb;
+mod map;
 
 use std::fmt::Debug;
 
 use crate::parameters::Choice;
 
-/// The admissible tangential tractions under a pressure: a disc around zero.
+pub use map::Map;
+
+/// The admissible tangential tractions under a pressure: an ellipse around zero, the image of a disc.
 pub trait Friction: Debug + Send + Sync {
-    /// Largest tangential traction (Pa) that a pair bears under a pressure (Pa); must not fall as the
-    /// pressure grows, and be zero without pressure.
+    /// Radius of the disc (Pa) under a pressure (Pa): the largest tangential traction that a pair bears where the
+    /// [map](Self::map) is the identity. It must not fall as the pressure grows, and be zero without pressure.
     fn limit(&self, pressure: f64) -> f64;
 
     /// Derivative of the limit with respect to the pressure, zero or greater. By default a central
@@ -20,6 +23,11 @@ pub trait Friction: Debug + Send + Sync {
         let change = 1e-6 * pressure.max(1.0);
         let (low, high) = ((pressure - change).max(0.0), pressure + change);
         (self.limit(high) - self.limit(low)) / (high - low)
+    }
+
+    /// What makes the ellipse of the disc, the same at all pairs and pressures. Solvers of friction see the disc alone.
+    fn map(&self) -> Map {
+        Map::IDENTITY
     }
 }
 

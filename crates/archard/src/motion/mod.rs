@@ -23,7 +23,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 /// cycles or seconds for increments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// All pairs in contact slide the same distance (gross sliding); progress is that distance (m).
+    /// All pairs in contact slide the same distance along x (gross sliding); progress is that distance (m).
     Sliding,
     /// Bodies roll: slip follows from the tractions, and all pairs on a line along the motion wear alike.
     Rolling(Rolling),

@@ -16,6 +16,9 @@ const LINEARISATION: f64 = 1e-9;
 /// Linearisations tried before a step counts as not converged.
 const PASSES: usize = 50;
 
+/// Direction in which bodies slide.
+const ALONG: [f64; 2] = [1.0, 0.0];
+
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Chain {
@@ -122,7 +125,7 @@ impl Chain {
     fn wear(&mut self, slip: f64, problem: &ContactProblem) {
         let ContactState { pressure, worn, .. } = &mut self.state;
         for (i, &pressure) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
-            let depths = problem.wear_depths(problem.rubbing(pressure, slip));
+            let depths = problem.wear_depths(problem.rubbing(pressure, slip, ALONG));
             worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[i] += depth);
         }
     }
@@ -142,7 +145,7 @@ impl Chain {
             return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
         }
         let slip = problem.motion.slip(advance);
-        let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip));
+        let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip, ALONG));
         Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
 
@@ -243,7 +246,7 @@ struct Linearised {
 impl Linearised {
     fn about(pressure: &[f64], slip: f64, problem: &ContactProblem) -> Self {
         let line = |&pressure: &f64| {
-            let rubbing = problem.rubbing(pressure, slip);
+            let rubbing = problem.rubbing(pressure, slip, ALONG);
             let slope = problem.wear_slope(rubbing);
             (total_depth(problem, rubbing) - slope * pressure, slope)
         };
@@ -255,7 +258,7 @@ impl Linearised {
     fn holds(&self, pressure: &[f64], slip: f64, problem: &ContactProblem) -> bool {
         let (mut error, mut deepest) = (0.0f64, 0.0f64);
         for ((constant, slope), &pressure) in self.constant.iter().zip(&self.slope).zip(pressure) {
-            let depth = total_depth(problem, problem.rubbing(pressure, slip));
+            let depth = total_depth(problem, problem.rubbing(pressure, slip, ALONG));
             error = error.max((constant + slope * pressure - depth).abs());
             deepest = deepest.max(depth);
         }

@@ -8,7 +8,8 @@
 //! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
 
 use crate::frame::{Flow, Passage, VectorField};
-use crate::problem::{ContactProblem, ContactState};
+use crate::friction::Friction;
+use crate::problem::{ContactProblem, ContactState, Tangential};
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
@@ -40,7 +41,7 @@ impl Collected {
                 if mean <= 0.0 {
                     continue;
                 }
-                let rubbing = problem.rubbing(mean, slips[pair]);
+                let rubbing = problem.rubbing(mean, slips[pair], direction(state, pair));
                 let times = scale * times;
                 let worn = problem.wear_depths(rubbing);
                 depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
@@ -75,6 +76,32 @@ impl Collected {
     }
 }
 
+/// Direction of the slip of a pair, not of length one; zero where there is none.
+fn direction(state: &ContactState, pair: usize) -> [f64; 2] {
+    let slip = state.tangential.as_ref().map(|tangential| tangential.slip.each_ref());
+    slip.map_or([0.0; 2], |slip| slip.map(|along| along[pair]))
+}
+
+/// Distance slid under a unit limit of friction that goes with a unit of its work: one if friction is the same in all
+/// directions, otherwise the mean of what resists less or more.
+pub(super) fn distance_of_work(
+    tangential: &Tangential,
+    friction: &dyn Friction,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+) -> f64 {
+    let traction = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
+    let (mut distance, mut total) = (0.0, 0.0);
+    for pair in 0..problem.frame.len() {
+        let slip = tangential.slip.each_ref().map(|slip| slip[pair]);
+        let work = traction[0][pair] * slip[0] + traction[1][pair] * slip[1];
+        let work = problem.frame.area(pair) * work;
+        distance += work / friction.map().resistance(slip);
+        total += work;
+    }
+    if total == 0.0 { 1.0 } else { distance / total }
+}
+
 /// Distance (m) that particles slide under the limit of friction on the passage to each pair: the work of the tractions
 /// on the slip over the limit. Where they slip all the way it is the slip; the element in which they pass from stick
 /// to slip, and the one in which they leave the contact, count by the part that slips.
@@ -89,8 +116,9 @@ fn rubbed_slip(
     let whole = |pair: usize| x[pair].hypot(y[pair]);
     let Some(friction) = &problem.friction else { return (0..means.len()).map(whole).collect() };
     let [one, two] = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
+    let map = friction.map();
     let part = |pair: usize| {
-        let limit = friction.limit(means[pair].max(0.0));
+        let limit = friction.limit(means[pair].max(0.0)) * map.resistance([x[pair], y[pair]]);
         let work = one[pair] * x[pair] + two[pair] * y[pair];
         if limit > 0.0 { (work / limit).clamp(0.0, whole(pair)) } else { whole(pair) }
     };
@@ -118,8 +146,11 @@ fn work_ratio(
             |axis: usize| tangential.traction[axis][pair] * (slips(pair)[axis] + taken[axis][pair]);
         problem.frame.area(pair) * (works(0) + works(1))
     };
-    let rubbed =
-        |one: &Passage| one.times * friction.limit(means[one.pair].max(0.0)) * rubbed[one.pair];
+    let map = friction.map();
+    let rubbed = |one: &Passage| {
+        let limit = friction.limit(means[one.pair].max(0.0)) * map.resistance(slips(one.pair));
+        one.times * limit * rubbed[one.pair]
+    };
     let rigid: f64 = (0..means.len()).map(rigid).sum();
     let planes = flow.planes();
     let rubbed = planes.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());

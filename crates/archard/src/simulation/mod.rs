@@ -19,7 +19,7 @@ pub use checkpoint::NotResumed;
 pub use history::row;
 pub use march::March;
 pub use run::Run;
-pub(crate) use suits::{crossed, lacks};
+pub(crate) use suits::{crossed, inclined, lacks};
 
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
@@ -189,6 +189,11 @@ pub enum Error {
         /// The axis across the plane.
         axis: &'static str,
     },
+    /// Axes of friction at an angle to a plane of symmetry.
+    #[error(
+        "the axes of friction lie at an angle to a plane of symmetry of the frame, and friction is not symmetric about it; mesh both sides"
+    )]
+    FrictionNotSymmetric,
     /// Rolling on a curved frame.
     #[error("bodies roll only where the frame, or the zone of the mesh, is plane")]
     NotPlane,

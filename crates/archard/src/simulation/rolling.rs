@@ -4,7 +4,7 @@
 //! the planes of rolling.
 
 use super::chain::{Chain, Leg};
-use super::collected::Collected;
+use super::collected::{self, Collected};
 use super::{Effort, Error, Simulation};
 use crate::compliance::{Compliance, WornPlanes};
 use crate::frame::{Flow, Passage, VectorField};
@@ -137,7 +137,7 @@ impl Chain {
             limit: &before_limit,
             found: &found,
         });
-        let outcome = tangential::solve(&*simulation.friction_solver, &step, start);
+        let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;
         effort.residual = effort.residual.max(outcome.residual);
@@ -257,7 +257,7 @@ impl Chain {
             collected = now;
             if error <= FORESEEN * deepest {
                 self.wear_down(&collected, flow, leg);
-                self.load_distance += leg.advance * self.creep_work(problem, rolling);
+                self.load_distance += leg.advance * self.creep_work(problem, rolling, flow);
                 return Ok(());
             }
         }
@@ -287,9 +287,9 @@ impl Chain {
     }
 
     /// Work of the creepages over the coefficient of friction (N): what is worn a revolution is this
-    /// times k, whatever the contact, if the friction is Coulomb's. Without friction, the load times
-    /// the creepage.
-    fn creep_work(&self, problem: &ContactProblem, rolling: &Rolling) -> f64 {
+    /// times k, whatever the contact, if the friction is Coulomb's; where it depends on the direction of the
+    /// slip, over its mean. Without friction, the load times the creepage.
+    fn creep_work(&self, problem: &ContactProblem, rolling: &Rolling, flow: Flow<'_>) -> f64 {
         let Some(tangential) = &self.state.tangential else { return 0.0 };
         let Some(friction) = &problem.friction else {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
@@ -299,6 +299,7 @@ impl Chain {
         if coefficient == 0.0 {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
-        tangential.creep_power(problem, rolling) / coefficient
+        let distance = collected::distance_of_work(tangential, &**friction, problem, flow);
+        tangential.creep_power(problem, rolling) / coefficient * distance
     }
 }

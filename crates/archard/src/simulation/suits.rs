@@ -1,8 +1,9 @@
-//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only, rolling
-//! needs a plane of pairs that particles pass, and a wear law what it asks for.
+//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only and
+//! rub alike on both sides, rolling needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};
 use crate::body::Body;
+use crate::friction::Friction;
 use crate::motion::{Drive, Guide, Motion, Rolling, Shift};
 use crate::problem::ContactProblem;
 use crate::wear::{Input, WearLaw};
@@ -19,6 +20,11 @@ impl Simulation {
                 return Err(Error::NotPlane);
             }
             frame.flow(rolling.direction)?;
+        }
+        if let Some(friction) = &self.problem.friction
+            && inclined(&**friction, frame.mirrored())
+        {
+            return Err(Error::FrictionNotSymmetric);
         }
         crossed(motion, frame.mirrored())
             .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))
@@ -41,6 +47,11 @@ pub(crate) fn lacks(law: &dyn WearLaw, friction: bool) -> bool {
     law.inputs().iter().any(|input| match input {
         Input::Friction => !friction,
     })
+}
+
+/// Whether axes of friction lie at an angle to planes of symmetry, so that it differs on both sides.
+pub(crate) fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> bool {
+    mirrored != [false; 2] && !friction.map().is_aligned()
 }
 
 /// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it

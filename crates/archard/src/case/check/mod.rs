@@ -148,9 +148,11 @@ impl<'a> Parts<'a> {
         if self.case.is_meshed() { "zone" } else { "frame" }
     }
 
-    /// Largest tangential traction over the pressure (Pa); zero without friction.
+    /// Largest tangential traction in any direction over the pressure (Pa); zero without friction.
     fn friction_coefficient(&self, pressure: f64) -> f64 {
-        self.friction.as_ref().map_or(0.0, |friction| friction.limit(pressure) / pressure)
+        self.friction
+            .as_deref()
+            .map_or(0.0, |friction| friction.map().largest() * friction.limit(pressure) / pressure)
     }
 
     /// Distance slid in the whole motion (m).
