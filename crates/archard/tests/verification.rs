@@ -12,6 +12,7 @@ mod verification {
     mod meshed_contact;
     mod meshed_rolling;
     mod meshes_that_do_not_match;
+    mod orthotropic;
     mod own_wear_law;
     mod pin_on_disc;
     mod punch;

@@ -4,6 +4,7 @@
 
 mod coulomb;
 mod map;
+mod orthotropic;
 
 use std::fmt::Debug;
 
@@ -32,7 +33,7 @@ pub trait Friction: Debug + Send + Sync {
 }
 
 /// The friction laws a case can name.
-pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE];
+pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE, orthotropic::CHOICE];
 
 /// The point of a disc around zero that is next to a point. With the limit for radius it is the projection of the augmented
 /// Lagrangian on the admissible tractions (the paper's eq. 11, with the sign of its eq. 10).
