@@ -152,7 +152,13 @@ impl Observer for Watch {
 
 /// An interruption that left results, and how to go on.
 pub fn with_results(dir: &Path) -> Failure {
+    let kept = dir.join("checkpoint").is_file();
     let dir = dir.display();
+    if !kept {
+        return Failure::Interrupted(format!(
+            "{Interrupted} before the first step had ended\nthe same command starts again"
+        ));
+    }
     Failure::Interrupted(format!(
         "{Interrupted}\nwhat was computed so far is in {dir}; go on with `archard run --resume {dir}`, or draw it with \
          `archard plot {dir}`"

@@ -184,6 +184,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::NotPassed(_)
         | Error::NotJoint
         | Error::NoFriction { .. }
+        | Error::NoCycle { .. }
         | Error::NotResumed(_)
         | Error::Observer(_) => Failure::Wrong(message),
     }

@@ -57,6 +57,7 @@ pub mod case;
 pub mod closed_form;
 pub mod compliance;
 pub mod elastic;
+pub mod estimate;
 pub mod frame;
 pub mod friction;
 pub mod motion;

@@ -7,7 +7,8 @@ use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::{Motion, Rolling};
-use crate::wear::Rubbing;
+use crate::numerics::vector;
+use crate::wear::{Columns, Per, Rubbing};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
@@ -36,21 +37,58 @@ impl ContactProblem {
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its
     /// limit.
     pub fn rubbing(&self, pressure: f64, slip: f64, direction: [f64; 2]) -> Rubbing {
-        let rubbing = Rubbing::new(pressure, slip);
-        let Some(friction) = &self.friction else { return rubbing };
-        let resistance = friction.map().resistance(direction);
-        let work = friction.limit(pressure) * resistance * slip;
-        rubbing.with_friction(work, friction.slope(pressure) * resistance)
+        rubbing(self.friction.as_deref(), pressure, slip, direction)
     }
 
-    /// Depths (m) the rubbing wears off body 1 and body 2.
-    pub fn wear_depths(&self, rubbing: Rubbing) -> [f64; 2] {
-        self.bodies.each_ref().map(|body| body.wear.as_ref().map_or(0.0, |law| law.depth(rubbing)))
+    /// Which of some bodies wear by laws that take that at once.
+    pub fn wearing(&self, bodies: [bool; 2], per: Per) -> [bool; 2] {
+        let takes = |body: &Body| body.wear.as_ref().is_some_and(|law| law.per() == per);
+        [0, 1].map(|body| bodies[body] && takes(&self.bodies[body]))
     }
 
-    /// Slope (m/Pa) of the total wear depth with respect to the pressure.
-    pub fn wear_slope(&self, rubbing: Rubbing) -> f64 {
-        self.bodies.iter().filter_map(|body| body.wear.as_ref()).map(|law| law.slope(rubbing)).sum()
+    /// What wears off the bodies that are meant, at many points.
+    pub fn wear(&self, points: &Columns, meant: [bool; 2]) -> Wear {
+        let mut wear = Wear { depths: [vec![], vec![]], slopes: vec![0.0; points.len()] };
+        for (body, depths) in wear.depths.iter_mut().enumerate() {
+            depths.resize(points.len(), 0.0);
+            let Some(law) = self.bodies[body].wear.as_ref().filter(|_| meant[body]) else {
+                continue;
+            };
+            let mut slopes = vec![0.0; points.len()];
+            law.depths(points, depths, &mut slopes);
+            vector::update(&mut wear.slopes, [&slopes], |sum, [slope]| sum + slope);
+        }
+        wear
+    }
+}
+
+/// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its limit.
+pub(crate) fn rubbing(
+    friction: Option<&dyn Friction>,
+    pressure: f64,
+    slip: f64,
+    direction: [f64; 2],
+) -> Rubbing {
+    let rubbing = Rubbing::new(pressure, slip);
+    let Some(friction) = friction else { return rubbing };
+    let resistance = friction.map().resistance(direction);
+    let work = friction.limit(pressure) * resistance * slip;
+    rubbing.with_friction(work, friction.slope(pressure) * resistance)
+}
+
+/// What wears off two bodies, one value a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wear {
+    /// Depth off body 1 and body 2 (m).
+    pub depths: [Vec<f64>; 2],
+    /// How the depth of both together grows with the pressure (m/Pa).
+    pub slopes: Vec<f64>,
+}
+
+impl Wear {
+    /// Depth (m) off both bodies at a point.
+    pub fn depth(&self, point: usize) -> f64 {
+        self.depths[0][point] + self.depths[1][point]
     }
 }
 

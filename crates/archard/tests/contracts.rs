@@ -16,7 +16,7 @@ use archard::frame::VectorField;
 use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
-use archard::wear::{Rubbing, WEAR_LAWS};
+use archard::wear::{Columns, Per, Rubbing, WEAR_LAWS};
 
 use common::{Ball, STEEL, at_rest, choose, solver};
 
@@ -98,6 +98,22 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
             let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
             assert!(slope >= 0.0 && rise >= 0.0, "{name}");
             assert_relative_eq!(rise / change, slope, max_relative = 1e-3);
+            if law.per() == Per::Increment {
+                assert_relative_eq!(
+                    depth(pressure, 0.6) * 1e6,
+                    2e6 * depth(pressure, 0.3),
+                    max_relative = 1e-12
+                );
+            }
+        }
+        let rubbing = |pressure: f64| Rubbing::new(pressure, 0.3).with_friction(0.1, 0.4);
+        let points: Columns = [0.0, 1e6, 1e8, 3e9].map(rubbing).into_iter().collect();
+        let (mut depths, mut slopes) = ([f64::NAN; 4], [f64::NAN; 4]);
+        law.depths(&points, &mut depths, &mut slopes);
+        for point in 0..points.len() {
+            let rubbing = points.at(point);
+            assert_eq!(depths[point], law.depth(rubbing), "{name}");
+            assert_eq!(slopes[point], law.slope(rubbing), "{name}");
         }
     }
 }

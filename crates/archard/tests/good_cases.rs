@@ -4,6 +4,7 @@ mod common;
 
 mod good_cases {
     mod curvatures;
+    mod estimate;
     mod extremes;
     pub mod fretting;
     mod meshed;
@@ -18,7 +19,7 @@ use archard::case::{Case, CaseFile, Output, Resolved, Solves};
 use archard::motion::{Control, Stepping};
 use proptest::prelude::*;
 
-use good_cases::fretting::{PATH, fretting};
+use good_cases::fretting::{self, PATH, fretting};
 use good_cases::rolling::TWIN_DISCS;
 
 /// The case of the paper's section 6.2, in the units of the paper.
@@ -108,12 +109,12 @@ fn the_pin_on_disc_in_si() {
 #[test]
 fn the_forecast_has_the_closed_forms() {
     let forecast = resolve(&file(PIN_ON_DISC)).forecast;
-    let contact = forecast.contact.unwrap();
+    let contact = forecast.estimate.contact.unwrap();
     // Independent values: the sphere of 50 mm under 10.2 N after Hertz, and eq. 55 at 500 mm.
     assert_relative_eq!(contact.semi_axes[0], 0.1491058e-3, max_relative = 1e-6);
     assert_relative_eq!(contact.peak_pressure, 219.0547e6, max_relative = 1e-6);
     assert_relative_eq!(contact.approach.unwrap(), 0.44465074e-6, max_relative = 1e-6);
-    assert_relative_eq!(forecast.worn.unwrap().depth, 2.078040e-6, max_relative = 1e-6);
+    assert_relative_eq!(forecast.estimate.cap.unwrap().depth, 2.078040e-6, max_relative = 1e-6);
     assert_eq!(forecast.solves, Solves::Exactly(101));
 }
 

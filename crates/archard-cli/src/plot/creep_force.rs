@@ -1,9 +1,7 @@
 //! The force on body 1 over the creepage, with the limit and a closed form beside it.
 
 use anyhow::Result;
-use archard::body::Material;
-use archard::closed_form::{kalker::Coefficients, vermeulen_johnson};
-use archard::motion::{Drive, Rolling};
+use archard::motion::Drive;
 use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
 use kuva::plot::LegendPosition;
 
@@ -46,8 +44,6 @@ struct Sweep<'a> {
     forces: [&'a [f64]; 2],
     /// The larger of them at its largest (N).
     most: f64,
-    /// Normal force (N).
-    load: f64,
     /// Friction times load (N) along the axis of the larger force, where the law is known.
     limit: Option<f64>,
 }
@@ -67,7 +63,6 @@ impl<'a> Sweep<'a> {
             places: abscissa.index().map_or(results.progress().1, |index| creepages[index]),
             forces,
             most: sizes[0].max(sizes[1]),
-            load,
             limit: limit.and_then(|limit| limit.first().copied()),
         })
     }
@@ -84,14 +79,23 @@ impl<'a> Sweep<'a> {
 
     /// Adds the closed form, where there is one.
     fn add_law(&self, results: &Results, curves: &mut Curves) {
-        let (Some(index), Some(limit)) = (self.abscissa.index(), self.limit) else { return };
-        let Some(law) = Law::of(results, self.load, limit) else { return };
-        let mut legend = Some("Vermeulen and Johnson");
+        let (Some(index), Some(rolling)) = (self.abscissa.index(), results.rolling()) else {
+            return;
+        };
+        let Drive::Creepage(most) = [rolling.longitudinal, rolling.lateral][index] else { return };
+        let shares = || (0..=POINTS).map(|point| point as f64 / POINTS as f64);
+        let estimates = results.case.as_ref().map_or(vec![], |case| case.estimates(shares()));
+        let forces: Option<Vec<_>> = estimates.iter().map(|one| one.rolled?.force).collect();
+        let Some(forces) = forces else { return };
+        let line = estimates.iter().any(|one| one.rolled.is_some_and(|rolled| rolled.line));
+        let mut legend = Some(if line { "Carter" } else { "Vermeulen and Johnson" });
+        let units = [rolling.direction.forward(), rolling.direction.lateral()];
         for axis in [0, 1] {
-            let curve = law.curve(index, axis);
-            if self.shows(curve.iter().fold(0.0, |most, (_, force)| force.abs().max(most))) {
-                let points = curve.into_iter().map(|(place, force)| (self.shown(place), force));
-                curves.add(points, Pen::closed_form(), legend.take());
+            let along = |force: &[f64; 2]| force[0] * units[0][axis] + force[1] * units[1][axis];
+            let forces: Vec<f64> = forces.iter().map(along).collect();
+            if self.shows(size(&forces)) {
+                let places = shares().map(|share| self.shown(share * most));
+                curves.add(places.zip(forces), Pen::closed_form(), legend.take());
             }
         }
     }
@@ -150,61 +154,5 @@ impl Abscissa {
             Self::Lateral => "Lateral creepage",
             Self::Share => "Share of the spin",
         }
-    }
-}
-
-/// The law of Vermeulen and Johnson for a run that sweeps creepages.
-struct Law {
-    rolling: Rolling,
-    /// Creepages at the end of the sweep.
-    creepage: [f64; 2],
-    coefficients: Coefficients,
-    /// Shear modulus (Pa).
-    shear_modulus: f64,
-    /// Semi-axes along the direction of rolling and across (m).
-    semi_axes: [f64; 2],
-    /// Friction times load (N).
-    limit: f64,
-}
-
-impl Law {
-    /// The law, where bodies of one material touch on an ellipse and creep as given, without spin, under friction
-    /// that is the same in all directions.
-    fn of(results: &Results, load: f64, limit: f64) -> Option<Self> {
-        let straight = |rolling: &Rolling| rolling.spin == 0.0 && results.has_isotropic_friction();
-        let rolling = results.rolling().filter(straight)?;
-        let (Drive::Creepage(along), Drive::Creepage(across)) =
-            (rolling.longitudinal, rolling.lateral)
-        else {
-            return None;
-        };
-        let [one, other] = results.case.as_ref()?.bodies.each_ref().map(|body| body.material);
-        let Material { young, poisson } = one.filter(|_| one == other)?;
-        let hertz = results.hertz(load)?;
-        let axis = rolling.direction.axis;
-        let semi_axes = [hertz.semi_axes[axis], hertz.semi_axes[1 - axis]];
-        Some(Self {
-            rolling,
-            creepage: [along, across],
-            coefficients: Coefficients::at(semi_axes[0] / semi_axes[1], poisson)?,
-            shear_modulus: young / (2.0 * (1.0 + poisson)),
-            semi_axes,
-            limit,
-        })
-    }
-
-    /// Force on body 1 (N) along an axis of the frame over one of the creepages.
-    fn curve(&self, creepage: usize, axis: usize) -> Vec<(f64, f64)> {
-        let direction = self.rolling.direction;
-        let units = [direction.forward(), direction.lateral()];
-        let point = |share: f64| {
-            // Linear theory counts creepage the other way.
-            let against = self.creepage.map(|creepage| -share * creepage);
-            let linear =
-                self.coefficients.resultant(self.shear_modulus, self.semi_axes, against, 0.0);
-            let force = vermeulen_johnson::force(linear.force, self.limit);
-            (share * self.creepage[creepage], force[0] * units[0][axis] + force[1] * units[1][axis])
-        };
-        (0..=POINTS).map(|index| point(index as f64 / POINTS as f64)).collect()
     }
 }

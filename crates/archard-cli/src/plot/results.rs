@@ -7,6 +7,7 @@ use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
+use archard::closed_form::twin_discs::TwinDiscs;
 use archard::motion::{Progress, Rolling};
 use archard::output::{Image, Surface};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
@@ -44,18 +45,6 @@ pub(super) struct WornSphere {
     pub(super) radius: f64,
     /// Wear coefficient of both bodies together (1/Pa).
     pub(super) coefficient: f64,
-}
-
-/// Crowned discs that slip all over, as the incremental model takes them.
-pub(super) struct WornDiscs {
-    /// Wear coefficient of both together (1/Pa).
-    pub(super) coefficient: f64,
-    /// Creepage.
-    pub(super) creepage: f64,
-    /// Combined radius across the direction of rolling (m).
-    pub(super) crown: f64,
-    /// Half width of the unworn contact across it (m).
-    pub(super) half_width: f64,
 }
 
 impl Results {
@@ -148,13 +137,6 @@ impl Results {
         if along == Axis::Y { [Axis::Y, Axis::X] } else { [Axis::X, Axis::Y] }
     }
 
-    /// Whether friction is known and the same in all directions.
-    pub(super) fn has_isotropic_friction(&self) -> bool {
-        let friction = self.case.as_ref().and_then(|case| case.friction.as_ref());
-        let law = friction.and_then(|friction| friction.build().ok());
-        law.is_some_and(|law| law.map().is_identity())
-    }
-
     /// The largest tractions (Pa) along an axis under these pressures (Pa), where the law of friction is known.
     pub(super) fn friction_limits(&self, pressures: &[f64], axis: Axis) -> Option<Vec<f64>> {
         let law = self.case.as_ref()?.friction.as_ref()?.build().ok()?;
@@ -241,9 +223,9 @@ impl Results {
     }
 
     /// The worn discs of the incremental model, where the run was one of those.
-    pub(super) fn worn_discs(&self) -> Option<WornDiscs> {
+    pub(super) fn worn_discs(&self) -> Option<TwinDiscs> {
         let number = |key: &str| self.closed_form["twin_discs"][key].as_f64();
-        Some(WornDiscs {
+        Some(TwinDiscs {
             coefficient: number("coefficient_per_Pa")?,
             creepage: number("creepage")?,
             crown: number("crown_m")?,

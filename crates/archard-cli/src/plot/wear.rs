@@ -2,14 +2,15 @@
 //! the closed form beside them; in fretting, where it ends.
 
 use anyhow::Result;
-use archard::closed_form::{pin_on_disc, twin_discs};
+use archard::closed_form::pin_on_disc;
+use archard::closed_form::twin_discs::TwinDiscs;
 use archard::simulation::history::{
     BODY_DEPTH, LOAD, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
 };
 use kuva::plot::LegendPosition;
 
 use super::figure::{COLOURS, Curves, Panel, Pen};
-use super::results::{Results, WornDiscs, WornSphere};
+use super::results::{Results, WornSphere};
 use super::scale::{Unit, phrase};
 use super::tables::largest;
 
@@ -25,11 +26,7 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
         results,
         |sphere, work| pin_on_disc::depth(sphere.radius, sphere.coefficient * work),
         "incremental model",
-        |discs, work| {
-            let WornDiscs { coefficient, creepage, crown, half_width } = *discs;
-            let model = twin_discs::depth_of_incremental_model;
-            model(coefficient, creepage, 1.0, crown, half_width, work)
-        },
+        TwinDiscs::incremental_depth,
     );
     let name = "Wear depth";
     panel(results, &Quantity { name, unit, total, column: BODY_DEPTH, closed, end })
@@ -66,7 +63,7 @@ fn closed_form<'a>(
     results: &Results,
     sphere: impl Fn(&WornSphere, f64) -> f64 + 'a,
     of_discs: &'static str,
-    discs: impl Fn(&WornDiscs, f64) -> f64 + 'a,
+    discs: impl Fn(&TwinDiscs, f64) -> f64 + 'a,
 ) -> Option<ClosedForm<'a>> {
     if let Some(known) = results.worn_sphere() {
         let value = move |work: f64| sphere(&known, work);

@@ -17,7 +17,10 @@ fn every_signal_ends_a_run_with_its_results() {
         let ended = run.end();
         let said = said(&ended);
         assert_eq!(ended.status.code(), Some(3), "SIG{name}: {said}");
-        assert!(said.contains("error: interrupted\n") && said.contains("to go on"), "{said}");
+        assert!(
+            said.contains("error: interrupted\n") && said.contains("archard run --resume out"),
+            "{said}"
+        );
         let summary = summary(dir.path());
         assert_eq!(
             (&summary["complete"], &summary["failure"]),
@@ -40,6 +43,7 @@ fn a_signal_ends_a_long_solve() {
     let ended = run.end();
     assert!(asked.elapsed() < Duration::from_secs(20), "{:?}", asked.elapsed());
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
+    assert!(said(&ended).contains("the same command starts again"), "{}", said(&ended));
     assert_eq!(summary(dir.path())["failure"], "interrupted");
     assert_whole(dir.path());
 }

@@ -31,34 +31,42 @@ pub struct Body {
 
 impl Body {
     /// Curvatures 1/R along x and y (1/m) of the surface in the middle of the contact, positive where it is
-    /// convex; `None` where they are not known.
+    /// convex: of the profile on a plane, or on the mesh. `None` where they are not known.
     pub fn curvatures(&self) -> Option<[f64; 2]> {
-        curvatures(&*self.profile, self.finite.as_ref().map(|finite| finite.curvatures))
+        let mesh = self.finite.as_ref().map_or(Some([0.0; 2]), |finite| finite.curvatures);
+        let ([x, y], [mesh_x, mesh_y]) = (self.profile.curvatures()?, mesh?);
+        Some([x + mesh_x, y + mesh_y])
     }
-}
-
-/// Curvatures 1/R along x and y (1/m) of a profile on a plane (`None`), or on a mesh of these curvatures.
-pub(crate) fn curvatures(
-    profile: &dyn Profile,
-    mesh: Option<Option<[f64; 2]>>,
-) -> Option<[f64; 2]> {
-    let ([x, y], [mesh_x, mesh_y]) = (profile.curvatures()?, mesh.unwrap_or(Some([0.0; 2]))?);
-    Some([x + mesh_x, y + mesh_y])
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{curvatures, profile::PROFILES};
+    use super::mesh::Meshed;
+    use super::{Body, Elasticity, Finite, Interpolation, profile::PROFILES};
     use crate::parameters::{Value, Values};
 
-    #[test]
-    fn a_profile_bends_the_mesh_it_lies_on() {
+    /// A sphere of 0.5 m, on a mesh of these curvatures where there is one.
+    fn sphere(mesh: Option<Option<[f64; 2]>>) -> Body {
         let sphere = PROFILES.iter().find(|choice| choice.name == "sphere").unwrap();
         let mut values = Values::default();
         values.insert("radius", Value::Number(0.5));
-        let sphere = (sphere.build)(&values).unwrap();
-        assert_eq!(curvatures(&*sphere, None), Some([2.0, 2.0]));
-        assert_eq!(curvatures(&*sphere, Some(Some([3.0, 0.0]))), Some([5.0, 2.0]));
-        assert_eq!(curvatures(&*sphere, Some(None)), None);
+        let finite = mesh.map(|curvatures| Finite {
+            meshed: Meshed::default(),
+            curvatures,
+            supports: vec![],
+            mirrored: [false; 2],
+            interpolation: Interpolation::default(),
+            tolerance: 1e-3,
+            elasticity: Elasticity::default(),
+        });
+        let profile = (sphere.build)(&values).unwrap();
+        Body { name: String::new(), profile, material: None, finite, wear: None }
+    }
+
+    #[test]
+    fn a_profile_bends_the_mesh_it_lies_on() {
+        assert_eq!(sphere(None).curvatures(), Some([2.0, 2.0]));
+        assert_eq!(sphere(Some(Some([3.0, 0.0]))).curvatures(), Some([5.0, 2.0]));
+        assert_eq!(sphere(Some(None)).curvatures(), None);
     }
 }

@@ -1,6 +1,6 @@
 //! A case that passed every check: what to compute, in SI.
 
-use super::check::{self, memory};
+use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{Held, MeshError, Meshed, Shape};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
@@ -203,17 +203,15 @@ impl Case {
         self.bodies.iter().any(|body| body.finite.is_some())
     }
 
-    /// Whether the memory that is free holds the run. What meshed bodies take follows from what is kept of them.
-    fn fits(&self) -> Result<(), BuildError> {
-        if self.is_meshed() {
-            return Ok(());
-        }
-        let (needed, free) = (check::memory_of(self)?, memory::available());
-        if needed > free {
+    /// The parts, if the memory that is free holds the run. What meshed bodies take follows from what is kept of them.
+    fn fitting(&self) -> Result<Parts<'_>, BuildError> {
+        let parts = Parts::of(self)?;
+        let (needed, free) = (footprint::memory(&parts), memory::available());
+        if needed > free && !self.is_meshed() {
             let [needed, free] = [needed, free].map(memory::size);
             return Err(BuildError::Memory { needed, free });
         }
-        Ok(())
+        Ok(parts)
     }
 
     /// Puts the parts together.
@@ -229,8 +227,7 @@ impl Case {
     /// # Errors
     /// As [`Case::build`].
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
-        self.fits()?;
-        let bodies = [self.bodies[0].build()?, self.bodies[1].build()?];
+        let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
         let (frame, compliance): (_, Box<dyn Compliance>) = if self.is_meshed() {
             let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
             (frame, Box::new(compliance))
@@ -241,8 +238,6 @@ impl Case {
             let half_space = HalfSpace::new(materials, &frame);
             (frame, Box::new(half_space))
         };
-        let (motion, schedule) = self.motion.build()?;
-        let friction = self.friction.as_ref().map(Chosen::build).transpose()?;
         let outputs = self.output.places(schedule.extent);
         Ok(Simulation {
             problem: ContactProblem { bodies, frame, compliance, friction, motion },

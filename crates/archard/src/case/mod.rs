@@ -39,10 +39,7 @@ mod read;
 mod reader;
 mod tree;
 
-pub use check::{
-    BesideHalfSpace, Contact, Creep, Cycles, Finiteness, Forecast, Fretting, FrettingWear, Solves,
-    Track, Worn,
-};
+pub use check::{BesideHalfSpace, Cycles, Finiteness, Forecast, Solves};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};

@@ -17,6 +17,9 @@ pub use shift::{Guide, Shift, Station};
 
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
+/// Direction in which bodies slide that slide the same distance everywhere: along x.
+pub(crate) const SLIDES: [f64; 2] = [1.0, 0.0];
+
 /// How the bodies move on each other.
 ///
 /// The *advance* is the motion's own measure of progress: metres for sliding, revolutions for rolling,

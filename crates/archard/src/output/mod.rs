@@ -24,7 +24,6 @@
 
 mod appended;
 mod closed_forms;
-mod coefficients;
 mod elastic;
 mod evidence;
 mod fields;

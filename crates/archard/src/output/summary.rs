@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::coefficients;
+use super::closed_forms;
+use crate::estimate::{Estimator, Subject};
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{Effort, Report};
 use crate::verdict::{Bound, Line, Verdict};
@@ -34,13 +35,13 @@ pub(super) struct Standing {
 
 impl Standing {
     /// What a report says, with its row of the history and what closed forms say of it.
-    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)], closed_form: Value) -> Self {
+    pub(super) fn of(report: &Report<'_>, row: &[(String, f64)], estimator: &Estimator) -> Self {
         let last: Map<String, Value> =
             row.iter().map(|(column, value)| (column.clone(), json!(value))).collect();
         Self {
             last: last.into(),
             wear: wear(report, row),
-            closed_form,
+            closed_form: closed_forms::of(report, estimator),
             cycles: report.problem.motion.shift().is_some(),
             effort: report.effort,
             extent: report.extent,
@@ -111,7 +112,7 @@ fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
         let worn = number(row, &of_body(column, &body.name)).unwrap_or(0.0);
         let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
-        if let Some(k) = coefficients::of_wear(problem, index) {
+        if let Some(k) = Subject::from(*problem).wear_coefficient(index) {
             let expected = k * effort.load_distance;
             let difference = (expected > 0.0).then(|| worn / expected - 1.0);
             entry["coefficient_per_Pa"] = json!(k);

@@ -2,22 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::collected::Collected;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
-use crate::motion::Control;
+use crate::motion::{Control, Motion};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
-use crate::wear::Rubbing;
-
-/// Bound on the disagreement between a wear law and its linearisation, relative to the depth worn.
-const LINEARISATION: f64 = 1e-9;
-/// Linearisations tried before a step counts as not converged.
-const PASSES: usize = 50;
-
-/// Direction in which bodies slide.
-const ALONG: [f64; 2] = [1.0, 0.0];
 
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -62,91 +52,33 @@ impl Chain {
         let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
         let gap = self.undeformed_gap(problem);
-        match problem.motion.rolling() {
-            Some(_) => self.roll_on(simulation, leg, &gap, &*problem.compliance, effort),
-            None => self.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort),
-        }
+        self.contact(simulation, leg, (&gap, &addition), &*problem.compliance, effort)
     }
 
-    /// An implicit step: the pressure at its end does the wear.
-    ///
-    /// The wear is linearised about the last pressures, which adds its slope to the compliance; for a
-    /// law linear in the pressure the first pass is exact.
-    pub fn implicit(
+    /// Pressures, and friction where the bodies roll, under a gap (m), with what pairs give way beside the compliance
+    /// (m/Pa).
+    pub(super) fn contact(
         &mut self,
         simulation: &Simulation,
         leg: Leg,
+        (gap, addition): (&[f64], &[f64]),
+        compliance: &dyn Compliance,
         effort: &mut Effort,
     ) -> Result<(), Error> {
-        let problem = &simulation.problem;
-        if let Some(rolling) = problem.motion.rolling() {
-            return if rolling.swept || !problem.wears() {
-                self.press(simulation, leg, effort)
-            } else {
-                self.wear_planes(simulation, rolling, leg, effort)
-            };
-        }
-        let slip = problem.motion.slip(leg.advance);
-        if slip == 0.0 || !problem.wears() {
-            self.press(simulation, leg, effort)?;
-            self.load_distance += self.prescribed_load(leg) * slip;
-            return Ok(());
-        }
-        let undeformed = self.undeformed_gap(problem);
-        for _ in 0..PASSES {
-            let line = Linearised::about(&self.state.pressure, slip, problem);
-            let gap = vector::map([&undeformed, &line.constant], |[gap, constant]| gap + constant);
-            self.meet(simulation, leg, &gap, &line.slope, &*problem.compliance, effort)?;
-            if line.holds(&self.state.pressure, slip, problem) {
-                self.wear(slip, problem);
-                self.load_distance += self.prescribed_load(leg) * slip;
-                return Ok(());
+        match simulation.problem.motion {
+            Motion::Rolling(_) => {
+                self.roll_on(simulation, leg, (gap, addition), compliance, effort)
             }
-        }
-        Err(not_converged(simulation, leg, PASSES, f64::NAN))
-    }
-
-    /// An explicit step: the pressure at its start does the wear.
-    pub fn explicit(
-        &mut self,
-        simulation: &Simulation,
-        leg: Leg,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
-        let problem = &simulation.problem;
-        let slip = problem.motion.slip(leg.advance);
-        let before = simulation.schedule.control_at(self.state.progress);
-        self.wear(slip, problem);
-        self.load_distance += self.prescribed_load(Leg { control: before, ..leg }) * slip;
-        self.press(simulation, leg, effort)
-    }
-
-    /// Wears both bodies by rubbing under the present pressures over a slip (m).
-    fn wear(&mut self, slip: f64, problem: &ContactProblem) {
-        let ContactState { pressure, worn, .. } = &mut self.state;
-        for (i, &pressure) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
-            let depths = problem.wear_depths(problem.rubbing(pressure, slip, ALONG));
-            worn.iter_mut().zip(depths).for_each(|(worn, depth)| worn[i] += depth);
+            _ => self.meet(simulation, leg, gap, addition, compliance, effort),
         }
     }
 
     /// The load (N) that is given; the one found where the approach is.
-    fn prescribed_load(&self, leg: Leg) -> f64 {
+    pub(super) fn prescribed_load(&self, leg: Leg) -> f64 {
         match leg.control {
             Control::Load(load) => load,
             Control::Approach(_) => self.state.load,
         }
-    }
-
-    /// Deepest wear (m) that an advance under the present contact makes.
-    pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
-        if let Some(rolling) = problem.motion.rolling() {
-            let flow = problem.frame.flow(rolling.direction)?;
-            return Ok(advance * Collected::of(&self.state, problem, flow).deepest());
-        }
-        let slip = problem.motion.slip(advance);
-        let depth = |&pressure: &f64| total_depth(problem, problem.rubbing(pressure, slip, ALONG));
-        Ok(self.state.pressure.iter().map(depth).fold(0.0, f64::max))
     }
 
     /// Gap of the worn, undeformed surfaces at zero approach (m), shifted as they are.
@@ -235,43 +167,12 @@ impl Chain {
     }
 }
 
-/// The total wear of a step as a straight line in the pressure of each pair.
-struct Linearised {
-    /// Depth at zero pressure (m).
-    constant: Vec<f64>,
-    /// Slope (m/Pa).
-    slope: Vec<f64>,
-}
-
-impl Linearised {
-    fn about(pressure: &[f64], slip: f64, problem: &ContactProblem) -> Self {
-        let line = |&pressure: &f64| {
-            let rubbing = problem.rubbing(pressure, slip, ALONG);
-            let slope = problem.wear_slope(rubbing);
-            (total_depth(problem, rubbing) - slope * pressure, slope)
-        };
-        let (constant, slope) = pressure.iter().map(line).unzip();
-        Self { constant, slope }
-    }
-
-    /// Whether the line agrees with the law at these pressures (Pa).
-    fn holds(&self, pressure: &[f64], slip: f64, problem: &ContactProblem) -> bool {
-        let (mut error, mut deepest) = (0.0f64, 0.0f64);
-        for ((constant, slope), &pressure) in self.constant.iter().zip(&self.slope).zip(pressure) {
-            let depth = total_depth(problem, problem.rubbing(pressure, slip, ALONG));
-            error = error.max((constant + slope * pressure - depth).abs());
-            deepest = deepest.max(depth);
-        }
-        error <= LINEARISATION * deepest
-    }
-}
-
-/// Depth worn off both bodies (m).
-fn total_depth(problem: &ContactProblem, rubbing: Rubbing) -> f64 {
-    problem.wear_depths(rubbing).iter().sum()
-}
-
-fn not_converged(simulation: &Simulation, leg: Leg, iterations: usize, residual: f64) -> Error {
+pub(super) fn not_converged(
+    simulation: &Simulation,
+    leg: Leg,
+    iterations: usize,
+    residual: f64,
+) -> Error {
     Error::NotConverged {
         measure: simulation.problem.motion.progress(),
         progress: leg.progress,

@@ -3,12 +3,14 @@
 mod adaptive;
 mod chain;
 mod checkpoint;
-mod collected;
+mod collector;
 mod cycles;
 pub mod history;
 mod march;
+mod passing;
 mod rolling;
 mod run;
+mod step;
 mod suits;
 
 use std::error::Error as StdError;
@@ -208,6 +210,14 @@ pub enum Error {
     /// A wear law of friction's work, without friction.
     #[error("the wear law of `{body}` goes by the work of friction: give a `friction` table")]
     NoFriction {
+        /// The body's name.
+        body: String,
+    },
+    /// A wear law of whole cycles, where there are none.
+    #[error(
+        "the wear law of `{body}` takes a whole cycle at once, and bodies that slide on the same spot have none"
+    )]
+    NoCycle {
         /// The body's name.
         body: String,
     },

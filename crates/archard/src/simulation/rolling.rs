@@ -1,13 +1,10 @@
-//! Contact and wear in steady rolling.
-//!
-//! Pressures, friction and the wear of an implicit step of revolutions, which is [collected](super::collected) along
-//! the planes of rolling.
+//! Contact in steady rolling: pressures and friction that belong together.
 
 use super::chain::{Chain, Leg};
-use super::collected::{self, Collected};
+use super::passing::distance_of_work;
 use super::{Effort, Error, Simulation};
-use crate::compliance::{Compliance, WornPlanes};
-use crate::frame::{Flow, Passage, VectorField};
+use crate::compliance::Compliance;
+use crate::frame::{Flow, VectorField};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
@@ -17,10 +14,8 @@ use crate::solve::tangential::{self, Held};
 /// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
 /// taken as consistent.
 const CONSISTENT: f64 = 1e-8;
-/// Passes between pressures and friction, and between contact and the wear it makes.
+/// Passes between pressures and friction.
 const PASSES: usize = 50;
-/// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest.
-const FORESEEN: f64 = 0.02;
 
 impl Chain {
     /// Finds pressures and friction that belong together.
@@ -28,23 +23,22 @@ impl Chain {
         &mut self,
         simulation: &Simulation,
         leg: Leg,
-        gap: &[f64],
+        (gap, addition): (&[f64], &[f64]),
         compliance: &dyn Compliance,
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let addition = vec![0.0; gap.len()];
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
             let before = self.state.pressure.clone();
-            self.meet(simulation, leg, gap, &addition, compliance, effort)?;
+            self.meet(simulation, leg, gap, addition, compliance, effort)?;
             return self.rub(simulation, leg, &before, effort);
         }
         let mut opened = self.opened_by_friction(problem);
         for _ in 0..PASSES {
             let lifted = vector::map([gap, &opened], |[gap, opened]| gap + opened);
             let before = self.state.pressure.clone();
-            self.meet(simulation, leg, &lifted, &addition, compliance, effort)?;
+            self.meet(simulation, leg, &lifted, addition, compliance, effort)?;
             self.rub(simulation, leg, &before, effort)?;
             let now = self.opened_by_friction(problem);
             let change =
@@ -201,95 +195,15 @@ impl Chain {
         slip
     }
 
-    /// An implicit step of wear: the pressures and the slip at its end do the wear.
-    ///
-    /// What a plane wears is foreseen from the slip that goes with its pressures, and found anew where
-    /// the slip has changed.
-    pub(super) fn wear_planes(
-        &mut self,
-        simulation: &Simulation,
-        rolling: &Rolling,
-        leg: Leg,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
-        let problem = &simulation.problem;
-        let flow = problem.frame.flow(rolling.direction)?;
-        let undeformed = self.undeformed_gap(problem);
-        let mut collected = Collected::of(&self.state, problem, flow);
-        for _ in 0..PASSES {
-            let slopes: Vec<f64> =
-                collected.slopes.iter().map(|slope| leg.advance * slope).collect();
-            let constant = |plane: usize| {
-                leg.advance
-                    * (collected.total(plane)
-                        - collected.slopes[plane] * collected.pressures[plane])
-            };
-            let mut gap = undeformed.clone();
-            for (index, plane) in flow.planes().iter().enumerate() {
-                let depth = constant(index);
-                plane.passages.iter().for_each(|one| gap[one.pair] += one.share * depth);
-            }
-            let pressure = self.state.pressure.clone();
-            let measure = problem.frame.measure();
-            let [total] =
-                vector::sum_with([measure.weight], [&pressure], |[w], [pressure]| [w * pressure]);
-            let worn = WornPlanes::new(&*problem.compliance, flow, &slopes, &pressure);
-            self.start_from(worn.foresee(&gap, total, &pressure), problem);
-            worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
-            let worn = match self.roll_on(simulation, leg, &gap, &worn, effort) {
-                Err(Error::NotConverged { .. }) => {
-                    let worn = worn.steady();
-                    self.roll_on(simulation, leg, &gap, &worn, effort)?;
-                    worn
-                }
-                other => other.map(|()| worn)?,
-            };
-            worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
-            let now = Collected::of(&self.state, problem, flow);
-            let foreseen = |plane: usize| {
-                constant(plane) / leg.advance + collected.slopes[plane] * now.pressures[plane]
-            };
-            let (mut error, mut deepest) = (0.0f64, 0.0f64);
-            for plane in 0..slopes.len() {
-                error = error.max((now.total(plane) - foreseen(plane)).abs());
-                deepest = deepest.max(now.total(plane));
-            }
-            collected = now;
-            if error <= FORESEEN * deepest {
-                self.wear_down(&collected, flow, leg);
-                self.load_distance += leg.advance * self.creep_work(problem, rolling, flow);
-                return Ok(());
-            }
-        }
-        Err(Error::NotConsistent {
-            measure: problem.motion.progress(),
-            progress: leg.progress,
-            passes: PASSES,
-        })
-    }
-
-    /// Takes pressures (Pa) to start the next solve from, if there are any.
-    fn start_from(&mut self, foreseen: Option<Vec<f64>>, problem: &ContactProblem) {
-        if let Some(foreseen) = foreseen {
-            problem.compliance.apply_normal(&foreseen, &mut self.displacement);
-            self.state.pressure = foreseen;
-        }
-    }
-
-    fn wear_down(&mut self, collected: &Collected, flow: Flow<'_>, leg: Leg) {
-        for (plane, depths) in flow.planes().iter().zip(&collected.depths) {
-            for &Passage { pair, share, .. } in &plane.passages {
-                for (worn, depth) in self.state.worn.iter_mut().zip(depths) {
-                    worn[pair] += leg.advance * share * depth;
-                }
-            }
-        }
-    }
-
     /// Work of the creepages over the coefficient of friction (N): what is worn a revolution is this
     /// times k, whatever the contact, if the friction is Coulomb's; where it depends on the direction of the
     /// slip, over its mean. Without friction, the load times the creepage.
-    fn creep_work(&self, problem: &ContactProblem, rolling: &Rolling, flow: Flow<'_>) -> f64 {
+    pub(super) fn creep_work(
+        &self,
+        problem: &ContactProblem,
+        rolling: &Rolling,
+        flow: Flow<'_>,
+    ) -> f64 {
         let Some(tangential) = &self.state.tangential else { return 0.0 };
         let Some(friction) = &problem.friction else {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
@@ -299,7 +213,7 @@ impl Chain {
         if coefficient == 0.0 {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
-        let distance = collected::distance_of_work(tangential, &**friction, problem, flow);
+        let distance = distance_of_work(tangential, &**friction, problem, flow);
         tangential.creep_power(problem, rolling) / coefficient * distance
     }
 }

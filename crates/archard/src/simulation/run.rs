@@ -10,12 +10,12 @@ use crate::numerics::vector::in_pool;
 /// ```
 /// # use archard::case::CaseFile;
 /// # use archard::simulation::Run;
-/// # let text = "[body.pin.profile.sphere]\nradius = \"50 mm\"\n[body.pin.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[body.pin.wear.archard]\ncoefficient = \"1.33e-13 1/Pa\"\n[body.disc.profile.flat]\n[body.disc.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[frame]\nsize = \"1.2 mm\"\nelements = 20\n[motion.sliding]\nload = \"10.2 N\"\ndistance = \"10 mm\"\nstep = \"5 mm\"\n";
-/// # let simulation = CaseFile::from_text("case", text, ".").resolve().unwrap().build().unwrap();
+/// # let text = "[body.pin.profile.sphere]\nradius = \"50 mm\"\n[body.pin.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[body.pin.wear.archard]\ncoefficient = \"1.33e-13 1/Pa\"\n[body.disc.profile.flat]\n[body.disc.material]\nyoung = \"210 GPa\"\npoisson = 0.3\n[frame]\nsize = [\"1.2 mm\", \"1.2 mm\"]\nelements = [20, 20]\n[motion.sliding]\nload = \"10.2 N\"\ndistance = \"10 mm\"\nstep = \"5 mm\"\n";
+/// # let simulation = CaseFile::from_text("case", text, ".").resolve().unwrap().case.build().unwrap();
 /// let mut run = Run::begin(simulation)?;
 /// while run.step()? {
 ///     let report = run.report();
-///     println!("{} m: {} N", report.state.progress, report.state.load);
+///     assert!((report.state.load - 10.2).abs() < 1e-6);
 /// }
 /// # assert_eq!(run.report().effort.steps, 2);
 /// # Ok::<(), archard::simulation::Error>(())

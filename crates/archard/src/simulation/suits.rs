@@ -6,7 +6,7 @@ use crate::body::Body;
 use crate::friction::Friction;
 use crate::motion::{Drive, Guide, Motion, Rolling, Shift};
 use crate::problem::ContactProblem;
-use crate::wear::{Input, WearLaw};
+use crate::wear::{Input, Per, WearLaw};
 
 /// The axes of the frame.
 const AXES: [&str; 2] = ["x", "y"];
@@ -37,8 +37,14 @@ impl ContactProblem {
         let lacks = |body: &&Body| {
             body.wear.as_ref().is_some_and(|law| lacks(&**law, self.friction.is_some()))
         };
-        let lacking = self.bodies.iter().find(lacks);
-        lacking.map_or(Ok(()), |body| Err(Error::NoFriction { body: body.name.clone() }))
+        if let Some(body) = self.bodies.iter().find(lacks) {
+            return Err(Error::NoFriction { body: body.name.clone() });
+        }
+        let whole = |body: &&Body| body.wear.as_ref().is_some_and(|law| law.per() == Per::Cycle);
+        match (&self.motion, self.bodies.iter().find(whole)) {
+            (Motion::Sliding, Some(body)) => Err(Error::NoCycle { body: body.name.clone() }),
+            _ => Ok(()),
+        }
     }
 }
 

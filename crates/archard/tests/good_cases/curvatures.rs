@@ -45,7 +45,7 @@ fn rolling(meshed: bool, options: &[&str]) -> Resolved {
 }
 
 /// What `summary.json` says in closed form, and the rows of the run.
-fn run(resolved: &Resolved) -> (Value, Rows) {
+pub fn run(resolved: &Resolved) -> (Value, Rows) {
     let folder = tempfile::tempdir().unwrap();
     let mut results = ResultFolder::create(folder.path(), &resolved.case.to_string()).unwrap();
     let mut rows = Rows::default();
@@ -69,7 +69,7 @@ fn bodies_of_meshes_and_profiles_have_the_same_curvatures() {
 fn check_and_summary_tell_the_same_contact() {
     for meshed in [true, false] {
         let resolved = rolling(meshed, &["motion.rolling.revolutions=0", "motion.rolling.step="]);
-        let half_width = resolved.forecast.contact.unwrap().semi_axes[0];
+        let half_width = resolved.forecast.estimate.contact.unwrap().semi_axes[0];
         let (said, _) = run(&resolved);
         assert_eq!(said["curvatures_per_m"], serde_json::json!([50.0, 0.0]), "{said}");
         let carter = said["carter"]["half_width_m"].as_f64().unwrap();

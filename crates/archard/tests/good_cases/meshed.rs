@@ -114,12 +114,12 @@ fn the_forecast_counts_pairs_and_unknowns() {
 fn the_forecast_of_a_meshed_body_is_that_of_a_half_space() {
     let resolved = punch(&[]);
     assert!(resolved.warnings.is_empty(), "{:?}", resolved.warnings);
-    let contact = resolved.forecast.contact.unwrap();
+    let contact = resolved.forecast.estimate.contact.unwrap();
     assert_relative_eq!(contact.load, 1.802037e6, max_relative = 1e-6);
     assert_relative_eq!(contact.semi_axes[0], f64::sqrt(100.0 * 7e-5), max_relative = 1e-9);
     let sphere = resolve(&file(SPHERE));
     assert!(sphere.warnings.is_empty(), "{:?}", sphere.warnings);
-    let contact = sphere.forecast.contact.unwrap();
+    let contact = sphere.forecast.estimate.contact.unwrap();
     let modulus = 210e9 / 0.91;
     let radius = f64::cbrt(0.75 * 1e3 * 0.05 / modulus);
     assert_relative_eq!(contact.semi_axes[0], radius, max_relative = 1e-9);

@@ -41,8 +41,8 @@ fn twin_discs(options: &[&str]) -> Resolved {
 #[test]
 fn the_forecast_of_twin_discs() {
     let forecast = twin_discs(&[]).forecast;
-    let creep = forecast.creep.unwrap();
-    assert_relative_eq!(creep.saturation.unwrap(), 0.802e-2, max_relative = 1e-3);
+    let creep = forecast.estimate.rolled.unwrap();
+    assert_relative_eq!(creep.saturation.unwrap().creepage, 0.802e-2, max_relative = 1e-3);
     assert_relative_eq!(creep.stick_share.unwrap(), 0.262, epsilon = 1e-3);
     let track = creep.track.unwrap();
     assert_relative_eq!(track.depth, 26.13e-6, max_relative = 5e-3);
@@ -52,7 +52,7 @@ fn the_forecast_of_twin_discs() {
     // as much.
     let slipping =
         twin_discs(&["motion.rolling.creepage=-0.05", "motion.rolling.revolutions=3000"]);
-    let slipping = slipping.forecast.creep.unwrap();
+    let slipping = slipping.forecast.estimate.rolled.unwrap();
     assert_eq!((slipping.stick_share, slipping.force), (Some(0.0), Some([-180.0, 0.0])));
     assert_relative_eq!(slipping.track.unwrap().depth, track.depth, max_relative = 1e-12);
     assert_eq!(forecast.solves, Solves::AtLeast(301));
@@ -67,7 +67,8 @@ fn the_forecast_turns_with_the_direction_of_rolling() {
         let still = ["motion.rolling.revolutions=0", "body.disc1.wear=", "body.disc2.wear="];
         twin_discs(&[&creep[..], &still, options].concat())
             .forecast
-            .creep
+            .estimate
+            .rolled
             .unwrap()
             .linear_force
             .unwrap()
@@ -94,9 +95,9 @@ fn the_forecast_of_cylinders_is_carters() {
     let file = ["body.disc1.profile.disc.crown=", "motion.rolling.creepage=0.001"]
         .iter()
         .fold(file(TWIN_DISCS), |file, option| file.set(*option));
-    let creep = resolve(&file).forecast.creep.unwrap();
-    let half = format!("motion.rolling.creepage={}", 0.5 * creep.saturation.unwrap());
-    let creep = resolve(&file.set(half)).forecast.creep.unwrap();
+    let creep = resolve(&file).forecast.estimate.rolled.unwrap();
+    let half = format!("motion.rolling.creepage={}", 0.5 * creep.saturation.unwrap().creepage);
+    let creep = resolve(&file.set(half)).forecast.estimate.rolled.unwrap();
     assert_relative_eq!(creep.stick_share.unwrap(), 0.5, max_relative = 1e-12);
     assert_relative_eq!(creep.force.unwrap()[0], 0.75 * 180.0, max_relative = 1e-12);
     assert_eq!((creep.linear_force, creep.free_creepage, creep.track), (None, None, None));
@@ -116,7 +117,7 @@ fn the_forecast_of_unlike_cylinders_has_their_free_rolling() {
         format!("motion.rolling.load={load} N"),
     ];
     let file = options.iter().fold(file(TWIN_DISCS), |file, option| file.set(option));
-    let creep = resolve(&file).forecast.creep.unwrap();
+    let creep = resolve(&file).forecast.estimate.rolled.unwrap();
     assert_relative_eq!(creep.free_creepage.unwrap(), 5.26e-4, max_relative = 1e-3);
     assert_eq!((creep.stick_share, creep.linear_force, creep.force), (None, None, None));
 }

@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard::motion::Stepping;
 use archard::simulation::{Error, Simulation};
-use archard::wear::{Input, Rubbing, WearLaw};
+use archard::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 use crate::common::{Ball, Rows, case, peak, states};
 
@@ -149,4 +149,83 @@ fn by_the_work_of_friction_asks_for_friction() {
     simulation.problem.bodies[0].wear = Some(Box::new(Energy { alpha: 1e-12 }));
     let refused = simulation.run(&mut []);
     assert!(matches!(refused, Err(Error::NoFriction { body }) if body == "ball"));
+}
+
+/// alpha (work - threshold) where that is positive, of what is taken at once; on whole columns.
+#[derive(Debug)]
+struct Beyond {
+    /// alpha (1/Pa) and the threshold (J/m^2).
+    alpha: f64,
+    threshold: f64,
+    per: Per,
+}
+
+impl WearLaw for Beyond {
+    fn per(&self) -> Per {
+        self.per
+    }
+
+    fn inputs(&self) -> &'static [Input] {
+        &[Input::Friction]
+    }
+
+    fn depth(&self, rubbing: Rubbing) -> f64 {
+        self.alpha * (rubbing.work - self.threshold).max(0.0)
+    }
+
+    fn depths(&self, points: &Columns, depths: &mut [f64], slopes: &mut [f64]) {
+        assert!(points.len() == depths.len() && depths.len() == slopes.len());
+        for (point, work) in points.work.iter().enumerate() {
+            let rubbing = points.at(point);
+            depths[point] = self.alpha * (work - self.threshold).max(0.0);
+            slopes[point] = self.slope(rubbing);
+        }
+    }
+}
+
+/// Depths (m) worn off the ball between the first and the last state, by a law so weak that the contact stays.
+fn worn(motion: &str, threshold: f64, per: Per) -> Vec<f64> {
+    let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
+    simulation.problem.bodies[0].wear = Some(Box::new(Beyond { alpha: 1e-18, threshold, per }));
+    let states = states(&simulation).expect("it converges");
+    let [first, last] = [&states[0].0.worn[0], &states[states.len() - 1].0.worn[0]];
+    first.iter().zip(last).map(|(first, last)| last - first).collect()
+}
+
+/// A law that takes a cycle at once sees all the work that a point has gone through in it: a cycle of fretting, or a
+/// passage of bodies that roll. One that is in proportion to the work does not mind.
+#[test]
+fn a_law_may_take_a_whole_cycle_at_once() {
+    let fretting = "[motion.fretting]\nload = \"10 N\"\namplitude = [\"0.3 um\", \"0 um\"]";
+    let rolling = "[motion.rolling]\nload = \"20 N\"\nrevolutions = 4\nstep = 4\ncreepage = 0.002";
+    for (motion, cycles) in [(fretting, 1.0), (rolling, 4.0)] {
+        let whole = worn(motion, 0.0, Per::Cycle);
+        let parts = worn(motion, 0.0, Per::Increment);
+        let most = peak(&whole);
+        assert!(most > 0.0, "{motion}");
+        for (one, other) in whole.iter().zip(&parts) {
+            assert!((one - other).abs() < 1e-8 * most, "{motion}: {one:e}, {other:e}");
+        }
+        // Half of the largest work of a cycle (J/m^2).
+        let threshold = 0.5 * most / 1e-18 / cycles;
+        let beyond = worn(motion, threshold, Per::Cycle);
+        let expected = |work: &f64| (work - 0.5 * most).max(0.0);
+        for (found, whole) in beyond.iter().zip(&whole) {
+            assert!((found - expected(whole)).abs() < 1e-6 * most, "{motion}: {found:e}");
+        }
+        assert!(peak(&beyond) > 0.4 * most, "{motion}");
+        // No part of a cycle reaches it.
+        assert_eq!(peak(&worn(motion, threshold, Per::Increment)), 0.0, "{motion}");
+    }
+}
+
+/// Surfaces that stay and slide have no cycle.
+#[test]
+fn a_law_of_whole_cycles_asks_for_cycles() {
+    let motion = "[motion.sliding]\nload = \"10 N\"\ndistance = \"0.3 m\"\nstep = \"60 mm\"";
+    let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
+    let law = Beyond { alpha: 1e-12, threshold: 1.0, per: Per::Cycle };
+    simulation.problem.bodies[0].wear = Some(Box::new(law));
+    let refused = simulation.run(&mut []);
+    assert!(matches!(refused, Err(Error::NoCycle { body }) if body == "ball"));
 }

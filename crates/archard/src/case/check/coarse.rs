@@ -4,7 +4,6 @@
 //! enough for. Here the tractions are a uniform pressure on the zone, and the mean over the zone is taken.
 
 use super::Parts;
-use super::contact::Contact;
 use crate::body::mesh::Shape;
 use crate::body::profile::PROFILES;
 use crate::body::{Body, Elasticity, Interpolation};
@@ -35,7 +34,8 @@ impl Case {
     /// What half-spaces in the place of meshed bodies would change; empty where no closed form tells the load and
     /// the approach. A mesh from a file cannot be made coarser and is left out.
     pub fn beside_half_spaces(&self) -> Vec<BesideHalfSpace> {
-        let contact = Parts::of(self).ok().and_then(|parts| Contact::of(&parts));
+        let contact =
+            Parts::of(self).ok().and_then(|parts| parts.subject().contact(parts.schedule.control));
         let Some((contact, approach)) = contact.and_then(|one| Some((one, one.approach?))) else {
             return vec![];
         };

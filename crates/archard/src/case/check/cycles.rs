@@ -57,7 +57,7 @@ impl Cycles {
             (Solves::Exactly(cycles) | Solves::AtLeast(cycles), _) => {
                 let solves = lead + cycles * cycle;
                 // The pressures and friction of unlike bodies may have to be found in turn.
-                let coupled = parts.friction.is_some() && parts.dundurs_beta() != 0.0;
+                let coupled = parts.friction.is_some() && !parts.alike();
                 if coupled { Solves::AtLeast(solves) } else { Solves::Exactly(solves) }
             }
         }

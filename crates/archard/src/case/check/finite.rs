@@ -16,14 +16,12 @@ use std::f64::consts::PI;
 use glam::DVec3;
 
 use super::Parts;
-use super::contact::Contact;
-use super::made::Made;
 use super::words::{length, three};
-use crate::body::{Elasticity, Material, Support};
-use crate::case::definition::FiniteCase;
+use crate::body::{Elasticity, Finite, Material, Support};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::compliance::bem;
+use crate::estimate::Contact;
 
 /// Faces whose normals differ by more than this from that of the contact (cosine) are where the body ends.
 const TURNED: f64 = 0.5;
@@ -50,11 +48,10 @@ impl Finiteness {
         let Some((contact, approach)) = contact.and_then(|one| Some((one, one.approach?))) else {
             return vec![];
         };
-        let bodies = parts.case.bodies.iter().zip(&parts.meshes);
-        let found = bodies.filter_map(|(body, made)| {
-            let (material, finite) = (body.material?, body.finite.as_ref()?);
+        let found = parts.meshed().filter_map(|(body, finite)| {
+            let material = body.material?;
             let half_space = finite.elasticity == Elasticity::HalfSpace;
-            let ends = ends(made.as_ref()?, finite);
+            let ends = ends(finite);
             let distance = ends.iter().map(|(distance, _)| *distance).min_by(f64::total_cmp)?;
             let there =
                 ends.iter().map(|(distance, depth)| displacement(&material, *distance, *depth));
@@ -86,16 +83,16 @@ fn displacement(material: &Material, distance: f64, depth: f64) -> f64 {
 }
 
 /// Distances (m) from the middle of the zone to where a body ends, and least depths (m) there.
-fn ends(made: &Made, finite: &FiniteCase) -> Vec<(f64, f64)> {
-    let mesh = &made.meshed.mesh;
+fn ends(finite: &Finite) -> Vec<(f64, f64)> {
+    let mesh = &finite.meshed.mesh;
     let held = |surface: usize| {
-        finite.supports.iter().any(|(name, support)| {
+        finite.supports.iter().any(|&(held, support)| {
             let holds =
                 matches!(support, Support::Clamped | Support::Roller | Support::Displacement(_));
-            holds && *name == mesh.surfaces[surface]
+            holds && held == surface
         })
     };
-    let (middle, normal) = made.middle(finite.mirrored);
+    let (middle, normal) = middle(finite);
     let ends = (0..mesh.faces.len()).filter(|&face| {
         let own = DVec3::from(mesh.area_vector(face)).normalize_or_zero();
         own.dot(normal) < TURNED || held(mesh.faces[face].surface)
@@ -108,6 +105,24 @@ fn ends(made: &Made, finite: &FiniteCase) -> Vec<(f64, f64)> {
         (bem::distance(middle, &corners), depth)
     })
     .collect()
+}
+
+/// The middle of the zone (m) and the outward normal there.
+fn middle(Finite { meshed, mirrored, .. }: &Finite) -> (DVec3, DVec3) {
+    if !meshed.placed {
+        return (DVec3::ZERO, DVec3::Z);
+    }
+    let (mesh, zone) = (&meshed.mesh, &meshed.zone.faces);
+    let (mut place, mut normal, mut all) = (DVec3::ZERO, DVec3::ZERO, 0.0);
+    for &face in zone {
+        let vector = DVec3::from(mesh.area_vector(face));
+        place += vector.length() * DVec3::from(mesh.centre(face));
+        normal += vector;
+        all += vector.length();
+    }
+    // Both lie on the planes of symmetry.
+    let kept = DVec3::new(f64::from(!mirrored[0]), f64::from(!mirrored[1]), 1.0);
+    (kept * place / all, (kept * normal).normalize_or(DVec3::Z))
 }
 
 #[cfg(test)]

@@ -2,8 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use super::Parts;
-use super::contact::Contact;
+use super::{Parts, size};
 use crate::compliance::bem;
 use crate::motion::{Shift, Stepping};
 use crate::solve::joint::factors_memory;
@@ -51,37 +50,37 @@ const BYTES_A_PAIR_OF_BOTH: f64 = 48.0;
 const BYTES_OF_THE_PROGRAM: f64 = 12e6;
 
 /// Memory (bytes) of a run.
-pub(super) fn memory(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
     let by_error =
         matches!(parts.schedule.stepping, Stepping::Tolerance(_)) && parts.motion.shift().is_none();
     let histories = if by_error { BYTES_A_PAIR_OF_HISTORIES } else { 0.0 };
     let pairs = parts.pairs() as f64;
-    let meshed = bem::memory(parts.meshes.each_ref().map(|made| Some(made.as_ref()?.size)));
+    let meshed = bem::memory(parts.bodies.each_ref().map(|body| body.finite.as_ref().map(size)));
     let friction = match parts.motion.rolling() {
         Some(rolling) if parts.friction.is_some() => {
             let goes_on = !rolling.swept && parts.schedule.extent > 0.0;
-            let wears = goes_on && parts.wear.iter().any(Option::is_some);
+            let wears = goes_on && parts.wears();
             let wear = if wears { BYTES_A_PAIR_OF_PLANES } else { 0.0 };
             // The histories keep tractions and slip as well.
             let both = if by_error { BYTES_A_PAIR_OF_ROLLING_HISTORIES - histories } else { 0.0 };
-            let unlike = if parts.dundurs_beta() == 0.0 { 0.0 } else { 1.0 };
-            let iterations = share_in_contact(parts, contact) * BYTES_A_PAIR_OF_FRICTION;
+            let unlike = if parts.alike() { 0.0 } else { 1.0 };
+            let iterations = share_in_contact(parts) * BYTES_A_PAIR_OF_FRICTION;
             iterations + unlike * BYTES_A_PAIR_OF_COUPLING + wear + both
         }
         _ => match parts.motion.shift() {
-            Some(shift) => cycle_memory(parts, shift, contact),
+            Some(shift) => cycle_memory(parts, shift),
             None => 0.0,
         },
     };
-    let factors = of_factors(parts, contact);
+    let factors = of_factors(parts);
     BYTES_OF_THE_PROGRAM + meshed + factors + (BYTES_A_PAIR + histories + friction) * pairs
 }
 
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
-fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
+fn of_factors(parts: &Parts<'_>) -> f64 {
     match parts.motion.shift() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
-            let in_contact = share_in_contact(parts, contact) * parts.pairs() as f64;
+            let in_contact = share_in_contact(parts) * parts.pairs() as f64;
             shift.cycle.len() as f64 * factors_memory(in_contact)
         }
         _ => 0.0,
@@ -90,10 +89,10 @@ fn of_factors(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
 
 /// Memory for each pair (bytes) of bodies that are pressed and shifted: the solutions of a cycle, which the
 /// same increments of the next start from, and the iterations of friction.
-fn cycle_memory(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> f64 {
-    let unlike = if parts.dundurs_beta() == 0.0 { 0.0 } else { 1.0 };
+fn cycle_memory(parts: &Parts<'_>, shift: &Shift) -> f64 {
+    let unlike = if parts.alike() { 0.0 } else { 1.0 };
     let friction = if parts.friction.is_some() { 1.0 } else { 0.0 };
-    let rubs = parts.friction.is_some() || parts.wear.iter().any(Option::is_some);
+    let rubs = parts.friction.is_some() || parts.wears();
     let rubbing = if rubs { BYTES_A_PAIR_OF_RUBBING } else { 0.0 };
     let state = BYTES_A_PAIR_OF_AN_INCREMENT + rubbing;
     let solution = state + friction * unlike * BYTES_A_PAIR_OF_BOTH;
@@ -105,7 +104,7 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> 
     };
     let field = parts.pairs() as f64 * size_of::<f64>() as f64;
     let holes = if field < GIVEN_BACK { BYTES_A_PAIR_OF_HOLES } else { 0.0 };
-    let iterations = share_in_contact(parts, contact) * BYTES_A_PAIR_OF_FRICTION;
+    let iterations = share_in_contact(parts) * BYTES_A_PAIR_OF_FRICTION;
     BYTES_A_PAIR_OF_STATES
         + holes
         + kept * shift.cycle.len() as f64
@@ -114,8 +113,8 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> 
 }
 
 /// Share of the frame that the contact fills; a half where it is not known.
-fn share_in_contact(parts: &Parts<'_>, contact: Option<&Contact>) -> f64 {
-    let Some(contact) = contact else { return 0.5 };
+fn share_in_contact(parts: &Parts<'_>) -> f64 {
+    let Some(contact) = parts.subject().contact(parts.schedule.control) else { return 0.5 };
     let across =
         |axis: usize| (2.0 * contact.semi_axes[axis] / parts.case.frame.size[axis]).min(1.0);
     FRAC_PI_4 * across(0) * across(1)

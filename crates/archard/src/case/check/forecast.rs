@@ -2,34 +2,24 @@
 
 use std::fmt;
 
-use super::Parts;
-use super::contact::{Contact, Worn};
-use super::creep::Creep;
 use super::cycles::Cycles;
+use super::expected::{write_contact, write_wear};
 use super::finite::Finiteness;
 use super::footprint::memory;
-use super::foreseen;
-use super::partial_slip::{Fretting, stick_ratio};
-use super::words::{length, pressure, three};
+use super::words::{length, three};
+use super::{Parts, foreseen, size};
+use crate::body::{Elasticity, Finite};
+use crate::estimate::{Estimate, Estimator};
 use crate::motion::Stepping;
 use crate::verdict::Verdict;
 
 /// What to expect of a run.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Forecast {
-    /// The contact before any wear; `None` where there is no closed form.
-    pub contact: Option<Contact>,
-    /// Elements across that contact along x and y.
+    /// What closed forms expect at the end of the motion.
+    pub estimate: Estimate,
+    /// Elements across the unworn contact along x and y; `None` where there is no closed form.
     pub cells_across: Option<[f64; 2]>,
-    /// The scar at the end; `None` without wear or where there is no closed form.
-    pub worn: Option<Worn>,
-    /// What closed forms expect of rolling; `None` where nothing rolls or where there are none.
-    pub creep: Option<Creep>,
-    /// What closed forms expect of a sphere shifted to and fro; `None` where there are none.
-    pub fretting: Option<Fretting>,
-    /// Share of the contact radius that sticks under a sphere pressed on a body of other elasticity;
-    /// `None` where there is no closed form.
-    pub stick_ratio: Option<f64>,
     /// Cycles; `None` where the bodies are not pressed and shifted step by step.
     pub cycles: Option<Cycles>,
     /// Contact solves.
@@ -65,45 +55,32 @@ impl Default for Solves {
 
 impl Forecast {
     pub(super) fn of(parts: &Parts<'_>) -> Self {
-        let contact = Contact::of(parts);
+        let estimate = parts.estimate(&Estimator::default(), parts.schedule.extent);
         let spacing = parts.case.frame.spacing();
         let [nx, ny] = parts.case.frame.elements;
         let forecast = Self {
-            contact,
-            cells_across: contact.map(|contact| {
+            estimate,
+            cells_across: estimate.contact.map(|contact| {
                 let cells = |axis: usize| 2.0 * contact.semi_axes[axis] / spacing[axis];
                 [cells(0).min(nx as f64), cells(1).min(ny as f64)]
             }),
-            worn: contact.and_then(|contact| Worn::of(parts, &contact)),
-            creep: contact.and_then(|contact| Creep::of(parts, &contact)),
-            fretting: contact.and_then(|contact| Fretting::of(parts, &contact)),
-            stick_ratio: contact.and_then(|contact| stick_ratio(parts, &contact)),
             cycles: Cycles::of(parts),
             solves: Solves::of(parts),
             pairs: parts.pairs(),
             unknowns: unknowns(parts),
-            finiteness: Finiteness::of(parts, contact.as_ref()),
-            memory: memory(parts, contact.as_ref()),
+            finiteness: Finiteness::of(parts, estimate.contact.as_ref()),
+            memory: memory(parts),
             verdict: Verdict::default(),
         };
         Self { verdict: foreseen::verdict(parts, &forecast), ..forecast }
-    }
-
-    /// Half of the extent (m) of the contact at the end along x and y: the scar and the elastic
-    /// contact, added in squares.
-    pub fn reach(&self) -> Option<[f64; 2]> {
-        let contact = self.contact?;
-        let track = self.creep.and_then(|creep| creep.track).map(|track| track.semi_axes);
-        let scar = self.worn.map(|worn| worn.semi_axes).or(track).unwrap_or([0.0; 2]);
-        Some([0, 1].map(|axis| contact.semi_axes[axis].hypot(scar[axis])))
     }
 }
 
 /// Unknowns of the bodies that are computed by boundary elements.
 fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
-    let bodies = parts.case.bodies.iter().zip(&parts.meshes);
-    let sized = bodies.filter_map(|(body, made)| Some((&body.name, made.as_ref()?.size.unknowns)));
-    sized.filter(|(_, count)| *count > 0).map(|(name, count)| (name.clone(), count)).collect()
+    let solved = |(_, finite): &(_, &Finite)| finite.elasticity == Elasticity::BoundaryElements;
+    let meshed = parts.meshed().filter(solved);
+    meshed.map(|(body, finite)| (body.name.clone(), size(finite).unknowns)).collect()
 }
 
 impl Solves {
@@ -116,8 +93,8 @@ impl Solves {
         let rolling = parts.motion.rolling();
         let wears = rolling.is_some_and(|rolling| !rolling.swept)
             && parts.schedule.extent > 0.0
-            && parts.wear.iter().any(Option::is_some);
-        let coupled = rolling.is_some() && parts.friction.is_some() && parts.dundurs_beta() != 0.0;
+            && parts.wears();
+        let coupled = rolling.is_some() && parts.friction.is_some() && !parts.alike();
         match parts.schedule.stepping {
             Stepping::Implicit(step) | Stepping::Explicit(step) => {
                 let solves = first + (parts.schedule.extent / step - 1e-9).ceil() as u64;
@@ -171,22 +148,8 @@ impl fmt::Display for Solves {
 
 impl fmt::Display for Forecast {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.contact {
-            Some(contact) => write_contact(f, contact, self.cells_across)?,
-            None => {
-                writeln!(f, "contact           no closed form for these profiles and this motion")?
-            }
-        }
-        if let Some(creep) = &self.creep {
-            creep.fmt(f)?;
-        }
-        if let Some(fretting) = &self.fretting {
-            fretting.fmt(f)?;
-        }
-        if let Some(ratio) = self.stick_ratio {
-            writeln!(f, "stick zone        {} of the contact radius (Spence)", three(ratio))?;
-        }
-        self.write_wear(f)?;
+        write_contact(f, &self.estimate, self.cells_across)?;
+        write_wear(f, &self.estimate)?;
         if let Some(cycles) = self.cycles.filter(|cycles| cycles.total > 1) {
             cycles.fmt(f)?;
         }
@@ -212,17 +175,6 @@ impl Forecast {
         let pairs = if meshed { "pairs   " } else { "elements" };
         writeln!(f, "{pairs}          {}", self.pairs)
     }
-
-    fn write_wear(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let track = self.creep.and_then(|creep| creep.track);
-        let fretting = self.fretting.and_then(|fretting| fretting.wear);
-        match (&self.worn, track, fretting) {
-            (Some(worn), ..) => write!(f, "{worn}"),
-            (None, Some(track), _) => write!(f, "{track}"),
-            (None, None, Some(wear)) => write!(f, "{wear}"),
-            (None, None, None) => writeln!(f, "wear              no closed form, or nothing wears"),
-        }
-    }
 }
 
 impl fmt::Display for Cycles {
@@ -238,41 +190,6 @@ impl fmt::Display for Cycles {
                 writeln!(f, "cycles            about {cycles} computed of {}", self.total)
             }
         }
-    }
-}
-
-impl fmt::Display for Worn {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "worn volume       {} mm^3 at the end (k F s)", three(self.volume * 1e9))?;
-        writeln!(f, "wear depth        {} at the end (rigid bodies, eq. 55)", length(self.depth))?;
-        writeln!(f, "scar              {} at the end", axes(self.semi_axes))
-    }
-}
-
-fn write_contact(
-    f: &mut fmt::Formatter<'_>,
-    contact: &Contact,
-    cells: Option<[f64; 2]>,
-) -> fmt::Result {
-    writeln!(f, "Hertz contact     {}", axes(contact.semi_axes))?;
-    writeln!(f, "peak pressure     {}", pressure(contact.peak_pressure))?;
-    if let Some(approach) = contact.approach {
-        writeln!(f, "approach          {}", length(approach))?;
-    }
-    writeln!(f, "load              {} N", three(contact.load))?;
-    match cells {
-        Some([x, y]) => writeln!(f, "elements across   {} along x, {} along y", three(x), three(y)),
-        None => Ok(()),
-    }
-}
-
-/// Semi-axes (m) in words.
-fn axes([x, y]: [f64; 2]) -> String {
-    match (x.is_finite(), y.is_finite()) {
-        (true, true) if (x - y).abs() < 1e-9 * x => format!("radius {}", length(x)),
-        (true, true) => format!("semi-axes {} along x, {} along y", length(x), length(y)),
-        (true, false) => format!("half width {} along x, a line along y", length(x)),
-        (false, _) => format!("half width {} along y, a line along x", length(y)),
     }
 }
 

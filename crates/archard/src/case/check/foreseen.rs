@@ -5,7 +5,7 @@ use crate::verdict::{self, Verdict};
 
 /// The verdict on a run, as far as closed forms tell.
 pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
-    let (Some(first), Some(reach)) = (forecast.cells_across, forecast.reach()) else {
+    let (Some(first), Some(reach)) = (forecast.cells_across, forecast.estimate.reach()) else {
         return Verdict::default();
     };
     if parts.case.is_meshed() {

@@ -13,7 +13,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     if !parts.plane() {
         return vec![];
     }
-    let profiles = parts.profiles.each_ref().map(|profile| &**profile);
+    let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
     match ContactFrame::uniform(frame.size, frame.elements, profiles) {
         Err(off) => vec![beyond(parts, off.body)],
         Ok(built) => touch(parts, built.gap()).into_iter().collect(),
@@ -25,7 +25,7 @@ fn beyond(parts: &Parts<'_>, body: usize) -> Problem {
     let case = parts.case;
     let message = format!("reaches beyond the surface of the body `{}`", case.bodies[body].name);
     let problem = Problem::error(parts.frame_key("size"), message);
-    match largest_share(parts, &*parts.profiles[body]) {
+    match largest_share(parts, &*parts.bodies[body].profile) {
         share if share < 1e-6 => problem.help("the profile does not cover the centre of the frame"),
         share => {
             let sizes = case.frame.size.map(|size| size * share);
@@ -70,7 +70,8 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
     if largest > 0.0 && largest - least <= 1e-9 * largest {
         return Some(alike(parts, "every element has the same gap"));
     }
-    if largest == 0.0 && parts.curvatures() != Some([0.0; 2]) {
+    let curvatures = parts.subject().curvatures();
+    if largest == 0.0 && curvatures != Some([0.0; 2]) {
         return Some(alike(parts, "no gap between the bodies at any element"));
     }
     if largest == 0.0 {
@@ -81,7 +82,7 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
         );
         return Some(Problem::error(key, message).help("give one of the bodies a curved profile"));
     }
-    if let Some(curvatures) = parts.curvatures()
+    if let Some(curvatures) = curvatures
         && let Some(axis) = [0, 1].into_iter().find(|&axis| curvatures[axis] < 0.0)
     {
         let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);

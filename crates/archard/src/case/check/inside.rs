@@ -8,12 +8,9 @@ use crate::compliance::bem::Surface;
 /// Points outside of their bodies.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = vec![];
-    let bodies = parts.case.bodies.iter().zip(&parts.meshes).zip(&parts.case.points);
-    for ((body, made), points) in bodies {
-        let (Some(finite), Some(made), false) = (&body.finite, made, points.is_empty()) else {
-            continue;
-        };
-        let surface = Surface::new(&made.meshed.mesh, finite.interpolation, finite.mirrored);
+    for (body, points) in parts.bodies.iter().zip(&parts.case.points) {
+        let Some(finite) = body.finite.as_ref().filter(|_| !points.is_empty()) else { continue };
+        let surface = Surface::new(&finite.meshed.mesh, finite.interpolation, finite.mirrored);
         for point in points {
             if surface.depth(point.place.into()).is_none() {
                 let key = Key::of(["output", "points", &body.name, &point.name]);

@@ -1,15 +1,17 @@
 //! What is doubtful about a case, in words.
 
-use super::contact::{Contact, coefficient};
 use super::words::{both, length, pressure, size_list_up, three};
 use super::{Finiteness, Forecast, Parts, Solves, rolling, shift};
-use crate::body::Elasticity;
-use crate::case::definition::BodyCase;
+use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::motion::Stepping;
+use crate::estimate::Contact;
+use crate::motion::{SLIDES, Stepping};
+use crate::problem;
 use crate::simulation::lacks;
 
+/// Pressure (Pa) at which laws are read off where no other is known.
+const PRESSURE: f64 = 1e8;
 /// Cells across the contact below which it is poorly resolved.
 const FEW_CELLS: f64 = 8.0;
 /// Contact solves beyond which a run is worth a warning.
@@ -27,12 +29,12 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(useless_friction(parts));
     problems.extend(without_friction(parts));
-    problems.extend(rolling::problems(parts, forecast.contact.as_ref()));
+    problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
     problems.extend(long(parts, forecast));
     problems.extend(forecast.finiteness.iter().filter_map(Finiteness::doubt));
-    if let Some(contact) = &forecast.contact {
+    if let Some(contact) = &forecast.estimate.contact {
         match too_small(parts, contact) {
             Some(problem) => problems.push(problem),
             None => {
@@ -53,7 +55,7 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
     }
     let motion = parts.case.motion.choice.name;
     let slides = parts.slip() > 0.0;
-    if slides && parts.wear.iter().all(Option::is_none) {
+    if slides && !parts.wears() {
         let message = "the bodies slide, but neither has a `wear` table: nothing will wear";
         return vec![Problem::warning(Key::of(["motion", motion]), message)];
     }
@@ -72,7 +74,8 @@ fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
 
 /// Friction where the motion does not ask for it.
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
-    let asked = parts.wear.iter().flatten().any(|law| lacks(&**law, false));
+    let asked =
+        parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| lacks(law, false));
     (parts.friction.is_some() && !asked && !tells_slip_from_stick(parts)).then(|| {
         let name = parts.case.motion.choice.name;
         let message = format!("has no effect in `motion.{name}`: all of the contact slides");
@@ -82,22 +85,24 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
 
 /// Wear laws of friction's work where there is no friction.
 fn without_friction(parts: &Parts<'_>) -> Vec<Problem> {
-    let bodies = parts.case.bodies.iter().zip(&parts.wear);
-    let lacking = bodies
-        .filter(|(_, law)| law.as_ref().is_some_and(|law| lacks(&**law, parts.friction.is_some())));
-    let problem = |body: &BodyCase| {
+    let friction = parts.friction.is_some();
+    let lacking = parts
+        .bodies
+        .iter()
+        .filter(|body| body.wear.as_ref().is_some_and(|law| lacks(&**law, friction)));
+    let problem = |body: &Body| {
         let key = Key::of(["body", &body.name, "wear"]);
         Problem::error(key, "goes by the work of friction, and there is none")
             .help("give a `friction` table")
     };
-    lacking.map(|(body, _)| problem(body)).collect()
+    lacking.map(problem).collect()
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.
 fn explicit(parts: &Parts<'_>) -> Option<Problem> {
     let Stepping::Explicit(step) = parts.schedule.stepping else { return None };
     let opening = stable(parts);
-    let wear = coefficient(parts, 1e8) * parts.motion.slip(step);
+    let wear = wear_slope(parts) * parts.motion.slip(step);
     (wear > opening).then(|| {
         let message = format!(
             "the explicit scheme is unstable with this step on square elements: pressures will swing from element to element, though depth and volume look right; the bound is {} here",
@@ -108,10 +113,17 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
     })
 }
 
+/// Depth worn off both bodies per pressure and distance slid (1/Pa).
+pub(super) fn wear_slope(parts: &Parts<'_>) -> f64 {
+    let rubbing = problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, SLIDES);
+    let laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
+    laws.map(|law| law.slope(rubbing)).sum()
+}
+
 /// Wear per pressure (m/Pa) up to which explicit steps are stable.
 pub(super) fn stable(parts: &Parts<'_>) -> f64 {
     let [dx, dy] = parts.case.frame.spacing();
-    2.0 * SMALLEST_EIGENVALUE * dx.min(dy) / parts.contact_modulus()
+    2.0 * SMALLEST_EIGENVALUE * dx.min(dy) / parts.subject().contact_modulus()
 }
 
 /// More contact solves than anyone will wait for.
@@ -168,7 +180,7 @@ fn extents_in_words(extents: [f64; 2]) -> String {
 fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let size = parts.case.frame.size;
     let (key, word) = (parts.frame_key("size"), parts.frame_word());
-    let contact = forecast.contact.as_ref()?;
+    let contact = forecast.estimate.contact.as_ref()?;
     if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {
         if ends_there(parts, axis) {
             return None;
@@ -179,7 +191,7 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         );
         return Some(Problem::warning(key, message));
     }
-    let reach = forecast.reach()?;
+    let reach = forecast.estimate.reach()?;
     let cut: Vec<&str> = [0, 1]
         .into_iter()
         .filter(|&axis| 2.0 * reach[axis] > size[axis])
@@ -200,17 +212,17 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
 /// Whether both bodies are finite and end along an axis where the zone does.
 fn ends_there(parts: &Parts<'_>, axis: usize) -> bool {
     let half = 0.5 * parts.case.frame.size[axis];
-    parts.case.bodies.iter().zip(&parts.meshes).all(|(body, made)| {
-        let (Some(finite), Some(made)) = (&body.finite, made) else { return false };
-        let mut vertices = made.meshed.mesh.vertices.iter();
+    parts.bodies.iter().all(|body| {
+        let Some(finite) = &body.finite else { return false };
+        let mut vertices = finite.meshed.mesh.vertices.iter();
         finite.elasticity == Elasticity::BoundaryElements
-            && !made.meshed.placed
+            && !finite.meshed.placed
             && vertices.all(|vertex| vertex[axis].abs() <= half * (1.0 + 1e-9))
     })
 }
 
 fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
-    let (contact, cells) = (forecast.contact?, forecast.cells_across?);
+    let (contact, cells) = (forecast.estimate.contact?, forecast.cells_across?);
     // A line contact has no width along the line.
     let wide = (0..2).filter(|&axis| contact.semi_axes[axis].is_finite());
     let fewest = wide.map(|axis| cells[axis]).fold(f64::INFINITY, f64::min);
@@ -227,9 +239,9 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
 
 /// A contact wide beside a body's radius, where a half-space no longer stands for the body.
 fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
-    let reach = forecast.reach()?;
-    for (which, body) in parts.case.bodies.iter().enumerate() {
-        let curvatures = parts.curvatures_of(which)?;
+    let reach = forecast.estimate.reach()?;
+    for body in &parts.bodies {
+        let curvatures = body.curvatures()?;
         let finite = body.finite.as_ref();
         if finite.is_some_and(|finite| finite.elasticity == Elasticity::BoundaryElements) {
             continue;

@@ -18,12 +18,10 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = on_the_zone(parts);
     problems.extend(across(parts));
     problems.extend(askew(parts));
-    let bodies = parts.case.bodies.each_ref().map(BodyCase::build);
-    let [Ok(first), Ok(second)] = &bodies else { return problems };
-    match Meeting::of([first, second]) {
+    match Meeting::of(parts.bodies.each_ref()) {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
-            problems.extend(lopsided(parts, [first, second], meeting.pairs()));
+            problems.extend(lopsided(parts, meeting.pairs()));
             if parts.motion.rolling().is_some() && !meeting.is_plane() {
                 problems.push(on_a_curve(parts));
             }
@@ -108,12 +106,9 @@ fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Undetermined) -> Pro
                 .help("clamp a surface, or give rollers or displacements on several")
         }
         Undetermined::TwoSupports { place: [x, y, z], surfaces } => {
-            let known = parts.meshes.iter().zip(&parts.case.bodies);
-            let mesh = known
-                .filter(|(_, other)| other.name == body.name)
-                .find_map(|(mesh, _)| mesh.as_ref());
+            let mesh = parts.meshed().find(|(other, _)| other.name == body.name);
             let names = surfaces.map(|surface| {
-                let name = mesh.and_then(|mesh| mesh.meshed.mesh.surfaces.get(surface));
+                let name = mesh.and_then(|(_, finite)| finite.meshed.mesh.surfaces.get(surface));
                 name.map_or_else(String::new, |name| format!("`{name}`"))
             });
             let message = format!(
@@ -130,16 +125,15 @@ fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Undetermined) -> Pro
 /// Supports of a surface all of which may touch.
 fn on_the_zone(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = vec![];
-    for (body, made) in parts.case.bodies.iter().zip(&parts.meshes) {
-        let (Some(finite), Some(made)) = (&body.finite, made) else { continue };
-        let (mesh, zone) = (&made.meshed.mesh, &made.meshed.zone.faces);
-        for (name, _) in &finite.supports {
-            let of_it = |face: usize| mesh.surfaces[mesh.faces[face].surface] == *name;
+    for (body, finite) in parts.meshed() {
+        let (mesh, zone) = (&finite.meshed.mesh, &finite.meshed.zone.faces);
+        for (surface, _) in &finite.supports {
+            let of_it = |face: usize| mesh.faces[face].surface == *surface;
             let touching = zone.iter().filter(|&&face| of_it(face)).count();
             if touching > 0 && touching == (0..mesh.faces.len()).filter(|&face| of_it(face)).count()
             {
                 let message = "is the surface that may touch: what acts on it is found, not given";
-                let key = key(body, "supports").child(name);
+                let key = key(body, "supports").child(&mesh.surfaces[*surface]);
                 problems.push(Problem::error(key, message).at_name());
             }
         }
@@ -169,12 +163,12 @@ fn askew(parts: &Parts<'_>) -> Option<Problem> {
         body.name
     );
     let help = format!("leave `body.{}.symmetry` out, or turn the axes along x and y", body.name);
-    inclined(&**parts.friction.as_ref()?, mirrored)
+    inclined(parts.friction.as_deref()?, mirrored)
         .then(|| Problem::error(Key::of(["friction", law]), message).at_name().help(help))
 }
 
 /// A profile that is not symmetric where a mesh is.
-fn lopsided(parts: &Parts<'_>, bodies: [&Body; 2], pairs: &Pairs) -> Option<Problem> {
+fn lopsided(parts: &Parts<'_>, pairs: &Pairs) -> Option<Problem> {
     let (halved, mirrored) = parts.halved()?;
     let largest = pairs.gap.iter().fold(0.0_f64, |largest, gap| largest.max(gap.abs()));
     for (axis, name) in AXES.into_iter().enumerate().filter(|(axis, _)| mirrored[*axis]) {
@@ -186,7 +180,7 @@ fn lopsided(parts: &Parts<'_>, bodies: [&Body; 2], pairs: &Pairs) -> Option<Prob
                 difference.is_nan() || difference.abs() > 1e-6 * largest
             })
         };
-        let Some(body) = bodies.into_iter().find(uneven) else { continue };
+        let Some(body) = parts.bodies.iter().find(uneven) else { continue };
         let message = format!(
             "the profile of `{}` is not the same on both sides of the plane {name} = 0",
             body.name

@@ -1,121 +1,110 @@
 //! What can be known of a case before it is run: closed forms, cost, and what is doubtful.
 
 mod coarse;
-mod contact;
-mod creep;
 mod cycles;
+mod expected;
 mod finite;
-mod footprint;
+pub(super) mod footprint;
 mod forecast;
 mod foreseen;
 mod free;
 mod geometry;
 mod inside;
 mod judge;
-mod made;
 mod meeting;
 pub(super) mod memory;
-mod partial_slip;
 mod rolling;
 mod shift;
 pub(super) mod slender;
 mod words;
 
 pub use coarse::BesideHalfSpace;
-pub use contact::{Contact, Worn};
-pub use creep::{Creep, Track};
 pub use cycles::Cycles;
 pub use finite::Finiteness;
-pub(super) use footprint::BYTES_A_PAIR;
 pub use forecast::{Forecast, Solves};
-pub use partial_slip::{Fretting, FrettingWear};
 
-use super::definition::{BodyCase, Case};
+use super::chosen::Chosen;
+use super::definition::{BodyCase, BuildError, Case};
 use super::key::Key;
 use super::problem::{Problem, Severity};
-use crate::body::{Profile, contact_modulus, curvatures};
-use crate::closed_form::free_rolling;
+use crate::body::{Body, Elasticity, Finite};
+use crate::compliance::bem::Size;
+use crate::estimate::{Course, Estimate, Estimator, Subject};
 use crate::friction::Friction;
-use crate::motion::{Motion, Schedule};
-use crate::parameters::Invalid;
-use crate::wear::WearLaw;
-use made::Made;
+use crate::motion::{Control, Motion, Schedule};
 
 /// The parts of a case, built.
-struct Parts<'a> {
+pub(super) struct Parts<'a> {
     case: &'a Case,
-    profiles: [Box<dyn Profile>; 2],
-    meshes: [Option<Made>; 2],
-    wear: [Option<Box<dyn WearLaw>>; 2],
-    friction: Option<Box<dyn Friction>>,
-    motion: Motion,
-    schedule: Schedule,
+    pub(super) bodies: [Body; 2],
+    pub(super) friction: Option<Box<dyn Friction>>,
+    pub(super) motion: Motion,
+    pub(super) schedule: Schedule,
 }
 
 impl<'a> Parts<'a> {
-    fn of(case: &'a Case) -> Result<Self, Invalid> {
+    pub(super) fn of(case: &'a Case) -> Result<Self, BuildError> {
         let [first, second] = &case.bodies;
-        let wear = |body: &BodyCase| body.wear.as_ref().map(|wear| wear.build()).transpose();
-        let made = |body: &BodyCase| body.finite.as_ref().map(Made::of).transpose();
         let (motion, schedule) = case.motion.build()?;
         Ok(Self {
             case,
-            profiles: [first.profile.build()?, second.profile.build()?],
-            meshes: [made(first)?, made(second)?],
-            wear: [wear(first)?, wear(second)?],
-            friction: case.friction.as_ref().map(|friction| friction.build()).transpose()?,
+            bodies: [first.build()?, second.build()?],
+            friction: case.friction.as_ref().map(Chosen::build).transpose()?,
             motion,
             schedule,
         })
     }
 
-    /// Contact modulus E* (Pa).
-    fn contact_modulus(&self) -> f64 {
-        contact_modulus(self.case.bodies.each_ref().map(|body| body.material.as_ref()))
+    /// What closed forms look at.
+    fn subject(&self) -> Subject<'_> {
+        Subject {
+            bodies: &self.bodies,
+            size: self.case.frame.size,
+            friction: self.friction.as_deref(),
+            motion: &self.motion,
+        }
     }
 
-    /// Shear moduli (Pa), infinite for a rigid body, and Poisson ratios.
-    fn elasticity(&self) -> ([f64; 2], [f64; 2]) {
-        let materials = self.case.bodies.each_ref().map(|body| body.material);
-        (
-            materials.map(|material| material.map_or(f64::INFINITY, |one| one.shear_modulus())),
-            materials.map(|material| material.map_or(0.0, |one| one.poisson)),
-        )
+    /// What closed forms expect once the motion has gone so far (its own unit).
+    fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
+        let control = self.schedule.control;
+        let load_distance = match control {
+            Control::Load(load) => Some(load * self.motion.slip(progress)),
+            Control::Approach(_) => None,
+        };
+        estimator.of(&self.subject(), &Course { control, progress, load_distance })
     }
 
-    /// Dundurs' constant beta; zero for bodies of one material.
-    fn dundurs_beta(&self) -> f64 {
-        let (moduli, poissons) = self.elasticity();
-        free_rolling::dundurs_beta(moduli, poissons)
+    /// Whether bodies of one elasticity touch.
+    fn alike(&self) -> bool {
+        self.subject().dundurs_beta() == 0.0
     }
 
-    /// Curvatures of both bodies together along x and y (1/m), where both have them.
-    fn curvatures(&self) -> Option<[f64; 2]> {
-        let [first, second] = [self.curvatures_of(0)?, self.curvatures_of(1)?];
-        Some([first[0] + second[0], first[1] + second[1]])
+    /// Whether any body wears.
+    fn wears(&self) -> bool {
+        self.bodies.iter().any(|body| body.wear.is_some())
     }
 
-    /// Curvatures of a body along x and y (1/m), where it has them: of its mesh and of the profile on it.
-    fn curvatures_of(&self, body: usize) -> Option<[f64; 2]> {
-        let mesh = self.meshes[body].as_ref().map(|made| made.curvatures);
-        curvatures(&*self.profiles[body], mesh)
+    /// The bodies that are meshed, as written and as built.
+    fn meshed(&self) -> impl Iterator<Item = (&BodyCase, &Finite)> {
+        let bodies = self.case.bodies.iter().zip(&self.bodies);
+        bodies.filter_map(|(case, body)| Some((case, body.finite.as_ref()?)))
     }
 
     /// Whether the meshes, if there are any, are plane where the bodies touch.
     fn plane(&self) -> bool {
-        self.meshes.iter().flatten().all(|made| made.curvatures == Some([0.0; 2]))
+        self.meshed().all(|(_, finite)| finite.curvatures == Some([0.0; 2]))
     }
 
     /// The number of pairs.
     fn pairs(&self) -> usize {
         let [nx, ny] = self.case.frame.elements;
-        self.meshes.iter().flatten().next().map_or(nx * ny, |made| made.size.contact / 3)
+        self.meshed().next().map_or(nx * ny, |(_, finite)| size(finite).contact / 3)
     }
 
     /// The meshed body with the most unknowns.
     fn largest(&self) -> Option<&BodyCase> {
-        let meshed = self.case.bodies.iter().zip(&self.meshes);
-        let sized = meshed.filter_map(|(body, made)| Some((body, made.as_ref()?.size)));
+        let sized = self.meshed().map(|(body, finite)| (body, size(finite)));
         let largest = sized.max_by_key(|(_, size)| (size.unknowns, size.contact));
         largest.map(|(body, _)| body)
     }
@@ -148,22 +137,30 @@ impl<'a> Parts<'a> {
         if self.case.is_meshed() { "zone" } else { "frame" }
     }
 
-    /// Largest tangential traction in any direction over the pressure (Pa); zero without friction.
-    fn friction_coefficient(&self, pressure: f64) -> f64 {
-        self.friction
-            .as_deref()
-            .map_or(0.0, |friction| friction.map().largest() * friction.limit(pressure) / pressure)
-    }
-
     /// Distance slid in the whole motion (m).
     fn slip(&self) -> f64 {
         self.motion.slip(self.schedule.extent)
     }
 }
 
-/// Memory (bytes) that a run of a case takes, an estimate.
-pub(super) fn memory_of(case: &Case) -> Result<f64, Invalid> {
-    Parts::of(case).map(|parts| footprint::memory(&parts, Contact::of(&parts).as_ref()))
+/// The size of the equations of a meshed body; a half-space in its place has no unknowns.
+fn size(finite: &Finite) -> Size {
+    let size = Size::of(&finite.meshed, finite.interpolation);
+    match finite.elasticity {
+        Elasticity::BoundaryElements => size,
+        Elasticity::HalfSpace => Size { unknowns: 0, ..size },
+    }
+}
+
+impl Case {
+    /// What closed forms expect at these places of the motion (its own unit), under the load or approach of its end.
+    pub fn estimates(&self, progress: impl Iterator<Item = f64>) -> Vec<Estimate> {
+        let estimator = Estimator::default();
+        let parts = Parts::of(self).ok();
+        let at =
+            |parts: Parts<'_>| progress.map(|place| parts.estimate(&estimator, place)).collect();
+        parts.map_or(vec![], at)
+    }
 }
 
 /// The forecast of a case and what is wrong or doubtful with it.
@@ -175,8 +172,8 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
             (forecast, problems)
         }
         // A case that was read has been built once already.
-        Err(invalid) => {
-            let problem = Problem::error(Key::default(), invalid.message);
+        Err(error) => {
+            let problem = Problem::error(Key::default(), error.to_string());
             (Forecast::default(), vec![problem])
         }
     }
@@ -184,19 +181,15 @@ pub(super) fn check(case: &Case) -> (Forecast, Vec<Problem>) {
 
 /// What is wrong or doubtful; nothing else is worth checking where the bodies do not meet.
 fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
+    let sound = |problems: &[Problem]| problems.iter().all(|one| one.severity == Severity::Warning);
     let mut problems: Vec<Problem> = memory::problems(parts, forecast.memory).into_iter().collect();
-    if parts.case.is_meshed() {
-        if problems.iter().all(|problem| problem.severity == Severity::Warning) {
-            problems.extend(meeting::problems(parts));
-            problems.extend(inside::problems(parts));
-            problems.extend(slender::problems(parts));
-        }
-        if problems.iter().any(|problem| problem.severity == Severity::Error) {
-            return problems;
-        }
+    if parts.case.is_meshed() && sound(&problems) {
+        problems.extend(meeting::problems(parts));
+        problems.extend(inside::problems(parts));
+        problems.extend(slender::problems(parts));
     }
     // The gaps of a frame that does not fit are not made.
-    if problems.iter().any(|problem| problem.severity == Severity::Error) {
+    if !sound(&problems) {
         return problems;
     }
     let geometry = geometry::problems(parts);

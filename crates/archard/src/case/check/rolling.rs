@@ -1,20 +1,18 @@
 //! What is doubtful about a rolling case, in words.
 
 use super::Parts;
-use super::contact::Contact;
 use super::words::{length, size_list_up, three};
+use crate::body::Body;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::estimate::Contact;
 use crate::motion::{Control, Drive, Rolling};
-
-/// Pressure (Pa) at which a coefficient of friction is read off where no other is known.
-const PRESSURE: f64 = 1e8;
 
 /// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
     let Some(rolling) = parts.motion.rolling() else { return vec![] };
     let mut problems = wear(parts, rolling);
-    problems.extend(friction(parts, rolling, contact));
+    problems.extend(friction(parts, rolling));
     problems.extend(narrow(parts, rolling, contact));
     problems.extend(worn_radius(parts, rolling));
     problems.extend(over_the_rim(parts, rolling));
@@ -65,12 +63,14 @@ fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
 /// Whether nothing drives bodies that roll on each other as one.
 fn is_still(parts: &Parts<'_>, rolling: &Rolling) -> bool {
     let is_zero = |drive: Drive| matches!(drive, Drive::Creepage(0.0) | Drive::Force(0.0));
-    let alike = parts.dundurs_beta() == 0.0;
-    alike && is_zero(rolling.longitudinal) && is_zero(rolling.lateral) && rolling.spin == 0.0
+    parts.alike()
+        && is_zero(rolling.longitudinal)
+        && is_zero(rolling.lateral)
+        && rolling.spin == 0.0
 }
 
 /// Friction that is missing, or bears less than it has to.
-fn friction(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Option<Problem> {
+fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let force = |drive: Drive| if let Drive::Force(force) = drive { force } else { 0.0 };
     let (along, across) = (force(rolling.longitudinal), force(rolling.lateral));
     let asked = along.hypot(across);
@@ -84,8 +84,11 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> 
         return Some(Problem::warning(motion(parts), message).at_name());
     }
     let Control::Load(load) = parts.schedule.control else { return None };
-    let pressure = contact.map_or(PRESSURE, |contact| contact.peak_pressure);
-    let bears = parts.friction_coefficient(pressure) * load;
+    let given = [rolling.longitudinal, rolling.lateral].map(|one| matches!(one, Drive::Force(_)));
+    let direction = rolling.direction;
+    let [forward, lateral] = [direction.forward(), direction.lateral()];
+    let force = [0, 1].map(|axis| along * forward[axis] + across * lateral[axis]);
+    let bears = parts.subject().largest_force(force, given)? * load;
     (asked > 0.0 && asked >= bears).then(|| {
         let both =
             if along != 0.0 && across != 0.0 { " together with `lateral_force`" } else { "" };
@@ -121,13 +124,12 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
 /// A creepage that is to follow worn radii of bodies that have none.
 fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let axis = rolling.direction.axis;
-    let without = |body: &usize| {
-        let curvature = parts.curvatures_of(*body).map_or(0.0, |both| both[axis]);
-        curvature == 0.0 && parts.wear[*body].is_some()
+    let without = |body: &&Body| {
+        body.wear.is_some() && body.curvatures().is_none_or(|both| both[axis] == 0.0)
     };
-    let body = (0..2).filter(|_| rolling.worn_radius).find(without)?;
-    let name = &parts.case.bodies[body].name;
-    let lack = match parts.curvatures_of(body) {
+    let body = parts.bodies.iter().filter(|_| rolling.worn_radius).find(without)?;
+    let name = &body.name;
+    let lack = match body.curvatures() {
         Some(_) => format!("the body `{name}` has no radius along the direction of rolling"),
         None => {
             format!("the radius of the body `{name}` along the direction of rolling is not known")
@@ -140,10 +142,10 @@ fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
 /// Discs that roll across their rim.
 fn over_the_rim(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let axis = rolling.direction.axis;
-    let bodies = parts.case.bodies.iter().zip(&parts.profiles);
-    let mut discs = bodies.filter(|(body, _)| body.profile.choice.name == "disc");
-    let (body, _) = discs.find(|(_, profile)| {
-        profile.curvatures().is_some_and(|both| both[1 - axis] > both[axis])
+    let bodies = parts.case.bodies.iter().zip(&parts.bodies);
+    let mut discs = bodies.filter(|(case, _)| case.profile.choice.name == "disc");
+    let (body, _) = discs.find(|(_, body)| {
+        body.profile.curvatures().is_some_and(|both| both[1 - axis] > both[axis])
     })?;
     let message =
         format!("discs roll along x: this way the body `{}` rolls across its rim", body.name);

@@ -1,29 +1,27 @@
 //! What is doubtful about bodies that are pressed and shifted step by step, in words.
 
-use super::contact::{Contact, coefficient};
 use super::forecast::Forecast;
-use super::judge::stable;
+use super::judge::{stable, wear_slope};
 use super::words::{length, size_list_up, three};
 use super::{Parts, Solves};
 use crate::body::Elasticity;
-use crate::case::definition::{FiniteCase, Output};
+use crate::case::definition::Output;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::estimate::Contact;
 use crate::motion::{Control, Guide, Shift, Station, Stepping};
 
 /// Size of a comfortable frame in radii of a scar.
 const ROOM: f64 = 2.2;
 /// Share of the half width of a contact beyond which a shift is not small.
 const FAR: f64 = 0.3;
-/// Pressure (Pa) at which laws are read off where no other is known.
-const PRESSURE: f64 = 1e8;
 
 /// All that is wrong or doubtful about pressing and shifting.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let Some(shift) = parts.motion.shift() else { return vec![] };
     let mut problems: Vec<Problem> = sliding_away(parts, shift).into_iter().collect();
     problems.extend(no_effect(parts, shift));
-    problems.extend(far(parts, shift, forecast.contact.as_ref()));
+    problems.extend(far(parts, shift, forecast.estimate.contact.as_ref()));
     problems.extend(useless_phases(parts));
     problems.extend(useless_jumps(parts, forecast));
     problems.extend(coarse_increments(parts, shift));
@@ -46,9 +44,9 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
     // What leads to a first line of a path grows evenly: that line is the one to change.
     let first = shift.lead.last().map(|station| (0.0, station));
     let cycle = shift.places.iter().copied().zip(&shift.cycle);
-    let asked = first.into_iter().chain(cycle).filter(|(_, station)| force(station) > 0.0);
+    let asked = first.into_iter().chain(cycle).filter(|(_, station)| size(force(station)) > 0.0);
     let mut beyond = asked.filter_map(|(place, station)| {
-        let excess = force(station) - (1.0 - 1e-9) * borne(parts, station)?;
+        let excess = size(force(station)) - (1.0 - 1e-9) * borne(parts, station)?;
         (excess >= 0.0).then_some((place, station, excess))
     });
     let (name, when, station) = if given(parts, "force_amplitude") {
@@ -58,7 +56,7 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
         let (place, station, _) = beyond.next()?;
         ("file", format!(" at {}", shift.progress.at(place)), station)
     };
-    let force = three(force(station));
+    let force = three(size(force(station)));
     let message = if parts.friction.is_none() {
         format!("nothing bears the force of {force} N{when} without a `friction` table")
     } else {
@@ -70,33 +68,34 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
     Some(Problem::error(key(parts, name), message))
 }
 
-/// The tangential force (N) prescribed at a station.
-fn force(station: &Station) -> f64 {
-    let [x, y] = station.guides.map(|guide| match guide {
+/// The tangential force (N) prescribed at a station, along x and y.
+fn force(station: &Station) -> [f64; 2] {
+    station.guides.map(|guide| match guide {
         Guide::Force(force) => force,
         Guide::Shift(_) => 0.0,
-    });
+    })
+}
+
+fn size([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// The force (N) friction bears at a station, where the load there is known.
+/// The force (N) friction bears at a station in the direction of the one prescribed, where the load there is known.
 fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
     if parts.friction.is_none() {
         return Some(0.0);
     }
-    let contact = Contact::under(parts, station.control);
-    let load = match (station.control, contact) {
-        (Control::Load(load), _) => load,
-        (Control::Approach(_), contact) => contact?.load,
+    let load = match station.control {
+        Control::Load(load) => load,
+        Control::Approach(_) => parts.subject().contact(station.control)?.load,
     };
-    let pressure = contact.map_or(PRESSURE, |contact| contact.peak_pressure);
-    Some(parts.friction_coefficient(pressure) * load)
+    let given = station.guides.map(|guide| matches!(guide, Guide::Force(_)));
+    Some(parts.subject().largest_force(force(station), given)? * load)
 }
 
 /// Whether a body deforms as its shape tells: those of one elasticity then slip as well.
 fn shaped(parts: &Parts<'_>) -> bool {
-    let by_shape = |finite: &FiniteCase| finite.elasticity == Elasticity::BoundaryElements;
-    parts.case.bodies.iter().any(|body| body.finite.as_ref().is_some_and(by_shape))
+    parts.meshed().any(|(_, finite)| finite.elasticity == Elasticity::BoundaryElements)
 }
 
 /// Friction and wear that cannot show where bodies of one elasticity are pressed together.
@@ -108,7 +107,7 @@ fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
             problems.push(Problem::warning(key(parts, name), message));
         }
     }
-    if shift.moves() || parts.dundurs_beta() != 0.0 || shaped(parts) {
+    if shift.moves() || !parts.alike() || shaped(parts) {
         return problems;
     }
     const REASON: &str = "bodies of one elasticity that are only pressed together do not slip";
@@ -171,7 +170,7 @@ fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         Stepping::Implicit(_) | Stepping::Explicit(_) => return None,
     };
     let warning = |message: String| Problem::warning(key(parts, name), message).at_name();
-    if parts.wear.iter().all(Option::is_none) {
+    if !parts.wears() {
         let message =
             "neither body has a `wear` table: cycles that are jumped over are only left out";
         return Some(warning(message.to_owned()).help("a few `cycles` are enough without wear"));
@@ -226,19 +225,19 @@ fn coarse_increments(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
 
 /// The slip (m) in one increment up to which wear is stable; `None` where nothing wears.
 fn farthest_slip(parts: &Parts<'_>) -> Option<f64> {
-    let coefficient = coefficient(parts, PRESSURE);
-    (coefficient > 0.0).then(|| stable(parts) / coefficient)
+    let slope = wear_slope(parts);
+    (slope > 0.0).then(|| stable(parts) / slope)
 }
 
 /// The farthest (m) that pairs may slide in an increment of a cycle: the shift of the bodies, and what
 /// pressing unlike ones together makes the edge of the contact slip without friction.
 fn slip_of_an_increment(parts: &Parts<'_>, shift: &Shift) -> f64 {
     // A sphere of radius R draws the edge of its contact of radius a inwards by 4 beta a^2 / (3 pi R).
-    let drawn = 4.0 * parts.dundurs_beta().abs() / (3.0 * std::f64::consts::PI);
+    let drawn = 4.0 * parts.subject().dundurs_beta().abs() / (3.0 * std::f64::consts::PI);
     let approach = |station: &Station| match station.control {
         Control::Approach(approach) => Some(approach),
         Control::Load(0.0) => Some(0.0),
-        load => Contact::under(parts, load)?.approach,
+        load => parts.subject().contact(load)?.approach,
     };
     let between = |before: &Station, after: &Station| {
         let moved = [0, 1].map(|axis| match (before.guides[axis], after.guides[axis]) {
@@ -254,8 +253,8 @@ fn slip_of_an_increment(parts: &Parts<'_>, shift: &Shift) -> f64 {
 
 /// A frame that the scar grows out of.
 fn scar_beyond_the_frame(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
-    let wear = forecast.fretting?.wear.filter(|wear| wear.ends())?;
-    let width = 2.0 * wear.final_radius;
+    let radius = forecast.estimate.fretting?.wear.filter(|wear| wear.ends())?.end.scar_radius;
+    let width = 2.0 * radius;
     (parts.case.frame.size.iter().any(|&size| size < width)).then(|| {
         let message = format!(
             "the scar will reach the edge of the {}: it ends {} wide, when the stick zone bears all of the load",
@@ -263,6 +262,6 @@ fn scar_beyond_the_frame(parts: &Parts<'_>, forecast: &Forecast) -> Option<Probl
             length(width)
         );
         Problem::warning(parts.frame_key("size"), message)
-            .help(format!("it needs about `size = {}`", size_list_up([ROOM * wear.final_radius; 2])))
+            .help(format!("it needs about `size = {}`", size_list_up([ROOM * radius; 2])))
     })
 }

@@ -8,9 +8,8 @@ use crate::verdict::{self, Word};
 
 /// What is doubtful about the meshes of bodies in contact.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
-    let bodies = parts.case.bodies.iter().zip(&parts.meshes);
-    let found = bodies.filter_map(|(body, made)| {
-        let longest = body.finite.as_ref()?.slenderness(&made.as_ref()?.meshed).ok()??;
+    let found = parts.meshed().filter_map(|(body, finite)| {
+        let longest = body.finite.as_ref()?.slenderness(&finite.meshed).ok()??;
         problem(body, longest)
     });
     found.collect()

@@ -1,6 +1,6 @@
 //! The frame of a case.
 
-use crate::case::check::BYTES_A_PAIR;
+use crate::case::check::footprint::BYTES_A_PAIR;
 use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;

@@ -23,7 +23,8 @@ use crate::body::Material;
 
 pub use indentation::Indentation;
 
-/// The coupling beta of two bodies, positive when the first is the more compliant one.
+/// The coupling beta of two bodies, Dundurs' constant (Johnson, eq. 5.3), positive when the first is the more
+/// compliant one.
 ///
 /// A body that is `None` is rigid: next to one the other has (1 - 2 nu)/(2 (1 - nu)). Two rigid bodies
 /// have none.

@@ -9,7 +9,7 @@ mod work;
 
 use serde::{Deserialize, Serialize};
 
-use super::coefficients;
+use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
 use crate::problem::ContactProblem;
 use crate::simulation::Report;
@@ -144,13 +144,14 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
+    let subject = Subject::from(*problem);
     let expected = match problem.motion.shift() {
         Some(shift) if shift.end_pressure => return None,
-        Some(_) => effort.dissipated[1] / coefficients::of_friction(problem)?,
+        Some(_) => effort.dissipated[1] / subject.friction_coefficient()?,
         None => effort.load_distance,
     };
     let off = |body: usize| {
-        let k = coefficients::of_wear(problem, body)?;
+        let k = subject.wear_coefficient(body)?;
         let name = &problem.bodies[body].name;
         let columns = [WORN_VOLUME, WORN_SECTION].map(|column| of_body(column, name));
         let worn = columns.iter().find_map(|column| number(row, column))?;

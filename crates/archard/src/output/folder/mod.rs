@@ -15,13 +15,13 @@ use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;
 
-use super::closed_forms::ClosedForms;
 use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{Error, Image, Surface, Totals, file, pvd, sections};
+use crate::estimate::Estimator;
 use crate::simulation::history::TIME_ERROR;
 use crate::simulation::{Observer, Report, row};
 use crate::verdict::Verdict;
@@ -53,7 +53,7 @@ pub struct ResultFolder {
     /// Progress and file of every output so far.
     outputs: Vec<(f64, String)>,
     iterations: usize,
-    closed_forms: ClosedForms,
+    estimator: Estimator,
     standing: Option<Standing>,
     evidence: Evidence,
     clock: Clock,
@@ -86,7 +86,7 @@ impl ResultFolder {
             fretting_loop: FrettingLoop::default(),
             outputs: Vec::new(),
             iterations: 0,
-            closed_forms: ClosedForms::default(),
+            estimator: Estimator::default(),
             standing: None,
             evidence: Evidence::default(),
             clock: Clock::new(),
@@ -129,7 +129,7 @@ impl ResultFolder {
             fretting_loop,
             outputs,
             iterations,
-            closed_forms: ClosedForms::default(),
+            estimator: Estimator::default(),
             standing: None,
             evidence,
             clock: Clock::new(),
@@ -213,7 +213,7 @@ impl ResultFolder {
         let row = row(report);
         if report.again {
             // All else of it was kept.
-            self.standing = Some(Standing::of(report, &row, self.closed_forms.of(report)));
+            self.standing = Some(Standing::of(report, &row, &self.estimator));
             return Ok(());
         }
         finite(report, &row)?;
@@ -231,7 +231,7 @@ impl ResultFolder {
         }
         self.evidence.take(report, &row);
         self.iterations += report.effort.iterations;
-        self.standing = Some(Standing::of(report, &row, self.closed_forms.of(report)));
+        self.standing = Some(Standing::of(report, &row, &self.estimator));
         self.keep(report, false)
     }
 

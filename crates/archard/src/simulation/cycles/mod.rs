@@ -347,6 +347,7 @@ impl Cycles {
         self.effort.steps += 1;
         open.index += 1;
         if index == last {
+            rig.end_cycle(&simulation.problem);
             *dissipated += rig.rubbed.dissipated;
             if jumps {
                 let reference = open.reference.take().unwrap_or_else(|| rig.clone());

@@ -81,6 +81,11 @@ impl Rig {
         self.rubbed = Rubbed::none(self.chain.displacement.len());
     }
 
+    /// Ends it.
+    pub fn end_cycle(&mut self, problem: &ContactProblem) {
+        self.rubbed.end_cycle(&mut self.chain, problem);
+    }
+
     /// Brings the bodies to a station at some progress (the motion's unit), with all the rubbing on the way.
     pub fn increment(
         &mut self,

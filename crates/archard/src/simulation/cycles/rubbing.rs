@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::problem::{ContactProblem, ContactState};
 use crate::simulation::chain::Chain;
-use crate::wear::Rubbing;
+use crate::wear::{Per, Rubbing};
 
 /// What rubbing did since a cycle began.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -23,30 +23,63 @@ pub(super) struct Rubbed {
     pub work: Vec<f64>,
     /// Energy dissipated (J).
     pub dissipated: f64,
+    /// All that pairs went through, where a law takes a whole cycle.
+    pub whole: Vec<Option<Rubbing>>,
 }
 
 impl Rubbed {
     pub fn none(pairs: usize) -> Self {
         let zeros = || vec![0.0; pairs];
         let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
-        Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0 }
+        Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0, whole: vec![] }
     }
 
     /// Takes up what was rubbed since a state, and wears both bodies by it.
     pub fn take_up(&mut self, chain: &mut Chain, before: &ContactState, problem: &ContactProblem) {
-        for pair in 0..before.pressure.len() {
-            let Some(rubbing) = stroke(pair, [before, &chain.state], problem) else { continue };
+        let stroke = |pair| Some((pair, stroke(pair, [before, &chain.state], problem)?));
+        let strokes: Vec<_> = (0..before.pressure.len()).filter_map(stroke).collect();
+        for &(pair, rubbing) in &strokes {
             let work = rubbing.pressure * rubbing.slip;
             self.slip[pair] += rubbing.slip;
             self.work[pair] += work;
             let area = problem.frame.area(pair);
             self.dissipated += rubbing.work * area;
             chain.load_distance += work * area;
-            for (index, worn) in chain.state.worn.iter_mut().enumerate() {
-                let Some(law) = &problem.bodies[index].wear else { continue };
-                let depth = law.depth(rubbing);
+        }
+        self.wear(chain, &strokes, Per::Increment, problem);
+        if problem.wearing([true; 2], Per::Cycle) != [false; 2] {
+            self.whole.resize(before.pressure.len(), None);
+            for (pair, rubbing) in strokes {
+                let before = self.whole[pair].take();
+                self.whole[pair] = Some(before.map_or(rubbing, |before| before.then(rubbing)));
+            }
+        }
+    }
+
+    /// Wears both bodies by laws that take a whole cycle, at its end.
+    pub fn end_cycle(&mut self, chain: &mut Chain, problem: &ContactProblem) {
+        let rubbed = std::mem::take(&mut self.whole);
+        let rubbed: Vec<(usize, Rubbing)> =
+            rubbed.into_iter().enumerate().filter_map(|(pair, one)| Some((pair, one?))).collect();
+        self.wear(chain, &rubbed, Per::Cycle, problem);
+    }
+
+    /// Wears both bodies, at pairs that were rubbed, by the laws that take that at once.
+    fn wear(
+        &mut self,
+        chain: &mut Chain,
+        rubbed: &[(usize, Rubbing)],
+        per: Per,
+        problem: &ContactProblem,
+    ) {
+        let points = rubbed.iter().map(|(_, rubbing)| *rubbing).collect();
+        for (index, worn) in chain.state.worn.iter_mut().enumerate() {
+            let one = [0, 1].map(|body| body == index);
+            let wear = problem.wear(&points, problem.wearing(one, per));
+            for (point, &(pair, rubbing)) in rubbed.iter().enumerate() {
+                let depth = wear.depths[index][point];
                 self.depths[index][pair] += depth;
-                self.slopes[index][pair] += law.slope(rubbing) * rubbing.pressure;
+                self.slopes[index][pair] += wear.slopes[point] * rubbing.pressure;
                 worn[pair] += depth;
             }
         }

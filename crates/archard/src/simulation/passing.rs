@@ -1,6 +1,6 @@
-//! Wear collected along the planes of rolling.
+//! Wear of surfaces that pass: all points on a line along the motion wear alike.
 //!
-//! A particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
+//! Where bodies roll, a particle on its passage to a pair slides the slip of that passage under the mean of the pressures at both ends,
 //! and it is rubbed until it has left the last pair under pressure, as far as it slips under the limit of friction. With
 //! that pairing of tractions and slip the worn section equals the work of the creepage in rows of pairs, as it does in
 //! nature, to the last digits: by construction, so that it says nothing about the force itself. Between
@@ -9,13 +9,26 @@
 
 use crate::frame::{Flow, Passage, VectorField};
 use crate::friction::Friction;
+use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::wear::{Columns, Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
 
-/// Wear of the planes under the contact as it is, in one revolution.
-pub(super) struct Collected {
+/// The lines of the surfaces that pass.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lines<'a> {
+    pub problem: &'a ContactProblem,
+    pub flow: Flow<'a>,
+    /// Which bodies pass.
+    pub bodies: [bool; 2],
+    /// How often they pass while the motion advances by one (its own unit).
+    pub passages: f64,
+}
+
+/// Wear of the lines under the contact as it is, in one passage.
+pub(super) struct OfLines {
     /// Depth worn off body 1 and body 2 (m), one value a plane.
     pub depths: Vec<[f64; 2]>,
     /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
@@ -24,28 +37,61 @@ pub(super) struct Collected {
     pub pressures: Vec<f64>,
 }
 
-impl Collected {
-    pub fn of(state: &ContactState, problem: &ContactProblem, flow: Flow<'_>) -> Self {
+impl OfLines {
+    pub fn of(state: &ContactState, lines: Lines<'_>) -> Self {
+        let Lines { problem, flow, bodies, .. } = lines;
         let pressure = &state.pressure;
         let weight = problem.frame.measure().weight;
-        let means = flow.on_the_way(pressure);
-        let slips = rubbed_slip(state, problem, flow, &means);
-        let scale =
-            if flow.has_rows() { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
+        let (means, slips, scale) = match problem.motion {
+            Motion::Rolling(_) => {
+                let means = flow.on_the_way(pressure);
+                let slips = rubbed_slip(state, problem, flow, &means);
+                let rows = flow.has_rows();
+                let scale =
+                    if rows { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
+                (means, slips, scale)
+            }
+            // A point slides the length of every element.
+            _ => {
+                let all = || vec![flow.advance(); pressure.len()];
+                (pressure.clone(), flow.advances().unwrap_or_else(all), 1.0)
+            }
+        };
+        let planes = flow.planes();
+        let rubs = |one: &&Passage| means[one.pair] > 0.0;
+        let points = planes.iter().flat_map(|plane| plane.passages.iter().filter(rubs));
+        let direction = |pair: usize| match &state.tangential {
+            Some(tangential) => tangential.slip.each_ref().map(|slip| slip[pair]),
+            None => flow.direction().forward(),
+        };
+        let rubbing = |pair: usize, times: f64| {
+            problem.rubbing(means[pair], times * slips[pair], direction(pair))
+        };
+        let points = points.map(|one| rubbing(one.pair, 1.0));
+        let wear = problem.wear(&points.collect(), problem.wearing(bodies, Per::Increment));
+        // All that a point goes through on a line.
+        let whole = planes.iter().map(|plane| {
+            let part = |one: &Passage| rubbing(one.pair, scale * one.times);
+            let parts = plane.passages.iter().filter(rubs).map(part);
+            parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
+        });
+        let whole: Columns = whole.collect();
+        let passage = problem.wear(&whole, problem.wearing(bodies, Per::Cycle));
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
-        for plane in flow.planes().iter() {
-            let (mut depths, mut slope, mut sum) = ([0.0; 2], 0.0, 0.0);
-            for &Passage { pair, share, times } in &plane.passages {
-                let mean = means[pair];
-                sum += share * weight.at(pair) * pressure[pair];
-                if mean <= 0.0 {
-                    continue;
+        let mut point = 0;
+        for (line, plane) in planes.iter().enumerate() {
+            let mut depths = passage.depths.each_ref().map(|depths| depths[line]);
+            let (mut slope, mut sum) = (passage.slopes[line] * whole.pressure[line], 0.0);
+            for one in &plane.passages {
+                sum += one.share * weight.at(one.pair) * pressure[one.pair];
+                if rubs(&one) {
+                    let times = scale * one.times;
+                    for (depth, worn) in depths.iter_mut().zip(&wear.depths) {
+                        *depth += times * worn[point];
+                    }
+                    slope += times * wear.slopes[point] * means[one.pair];
+                    point += 1;
                 }
-                let rubbing = problem.rubbing(mean, slips[pair], direction(state, pair));
-                let times = scale * times;
-                let worn = problem.wear_depths(rubbing);
-                depths.iter_mut().zip(worn).for_each(|(depth, worn)| *depth += times * worn);
-                slope += times * problem.wear_slope(rubbing) * mean;
             }
             collected.depths.push(depths);
             collected.slopes.push(if sum > 0.0 { slope / sum } else { 0.0 });
@@ -74,12 +120,6 @@ impl Collected {
     pub fn deepest(&self) -> f64 {
         (0..self.depths.len()).map(|plane| self.total(plane)).fold(0.0, f64::max)
     }
-}
-
-/// Direction of the slip of a pair, not of length one; zero where there is none.
-fn direction(state: &ContactState, pair: usize) -> [f64; 2] {
-    let slip = state.tangential.as_ref().map(|tangential| tangential.slip.each_ref());
-    slip.map_or([0.0; 2], |slip| slip.map(|along| along[pair]))
 }
 
 /// Distance slid under a unit limit of friction that goes with a unit of its work: one if friction is the same in all

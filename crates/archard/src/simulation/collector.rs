@@ -1,0 +1,186 @@
+//! How rubbing is collected into wear.
+//!
+//! Wear belongs to a surface, and surfaces move past each other. Where the surface of a body *stays*, each of its points
+//! is under one pair and wears by what that pair goes through. Where it *passes*, its points go through all pairs on a
+//! line along the motion, again and again, and [wear alike](super::passing).
+
+use super::Error;
+use super::passing::{Lines, OfLines};
+use crate::motion::{Motion, SLIDES};
+use crate::numerics::vector;
+use crate::problem::{ContactProblem, ContactState, Wear};
+
+/// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
+/// linearised, and where friction is too, which in rolling changes with the wear.
+const OF_LAWS: f64 = 1e-9;
+const OF_LINES: f64 = 1e-6;
+const OF_FRICTION: f64 = 0.02;
+
+/// Collects the wear of both bodies.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Collector<'a> {
+    problem: &'a ContactProblem,
+    /// Which bodies stay.
+    stays: [bool; 2],
+    /// The lines of those that pass.
+    lines: Option<Lines<'a>>,
+}
+
+/// What a step wears.
+pub(super) struct Collected {
+    /// Of surfaces that stay, one value a pair.
+    pairs: Option<Wear>,
+    /// Of surfaces that pass: of one passage, and the number of passages.
+    lines: Option<(OfLines, f64)>,
+}
+
+/// The wear (m) of a step as straight lines in the pressures (Pa).
+pub(super) struct Foreseen {
+    /// Of surfaces that stay, one value a pair: the depth at zero pressure (m), and its slope (m/Pa).
+    pairs: Option<[Vec<f64>; 2]>,
+    /// Of surfaces that pass, the same, one value a line.
+    lines: Option<[Vec<f64>; 2]>,
+}
+
+impl<'a> Collector<'a> {
+    /// Of a motion in steps of wear.
+    ///
+    /// # Errors
+    /// If surfaces do not pass along the frame.
+    pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
+        let (bodies, direction, passages) = match &problem.motion {
+            Motion::Rolling(rolling) => ([true; 2], rolling.direction, 1.0),
+            Motion::Sliding | Motion::Shift(_) => {
+                return Ok(Self { problem, stays: [true; 2], lines: None });
+            }
+        };
+        let flow = problem.frame.flow(direction)?;
+        let lines = Some(Lines { problem, flow, bodies, passages });
+        Ok(Self { problem, stays: bodies.map(|passes| !passes), lines })
+    }
+
+    /// The lines of surfaces that pass.
+    pub fn lines(&self) -> Option<Lines<'a>> {
+        self.lines
+    }
+
+    /// What an advance (the motion's unit) wears under the contact as it is.
+    pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
+        let pairs = self.any_stays().then(|| {
+            let slip = self.problem.motion.slip(advance);
+            let points =
+                state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip, SLIDES));
+            self.problem.wear(&points.collect(), self.stays)
+        });
+        let lines = self.lines.map(|lines| (OfLines::of(state, lines), advance * lines.passages));
+        Collected { pairs, lines }
+    }
+
+    /// Whether any body stays that wears.
+    fn any_stays(&self) -> bool {
+        (0..2).any(|body| self.stays[body] && self.problem.bodies[body].wear.is_some())
+    }
+
+    /// Whether a step wears as it was foreseen.
+    pub fn agrees(&self, foreseen: &Foreseen, state: &ContactState, made: &Collected) -> bool {
+        let Collected { pairs, lines } = made;
+        let pairs = foreseen.pairs.as_ref().zip(pairs.as_ref()).is_none_or(|(line, wear)| {
+            let of = |pair: usize| (state.pressure[pair], wear.depth(pair));
+            lies_on(line, (0..state.pressure.len()).map(of), OF_LAWS)
+        });
+        let lines = foreseen.lines.as_ref().zip(lines.as_ref());
+        pairs
+            && lines.is_none_or(|(line, (made, times))| {
+                let of = |line: usize| (made.pressures[line], times * made.total(line));
+                let rolls = self.problem.motion.rolling().is_some();
+                let allowed = if rolls { OF_FRICTION } else { OF_LINES };
+                lies_on(line, (0..made.pressures.len()).map(of), allowed)
+            })
+    }
+
+    /// Wears both bodies.
+    pub fn wear(&self, state: &mut ContactState, made: &Collected) {
+        if let Some(wear) = &made.pairs {
+            for (worn, depths) in state.worn.iter_mut().zip(&wear.depths) {
+                vector::update(worn, [depths], |worn, [depth]| worn + depth);
+            }
+        }
+        let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
+        for (line, depths) in lines.flow.planes().iter().zip(&made.depths) {
+            for one in &line.passages {
+                for (worn, depth) in state.worn.iter_mut().zip(depths) {
+                    worn[one.pair] += times * one.share * depth;
+                }
+            }
+        }
+    }
+}
+
+impl Collected {
+    /// The same as straight lines in the pressures (Pa), about those it was collected under.
+    pub fn foresee(&self, pressure: &[f64]) -> Foreseen {
+        let pairs = self.pairs.as_ref().map(|wear| {
+            let [one, two] = &wear.depths;
+            let constant =
+                vector::map([one, two, &wear.slopes, pressure], |[one, two, slope, pressure]| {
+                    (one + two) - slope * pressure
+                });
+            [constant, wear.slopes.clone()]
+        });
+        let lines = self.lines.as_ref().map(|(made, times)| {
+            let slope = made.slopes.iter().map(|slope| times * slope).collect();
+            let constant =
+                |line: usize| times * (made.total(line) - made.slopes[line] * made.pressures[line]);
+            [(0..made.pressures.len()).map(constant).collect(), slope]
+        });
+        Foreseen { pairs, lines }
+    }
+
+    /// Deepest wear (m) of both bodies together.
+    pub fn deepest(&self) -> f64 {
+        let pairs = self.pairs.as_ref().map_or(0.0, |wear| {
+            (0..wear.slopes.len()).map(|pair| wear.depth(pair)).fold(0.0, f64::max)
+        });
+        pairs + self.lines.as_ref().map_or(0.0, |(made, times)| times * made.deepest())
+    }
+}
+
+impl Foreseen {
+    /// The gap (m) of surfaces at zero pressure, opened by what wears then.
+    pub fn opened(&self, gap: &[f64], lines: Option<Lines<'_>>) -> Vec<f64> {
+        let mut opened = match &self.pairs {
+            Some([constant, _]) => vector::map([gap, constant], |[gap, constant]| gap + constant),
+            None => gap.to_vec(),
+        };
+        if let (Some([constant, _]), Some(Lines { flow, .. })) = (&self.lines, lines) {
+            for (line, depth) in flow.planes().iter().zip(constant) {
+                line.passages.iter().for_each(|one| opened[one.pair] += one.share * depth);
+            }
+        }
+        opened
+    }
+
+    /// How pairs give way by wear to their own pressure (m/Pa).
+    pub fn pair_slopes(&self, pairs: usize) -> Vec<f64> {
+        self.pairs.as_ref().map_or_else(|| vec![0.0; pairs], |[_, slope]| slope.clone())
+    }
+
+    /// How lines do to the pressure (Pa) on one of their pairs.
+    pub fn line_slopes(&self) -> Option<&[f64]> {
+        self.lines.as_ref().map(|[_, slope]| &slope[..])
+    }
+}
+
+/// Whether depths (m) at pressures (Pa) lie on straight lines, relative to the deepest.
+fn lies_on(
+    [constant, slope]: &[Vec<f64>; 2],
+    found: impl Iterator<Item = (f64, f64)>,
+    allowed: f64,
+) -> bool {
+    let (mut error, mut deepest) = (0.0f64, 0.0f64);
+    for ((constant, slope), (pressure, depth)) in constant.iter().zip(slope).zip(found) {
+        error = error.max((constant + slope * pressure - depth).abs());
+        deepest = deepest.max(depth);
+    }
+    error <= allowed * deepest
+}
