@@ -180,6 +180,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         Error::FrameFull { .. }
         | Error::NotSymmetric { .. }
         | Error::NotPlane
+        | Error::NoRows
         | Error::NotPassed(_)
         | Error::NotJoint
         | Error::NoFriction { .. }

@@ -1,7 +1,7 @@
 //! What is doubtful about a case, in words.
 
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Finiteness, Forecast, Parts, Solves, rolling, shift};
+use super::{Finiteness, Forecast, Parts, Solves, rolling, shift, track};
 use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -27,6 +27,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 /// All that is wrong or doubtful.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
+    problems.extend(track::problems(parts, forecast));
     problems.extend(useless_friction(parts));
     problems.extend(without_friction(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
