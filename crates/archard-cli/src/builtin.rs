@@ -16,6 +16,12 @@ pub const CASES: &[Builtin] = &[
     without_files("hertz", include_str!("../../../cases/hertz/case.toml")),
     without_files("pin_on_disc", include_str!("../../../cases/pin_on_disc/case.toml")),
     without_files("pin_on_disc_both", include_str!("../../../cases/pin_on_disc_both/case.toml")),
+    without_files("pin_on_disc_track", include_str!("../../../cases/pin_on_disc_track/case.toml")),
+    without_files("block_on_ring", include_str!("../../../cases/block_on_ring/case.toml")),
+    without_files(
+        "reciprocating_ball",
+        include_str!("../../../cases/reciprocating_ball/case.toml"),
+    ),
     without_files("carter", include_str!("../../../cases/carter/case.toml")),
     without_files("kalker_creepage", include_str!("../../../cases/kalker_creepage/case.toml")),
     without_files(

@@ -181,6 +181,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
         | Error::NotSymmetric { .. }
         | Error::FrictionNotSymmetric
         | Error::NotPlane
+        | Error::NoRows
         | Error::NotPassed(_)
         | Error::NotJoint
         | Error::NoFriction { .. }

@@ -27,5 +27,6 @@ mod verification {
     mod spence;
     mod step_by_error;
     mod stresses_under_contact;
+    mod track;
     mod unequal_pairs;
 }

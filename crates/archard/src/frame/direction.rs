@@ -2,7 +2,7 @@
 
 /// A direction along an axis of the frame. A contact that rolls that way leaves material behind: what
 /// enters at its leading edge, the foremost, flows against the direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Direction {
     /// 0 along x, 1 along y.
     pub axis: usize,
@@ -11,6 +11,9 @@ pub struct Direction {
 }
 
 impl Direction {
+    /// Along x.
+    pub const X: Self = Self { axis: 0, reversed: false };
+
     fn sense(self) -> f64 {
         if self.reversed { -1.0 } else { 1.0 }
     }

@@ -9,7 +9,7 @@ use archard::body::{Body, Material};
 use archard::case::CaseFile;
 use archard::compliance::HalfSpace;
 use archard::frame::ContactFrame;
-use archard::motion::{Control, Motion, Schedule, Stepping};
+use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::history::number;
@@ -88,7 +88,13 @@ impl Ball {
             Body { name: name.to_owned(), profile, material, finite: None, wear }
         });
         let compliance = Box::new(compliance);
-        ContactProblem { bodies, frame, compliance, friction: None, motion: Motion::Sliding }
+        ContactProblem {
+            bodies,
+            frame,
+            compliance,
+            friction: None,
+            motion: Motion::Sliding(Sliding::default()),
+        }
     }
 
     /// Its sliding over an extent (m) with outputs there (m).
