@@ -49,7 +49,7 @@ fn ball_on_flat(law: impl WearLaw + 'static) -> Result<Depths, Box<dyn Error>> {
     let steel = Material::new(210e9, 0.3)?;
     let ball = Body::new("ball", Sphere::new(50e-3)?).material(steel).wear(law);
     let flat = Body::new("flat", Flat).material(steel);
-    let sliding = Sliding::over(0.2, Control::Load(10.2), Stepping::Tolerance(3e-3))?;
+    let sliding = Sliding::new().over(0.2, Control::Load(10.2), Stepping::Tolerance(3e-3))?;
     let builder = Simulation::builder([ball, flat], sliding).frame([1.2e-3; 2], [40; 2]);
     let outputs = (1..=10).map(|i| 0.02 * f64::from(i));
     let mut depths = Depths::default();

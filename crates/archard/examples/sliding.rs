@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let steel = Material::new(210e9, 0.3)?;
     let pin = Body::new("pin", Sphere::new(radius)?).material(steel).wear(Archard::new(k)?);
     let disc = Body::new("disc", Flat).material(steel);
-    let sliding = Sliding::over(distance, Control::Load(load), Stepping::Implicit(0.02))?;
+    let sliding = Sliding::new().over(distance, Control::Load(load), Stepping::Implicit(0.02))?;
     let builder = Simulation::builder([pin, disc], sliding);
     let mut run = Run::begin(builder.frame([1.2e-3; 2], [30; 2]).build()?)?;
     while run.step()? {}

@@ -34,6 +34,12 @@ pub enum Quantity {
     Angle,
     /// A time (s).
     Time,
+    /// A speed (m/s).
+    Speed,
+    /// How often something happens in a time (1/s).
+    Frequency,
+    /// The name of one of the bodies.
+    Body,
     /// Two values of one quantity, along x and y.
     Pair(&'static Quantity),
     /// Three values of one quantity, along x, y and z.
@@ -178,6 +184,8 @@ pub enum Value {
     Triple([f64; 3]),
     /// A word or a name.
     Word(String),
+    /// A body: 0 for body 1, 1 for body 2; and its name.
+    Body(usize, String),
     /// Columns of numbers (SI), each with its name, all of one length.
     Table(Vec<(String, Vec<f64>)>),
     /// A file, with its name as written and what it holds.
@@ -261,6 +269,14 @@ impl Values {
     pub fn word(&self, name: &str) -> Option<&str> {
         match self.get(name) {
             Some(Value::Word(word)) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The body of that name, 0 for body 1 and 1 for body 2, if it was given.
+    pub fn body(&self, name: &str) -> Option<usize> {
+        match self.get(name) {
+            Some(Value::Body(index, _)) => Some(*index),
             _ => None,
         }
     }

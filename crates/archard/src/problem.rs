@@ -35,9 +35,10 @@ impl ContactProblem {
         self.bodies.iter().any(|body| body.wear.is_some())
     }
 
-    /// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
-    pub fn rubbing(&self, pressure: f64, slip: f64) -> Rubbing {
-        rubbing(self.friction.as_deref(), pressure, slip)
+    /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its
+    /// limit.
+    pub fn rubbing(&self, pressure: f64, slip: f64, direction: [f64; 2]) -> Rubbing {
+        rubbing(self.friction.as_deref(), pressure, slip, direction)
     }
 
     /// Which of some bodies wear by laws that take that at once.
@@ -62,11 +63,18 @@ impl ContactProblem {
     }
 }
 
-/// What a pair goes through that slides a distance (m) under a pressure (Pa), friction at its limit.
-pub(crate) fn rubbing(friction: Option<&dyn Friction>, pressure: f64, slip: f64) -> Rubbing {
+/// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its limit.
+pub(crate) fn rubbing(
+    friction: Option<&dyn Friction>,
+    pressure: f64,
+    slip: f64,
+    direction: [f64; 2],
+) -> Rubbing {
     let rubbing = Rubbing::new(pressure, slip);
     let Some(friction) = friction else { return rubbing };
-    rubbing.with_friction(friction.limit(pressure) * slip, friction.slope(pressure))
+    let resistance = friction.map().resistance(direction);
+    let work = friction.limit(pressure) * resistance * slip;
+    rubbing.with_friction(work, friction.slope(pressure) * resistance)
 }
 
 /// What wears off two bodies, one value a point.
@@ -162,7 +170,7 @@ impl Tangential {
         let Some(friction) = &problem.friction else { return false };
         let [t1, t2] = &self.traction;
         let limit = friction.limit(pressure[pair]);
-        limit > 0.0 && t1[pair].hypot(t2[pair]) < (1.0 - STICKS) * limit
+        limit > 0.0 && friction.map().length([t1[pair], t2[pair]]) < (1.0 - STICKS) * limit
     }
 
     /// Area (m^2) of the pairs in contact that stick.

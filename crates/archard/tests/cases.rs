@@ -91,13 +91,14 @@ fn expected(file: &str) -> Vec<Expected> {
 }
 
 /// Columns without a unit.
-const PURE: [&str; 6] =
-    ["revolutions", "share", "cycle", "true_cycles", "creepage", "lateral_creepage"];
+const PURE: [&str; 7] =
+    ["revolutions", "share", "cycle", "turns", "true_cycles", "creepage", "lateral_creepage"];
 
 /// What a column holds, by the unit at the end of its name; `None` for a pure number.
 fn measure(column: &str) -> Option<Measure> {
     let measure = match column.rsplit('_').next() {
         _ if PURE.contains(&column) => return None,
+        _ if column.ends_with("_m3_per_Nm") => Measure::WEAR_COEFFICIENT,
         Some("m") => Measure::LENGTH,
         Some("m2") => Measure::length_to_the(2.0),
         Some("m3") => Measure::length_to_the(3.0),

@@ -7,9 +7,9 @@ use archard::body::profile::{Power, Sphere, Table};
 use archard::body::{Body, Material};
 use archard::case::CaseFile;
 use archard::frame::Direction;
-use archard::friction::Coulomb;
+use archard::friction::{Coulomb, Orthotropic};
 use archard::motion::{Control, Cycles, Drive, Fretting, Guide, Indentation, Path, Planned};
-use archard::motion::{Rolling, Sliding, Station, Stepping};
+use archard::motion::{Rolling, Sliding, Station, Stepping, Track};
 use archard::simulation::Simulation;
 use archard::solve::Settings;
 use archard::wear::Archard;
@@ -31,7 +31,7 @@ fn a_typed_pin_on_disc_has_the_bits_of_the_case_file() {
     let pin = Body::new("pin", Sphere::new(50e-3).unwrap());
     let pin = pin.material(STEEL).wear(Archard::new(1.33e-13).unwrap());
     let disc = Body::new("disc", Flat).material(STEEL);
-    let sliding = Sliding::over(0.5, Control::Load(10.2), Stepping::Implicit(5e-3)).unwrap();
+    let sliding = Sliding::new().over(0.5, Control::Load(10.2), Stepping::Implicit(5e-3)).unwrap();
     let builder = Simulation::builder([pin, disc], sliding).frame([1.2e-3; 2], [30; 2]);
     let typed = builder.outputs((1..=10).map(|i| 0.05 * f64::from(i))).build().unwrap();
     assert_eq!(rows(&typed), rows(&written));
@@ -41,7 +41,7 @@ fn a_typed_pin_on_disc_has_the_bits_of_the_case_file() {
 #[test]
 fn typed_motions_are_those_of_case_files() {
     let load = Control::Load(10.0);
-    let motions: [(&str, Planned); 6] = [
+    let motions: [(&str, Planned); 7] = [
         (
             "indentation = { load = \"10 N\", increments = 4, cycles = 9, jump = 3, release = \"rubbing\" }",
             Indentation::new(4)
@@ -66,7 +66,16 @@ fn typed_motions_are_those_of_case_files() {
         ),
         (
             "sliding = { load = \"10 N\", distance = \"1 m\", step = \"0.25 m\", scheme = \"explicit\" }",
-            Sliding::over(1.0, load, Stepping::Explicit(0.25)).unwrap(),
+            Sliding::new().over(1.0, load, Stepping::Explicit(0.25)).unwrap(),
+        ),
+        (
+            "sliding = { load = \"10 N\", distance = \"1 m\", stroke = \"5 mm\", passes = \"two\", direction = \"y\", speed = \"0.1 m/s\", tolerance = 0.1 }",
+            Sliding::new()
+                .along(Direction::Y)
+                .on(Track::to_and_fro(1, 5e-3).unwrap())
+                .at_speed(0.1)
+                .over(1.0, load, Stepping::Tolerance(0.1))
+                .unwrap(),
         ),
         (
             "rolling = { load = \"10 N\", creepage = 0.01, lateral_force = \"1 N\", spin = \"2 1/m\", direction = \"-y\", revolutions = 100, tolerance = 0.1, radius = \"worn\" }",
@@ -134,13 +143,18 @@ fn parts_that_are_none_are_named() {
     named(Archard::new(-1.0).err(), "coefficient");
     named(Archard::with_hardness(1e-4, 0.0).err(), "hardness");
     named(Coulomb::new(f64::NAN).err(), "coefficient");
+    named(Orthotropic::new([0.1, 0.0], 0.0).err(), "coefficients");
+    named(Orthotropic::new([0.1, 20.0], 0.0).err(), "coefficients");
+    named(Orthotropic::new([0.1, 0.2], f64::NAN).err(), "angle");
+    named(Track::around(0, 0.0).err(), "track_radius");
+    named(Track::to_and_fro(2, 1.0).err(), "passes");
     named(Settings::new(2.0, 1).err(), "tolerance");
     named(Settings::new(0.1, 0).err(), "max_iterations");
     let (load, step) = (Control::Load(1.0), Stepping::Implicit(0.1));
-    named(Sliding::over(0.0, load, step).err(), "distance");
-    named(Sliding::over(1.0, Control::Approach(-1.0), step).err(), "approach");
-    named(Sliding::over(0.01, load, step).err(), "step");
-    named(Sliding::over(1.0, load, Stepping::Jumps(2)).err(), "step");
+    named(Sliding::new().over(0.0, load, step).err(), "distance");
+    named(Sliding::new().over(1.0, Control::Approach(-1.0), step).err(), "approach");
+    named(Sliding::new().over(0.01, load, step).err(), "step");
+    named(Sliding::new().over(1.0, load, Stepping::Jumps(2)).err(), "step");
     let rolling = Rolling::along(Direction::X);
     named(rolling.over(1.0, load, Stepping::Explicit(0.1)).err(), "step");
     named(rolling.spin(f64::NAN).swept(1, load).err(), "spin");
@@ -155,7 +169,7 @@ fn parts_that_are_none_are_named() {
 fn bodies_that_do_not_fit_are_named() {
     let sphere = |name: &str| Body::new(name, Sphere::new(50e-3).unwrap());
     let steel = |name: &str| sphere(name).material(STEEL);
-    let sliding = || Sliding::over(1.0, Control::Load(1.0), Stepping::Implicit(0.1)).unwrap();
+    let sliding = || Sliding::new().over(1.0, Control::Load(1.0), Stepping::Implicit(0.1)).unwrap();
     let size = [1e-3; 2];
     let error = |bodies: [Body; 2], size: Option<[f64; 2]>| {
         let builder = Simulation::builder(bodies, sliding());

@@ -12,6 +12,7 @@ mod verification {
     mod meshed_contact;
     mod meshed_rolling;
     mod meshes_that_do_not_match;
+    mod orthotropic;
     mod own_wear_law;
     mod pin_on_disc;
     mod punch;
@@ -26,5 +27,6 @@ mod verification {
     mod spence;
     mod step_by_error;
     mod stresses_under_contact;
+    mod track;
     mod unequal_pairs;
 }

@@ -8,6 +8,7 @@ use kuva::plot::LegendPosition;
 use super::figure::{COLOURS, Curves, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
+use super::tables::Axis;
 
 /// Share of the larger force below which the other is not drawn.
 const NEGLIGIBLE: f64 = 0.01;
@@ -43,7 +44,7 @@ struct Sweep<'a> {
     forces: [&'a [f64]; 2],
     /// The larger of them at its largest (N).
     most: f64,
-    /// Friction times load (N), where the law is known.
+    /// Friction times load (N) along the axis of the larger force, where the law is known.
     limit: Option<f64>,
 }
 
@@ -54,12 +55,14 @@ impl<'a> Sweep<'a> {
         let forces = [history.column(FORCE[0])?, history.column(FORCE[1])?];
         let abscissa = Abscissa::of(creepages.map(size));
         let load = history.column(LOAD)?.last().copied().unwrap_or_default();
-        let limit = results.friction_limits(&[load]);
+        let sizes = forces.map(size);
+        let axis = if sizes[0] >= sizes[1] { Axis::X } else { Axis::Y };
+        let limit = results.friction_limits(&[load], axis);
         Ok(Self {
             abscissa,
             places: abscissa.index().map_or(results.progress().1, |index| creepages[index]),
             forces,
-            most: size(forces[0]).max(size(forces[1])),
+            most: sizes[0].max(sizes[1]),
             limit: limit.and_then(|limit| limit.first().copied()),
         })
     }

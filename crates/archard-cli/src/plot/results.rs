@@ -137,10 +137,12 @@ impl Results {
         if along == Axis::Y { [Axis::Y, Axis::X] } else { [Axis::X, Axis::Y] }
     }
 
-    /// The largest tractions (Pa) under these pressures (Pa), where the law of friction is known.
-    pub(super) fn friction_limits(&self, pressures: &[f64]) -> Option<Vec<f64>> {
+    /// The largest tractions (Pa) along an axis under these pressures (Pa), where the law of friction is known.
+    pub(super) fn friction_limits(&self, pressures: &[f64], axis: Axis) -> Option<Vec<f64>> {
         let law = self.case.as_ref()?.friction.as_ref()?.build().ok()?;
-        Some(pressures.iter().map(|pressure| law.limit(*pressure)).collect())
+        let direction = if axis == Axis::X { [1.0, 0.0] } else { [0.0, 1.0] };
+        let resistance = law.map().resistance(direction);
+        Some(pressures.iter().map(|pressure| resistance * law.limit(*pressure)).collect())
     }
 
     /// Whether body 2 has worn.

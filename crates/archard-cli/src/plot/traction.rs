@@ -72,7 +72,8 @@ fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Pa
 
 /// What friction bears (Pa) on a section, on the sides to which the traction points.
 fn limits(results: &Results, section: &Profile, component: Axis) -> Result<Vec<Vec<f64>>> {
-    let Some(limit) = results.friction_limits(section.table.column("pressure_Pa")?) else {
+    let Some(limit) = results.friction_limits(section.table.column("pressure_Pa")?, component)
+    else {
         return Ok(Vec::new());
     };
     let traction = traction(section, component)?;

@@ -27,6 +27,8 @@ pub(super) fn read(
     folder: &Path,
 ) -> Result<(Value, Option<PathBuf>), Wrong> {
     match parameter.quantity {
+        // The reader of tables knows the bodies.
+        Quantity::Body => text(node).map(|text| (Value::Word(text), None)),
         Quantity::Number => {
             let (_, value, _) = number(node)?;
             bounded(value, parameter)
@@ -85,6 +87,8 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Curvature => Some(Measure::length_to_the(-1.0)),
         Quantity::Angle => Some(Measure::ANGLE),
         Quantity::Time => Some(Measure::TIME),
+        Quantity::Speed => Some(Measure::SPEED),
+        Quantity::Frequency => Some(Measure::FREQUENCY),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
         Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
             if exponent == 1.0 { Measure::NUMBER } else { Measure::length_to_the(1.0 - exponent) }
@@ -94,6 +98,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         }
         Quantity::Number
         | Quantity::Count
+        | Quantity::Body
         | Quantity::Text
         | Quantity::Word(_)
         | Quantity::Table(_)

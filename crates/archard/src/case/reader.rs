@@ -16,6 +16,8 @@ pub(super) struct Reader<'a> {
     pub folder: &'a Path,
     /// What was found so far.
     pub problems: Vec<Problem>,
+    /// The names of the bodies, once they are read.
+    pub bodies: Vec<String>,
 }
 
 /// A table and its key.
@@ -156,6 +158,19 @@ impl Reader<'_> {
                         continue;
                     }
                     match quantity::read(&entry.node, parameter, &values, self.folder) {
+                        Ok((Value::Word(name), _)) if parameter.quantity == Quantity::Body => {
+                            match self.bodies.iter().position(|known| *known == name) {
+                                Some(index) => {
+                                    values.insert(parameter.name, Value::Body(index, name));
+                                }
+                                None => {
+                                    let known = self.bodies.join(", ");
+                                    let message = format!("there is no body `{name}`");
+                                    let help = format!("the bodies here: {known}");
+                                    self.push(Problem::error(key, message).help(help));
+                                }
+                            }
+                        }
                         Ok((value, file)) => {
                             values.insert(parameter.name, value);
                             files.extend(file.map(|file| (parameter.name, file)));

@@ -16,5 +16,6 @@ pub mod spence;
 pub mod strip;
 pub mod twin_discs;
 pub mod vermeulen_johnson;
+pub mod worn_track;
 
 pub use hertz::Hertz;

@@ -5,6 +5,7 @@
 pub mod bem;
 mod dense;
 pub mod half_space;
+mod mapped;
 mod slip;
 mod worn_planes;
 
@@ -18,6 +19,7 @@ pub use bem::contact::ContactError;
 pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
 pub use half_space::HalfSpace;
+pub use mapped::Mapped;
 pub use slip::{Coarser, Rub, SlipMap};
 pub use worn_planes::WornPlanes;
 

@@ -4,16 +4,21 @@ use super::Subject;
 use crate::problem::rubbing;
 
 /// Pressures (Pa) and slips (m) from far below to far above what contacts bear, so that no law with a
-/// threshold passes.
-const TRIALS: [(f64, f64); 4] = [(1e8, 1.0), (1e4, 1.0), (3e9, 1.0), (1e8, 1e-6)];
+/// threshold passes, and directions of slip.
+const TRIALS: [(f64, f64, [f64; 2]); 4] = [
+    (1e8, 1.0, [1.0, 0.0]),
+    (1e4, 1.0, [0.0, 1.0]),
+    (3e9, 1.0, [1.0, 1.0]),
+    (1e8, 1e-6, [1.0, -1.0]),
+];
 
 impl Subject<'_> {
     /// The k (1/Pa) of a body whose depth of wear is k p s; `None` for one that does not wear or wears
     /// by another law.
     pub fn wear_coefficient(&self, body: usize) -> Option<f64> {
         let law = self.bodies[body].wear.as_ref()?;
-        let ratio = |(pressure, slip): (f64, f64)| {
-            law.depth(rubbing(self.friction, pressure, slip)) / (pressure * slip)
+        let ratio = |(pressure, slip, direction): (f64, f64, [f64; 2])| {
+            law.depth(rubbing(self.friction, pressure, slip, direction)) / (pressure * slip)
         };
         shared(TRIALS.map(ratio))
     }
@@ -24,10 +29,25 @@ impl Subject<'_> {
         (both > 0.0).then_some(both)
     }
 
-    /// The mu of bodies whose largest traction is mu p.
+    /// The mu of bodies whose largest traction is mu p in all directions.
     pub fn friction_coefficient(&self) -> Option<f64> {
+        self.limit_coefficient()
+            .filter(|_| self.friction.is_some_and(|law| law.map().is_identity()))
+    }
+
+    /// How much a force along some direction is at most, relative to the load, if the force along x and y is given or
+    /// found; `None` where that depends on the pressures.
+    pub fn largest_force(&self, direction: [f64; 2], given: [bool; 2]) -> Option<f64> {
+        let (limit, map) = (self.limit_coefficient()?, self.friction?.map());
+        let length = direction[0].hypot(direction[1]);
+        let both = given == [true; 2] && length > 0.0;
+        Some(limit * if both { length / map.length(direction) } else { map.resistance(direction) })
+    }
+
+    /// The limit of friction over the pressure.
+    fn limit_coefficient(&self) -> Option<f64> {
         let law = self.friction?;
-        shared(TRIALS.map(|(pressure, _)| law.limit(pressure) / pressure))
+        shared(TRIALS.map(|(pressure, ..)| law.limit(pressure) / pressure))
     }
 }
 

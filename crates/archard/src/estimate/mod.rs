@@ -8,12 +8,14 @@ mod laws;
 mod rolling;
 mod shifted;
 mod sliding;
+mod track;
 
 use std::cell::OnceCell;
 
 pub use rolling::{Rolled, Saturation, Track};
 pub use shifted::{Fretting, FrettingWear, Pressed};
 pub use sliding::WornCap;
+pub use track::OnTrack;
 
 use crate::body::{Body, Material, contact_modulus};
 use crate::closed_form::hertz::{Hertz, Line};
@@ -64,6 +66,8 @@ pub struct Estimate {
     pub contact: Option<Contact>,
     /// The scar of bodies that slide.
     pub cap: Option<WornCap>,
+    /// Scar and groove of bodies that slide on a track.
+    pub track: Option<OnTrack>,
     /// Creep forces, stick and wear of bodies that roll.
     pub rolled: Option<Rolled>,
     /// Partial slip of a sphere that is shifted to and fro, and its wear.
@@ -102,6 +106,7 @@ impl Estimator {
             contact_modulus: subject.contact_modulus(),
             contact,
             cap: WornCap::of(subject, course),
+            track: OnTrack::of(subject, course),
             rolled: contact.and_then(|contact| Rolled::of(subject, course, contact)),
             fretting: Fretting::of(subject, course),
             pressed: Pressed::of(subject, course.control, &self.spence),
@@ -113,8 +118,9 @@ impl Estimate {
     /// Half of the extent (m) of the worn contact along x and y: the scar and the elastic contact, added in squares.
     pub fn reach(&self) -> Option<[f64; 2]> {
         let contact = self.contact?;
-        let track = self.rolled.and_then(|rolled| Some(rolled.track?.semi_axes));
-        let scar = self.cap.map(|cap| cap.semi_axes).or(track).unwrap_or([0.0; 2]);
+        let rolled = self.rolled.and_then(|rolled| Some(rolled.track?.semi_axes));
+        let track = self.track.map(|track| track.semi_axes());
+        let scar = self.cap.map(|cap| cap.semi_axes).or(track).or(rolled).unwrap_or([0.0; 2]);
         Some([0, 1].map(|axis| contact.semi_axes[axis].hypot(scar[axis])))
     }
 }

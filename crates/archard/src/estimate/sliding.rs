@@ -20,14 +20,14 @@ pub struct WornCap {
 }
 
 impl WornCap {
-    /// The scar so far; `None` unless bodies that are convex along both axes slide and wear.
+    /// The scar so far; `None` unless bodies that are convex along both axes slide, stay opposite each other and wear.
     ///
     /// The cap cut off an elliptic paraboloid has the volume of one cut off a sphere of radius
     /// sqrt(Rx Ry).
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
         let curvatures = subject.curvatures().filter(|both| both.iter().all(|&one| one > 0.0))?;
         let coefficient = subject.total_wear_coefficient()?;
-        if subject.motion.slip(1.0) <= 0.0 {
+        if subject.motion.sliding()?.track.is_some() {
             return None;
         }
         let radius = 1.0 / (curvatures[0] * curvatures[1]).sqrt();

@@ -2,7 +2,7 @@
 
 /// A direction along an axis of the frame. A contact that rolls that way leaves material behind: what
 /// enters at its leading edge, the foremost, flows against the direction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Direction {
     /// 0 along x, 1 along y.
     pub axis: usize,

@@ -1,19 +1,23 @@
-//! Friction laws: how much tangential traction a pair bears.
+//! Friction laws: which tangential tractions a pair bears.
 //!
 //! A new law is one file here and one line in [`FRICTION`].
 
 mod coulomb;
+mod map;
+mod orthotropic;
 
 use std::fmt::Debug;
 
 pub use coulomb::Coulomb;
+pub use map::Map;
+pub use orthotropic::Orthotropic;
 
 use crate::parameters::Choice;
 
-/// The admissible tangential tractions under a pressure: a disc around zero.
+/// The admissible tangential tractions under a pressure: an ellipse around zero, the image of a disc.
 pub trait Friction: Debug + Send + Sync {
-    /// Largest tangential traction (Pa) that a pair bears under a pressure (Pa); must not fall as the
-    /// pressure grows, and be zero without pressure.
+    /// Radius of the disc (Pa) under a pressure (Pa): the largest tangential traction that a pair bears where the
+    /// [map](Self::map) is the identity. It must not fall as the pressure grows, and be zero without pressure.
     fn limit(&self, pressure: f64) -> f64;
 
     /// Derivative of the limit with respect to the pressure, zero or greater. By default a central
@@ -23,10 +27,15 @@ pub trait Friction: Debug + Send + Sync {
         let (low, high) = ((pressure - change).max(0.0), pressure + change);
         (self.limit(high) - self.limit(low)) / (high - low)
     }
+
+    /// What makes the ellipse of the disc, the same at all pairs and pressures. Solvers of friction see the disc alone.
+    fn map(&self) -> Map {
+        Map::IDENTITY
+    }
 }
 
 /// The friction laws a case can name.
-pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE];
+pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE, orthotropic::CHOICE];
 
 /// The point of a disc around zero that is next to a point. With the limit for radius it is the projection of the augmented
 /// Lagrangian on the admissible tractions (the paper's eq. 11, with the sign of its eq. 10).

@@ -17,8 +17,9 @@ pub use indentation::Indentation;
 pub use path::Path;
 pub use rolling::{Drive, Rolling};
 pub use shift::{Cycles, Guide, Shift, Station};
-pub use sliding::Sliding;
+pub use sliding::{Sliding, Track};
 
+use crate::frame::Direction;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 /// How the bodies move on each other.
@@ -29,18 +30,60 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
     /// All pairs in contact slide the same distance (gross sliding); progress is that distance (m).
-    Sliding,
+    Sliding(Sliding),
     /// Bodies roll: slip follows from the tractions, and all pairs on a line along the motion wear alike.
     Rolling(Rolling),
     /// Bodies are pressed and shifted in increments: each pair slips as far as the tractions let it.
     Shift(Shift),
 }
 
+/// Surfaces that pass: their points come through the contact along a line, and all of that line wear alike.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Passing {
+    /// Along the motion.
+    pub direction: Direction,
+    /// Which bodies pass; the others stay.
+    pub bodies: [bool; 2],
+    /// How often a point passes while the motion advances by one (its own unit).
+    pub passages: f64,
+    /// How long the surfaces are (m), where they are of one length.
+    pub length: Option<f64>,
+}
+
 impl Motion {
+    /// The surfaces that pass, if any do and may wear.
+    pub fn passing(&self) -> Option<Passing> {
+        match self {
+            Self::Rolling(rolling) => (!rolling.swept).then_some(Passing {
+                direction: rolling.direction,
+                bodies: [true; 2],
+                passages: 1.0,
+                length: None,
+            }),
+            Self::Sliding(sliding) => sliding.track.map(|track| Passing {
+                direction: sliding.direction,
+                bodies: [0, 1].map(|body| body == track.body),
+                passages: 1.0 / track.length,
+                length: Some(track.length),
+            }),
+            Self::Shift(_) => None,
+        }
+    }
+
     /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
     /// much; zero where what they slide depends on the place.
     pub fn slip(&self, advance: f64) -> f64 {
-        if matches!(self, Self::Sliding) { advance } else { 0.0 }
+        if matches!(self, Self::Sliding(_)) { advance } else { 0.0 }
+    }
+
+    /// Unit vector along which bodies slide that slide the same distance everywhere.
+    pub fn slides(&self) -> [f64; 2] {
+        self.sliding().map_or(Direction::X, |sliding| sliding.direction).forward()
+    }
+
+    /// How the bodies slide, if all pairs in contact do.
+    pub fn sliding(&self) -> Option<&Sliding> {
+        if let Self::Sliding(sliding) = self { Some(sliding) } else { None }
     }
 
     /// How the bodies roll, if they do.
@@ -56,7 +99,7 @@ impl Motion {
     /// What progress measures, for result columns and messages.
     pub fn progress(&self) -> Progress {
         match self {
-            Self::Sliding => Progress::DISTANCE,
+            Self::Sliding(_) => Progress::DISTANCE,
             Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
             Self::Rolling(_) => Progress::REVOLUTIONS,
             Self::Shift(shift) => shift.progress,

@@ -23,6 +23,7 @@ fn blocks(estimate: &Estimate) -> Value {
         ("contact_modulus_Pa", Some(json!(estimate.contact_modulus))),
         ("hertz", hertz(estimate)),
         ("pin_on_disc", pin_on_disc(estimate)),
+        ("worn_track", worn_track(estimate)),
     ];
     let rolled = estimate.rolled.map(rolled).into_iter().flatten();
     let shifted = [
@@ -52,6 +53,18 @@ fn pin_on_disc(estimate: &Estimate) -> Option<Value> {
         "coefficient_per_Pa": cap.coefficient,
         "volume_m3": cap.volume,
         "depth_m": cap.depth,
+    }))
+}
+
+fn worn_track(estimate: &Estimate) -> Option<Value> {
+    let track = estimate.track?;
+    Some(json!({
+        "scar_depth_m": track.worn.scar_depth,
+        "groove_depth_m": track.worn.groove_depth,
+        "groove_section_m2": track.section,
+        "contact_length_m": track.worn.extent[0],
+        "contact_width_m": track.worn.extent[1],
+        "volumes_m3": track.volumes,
     }))
 }
 

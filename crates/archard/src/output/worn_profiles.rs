@@ -1,4 +1,4 @@
-//! The transverse profiles of bodies that roll, before and after wear.
+//! The transverse profiles of surfaces that pass, before and after wear.
 
 use super::Error;
 use super::fields::height;
@@ -14,10 +14,9 @@ pub(super) struct WornProfiles<'a> {
 }
 
 impl<'a> WornProfiles<'a> {
-    /// The profiles of a state; `None` unless the bodies roll and may wear while they do.
+    /// The profiles of a state; `None` unless surfaces pass and may wear while they do.
     pub(super) fn of(problem: &'a ContactProblem, state: &'a ContactState) -> Option<Self> {
-        let rolling = problem.motion.rolling().filter(|rolling| !rolling.swept)?;
-        Some(Self { problem, state, direction: rolling.direction })
+        Some(Self { problem, state, direction: problem.motion.passing()?.direction })
     }
 
     /// Adds the profiles to a table, a row a plane of rolling.

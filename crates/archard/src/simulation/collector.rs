@@ -6,7 +6,7 @@
 
 use super::Error;
 use super::passing::{Lines, OfLines};
-use crate::motion::Motion;
+use crate::motion::Passing;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Wear};
 
@@ -48,11 +48,8 @@ impl<'a> Collector<'a> {
     /// # Errors
     /// If surfaces do not pass along the frame.
     pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
-        let (bodies, direction, passages) = match &problem.motion {
-            Motion::Rolling(rolling) => ([true; 2], rolling.direction, 1.0),
-            Motion::Sliding | Motion::Shift(_) => {
-                return Ok(Self { problem, stays: [true; 2], lines: None });
-            }
+        let Some(Passing { direction, bodies, passages, .. }) = problem.motion.passing() else {
+            return Ok(Self { problem, stays: [true; 2], lines: None });
         };
         let flow = problem.frame.flow(direction)?;
         let lines = Some(Lines { problem, flow, bodies, passages });
@@ -68,8 +65,9 @@ impl<'a> Collector<'a> {
     pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
         let pairs = self.any_stays().then(|| {
             let slip = self.problem.motion.slip(advance);
+            let slides = self.problem.motion.slides();
             let points =
-                state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip));
+                state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip, slides));
             self.problem.wear(&points.collect(), self.stays)
         });
         let lines = self.lines.map(|lines| (OfLines::of(state, lines), advance * lines.passages));

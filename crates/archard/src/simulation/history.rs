@@ -36,6 +36,12 @@ pub const CREEPAGE: [&str; 2] = ["creepage", "lateral_creepage"];
 pub const SHIFT: [&str; 2] = ["shift_x_m", "shift_y_m"];
 /// Tangential forces on body 1 (N).
 pub const FORCE: [&str; 2] = ["force_x_N", "force_y_N"];
+/// Worn volume of a body over load and distance (m^3/(N m)).
+pub const WEAR_RATE: &str = "wear_rate_BODY_m3_per_Nm";
+/// Extent of the scar on the body that stays, along the track and across (m).
+pub const SCAR: [&str; 2] = ["scar_length_m", "scar_width_m"];
+/// Wear relative to the deepest below which a place is outside of the scar.
+const EDGE: f64 = 1e-3;
 /// Area that sticks (m^2).
 pub const STICK_AREA: &str = "stick_area_m2";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
@@ -77,10 +83,28 @@ pub const COLUMNS: &[Column] = &[
     column(CONTACT_AREA, "m2", "area of the elements under pressure", |r, _| {
         Some(r.problem.frame.area_where(|pair| r.state.pressure[pair] > 0.0))
     }),
-    column(WORN_VOLUME, "m3", "volume worn off each body that does not roll", worn_volume),
-    column(WORN_SECTION, "m2", "worn off the profile of each body that rolls", worn_section),
+    column(
+        WORN_VOLUME,
+        "m3",
+        "worn off each body, off the whole track; not in rolling",
+        worn_volume,
+    ),
+    column(WORN_SECTION, "m2", "worn off the profile of each body that passes", worn_section),
     column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| Some(maximum(&r.state.worn[i]))),
     column(WEAR_DEPTH, "m", "deepest total wear", |r, _| Some(deepest(r.state))),
+    column(WEAR_RATE, "m3_per_Nm", "its volume over load and distance", wear_rate),
+    column(SCAR[0], "m", "length of the scar on the body that stays, along the track", |r, _| {
+        scar(r).map(|[along, _]| along)
+    }),
+    column(SCAR[1], "m", "width of that scar, across the track", |r, _| {
+        scar(r).map(|[_, across]| across)
+    }),
+    column("turns", "", "turns, or strokes to and fro, so far", |r, _| {
+        Some(r.state.progress / r.problem.motion.sliding()?.track?.cycle())
+    }),
+    column("time_s", "s", "time so far, where a speed is known", |r, _| {
+        Some(r.state.progress / r.problem.motion.sliding()?.speed?)
+    }),
     column(CREEPAGE[0], "", "creepage in rolling, positive where body 1 is faster", |r, _| {
         rolling(r, |own, _| own.creepage[0])
     }),
@@ -150,20 +174,64 @@ pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
     name.strip_prefix(start)?.strip_suffix(end)
 }
 
-/// Worn volume (m^3) of a body; `None` in rolling.
+/// Worn volume (m^3) of a body, of the whole track of one that passes; `None` in rolling.
 fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
     let Report { problem, state, .. } = report;
-    problem.motion.rolling().is_none().then(|| problem.frame.integrate(&state.worn[body]))
+    let passing = problem.motion.passing().filter(|passing| passing.bodies[body]);
+    match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
+        (Some(length), _) => Some(length * worn_section(report, body)?),
+        (None, Some(_)) => None,
+        (None, None) => Some(problem.frame.integrate(&state.worn[body])),
+    }
 }
 
-/// Worn section (m^2) of a body across the direction of rolling; `None` where bodies do not roll.
+/// Worn section (m^2) of a body that passes, across the motion; `None` of others.
 fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
-    let frame = &report.problem.frame;
-    let direction = report.problem.motion.rolling()?.direction;
+    let (frame, motion) = (&report.problem.frame, &report.problem.motion);
+    let passes = motion.passing().filter(|passing| passing.bodies[body]);
+    let rolling = motion.rolling().map(|rolling| rolling.direction);
+    let direction = passes.map(|passing| passing.direction).or(rolling)?;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
     let section = |plane: &Plane| plane.width * plane.mean(&report.state.worn[body]);
     Some(images * flow.planes().iter().map(section).sum::<f64>())
+}
+
+/// Worn volume of a body over the load and the distance (1/Pa), which is k again; `None` without a track.
+fn wear_rate(report: &Report<'_>, body: usize) -> Option<f64> {
+    report.problem.motion.sliding()?.track?;
+    let worked = report.effort.load_distance;
+    let volume = worn_volume(report, body)?;
+    Some(if worked > 0.0 { volume / worked } else { 0.0 })
+}
+
+/// Extent (m) of the scar on the body that stays, along the track and across: that of the ellipse with the second moments
+/// of the worn zone. `None` where there is no track, or the body does not wear.
+fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
+    let Report { problem, state, .. } = report;
+    let sliding = problem.motion.sliding()?;
+    let track = sliding.track?;
+    let stays = 1 - track.body;
+    problem.bodies[stays].wear.as_ref()?;
+    let (frame, worn) = (&problem.frame, &state.worn[stays]);
+    let least = EDGE * maximum(worn);
+    let zone: Vec<usize> = (0..worn.len()).filter(|&pair| worn[pair] > least).collect();
+    let all: f64 = zone.iter().map(|&pair| frame.area(pair)).sum();
+    let extent = |axis: usize| {
+        let mean = |power: i32, from: f64| {
+            let part =
+                |&pair: &usize| frame.area(pair) * (frame.place(pair)[axis] - from).powi(power);
+            zone.iter().map(part).sum::<f64>() / all
+        };
+        // Half a frame has its middle on the plane of symmetry.
+        let middle = if frame.mirrored()[axis] { 0.0 } else { mean(1, 0.0) };
+        // What an element spreads over belongs to it.
+        let own = frame.elements()[axis].max(1) as f64;
+        let element = frame.size()[axis] / own / if frame.mirrored()[axis] { 2.0 } else { 1.0 };
+        4.0 * (mean(2, middle) + element * element / 12.0).sqrt()
+    };
+    let axis = sliding.direction.axis;
+    Some(if zone.is_empty() { [0.0; 2] } else { [extent(axis), extent(1 - axis)] })
 }
 
 /// A number of bodies that roll with friction; `None` of others.

@@ -52,7 +52,7 @@ impl March {
             Motion::Shift(shift) => {
                 Stepper::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
             }
-            Motion::Sliding | Motion::Rolling(_) => {
+            Motion::Sliding(_) | Motion::Rolling(_) => {
                 Stepper::Steps(Box::new(Steps::begin(simulation)?))
             }
         };

@@ -23,7 +23,7 @@ pub use checkpoint::NotResumed;
 pub use history::row;
 pub use march::March;
 pub use run::Run;
-pub(crate) use suits::{crossed, lacks};
+pub(crate) use suits::{crossed, inclined, lacks};
 
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
@@ -195,9 +195,17 @@ pub enum Error {
         /// The axis across the plane.
         axis: &'static str,
     },
-    /// Rolling on a curved frame.
-    #[error("bodies roll only where the frame, or the zone of the mesh, is plane")]
+    /// Axes of friction at an angle to a plane of symmetry.
+    #[error(
+        "the axes of friction lie at an angle to a plane of symmetry of the frame, and friction is not symmetric about it; mesh both sides"
+    )]
+    FrictionNotSymmetric,
+    /// Rolling, or a track, on a curved frame.
+    #[error("surfaces pass only where the frame, or the zone of the mesh, is plane")]
     NotPlane,
+    /// A track on pairs without rows.
+    #[error("a track needs pairs in rows along it: take a grid, or a zone with `elements`")]
+    NoRows,
     /// Rolling on pairs that determine no derivative along the direction of rolling.
     #[error("particles do not pass from pair to pair: {0}")]
     NotPassed(#[from] DegenerateCloud),

@@ -8,8 +8,9 @@
 //! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
 
 use crate::frame::{Flow, Passage, VectorField};
+use crate::friction::Friction;
 use crate::motion::Motion;
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::wear::{Columns, Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
@@ -59,14 +60,18 @@ impl OfLines {
         let planes = flow.planes();
         let rubs = |one: &&Passage| means[one.pair] > 0.0;
         let points = planes.iter().flat_map(|plane| plane.passages.iter().filter(rubs));
-        let points = points.map(|one| problem.rubbing(means[one.pair], slips[one.pair]));
+        let direction = |pair: usize| match &state.tangential {
+            Some(tangential) => tangential.slip.each_ref().map(|slip| slip[pair]),
+            None => flow.direction().forward(),
+        };
+        let rubbing = |pair: usize, times: f64| {
+            problem.rubbing(means[pair], times * slips[pair], direction(pair))
+        };
+        let points = points.map(|one| rubbing(one.pair, 1.0));
         let wear = problem.wear(&points.collect(), problem.wearing(bodies, Per::Increment));
         // All that a point goes through on a line.
         let whole = planes.iter().map(|plane| {
-            let part = |one: &Passage| {
-                let times = scale * one.times;
-                problem.rubbing(means[one.pair], times * slips[one.pair])
-            };
+            let part = |one: &Passage| rubbing(one.pair, scale * one.times);
             let parts = plane.passages.iter().filter(rubs).map(part);
             parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
         });
@@ -117,6 +122,26 @@ impl OfLines {
     }
 }
 
+/// Distance slid under a unit limit of friction that goes with a unit of its work: one if friction is the same in all
+/// directions, otherwise the mean of what resists less or more.
+pub(super) fn distance_of_work(
+    tangential: &Tangential,
+    friction: &dyn Friction,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+) -> f64 {
+    let traction = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
+    let (mut distance, mut total) = (0.0, 0.0);
+    for pair in 0..problem.frame.len() {
+        let slip = tangential.slip.each_ref().map(|slip| slip[pair]);
+        let work = traction[0][pair] * slip[0] + traction[1][pair] * slip[1];
+        let work = problem.frame.area(pair) * work;
+        distance += work / friction.map().resistance(slip);
+        total += work;
+    }
+    if total == 0.0 { 1.0 } else { distance / total }
+}
+
 /// Distance (m) that particles slide under the limit of friction on the passage to each pair: the work of the tractions
 /// on the slip over the limit. Where they slip all the way it is the slip; the element in which they pass from stick
 /// to slip, and the one in which they leave the contact, count by the part that slips.
@@ -131,8 +156,9 @@ fn rubbed_slip(
     let whole = |pair: usize| x[pair].hypot(y[pair]);
     let Some(friction) = &problem.friction else { return (0..means.len()).map(whole).collect() };
     let [one, two] = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
+    let map = friction.map();
     let part = |pair: usize| {
-        let limit = friction.limit(means[pair].max(0.0));
+        let limit = friction.limit(means[pair].max(0.0)) * map.resistance([x[pair], y[pair]]);
         let work = one[pair] * x[pair] + two[pair] * y[pair];
         if limit > 0.0 { (work / limit).clamp(0.0, whole(pair)) } else { whole(pair) }
     };
@@ -160,8 +186,11 @@ fn work_ratio(
             |axis: usize| tangential.traction[axis][pair] * (slips(pair)[axis] + taken[axis][pair]);
         problem.frame.area(pair) * (works(0) + works(1))
     };
-    let rubbed =
-        |one: &Passage| one.times * friction.limit(means[one.pair].max(0.0)) * rubbed[one.pair];
+    let map = friction.map();
+    let rubbed = |one: &Passage| {
+        let limit = friction.limit(means[one.pair].max(0.0)) * map.resistance(slips(one.pair));
+        one.times * limit * rubbed[one.pair]
+    };
     let rigid: f64 = (0..means.len()).map(rigid).sum();
     let planes = flow.planes();
     let rubbed = planes.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());

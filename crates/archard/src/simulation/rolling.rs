@@ -1,6 +1,7 @@
 //! Contact in steady rolling: pressures and friction that belong together.
 
 use super::chain::{Chain, Leg};
+use super::passing::distance_of_work;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::frame::{Flow, VectorField};
@@ -130,7 +131,7 @@ impl Chain {
             limit: &before_limit,
             found: &found,
         });
-        let outcome = tangential::solve(&*simulation.friction_solver, &step, start);
+        let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;
         effort.residual = effort.residual.max(outcome.residual);
@@ -195,9 +196,14 @@ impl Chain {
     }
 
     /// Work of the creepages over the coefficient of friction (N): what is worn a revolution is this
-    /// times k, whatever the contact, if the friction is Coulomb's. Without friction, the load times
-    /// the creepage.
-    pub(super) fn creep_work(&self, problem: &ContactProblem, rolling: &Rolling) -> f64 {
+    /// times k, whatever the contact, if the friction is Coulomb's; where it depends on the direction of the
+    /// slip, over its mean. Without friction, the load times the creepage.
+    pub(super) fn creep_work(
+        &self,
+        problem: &ContactProblem,
+        rolling: &Rolling,
+        flow: Flow<'_>,
+    ) -> f64 {
         let Some(tangential) = &self.state.tangential else { return 0.0 };
         let Some(friction) = &problem.friction else {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
@@ -207,6 +213,7 @@ impl Chain {
         if coefficient == 0.0 {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
-        tangential.creep_power(problem, rolling) / coefficient
+        let distance = distance_of_work(tangential, &**friction, problem, flow);
+        tangential.creep_power(problem, rolling) / coefficient * distance
     }
 }

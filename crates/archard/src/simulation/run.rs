@@ -15,7 +15,7 @@ use crate::numerics::vector::in_pool;
 /// # let steel = Material::new(210e9, 0.3)?;
 /// # let pin = Body::new("pin", Sphere::new(50e-3)?).material(steel).wear(Archard::new(1.33e-13)?);
 /// # let disc = Body::new("disc", Flat).material(steel);
-/// # let sliding = Sliding::over(10e-3, Control::Load(10.2), Stepping::Implicit(5e-3))?;
+/// # let sliding = Sliding::new().over(10e-3, Control::Load(10.2), Stepping::Implicit(5e-3))?;
 /// # let simulation = Simulation::builder([pin, disc], sliding).frame([1.2e-3; 2], [20; 2]).build()?;
 /// let mut run = Run::begin(simulation)?;
 /// while run.step()? {

@@ -25,7 +25,7 @@ impl Chain {
         let problem = &simulation.problem;
         if !rubs(problem, leg.advance) {
             self.press(simulation, leg, effort)?;
-            self.load_distance += self.distance(simulation, leg, leg);
+            self.load_distance += self.distance(simulation, leg, leg)?;
             return Ok(());
         }
         let collector = Collector::of(problem)?;
@@ -38,7 +38,7 @@ impl Chain {
             made = collector.collect(&self.state, leg.advance);
             if collector.agrees(&foreseen, &self.state, &made) {
                 collector.wear(&mut self.state, &made);
-                self.load_distance += self.distance(simulation, leg, leg);
+                self.load_distance += self.distance(simulation, leg, leg)?;
                 return Ok(());
             }
         }
@@ -63,7 +63,7 @@ impl Chain {
         let before = simulation.schedule.control_at(self.state.progress);
         let made = collector.collect(&self.state, leg.advance);
         collector.wear(&mut self.state, &made);
-        self.load_distance += self.distance(simulation, leg, Leg { control: before, ..leg });
+        self.load_distance += self.distance(simulation, leg, Leg { control: before, ..leg })?;
         self.press(simulation, leg, effort)
     }
 
@@ -109,15 +109,16 @@ impl Chain {
     }
 
     /// What a step adds to the [integral of the load over the distance](Effort::load_distance), with the load of a leg.
-    fn distance(&self, simulation: &Simulation, leg: Leg, at: Leg) -> f64 {
+    fn distance(&self, simulation: &Simulation, leg: Leg, at: Leg) -> Result<f64, Error> {
         let problem = &simulation.problem;
-        match &problem.motion {
+        Ok(match &problem.motion {
             Motion::Rolling(rolling) if rubs(problem, leg.advance) => {
-                leg.advance * self.creep_work(problem, rolling)
+                let flow = problem.frame.flow(rolling.direction)?;
+                leg.advance * self.creep_work(problem, rolling, flow)
             }
             Motion::Rolling(_) => 0.0,
             motion => self.prescribed_load(at) * motion.slip(leg.advance),
-        }
+        })
     }
 }
 

@@ -1,9 +1,10 @@
-//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only, rolling
-//! needs a plane of pairs that particles pass, and a wear law what it asks for.
+//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only and
+//! rub alike on both sides, rolling needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};
 use crate::body::Body;
-use crate::motion::{Drive, Guide, Motion, Rolling, Shift};
+use crate::friction::Friction;
+use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
 use crate::problem::ContactProblem;
 use crate::wear::{Input, Per, WearLaw};
 
@@ -14,11 +15,19 @@ impl Simulation {
     /// Whether the motion is possible on the frame.
     pub(super) fn check_frame(&self) -> Result<(), Error> {
         let (motion, frame) = (&self.problem.motion, &self.problem.frame);
-        if let Some(rolling) = motion.rolling() {
+        let rolling = motion.rolling().map(|rolling| rolling.direction);
+        if let Some(direction) = motion.passing().map(|passing| passing.direction).or(rolling) {
             if !frame.is_plane() {
                 return Err(Error::NotPlane);
             }
-            frame.flow(rolling.direction)?;
+            if !frame.flow(direction)?.has_rows() && rolling.is_none() {
+                return Err(Error::NoRows);
+            }
+        }
+        if let Some(friction) = &self.problem.friction
+            && inclined(&**friction, frame.mirrored())
+        {
+            return Err(Error::FrictionNotSymmetric);
         }
         crossed(motion, frame.mirrored())
             .map_or(Ok(()), |axis| Err(Error::NotSymmetric { axis: AXES[axis] }))
@@ -36,7 +45,9 @@ impl ContactProblem {
         }
         let whole = |body: &&Body| body.wear.as_ref().is_some_and(|law| law.per() == Per::Cycle);
         match (&self.motion, self.bodies.iter().find(whole)) {
-            (Motion::Sliding, Some(body)) => Err(Error::NoCycle { body: body.name.clone() }),
+            (Motion::Sliding(Sliding { track: None, .. }), Some(body)) => {
+                Err(Error::NoCycle { body: body.name.clone() })
+            }
             _ => Ok(()),
         }
     }
@@ -49,12 +60,20 @@ pub(crate) fn lacks(law: &dyn WearLaw, friction: bool) -> bool {
     })
 }
 
+/// Whether axes of friction lie at an angle to planes of symmetry, so that it differs on both sides.
+pub(crate) fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> bool {
+    mirrored != [false; 2] && !friction.map().is_aligned()
+}
+
 /// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it
 /// keeps to the planes there are.
 pub(crate) fn crossed(motion: &Motion, mirrored: [bool; 2]) -> Option<usize> {
     let rolls = motion.rolling().map(rolls);
     let shifts = motion.shift().map(shifts);
-    let moves = |axis: usize| [rolls, shifts].into_iter().flatten().any(|moves| moves[axis]);
+    let passing = motion.sliding().and_then(|_| motion.passing());
+    let passes = passing.map(|passing| [0, 1].map(|axis| axis == passing.direction.axis));
+    let all = [rolls, shifts, passes];
+    let moves = |axis: usize| all.into_iter().flatten().any(|moves| moves[axis]);
     (0..2).find(|&axis| mirrored[axis] && moves(axis))
 }
 

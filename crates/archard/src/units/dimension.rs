@@ -27,6 +27,8 @@ impl Dimension {
     pub const POWER: Self = Self([2.0, 1.0, -3.0, 0.0]);
     /// Frequency (Hz).
     pub const FREQUENCY: Self = Self([0.0, 0.0, -1.0, 0.0]);
+    /// Speed (m/s).
+    pub const SPEED: Self = Self([1.0, 0.0, -1.0, 0.0]);
     /// Wear coefficient (1/Pa).
     pub const WEAR_COEFFICIENT: Self = Self([1.0, -1.0, 2.0, 0.0]);
 
@@ -46,7 +48,7 @@ impl Dimension {
         (Self::POWER, "a power"),
         (Self::FREQUENCY, "a frequency"),
         (Self::WEAR_COEFFICIENT, "a wear coefficient (1/pressure)"),
-        (Self([1.0, 0.0, -1.0, 0.0]), "a speed"),
+        (Self::SPEED, "a speed"),
         (Self([0.0, 0.0, -1.0, 1.0]), "a rotational speed"),
         (Self([0.0, 1.0, -2.0, 0.0]), "a force per length"),
     ];

@@ -46,6 +46,12 @@ impl Measure {
     pub const ANGLE: Self = Self::of(Dimension::ANGLE, "an angle", "90 deg", ["deg", "rad"], "rad");
     /// A time (s).
     pub const TIME: Self = Self::of(Dimension::TIME, "a time", "10 s", ["s", "min"], "s");
+    /// A speed (m/s).
+    pub const SPEED: Self =
+        Self::of(Dimension::SPEED, "a speed", "0.1 m/s", ["m/s", "mm/s"], "m/s");
+    /// A frequency (1/s).
+    pub const FREQUENCY: Self =
+        Self::of(Dimension::FREQUENCY, "a frequency", "5 Hz", ["Hz", "rpm"], "Hz");
     /// A dimensional wear coefficient (1/Pa).
     pub const WEAR_COEFFICIENT: Self = Self::of(
         Dimension::WEAR_COEFFICIENT,

@@ -21,6 +21,7 @@ const SYMBOLS: &[(&str, Dimension, i8, f64)] = &[
     ("Nm", Dimension::ENERGY, 0, 1.0),
     ("W", Dimension::POWER, 0, 1.0),
     ("Hz", Dimension::FREQUENCY, 0, 1.0),
+    ("rpm", Dimension::FREQUENCY, 0, 1.0 / 60.0),
 ];
 
 /// Prefixes and their powers of ten; the micro sign is there as the Latin and as the Greek letter.

@@ -7,7 +7,7 @@ pub mod dense;
 use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
 use archard::case::CaseFile;
-use archard::motion::{Control, Motion, Schedule, Stepping};
+use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::history::number;
@@ -80,7 +80,8 @@ impl Ball {
             let law = Some(self.wear[index]).filter(|&coefficient| coefficient > 0.0);
             body.wear = law.map(|k| Box::new(Archard::new(k).expect("a coefficient")) as _);
         }
-        let planned = (Motion::Sliding, Schedule::steady(self.control, extent, stepping));
+        let planned =
+            (Motion::Sliding(Sliding::new()), Schedule::steady(self.control, extent, stepping));
         let settings = Settings::new(self.solver_tolerance, 500).expect("a tolerance");
         let builder = Simulation::builder(bodies, planned).frame(self.size, self.elements);
         let simulation = builder.solver(ConjugateGradient::new(settings)).build();

@@ -5,17 +5,36 @@ use archard::body::Material;
 use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornPlanes};
 use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
-use archard::friction::{FRICTION, onto_disc};
+use archard::friction::{FRICTION, Friction, onto_disc};
 use archard::motion::Control;
+use archard::parameters::{Value, Values};
 use archard::solve::tangential::{self, FRICTION_SOLVERS, Held};
 use archard::solve::{Start, Status, Step};
 use proptest::prelude::*;
 
 use crate::common::{Ball, STEEL, at_rest, choose, solver};
-use crate::{Examples, all_have_examples};
 
-pub const FRICTION_EXAMPLES: Examples =
-    &[("coulomb", &[("coefficient", 0.6)]), ("coulomb", &[("coefficient", 0.0)])];
+/// Values (SI) to build each law with.
+const FRICTION_EXAMPLES: &[(&str, &[(&str, Value)])] = &[
+    ("coulomb", &[("coefficient", Value::Number(0.6))]),
+    ("coulomb", &[("coefficient", Value::Number(0.0))]),
+    ("orthotropic", &[("coefficients", Value::Pair([0.1, 0.65])), ("angle", Value::Number(0.7))]),
+];
+
+/// Every friction law by its name; each in the list has an example.
+pub fn friction_laws() -> Vec<(&'static str, Box<dyn Friction>)> {
+    for choice in FRICTION {
+        let known = FRICTION_EXAMPLES.iter().any(|example| example.0 == choice.name);
+        assert!(known, "`{}` needs a line in the contract list", choice.name);
+    }
+    let build = |(name, given): &(&'static str, &[(&'static str, Value)])| {
+        let mut values = Values::default();
+        given.iter().for_each(|(name, value)| values.insert(name, value.clone()));
+        let choice = FRICTION.iter().find(|choice| choice.name == *name).expect("a listed name");
+        (*name, (choice.build)(&values).expect("valid values"))
+    };
+    FRICTION_EXAMPLES.iter().map(build).collect()
+}
 
 const DIRECTIONS: [Direction; 4] = [
     Direction { axis: 0, reversed: false },
@@ -49,9 +68,7 @@ proptest! {
         trial in prop::array::uniform2(-4e9..4e9f64),
         other in prop::array::uniform2(-1.0..1.0f64),
     ) {
-        all_have_examples(FRICTION, FRICTION_EXAMPLES, &[]);
-        for (name, numbers) in FRICTION_EXAMPLES {
-            let law = choose(FRICTION, name, numbers);
+        for (_, law) in friction_laws() {
             prop_assert_eq!(law.limit(0.0), 0.0);
             prop_assert_eq!(onto_disc(trial, law.limit(0.0)), [0.0; 2]);
             let limit = law.limit(pressure);
@@ -69,6 +86,13 @@ proptest! {
             if admissible(other) {
                 prop_assert!(distance(trial, found) <= distance(trial, other) + 1e-6);
             }
+            // The map keeps the work, and what it makes of the disc has the length of the limit.
+            let (map, dot) = (law.map(), |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1]);
+            let traction = map.apply(found);
+            prop_assert!((map.length(traction) - found[0].hypot(found[1])).abs() <= 1e-12 * limit);
+            let work = dot(traction, trial) - dot(found, map.apply(trial));
+            prop_assert!(work.abs() <= 1e-12 * limit * map.largest() * trial[0].hypot(trial[1]));
+            prop_assert!(dot(trial, map.apply(trial)) >= 0.0);
         }
     }
 }

@@ -3,7 +3,10 @@
 use std::fmt::{self, Formatter};
 
 use super::words::{length, pressure, three};
-use crate::estimate::{Contact, Estimate, Fretting, FrettingWear, Pressed, Rolled, Track, WornCap};
+use crate::closed_form::worn_track::WornTrack;
+use crate::estimate::{
+    Contact, Estimate, Fretting, FrettingWear, OnTrack, Pressed, Rolled, Track, WornCap,
+};
 
 /// The contact and its friction, with the elements across it along x and y.
 pub(super) fn write_contact(
@@ -34,6 +37,9 @@ pub(super) fn write_contact(
 pub(super) fn write_wear(f: &mut Formatter<'_>, estimate: &Estimate) -> fmt::Result {
     let track = estimate.rolled.and_then(|rolled| rolled.track);
     let fretting = estimate.fretting.and_then(|fretting| fretting.wear);
+    if let Some(track) = estimate.track {
+        return groove_in_words(f, &track);
+    }
     match (estimate.cap, track, fretting) {
         (Some(WornCap { volume, depth, semi_axes, .. }), ..) => {
             writeln!(f, "worn volume       {} mm^3 at the end (k F s)", three(volume * 1e9))?;
@@ -44,6 +50,20 @@ pub(super) fn write_wear(f: &mut Formatter<'_>, estimate: &Estimate) -> fmt::Res
         (None, None, Some(wear)) => fretting_wear_in_words(f, &wear),
         (None, None, None) => writeln!(f, "wear              no closed form, or nothing wears"),
     }
+}
+
+fn groove_in_words(f: &mut Formatter<'_>, track: &OnTrack) -> fmt::Result {
+    let [one, two] = track.volumes.map(|volume| three(volume * 1e9));
+    writeln!(f, "worn volumes      {one} and {two} mm^3 at the end (k F s)")?;
+    let WornTrack { scar_depth, groove_depth, extent: [_, width] } = track.worn;
+    writeln!(
+        f,
+        "scar              {} deep, {} wide (rigid bodies)",
+        length(scar_depth),
+        length(width)
+    )?;
+    let section = three(track.section * 1e6);
+    writeln!(f, "groove            {} deep, section {section} mm^2", length(groove_depth))
 }
 
 fn contact_in_words(f: &mut Formatter<'_>, contact: &Contact) -> fmt::Result {

@@ -1,7 +1,7 @@
 //! What is doubtful about a case, in words.
 
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Finiteness, Forecast, Parts, Solves, rolling, shift};
+use super::{Finiteness, Forecast, Parts, Solves, rolling, shift, track};
 use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -27,6 +27,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 /// All that is wrong or doubtful.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
+    problems.extend(track::problems(parts, forecast));
     problems.extend(useless_friction(parts));
     problems.extend(without_friction(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
@@ -115,7 +116,7 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
 
 /// Depth worn off both bodies per pressure and distance slid (1/Pa).
 pub(super) fn wear_slope(parts: &Parts<'_>) -> f64 {
-    let rubbing = problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0);
+    let rubbing = problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, parts.motion.slides());
     let laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
     laws.map(|law| law.slope(rubbing)).sum()
 }

@@ -9,7 +9,7 @@ use crate::case::problem::Problem;
 use crate::compliance::bem::Undetermined;
 use crate::compliance::bem::contact::{ContactError, Meeting};
 use crate::frame::Pairs;
-use crate::simulation::{Error, crossed};
+use crate::simulation::{Error, crossed, inclined};
 
 const AXES: [&str; 2] = ["x", "y"];
 
@@ -17,6 +17,7 @@ const AXES: [&str; 2] = ["x", "y"];
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = on_the_zone(parts);
     problems.extend(across(parts));
+    problems.extend(askew(parts));
     match Meeting::of(parts.bodies.each_ref()) {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
@@ -151,6 +152,19 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
     let key = Key::of(["motion", parts.case.motion.choice.name]);
     let help = format!("take \"{axis}\" out of `body.{}.symmetry`", body.name);
     Some(Problem::error(key, message).at_name().help(help))
+}
+
+/// Axes of friction at an angle to a plane of symmetry.
+fn askew(parts: &Parts<'_>) -> Option<Problem> {
+    let (body, mirrored) = parts.halved()?;
+    let law = parts.case.friction.as_ref()?.choice.name;
+    let message = format!(
+        "its axes lie at an angle to the plane of symmetry of the body `{}`: friction is not the same on both sides",
+        body.name
+    );
+    let help = format!("leave `body.{}.symmetry` out, or turn the axes along x and y", body.name);
+    inclined(parts.friction.as_deref()?, mirrored)
+        .then(|| Problem::error(Key::of(["friction", law]), message).at_name().help(help))
 }
 
 /// A profile that is not symmetric where a mesh is.

@@ -16,6 +16,7 @@ pub(super) mod memory;
 mod rolling;
 mod shift;
 pub(super) mod slender;
+mod track;
 mod words;
 
 pub use coarse::BesideHalfSpace;

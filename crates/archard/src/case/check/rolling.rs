@@ -84,7 +84,11 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
         return Some(Problem::warning(motion(parts), message).at_name());
     }
     let Control::Load(load) = parts.schedule.control else { return None };
-    let bears = parts.subject().friction_coefficient()? * load;
+    let given = [rolling.longitudinal, rolling.lateral].map(|one| matches!(one, Drive::Force(_)));
+    let direction = rolling.direction;
+    let [forward, lateral] = [direction.forward(), direction.lateral()];
+    let force = [0, 1].map(|axis| along * forward[axis] + across * lateral[axis]);
+    let bears = parts.subject().largest_force(force, given)? * load;
     (asked > 0.0 && asked >= bears).then(|| {
         let both =
             if along != 0.0 && across != 0.0 { " together with `lateral_force`" } else { "" };

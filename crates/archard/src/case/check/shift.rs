@@ -44,9 +44,9 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
     // What leads to a first line of a path grows evenly: that line is the one to change.
     let first = shift.lead.last().map(|station| (0.0, station));
     let cycle = shift.places.iter().copied().zip(&shift.cycle);
-    let asked = first.into_iter().chain(cycle).filter(|(_, station)| force(station) > 0.0);
+    let asked = first.into_iter().chain(cycle).filter(|(_, station)| size(force(station)) > 0.0);
     let mut beyond = asked.filter_map(|(place, station)| {
-        let excess = force(station) - (1.0 - 1e-9) * borne(parts, station)?;
+        let excess = size(force(station)) - (1.0 - 1e-9) * borne(parts, station)?;
         (excess >= 0.0).then_some((place, station, excess))
     });
     let (name, when, station) = if given(parts, "force_amplitude") {
@@ -56,7 +56,7 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
         let (place, station, _) = beyond.next()?;
         ("file", format!(" at {}", shift.progress.at(place)), station)
     };
-    let force = three(force(station));
+    let force = three(size(force(station)));
     let message = if parts.friction.is_none() {
         format!("nothing bears the force of {force} N{when} without a `friction` table")
     } else {
@@ -68,16 +68,19 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
     Some(Problem::error(key(parts, name), message))
 }
 
-/// The tangential force (N) prescribed at a station.
-fn force(station: &Station) -> f64 {
-    let [x, y] = station.guides.map(|guide| match guide {
+/// The tangential force (N) prescribed at a station, along x and y.
+fn force(station: &Station) -> [f64; 2] {
+    station.guides.map(|guide| match guide {
         Guide::Force(force) => force,
         Guide::Shift(_) => 0.0,
-    });
+    })
+}
+
+fn size([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// The force (N) friction bears at a station, where the load there is known.
+/// The force (N) friction bears at a station in the direction of the one prescribed, where the load there is known.
 fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
     if parts.friction.is_none() {
         return Some(0.0);
@@ -86,7 +89,8 @@ fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
         Control::Load(load) => load,
         Control::Approach(_) => parts.subject().contact(station.control)?.load,
     };
-    Some(parts.subject().friction_coefficient()? * load)
+    let given = station.guides.map(|guide| matches!(guide, Guide::Force(_)));
+    Some(parts.subject().largest_force(force(station), given)? * load)
 }
 
 /// Whether a body deforms as its shape tells: those of one elasticity then slip as well.

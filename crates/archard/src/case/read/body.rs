@@ -26,6 +26,7 @@ impl Reader<'_> {
     /// Both bodies, in the order in which they are written.
     pub(super) fn bodies(&mut self, root: &Section<'_>) -> Option<[BodyCase; 2]> {
         let section = self.table(root, "body", "two bodies, `[body.NAME]` each")?;
+        self.bodies = section.table.0.iter().map(|entry| entry.name.clone()).collect();
         let bodies: Vec<Option<BodyCase>> =
             section.table.0.iter().map(|entry| self.body(&section.key, entry)).collect();
         self.count_bodies(&section);

@@ -267,7 +267,7 @@ impl Rig {
             limit,
             found,
         });
-        let outcome = tangential::solve(&*simulation.friction_solver, &step, start);
+        let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;
         effort.residual = effort.residual.max(outcome.residual);

@@ -108,7 +108,10 @@ fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> 
         0.5 * (earlier + tangential.traction[axis][pair])
     };
     let work = traction(0) * slip[0] + traction(1) * slip[1];
-    let friction = problem.friction.as_ref().map_or(0.0, |friction| friction.slope(pressure));
+    let friction = problem
+        .friction
+        .as_ref()
+        .map_or(0.0, |friction| friction.slope(pressure) * friction.map().resistance(slip));
     Some(Rubbing::new(pressure, slip[0].hypot(slip[1])).with_friction(work, friction))
 }
 

@@ -1,6 +1,6 @@
 //! Loads and forces that are given, and the approach and slips that go with them.
 
-use super::Step;
+use super::Mapped;
 use super::regime::Regime;
 use super::state::{APPROACH, State};
 use crate::frame::VectorField;
@@ -28,7 +28,7 @@ impl Border {
     /// `undo` is nearly the inverse of the rows of the pairs.
     pub fn of(
         state: &State,
-        step: &Step<'_>,
+        step: &Mapped<'_>,
         regime: &Regime,
         undo: impl Fn(&[f64]) -> Vec<f64>,
     ) -> Self {
@@ -39,11 +39,11 @@ impl Border {
         directions.extend(step.held.iter().map(|held| [held.direction[0], held.direction[1], 0.0]));
         let zero = VectorField::zeros(pairs);
         let column = |direction: &[f64; 3]| {
-            regime.rows(&step.frame.moved(direction.map(|component| -component)), &zero)
+            regime.rows(&step.moved(direction.map(|component| -component)), &zero)
         };
         let columns: Vec<Vec<f64>> = directions.iter().map(column).collect();
         let measure = step.frame.measure();
-        let weigh = |direction: &[f64; 3]| weighed(step.frame.moved(*direction), measure.weight);
+        let weigh = |direction: &[f64; 3]| weighed(step.moved(*direction), measure.weight);
         let weights = directions.iter().map(weigh).collect();
         let mut border = Self {
             loaded: load.is_some(),

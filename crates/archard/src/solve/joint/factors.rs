@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 use faer::MatMut;
 use serde::{Deserialize, Serialize};
 
-use super::Step;
+use super::Mapped;
 use super::regime::{Regime, Sliding, Touch};
 use super::state::State;
 use crate::numerics::dense::Lu;
@@ -43,7 +43,7 @@ pub fn factors_memory(in_contact: f64) -> f64 {
 impl Factors {
     /// Of the rows of the pairs in contact, each along t1, t2 and n; `None` where the compliance has no matrix
     /// or it would be too large.
-    pub(super) fn of(state: &State, step: &Step<'_>) -> Option<Self> {
+    pub(super) fn of(state: &State, step: &Mapped<'_>) -> Option<Self> {
         let regime = Regime::of(state, step);
         let augmented: Vec<f64> = (0..regime.touch.len()).map(|i| state.augmented(i)).collect();
         let least = -NEAR * augmented.iter().copied().fold(0.0, f64::max);
@@ -58,7 +58,7 @@ impl Factors {
     }
 
     /// Whether there are factors, made if need be.
-    pub(super) fn are_made(&self, step: &Step<'_>) -> bool {
+    pub(super) fn are_made(&self, step: &Mapped<'_>) -> bool {
         if self.lu.get().is_none()
             && let Some(lu) = self.make(step)
         {
@@ -67,7 +67,7 @@ impl Factors {
         self.lu.get().is_some()
     }
 
-    fn make(&self, step: &Step<'_>) -> Option<Lu<f32>> {
+    fn make(&self, step: &Mapped<'_>) -> Option<Lu<f32>> {
         let Self { pairs, regime, .. } = self;
         let (count, own) = (pairs.len(), step.compliance.shifting(step.frame).own());
         let whole = step.compliance.matrix(pairs)?;
@@ -85,7 +85,7 @@ impl Factors {
     }
 
     /// What the pairs did, asking for what a state near theirs lacks.
-    pub(super) fn regime(&self, state: &State, step: &Step<'_>) -> Regime {
+    pub(super) fn regime(&self, state: &State, step: &Mapped<'_>) -> Regime {
         let mut regime = self.regime.clone();
         regime.aim_at(state, step);
         regime

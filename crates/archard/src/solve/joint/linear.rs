@@ -17,7 +17,7 @@ use super::border::Border;
 use super::factors::Factors;
 use super::regime::{LEAST, Regime, Touch, components};
 use super::state::State;
-use super::{Solution, Step};
+use super::{Mapped, Solution};
 use crate::compliance::{Preconditioner, SlipMap};
 use crate::frame::VectorField;
 use crate::numerics::gmres::{self, System};
@@ -34,7 +34,7 @@ const KRYLOV: usize = 80;
 /// The system. Vectors hold the unknown tractions (Pa) along t1, t2 and n, then the approach and the slips
 /// that are found, in the unit of the border.
 pub(super) struct Linear<'s> {
-    step: &'s Step<'s>,
+    step: &'s Mapped<'s>,
     inverse: Inverse<'s>,
     pub regime: Regime,
     border: Border,
@@ -53,7 +53,7 @@ struct Inverse<'s> {
 impl<'s> Linear<'s> {
     pub fn about(
         state: &State,
-        step: &'s Step<'s>,
+        step: &'s Mapped<'s>,
         regime: Regime,
         factors: Option<&'s Factors>,
     ) -> Self {

@@ -9,6 +9,7 @@
 mod border;
 mod factors;
 mod linear;
+mod mapped;
 mod regime;
 mod state;
 
@@ -26,6 +27,8 @@ use crate::solve::tangential::Held;
 
 pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
+use mapped::Mapped;
+pub(super) use mapped::solve;
 use regime::{Regime, Touch};
 use state::State;
 
@@ -111,8 +114,8 @@ const STALE: usize = 9;
 /// Semismooth Newton steps on pressures and friction together, each by Krylov iterations (P. Alart and A.
 /// Curnier, *Comput. Methods Appl. Mech. Engrg.* 92 (1991) 353), from a solution known or foreseen, whichever is
 /// nearer.
-pub(super) fn solve(
-    step: &Step<'_>,
+fn newton(
+    step: &Mapped<'_>,
     start: &Solution,
     foreseen: Option<&Solution>,
     settings: Settings,
@@ -141,7 +144,7 @@ pub(super) fn solve(
 
 /// Newton steps under way.
 struct Newton<'s> {
-    step: &'s Step<'s>,
+    step: &'s Mapped<'s>,
     settings: Settings,
     factors: Option<Arc<Factors>>,
     state: State,
@@ -204,7 +207,7 @@ impl Newton<'_> {
 }
 
 /// The state after as much of a change as lowers the residual; `None` where hardly any does.
-fn shorten(state: &State, change: &Solution, step: &Step<'_>) -> Option<State> {
+fn shorten(state: &State, change: &Solution, step: &Mapped<'_>) -> Option<State> {
     let mut length = 1.0;
     while length >= SHORTEST {
         let next = state.moved(change, length, step);

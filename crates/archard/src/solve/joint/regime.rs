@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Step;
+use super::Mapped;
 use super::state::State;
 use crate::compliance::Rub;
 use crate::frame::VectorField;
@@ -45,7 +45,7 @@ pub(super) struct Regime {
 }
 
 impl Regime {
-    pub fn of(state: &State, step: &Step<'_>) -> Self {
+    pub fn of(state: &State, step: &Mapped<'_>) -> Self {
         let pairs = step.gap.len();
         let zeros = || vec![0.0; pairs];
         let mut regime = Self {
@@ -63,7 +63,7 @@ impl Regime {
         regime
     }
 
-    fn classify(&mut self, pair: usize, state: &State, step: &Step<'_>) {
+    fn classify(&mut self, pair: usize, state: &State, step: &Mapped<'_>) {
         let pressure = state.augmented(pair);
         if pressure <= 0.0 {
             return;
@@ -86,7 +86,7 @@ impl Regime {
     }
 
     /// Sets the right-hand side for a state: the one that the rows were made from, or one near it.
-    pub fn aim_at(&mut self, state: &State, step: &Step<'_>) {
+    pub fn aim_at(&mut self, state: &State, step: &Mapped<'_>) {
         let pairs = self.touch.len();
         let VectorField { t1, t2, n } = &state.solution.traction;
         for pair in 0..pairs {

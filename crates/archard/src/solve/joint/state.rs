@@ -1,6 +1,6 @@
 //! An iterate of contact and friction, and how far it is from the solution.
 
-use super::{Outcome, Solution, Status, Step};
+use super::{Mapped, Outcome, Solution, Status};
 use crate::frame::VectorField;
 use crate::friction::onto_disc;
 use crate::motion::Control;
@@ -24,7 +24,7 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(step: &Step<'_>, start: &Solution) -> Self {
+    pub fn new(step: &Mapped<'_>, start: &Solution) -> Self {
         let own = [step.compliance.normal_self_term(), step.compliance.shifting(step.frame).own()];
         let mut solution = start.clone();
         solution.found.resize(step.held.len(), 0.0);
@@ -34,13 +34,13 @@ impl State {
         Self::of(solution, own, step)
     }
 
-    fn of(solution: Solution, own: [f64; 2], step: &Step<'_>) -> Self {
+    fn of(solution: Solution, own: [f64; 2], step: &Mapped<'_>) -> Self {
         let displacement = &solution.displacement;
         let mut moved = APPROACH.map(|component| solution.approach * component);
         for (found, held) in solution.found.iter().zip(step.held) {
             (0..2).for_each(|axis| moved[axis] += found * held.direction[axis]);
         }
-        let moved = step.frame.moved(moved);
+        let moved = step.moved(moved);
         let apart = |before: &[f64], moved: &[f64], taken: &[f64]| {
             map([before, moved, taken], |[before, moved, taken]| before + moved - taken)
         };
@@ -55,12 +55,12 @@ impl State {
     }
 
     /// The state with other tractions and what belongs to them.
-    pub fn with(&self, solution: Solution, step: &Step<'_>) -> Self {
+    pub fn with(&self, solution: Solution, step: &Mapped<'_>) -> Self {
         Self::of(solution, self.own, step)
     }
 
     /// The state after a share of a change.
-    pub fn moved(&self, change: &Solution, length: f64, step: &Step<'_>) -> Self {
+    pub fn moved(&self, change: &Solution, length: f64, step: &Mapped<'_>) -> Self {
         self.with(self.solution.moved(change, length), step)
     }
 
@@ -77,8 +77,8 @@ impl State {
     }
 
     /// Forces (N) that are missing: the load, if it is given, and those held.
-    pub fn missing(&self, step: &Step<'_>) -> (Option<f64>, Vec<f64>) {
-        let force = step.frame.force(&self.solution.traction);
+    pub fn missing(&self, step: &Mapped<'_>) -> (Option<f64>, Vec<f64>) {
+        let force = step.force(&self.solution.traction);
         let load = match step.control {
             Control::Load(load) => Some(load + force[2]),
             Control::Approach(_) => None,
@@ -88,7 +88,7 @@ impl State {
         (load, held.collect())
     }
 
-    fn measure(&self, step: &Step<'_>) -> f64 {
+    fn measure(&self, step: &Mapped<'_>) -> f64 {
         let (mut off, mut pressed, mut beside, mut borne) = (0.0, 0.0, 0.0, 0.0);
         let (mut total, mut held) = (0.0, 0.0);
         let VectorField { t1, t2, n } = &self.solution.traction;
@@ -123,7 +123,7 @@ impl State {
     }
 
     /// How it would end: solved to a tolerance, cut off by the frame, or not solved.
-    pub fn status(&self, tolerance: f64, step: &Step<'_>) -> Status {
+    pub fn status(&self, tolerance: f64, step: &Mapped<'_>) -> Status {
         let normal = &self.solution.traction.n;
         let full = !step.frame.measure().closed && normal.iter().all(|&n| n < 0.0);
         match (self.residual <= tolerance, full) {

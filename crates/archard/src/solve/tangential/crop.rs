@@ -11,7 +11,11 @@ const WHOLE: f64 = 0.75;
 
 /// Solves a step on the part of the frame around its contact, where that is much smaller. Tractions and slip
 /// are zero on the rest.
-pub fn solve(solver: &dyn FrictionSolver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+pub(super) fn solve(
+    solver: &dyn FrictionSolver,
+    step: &Step<'_>,
+    start: Option<Start<'_>>,
+) -> Outcome {
     let Some(part) = Part::around(step) else { return solver.solve(step, start) };
     let Some(map) = step.map.within(part.size) else { return solver.solve(step, start) };
     solve_on(&part, &*map, solver, step, start)

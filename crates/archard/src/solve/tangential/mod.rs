@@ -3,20 +3,22 @@
 //! The problem: on every pair the traction t is bounded, |t| <= limit, and where the slip s is not
 //! zero t has that length and the direction of s. The slip is that of the rigid bodies less what
 //! the tractions take away, s = rigid - B t. Instead of a rigid slip along some direction the force
-//! along it may be given; the slip follows.
+//! along it may be given; the slip follows. An ellipse of admissible tractions, which a friction law makes of the disc
+//! |t| <= limit by its [map](crate::friction::Map), is seen by [`solve`] alone.
 //!
 //! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
 
 mod blocks;
 mod contraction;
 mod crop;
+mod mapped;
 mod newton;
 mod pairs;
 mod uzawa;
 
 use std::fmt::Debug;
 
-pub use crop::solve;
+pub use mapped::solve;
 pub use newton::Newton;
 pub use uzawa::Uzawa;
 
@@ -45,9 +47,9 @@ pub struct Step<'a> {
 /// A force that is given instead of a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Held {
-    /// Unit vector along which the bodies slip as far as it takes.
+    /// Vector along which the bodies slip as far as it takes; of length one where tractions are those of the pairs.
     pub direction: [f64; 2],
-    /// Force on body 1 along it (N).
+    /// Sum over the contact of the tractions on body 1 times this vector (N): the force along it.
     pub force: f64,
 }
 

@@ -1,0 +1,218 @@
+//! Bodies that slide on a track: one stays in contact, the other passes under it.
+
+use std::f64::consts::TAU;
+
+use approx::assert_relative_eq;
+use archard::closed_form::worn_track::worn;
+use archard::simulation::Error;
+
+use crate::common::{Rows, case, states};
+
+/// A ball of 3 mm on a disc, with these coefficients (mm^3/(N m)), after so many metres.
+fn text(ball: f64, disc: f64, motion: &str) -> String {
+    format!(
+        r#"
+        [body.ball]
+        material = {{ young = "210 GPa", poisson = 0.3 }}
+        profile.sphere = {{ radius = "3 mm" }}
+        wear.archard = {{ coefficient = "{ball} mm^3/(N m)" }}
+        [body.disc]
+        material = {{ young = "210 GPa", poisson = 0.3 }}
+        profile.flat = {{}}
+        wear.archard = {{ coefficient = "{disc} mm^3/(N m)" }}
+        [frame]
+        size = ["0.6 mm", "0.6 mm"]
+        elements = [41, 41]
+        [motion.sliding]
+        load = "10 N"
+        {motion}
+    "#
+    )
+}
+
+const TRACK: &str = "track_radius = \"10 mm\"\npasses = \"disc\"\ndistance = \"600 m\"";
+
+fn rows(text: &str, options: &[&str]) -> Rows {
+    let mut rows = Rows::default();
+    case(text, options).run(&mut [&mut rows]).expect("it converges");
+    rows
+}
+
+/// Each body loses k F s, the disc over the whole track, and both have the shape that geometry gives them.
+#[test]
+fn volumes_follow_from_the_load_and_shapes_from_geometry() {
+    let length = 0.01 * TAU;
+    for (ball, disc) in [(1e-7, 5e-6), (1e-7, 3e-7), (2e-8, 8e-6)] {
+        let found = rows(&text(ball, disc, TRACK), &["motion.sliding.tolerance=0.003"]);
+        let worked = 10.0 * 600.0;
+        let [ball, disc] = [ball, disc].map(|k| k * 1e-9);
+        assert_relative_eq!(
+            found.last("worn_volume_ball_m3") / (ball * worked),
+            1.0,
+            max_relative = 1e-9
+        );
+        assert_relative_eq!(
+            found.last("worn_volume_disc_m3") / (disc * worked),
+            1.0,
+            max_relative = 1e-9
+        );
+        assert_relative_eq!(
+            found.last("wear_rate_disc_m3_per_Nm") / disc,
+            1.0,
+            max_relative = 1e-9
+        );
+        let section = disc * worked / length;
+        assert_relative_eq!(found.last("worn_section_disc_m2") / section, 1.0, max_relative = 1e-9);
+        let rigid = worn([1.0 / 3e-3; 2], [ball, disc], length, worked);
+        // Elasticity widens the scar.
+        let ratio = |column: &str, rigid: f64| found.last(column) / rigid;
+        assert_relative_eq!(ratio("wear_depth_ball_m", rigid.scar_depth), 1.0, max_relative = 0.02);
+        assert_relative_eq!(
+            ratio("wear_depth_disc_m", rigid.groove_depth),
+            1.0,
+            max_relative = 0.02
+        );
+        assert_relative_eq!(ratio("scar_width_m", rigid.extent[1]), 1.0, max_relative = 0.04);
+        assert_relative_eq!(found.last("turns"), 600.0 / length, max_relative = 1e-12);
+    }
+}
+
+/// A disc that does not wear leaves the pin as if there were no track.
+#[test]
+fn on_a_hard_disc_the_pin_wears_as_without_a_track() {
+    let options = ["motion.sliding.step=20 m"];
+    let track = rows(&text(1e-7, 0.0, TRACK), &options);
+    let plain = rows(&text(1e-7, 0.0, "distance = \"600 m\"\nsurfaces = \"stay\""), &options);
+    for column in ["wear_depth_ball_m", "approach_m", "centre_pressure_Pa", "worn_volume_ball_m3"] {
+        let both = track.column(column).into_iter().zip(plain.column(column)).skip(1);
+        both.for_each(|(one, other)| assert_relative_eq!(one / other, 1.0, max_relative = 1e-7));
+    }
+}
+
+/// A ball that does not wear makes a groove of its own radius: a segment of a circle, but for the elastic flattening.
+#[test]
+fn a_hard_ball_makes_a_groove_of_its_own_shape() {
+    let found =
+        rows(&text(0.0, 5e-6, TRACK), &["motion.sliding.tolerance=0.003", "body.ball.wear="]);
+    let section: f64 = 5e-15 * 6000.0 / (0.01 * TAU);
+    let width = (12.0 * 3e-3 * section).cbrt();
+    let depth = width * width / (8.0 * 3e-3);
+    assert_relative_eq!(found.last("worn_section_disc_m2") / section, 1.0, max_relative = 1e-9);
+    assert_relative_eq!(found.last("wear_depth_disc_m") / depth, 1.0, max_relative = 0.03);
+}
+
+/// It does not matter which body comes first, or along which axis the track runs.
+#[test]
+fn bodies_and_axes_may_be_swapped() {
+    let options = ["motion.sliding.step=60 m"];
+    let straight = text(1e-7, 5e-6, TRACK);
+    let (ball, disc) =
+        (straight.find("[body.ball]").unwrap(), straight.find("[body.disc]").unwrap());
+    let end = straight.find("[frame]").unwrap();
+    let swapped =
+        [&straight[..ball], &straight[disc..end], &straight[ball..disc], &straight[end..]].concat();
+    let turned = format!("{straight}\ndirection = \"y\"");
+    let straight = rows(&straight, &options);
+    for other in [swapped, turned] {
+        let other = rows(&other, &options);
+        for column in [
+            "wear_depth_ball_m",
+            "wear_depth_disc_m",
+            "approach_m",
+            "worn_volume_disc_m3",
+            "scar_length_m",
+        ] {
+            assert_relative_eq!(
+                other.last(column) / straight.last(column),
+                1.0,
+                max_relative = 1e-9
+            );
+        }
+    }
+}
+
+/// All points on a line of the track are worn alike; those of the ball are not.
+#[test]
+fn what_passes_wears_alike_along_the_track() {
+    let simulation = case(&text(1e-7, 5e-6, TRACK), &["motion.sliding.step=100 m"]);
+    let (last, ..) = states(&simulation).expect("it converges").pop().expect("states");
+    for row in last.worn[1].chunks(41) {
+        assert!(row.iter().all(|depth| *depth == row[0]));
+    }
+    assert!(last.worn[0].chunks(41).any(|row| row.iter().any(|depth| *depth != row[0])));
+}
+
+/// The error stated is no smaller than the true one, over five tolerances.
+#[test]
+fn steps_by_error_are_honest_on_a_track() {
+    let text = text(1e-7, 5e-6, TRACK);
+    let depths = |tolerance: &str| {
+        let found = rows(&text, &["frame.elements=[31, 31]", tolerance]);
+        (
+            ["ball", "disc"].map(|body| found.last(&format!("wear_depth_{body}_m"))),
+            found.last("time_error"),
+        )
+    };
+    let (exact, _) = depths("motion.sliding.tolerance=3e-5");
+    for tolerance in [3e-2, 1e-2, 3e-3, 1e-3, 3e-4] {
+        let (found, stated) = depths(&format!("motion.sliding.tolerance={tolerance}"));
+        let [total, right] = [found, exact].map(|depths| depths[0] + depths[1]);
+        assert!((total / right - 1.0).abs() <= stated, "{tolerance}: {total:e}, {stated:e}");
+        assert!(stated <= tolerance);
+    }
+}
+
+/// Similarity: twice the track, twice the k of what passes.
+#[test]
+fn a_track_twice_as_long_takes_twice_the_coefficient() {
+    let options = ["motion.sliding.step=60 m"];
+    let short = rows(&text(1e-7, 2e-6, TRACK), &options);
+    let long = rows(&text(1e-7, 4e-6, &TRACK.replace("10 mm", "20 mm")), &options);
+    for column in ["wear_depth_ball_m", "wear_depth_disc_m", "approach_m", "peak_pressure_Pa"] {
+        assert_relative_eq!(long.last(column) / short.last(column), 1.0, max_relative = 1e-12);
+    }
+}
+
+/// Explicit steps and implicit ones enclose the depth, and come together.
+#[test]
+fn explicit_steps_on_a_track_meet_implicit_ones() {
+    let coarse = ["frame.elements=[15, 15]", "frame.size=[\"0.8 mm\", \"0.8 mm\"]"];
+    let depth = |more: &[&str]| {
+        let found = rows(&text(1e-9, 5e-8, TRACK), &[&coarse[..], more].concat());
+        found.last("wear_depth_m")
+    };
+    let (implicit, explicit) = ("motion.sliding.step=2 m", "motion.sliding.scheme=explicit");
+    assert_relative_eq!(
+        depth(&[implicit]) / depth(&[implicit, explicit]),
+        1.0,
+        max_relative = 0.02
+    );
+}
+
+/// Nothing passes across a plane of symmetry.
+#[test]
+fn a_track_does_not_cross_a_plane_of_symmetry() {
+    let text = r#"
+        [body.punch]
+        rigid = true
+        profile.power = { coefficient = "0.75 1/m^3", exponent = 4 }
+        wear.archard = { coefficient = "1e-8 1/Pa" }
+        [body.block]
+        material = { young = "210 GPa", poisson = 0.3 }
+        mesh.box = { size = ["1 m", "1 m", "1 m"], contact = { face = "top", size = ["0.2 m", "0.2 m"], elements = [4, 4] } }
+        supports = { bottom = "clamped" }
+        symmetry = ["x"]
+        [motion.sliding]
+        approach = "0.05 mm"
+        track = "2 m"
+        passes = "punch"
+        distance = "1 m"
+        step = "1 m"
+    "#;
+    let refused = std::panic::catch_unwind(|| case(text, &[]).run(&mut []));
+    // The check of the case says so, or the run does.
+    assert!(!matches!(refused, Ok(Ok(_))));
+    if let Ok(Err(error)) = refused {
+        assert!(matches!(error, Error::NotSymmetric { .. }), "{error}");
+    }
+}
