@@ -229,14 +229,15 @@ fn course(values: &Values, track: Option<&Track>) -> Result<(f64, Option<f64>), 
     let per_cycle = |name| Some(values.number(name)? * cycle?);
     let distances = [("distance", values.number("distance")), ("turns", per_cycle("turns"))];
     let speeds = [("speed", values.number("speed")), ("frequency", per_cycle("frequency"))];
-    let distance = one_of_two(distances)?;
-    let speed = one_of_two(speeds)?;
+    let distance = one_of_two(distances, "m")?;
+    let speed = one_of_two(speeds, "m/s")?;
     match (distance, speed, values.number("time")) {
         (Some((name, distance)), Some((_, speed)), Some(time)) => {
             if !same(distance, speed * time) {
                 let message = format!(
-                    "`time` contradicts `{name}`: at that speed {distance:.6e} m take {:.6e} s",
-                    distance / speed
+                    "`time` contradicts `{name}`: at that speed {} m take {} s",
+                    rounded(distance),
+                    rounded(distance / speed)
                 );
                 return Err(Invalid::new("time", message));
             }
@@ -258,11 +259,14 @@ fn course(values: &Values, track: Option<&Track>) -> Result<(f64, Option<f64>), 
 /// The one of two values that is given; an error where both are and differ.
 fn one_of_two(
     [(first, one), (second, other)]: [(&'static str, Option<f64>); 2],
+    unit: &str,
 ) -> Result<Option<(&'static str, f64)>, Invalid> {
     match (one, other) {
         (Some(one), Some(other)) if !same(one, other) => {
             let message = format!(
-                "`{second}` contradicts `{first}`: on this track it comes to {other:.6e}, not {one:.6e} (SI)"
+                "`{second}` contradicts `{first}`: on this track it comes to {} {unit}, not {} {unit}",
+                rounded(other),
+                rounded(one)
             );
             Err(Invalid::new(second, message))
         }
@@ -274,6 +278,11 @@ fn one_of_two(
 /// Whether two values are the same, as people round them.
 fn same(one: f64, other: f64) -> bool {
     (one - other).abs() <= 1e-3 * one.abs().max(other.abs())
+}
+
+/// A number to four digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
 }
 
 #[cfg(test)]

@@ -201,7 +201,9 @@ pub enum Error {
     )]
     FrictionNotSymmetric,
     /// Rolling, or a track, on a curved frame.
-    #[error("surfaces pass only where the frame, or the zone of the mesh, is plane")]
+    #[error(
+        "bodies roll, and surfaces pass, only where the frame, or the zone of the mesh, is plane"
+    )]
     NotPlane,
     /// A track on pairs without rows.
     #[error("a track needs pairs in rows along it: take a grid, or a zone with `elements`")]
