@@ -2,7 +2,7 @@
 
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
-use crate::body::mesh::{Held, MeshError, Meshed, Shape};
+use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
 use crate::compliance::bem::contact::{self, Condense};
 use crate::elastic::Point;
@@ -151,7 +151,7 @@ impl FiniteCase {
     }
 
     /// The surfaces that supports hold; none where a half-space stands for the body.
-    pub(super) fn held(&self) -> Held {
+    pub(super) fn held(&self) -> Supported {
         let bends = self.elasticity == Elasticity::BoundaryElements;
         let supports = self.supports.iter().filter(|_| bends);
         supports.map(|(name, support)| (name.clone(), support.holds())).collect()

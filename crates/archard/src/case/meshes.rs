@@ -11,7 +11,7 @@ use super::print::print_chosen;
 use super::problem::{Problem, Source};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
-use crate::body::mesh::{Held, MESHES, Meshed, Shape};
+use crate::body::mesh::{MESHES, Meshed, Shape, Supported};
 
 type Mesh = Chosen<Box<dyn Shape>>;
 
@@ -38,7 +38,7 @@ fn read(text: &str) -> Result<(Mesh, Meshed), Vec<(Problem, String)>> {
     let root = Section { key: Key::default(), table: &table };
     let read = reader.table(&root, "mesh", "a mesh").and_then(|section| {
         let (chosen, shape) = reader.choice(&section, "mesh", MESHES)?;
-        match shape.mesh([true, true], &Held::default()) {
+        match shape.mesh([true, true], &Supported::default()) {
             Ok(meshed) => Some((chosen, meshed)),
             Err(error) => {
                 let inside = reader.table(&section, chosen.choice.name, "")?;

@@ -6,7 +6,7 @@
 use std::fmt::Debug;
 use std::ops::Deref;
 
-use super::{Coarser, Compliance, Preconditioner, Rub, SlipMap};
+use super::{Coarser, Compliance, Preconditioner, SlipMap, StickSlip};
 use crate::frame::{ContactFrame, Flow, VectorField};
 use crate::friction::Map;
 
@@ -38,7 +38,7 @@ impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
 
     /// The inverse of what is mapped, where the compliance governs: pairs that stick, and slip as far as its diagonal
     /// outweighs their own, which is the same in all directions of a mapped traction only.
-    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
+    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
         let (pairs, own) = (rub.stick.len(), self.own());
         let weight =
             |pair: usize| rub.stick[pair] + rub.slip[pair] * own / (own + rub.diagonal[pair]);
@@ -48,9 +48,9 @@ impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
         });
         let inverse = self.map.inverse();
         let [x, y] = inverse.images([&weighed[0], &weighed[1]]);
-        let compliant = Rub { diagonal: vec![0.0; pairs], ..rub.clone() };
+        let compliant = StickSlip { diagonal: vec![0.0; pairs], ..rub.clone() };
         let [one, two] = tractions;
-        self.inner.undo([&x, &y], &compliant, [&mut *one, &mut *two]);
+        self.inner.precondition([&x, &y], &compliant, [&mut *one, &mut *two]);
         inverse.apply_to([&mut *one, &mut *two]);
         for (tractions, slip) in [one, two].into_iter().zip(slip) {
             for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {

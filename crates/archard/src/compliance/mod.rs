@@ -7,7 +7,7 @@ mod dense;
 pub mod half_space;
 mod mapped;
 mod slip;
-mod worn_planes;
+mod worn_lines;
 
 use std::fmt::Debug;
 
@@ -20,8 +20,8 @@ pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
 pub use half_space::HalfSpace;
 pub use mapped::Mapped;
-pub use slip::{Coarser, Rub, SlipMap};
-pub use worn_planes::WornPlanes;
+pub use slip::{Coarser, SlipMap, StickSlip};
+pub use worn_lines::WornLines;
 
 use slip::{Differenced, Direct};
 

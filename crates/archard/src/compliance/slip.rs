@@ -21,7 +21,7 @@ pub trait SlipMap: Debug + Send + Sync {
 
     /// Tractions (Pa) that nearly take a slip (m) away, pair by pair as `rub` says. By default a division
     /// by the diagonal.
-    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
+    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
         for (tractions, slip) in tractions.into_iter().zip(slip) {
             for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
                 let slipping = rub.slip[pair] / (rub.diagonal[pair] + SLIPPING * self.own());
@@ -55,7 +55,7 @@ pub struct Coarser<'a> {
 
 /// Which pairs stick and which slip, one value a pair of the frame.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Rub {
+pub struct StickSlip {
     /// One where a pair sticks, zero elsewhere.
     pub stick: Vec<f64>,
     /// One where a pair slips, zero elsewhere.

@@ -2,8 +2,8 @@
 
 use std::sync::OnceLock;
 
+use super::line::{self, Line};
 use super::pairs::Pairs;
-use super::plane::{self, Plane};
 use super::{Direction, Measure};
 use crate::numerics::upwind::{DegenerateCloud, Derivative};
 
@@ -37,7 +37,7 @@ pub(super) struct Cloud {
     pub side: f64,
     /// The pair nearest to the centre of those that particles reach from others.
     pub middle: usize,
-    pub planes: Vec<Plane>,
+    pub lines: Vec<Line>,
 }
 
 impl Cloud {
@@ -62,8 +62,8 @@ impl Cloud {
             .filter(|pair| derivative.extrapolated().binary_search(pair).is_err())
             .min_by(|a, b| from_centre(a).total_cmp(&from_centre(b)))
             .unwrap_or_default();
-        let planes = plane::strips(direction, pairs, side);
-        Ok(Self { derivative, images, side, middle, planes })
+        let lines = line::strips(direction, pairs, side);
+        Ok(Self { derivative, images, side, middle, lines })
     }
 
     /// The derivative of a field that is odd across the plane of symmetry or even, times the side of a mean pair.

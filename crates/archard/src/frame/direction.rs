@@ -61,16 +61,16 @@ impl Direction {
         (0..field.len()).map(gain).collect()
     }
 
-    /// The planes of rolling: in each, the pairs a particle passes, in the order it passes them.
-    pub fn planes(
+    /// The lines of rolling: in each, the pairs a particle passes, in the order it passes them.
+    pub fn lines(
         self,
         elements: [usize; 2],
     ) -> impl Iterator<Item = impl Iterator<Item = usize> + Clone> {
         let (along, across) = (elements[self.axis], elements[1 - self.axis]);
         let strides = [1, elements[0]];
         let (stride, reversed) = (strides[self.axis], self.reversed);
-        (0..across).map(move |plane| {
-            let first = plane * strides[1 - self.axis];
+        (0..across).map(move |line| {
+            let first = line * strides[1 - self.axis];
             (0..along).map(move |step| {
                 let index = if reversed { step } else { along - 1 - step };
                 first + stride * index
@@ -89,9 +89,9 @@ mod tests {
         for (axis, reversed) in [(0, false), (0, true), (1, false), (1, true)] {
             let direction = Direction { axis, reversed };
             let mut passed = [0; 12];
-            for plane in direction.planes(elements) {
+            for line in direction.lines(elements) {
                 let mut last = None;
-                for pair in plane {
+                for pair in line {
                     passed[pair] += 1;
                     assert_eq!(direction.ahead(pair, elements), last);
                     last = Some(pair);

@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 
 use super::cloud::Cloud;
-use super::plane::{self, Plane};
+use super::line::{self, Line};
 use super::{ContactFrame, Direction, Shape};
 use crate::numerics::upwind::DegenerateCloud;
 
@@ -95,11 +95,11 @@ impl<'a> Flow<'a> {
         (0..field.len()).map(|pair| 0.5 * (field[pair] + ahead(pair))).collect()
     }
 
-    /// The planes of rolling, in the order of their places: rows, or strips as wide as a mean pair.
-    pub fn planes(&self) -> Cow<'a, [Plane]> {
+    /// The lines of rolling, in the order of their places: rows, or strips as wide as a mean pair.
+    pub fn lines(&self) -> Cow<'a, [Line]> {
         match self.cloud {
-            Some(cloud) => Cow::Borrowed(&cloud.planes),
-            None => Cow::Owned(plane::rows(self.frame, self.direction)),
+            Some(cloud) => Cow::Borrowed(&cloud.lines),
+            None => Cow::Owned(line::rows(self.frame, self.direction)),
         }
     }
 
@@ -109,11 +109,11 @@ impl<'a> Flow<'a> {
             return cloud.middle;
         }
         let (elements, axis) = (self.frame.elements(), self.direction.axis);
-        let plane = self.direction.planes(elements).nth(elements[1 - axis] / 2);
-        plane.and_then(|mut plane| plane.nth(elements[axis] / 2)).unwrap_or_default()
+        let line = self.direction.lines(elements).nth(elements[1 - axis] / 2);
+        line.and_then(|mut line| line.nth(elements[axis] / 2)).unwrap_or_default()
     }
 
-    /// Whether the planes of rolling are rows, each with pairs of its own.
+    /// Whether the lines of rolling are rows, each with pairs of its own.
     pub fn has_rows(&self) -> bool {
         self.cloud.is_none()
     }

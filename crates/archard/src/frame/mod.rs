@@ -20,18 +20,18 @@ mod cloud;
 mod direction;
 mod field;
 mod flow;
+mod line;
 mod measure;
 mod pairs;
-mod plane;
 
 pub use crate::numerics::upwind::DegenerateCloud;
 pub use crate::numerics::vector::Values;
 pub use direction::Direction;
 pub use field::VectorField;
 pub use flow::Flow;
+pub use line::{Line, Passage};
 pub use measure::Measure;
 pub use pairs::{Pairs, PairsError};
-pub use plane::{Passage, Plane};
 
 use rayon::prelude::*;
 

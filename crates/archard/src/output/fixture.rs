@@ -178,7 +178,7 @@ impl Run {
     }
 
     /// Discs after some revolutions: the leading half of the contact bears half of what friction allows,
-    /// and every plane wears as its tractions have it.
+    /// and every line wears as its tractions have it.
     fn rolled(&self, rolling: &Rolling, revolutions: f64) -> ContactState {
         let frame = &self.problem.frame;
         let (forward, elements) = (rolling.direction.forward(), frame.elements());
@@ -197,10 +197,10 @@ impl Run {
         let traction: Vec<f64> = (0..frame.len()).map(traction).collect();
         let advance = frame.flow(rolling.direction).unwrap().advance();
         let mut worn = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
-        for plane in rolling.direction.planes(elements) {
-            let sum: f64 = plane.clone().map(|pair| traction[pair]).sum();
+        for line in rolling.direction.lines(elements) {
+            let sum: f64 = line.clone().map(|pair| traction[pair]).sum();
             let work = revolutions * CREEPAGE * sum * advance / FRICTION;
-            for pair in plane {
+            for pair in line {
                 worn.iter_mut().zip(COEFFICIENTS).for_each(|(worn, k)| worn[pair] = k * work);
             }
         }

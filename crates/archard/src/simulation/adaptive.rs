@@ -14,7 +14,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::chain::{Chain, Leg};
+use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
 use crate::motion::Control;
 use crate::numerics::vector::Values;
@@ -36,8 +36,8 @@ const SMALLEST: f64 = 1e-10;
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Adaptive {
     tolerance: f64,
-    coarse: Chain,
-    fine: Chain,
+    coarse: Evolution,
+    fine: Evolution,
     /// Wear put out: the extrapolation, never falling anywhere, its volume exact (m).
     worn: [Vec<f64>; 2],
     /// Length of the next step (the motion's unit).
@@ -48,8 +48,8 @@ pub(super) struct Adaptive {
 
 /// A step of both histories, before it is accepted.
 struct Trial {
-    coarse: Chain,
-    fine: Chain,
+    coarse: Evolution,
+    fine: Evolution,
     /// Extrapolated depths worn off body 1 and body 2 (m).
     worn: [Vec<f64>; 2],
     /// Deepest total wear (m) and its error (m).
@@ -61,7 +61,7 @@ struct Trial {
 
 impl Trial {
     /// Extrapolates both histories and estimates the error, from the pressures before the step too.
-    fn of(coarse: Chain, fine: Chain, before: &[f64]) -> Self {
+    fn of(coarse: Evolution, fine: Evolution, before: &[f64]) -> Self {
         let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
         let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
         let fine_pressure = &fine.state.pressure;
@@ -97,7 +97,11 @@ impl Adaptive {
     ///
     /// # Errors
     /// If bodies cannot roll on the frame.
-    pub fn new(simulation: &Simulation, initial: &Chain, tolerance: f64) -> Result<Self, Error> {
+    pub fn new(
+        simulation: &Simulation,
+        initial: &Evolution,
+        tolerance: f64,
+    ) -> Result<Self, Error> {
         let extent = simulation.schedule.extent;
         let probe = SMALLEST * extent;
         let problem = &simulation.problem;
@@ -120,7 +124,7 @@ impl Adaptive {
         simulation: &Simulation,
         target: f64,
         effort: &mut Effort,
-    ) -> Result<Chain, Error> {
+    ) -> Result<Evolution, Error> {
         loop {
             let progress = self.fine.state.progress;
             let length = landing(self.step, target - progress);
@@ -158,7 +162,7 @@ impl Adaptive {
         length: f64,
         effort: &mut Effort,
     ) -> Result<Trial, Error> {
-        let leg = |advance: f64, end: f64| Leg {
+        let increment = |advance: f64, end: f64| Increment {
             advance,
             progress: end,
             control: simulation.schedule.control_at(end),
@@ -166,9 +170,9 @@ impl Adaptive {
         let start = self.fine.state.progress;
         let (half, end) = (start + 0.5 * length, start + length);
         let (mut coarse, mut fine) = (self.coarse.clone(), self.fine.clone());
-        coarse.implicit(simulation, leg(length, end), effort)?;
-        fine.implicit(simulation, leg(0.5 * length, half), effort)?;
-        fine.implicit(simulation, leg(0.5 * length, end), effort)?;
+        coarse.implicit(simulation, increment(length, end), effort)?;
+        fine.implicit(simulation, increment(0.5 * length, half), effort)?;
+        fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let mut trial = Trial::of(coarse, fine, &self.fine.state.pressure);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
             // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
@@ -179,7 +183,7 @@ impl Adaptive {
 
     /// Takes a trial over and returns the state to put out: the fine history's contact with the
     /// extrapolated wear.
-    fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Chain {
+    fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Evolution {
         self.error = self.error.max(trial.error);
         effort.time_error = Some(if trial.depth > 0.0 { self.error / trial.depth } else { 0.0 });
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
@@ -189,7 +193,7 @@ impl Adaptive {
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
         let state = ContactState { worn: self.worn.clone(), ..self.fine.state.clone() };
         // Nothing goes on from the state shown: it needs no displacement.
-        Chain { state, displacement: vec![], load_distance }
+        Evolution { state, displacement: vec![], load_distance }
     }
 }
 

@@ -104,7 +104,7 @@ impl<'a> Collector<'a> {
             }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
-        for (line, depths) in lines.flow.planes().iter().zip(&made.depths) {
+        for (line, depths) in lines.flow.lines().iter().zip(&made.depths) {
             for one in &line.passages {
                 for (worn, depth) in state.worn.iter_mut().zip(depths) {
                     worn[one.pair] += times * one.share * depth;
@@ -145,17 +145,17 @@ impl Collected {
 
 impl Foreseen {
     /// The gap (m) of surfaces at zero pressure, opened by what wears then.
-    pub fn opened(&self, gap: &[f64], lines: Option<Lines<'_>>) -> Vec<f64> {
-        let mut opened = match &self.pairs {
+    pub fn gap_by_friction(&self, gap: &[f64], lines: Option<Lines<'_>>) -> Vec<f64> {
+        let mut gap_by_friction = match &self.pairs {
             Some([constant, _]) => vector::map([gap, constant], |[gap, constant]| gap + constant),
             None => gap.to_vec(),
         };
         if let (Some([constant, _]), Some(Lines { flow, .. })) = (&self.lines, lines) {
-            for (line, depth) in flow.planes().iter().zip(constant) {
-                line.passages.iter().for_each(|one| opened[one.pair] += one.share * depth);
+            for (line, depth) in flow.lines().iter().zip(constant) {
+                line.passages.iter().for_each(|one| gap_by_friction[one.pair] += one.share * depth);
             }
         }
-        opened
+        gap_by_friction
     }
 
     /// How pairs give way by wear to their own pressure (m/Pa).

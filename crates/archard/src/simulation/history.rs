@@ -5,7 +5,7 @@
 
 use super::Report;
 use crate::body::Body;
-use crate::frame::{Plane, VectorField};
+use crate::frame::{Line, VectorField};
 use crate::motion::{Progress, Rolling, Shift};
 use crate::problem::{ContactState, Tangential};
 
@@ -193,8 +193,8 @@ fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
     let direction = passes.map(|passing| passing.direction).or(rolling)?;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
-    let section = |plane: &Plane| plane.width * plane.mean(&report.state.worn[body]);
-    Some(images * flow.planes().iter().map(section).sum::<f64>())
+    let section = |line: &Line| line.width * line.mean(&report.state.worn[body]);
+    Some(images * flow.lines().iter().map(section).sum::<f64>())
 }
 
 /// Worn volume of a body over the load and the distance (1/Pa), which is k again; `None` without a track.

@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::adaptive::Adaptive;
-use super::chain::{Chain, Leg};
 use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
+use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Report, Simulation};
 use crate::motion::{Motion, Stepping};
 use crate::problem::ContactState;
@@ -37,7 +37,7 @@ enum Stepper {
 /// A motion in steps of wear.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Steps {
-    chain: Chain,
+    evolution: Evolution,
     /// Both histories, where steps are chosen by error.
     adaptive: Option<Adaptive>,
     effort: Effort,
@@ -87,7 +87,7 @@ impl March {
 
     fn state(&self) -> &ContactState {
         match &self.stepper {
-            Stepper::Steps(steps) => &steps.chain.state,
+            Stepper::Steps(steps) => &steps.evolution.state,
             Stepper::Cycles(cycles) => &cycles.shown().state,
         }
     }
@@ -125,41 +125,45 @@ impl Steps {
     fn begin(simulation: &Simulation) -> Result<Self, Error> {
         let schedule = &simulation.schedule;
         let mut effort = Effort::default();
-        let mut chain = Chain::new(&simulation.problem);
+        let mut evolution = Evolution::new(&simulation.problem);
         if !schedule.ramped {
-            let leg = Leg { advance: 0.0, progress: 0.0, control: schedule.control };
-            chain.press(simulation, leg, &mut effort)?;
+            let increment = Increment { advance: 0.0, progress: 0.0, control: schedule.control };
+            evolution.press(simulation, increment, &mut effort)?;
         }
         let adaptive = match schedule.stepping {
-            Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &chain, tolerance)?),
+            Stepping::Tolerance(tolerance) => {
+                Some(Adaptive::new(simulation, &evolution, tolerance)?)
+            }
             Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => None,
         };
-        Ok(Self { chain, adaptive, effort })
+        Ok(Self { evolution, adaptive, effort })
     }
 
     /// One accepted step, which ends on an output or before it where steps are chosen by error.
     fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
         let schedule = &simulation.schedule;
-        if self.chain.state.progress >= schedule.extent {
+        if self.evolution.state.progress >= schedule.extent {
             return Ok(false);
         }
         self.effort.iterations = 0;
         match (&mut self.adaptive, schedule.stepping) {
             (Some(adaptive), _) => {
-                self.chain = adaptive.step(simulation, next, &mut self.effort)?;
+                self.evolution = adaptive.step(simulation, next, &mut self.effort)?;
             }
-            (None, Stepping::Explicit(step)) => self.fixed(simulation, step, Chain::explicit)?,
+            (None, Stepping::Explicit(step)) => {
+                self.fixed(simulation, step, Evolution::explicit)?
+            }
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
-                self.fixed(simulation, step, Chain::implicit)?;
+                self.fixed(simulation, step, Evolution::implicit)?;
             }
             // Cycles are gone through elsewhere.
             (None, Stepping::Jumps(_)) => {
-                self.fixed(simulation, schedule.extent, Chain::implicit)?
+                self.fixed(simulation, schedule.extent, Evolution::implicit)?
             }
         }
         self.effort.steps += 1;
-        self.effort.load_distance = self.chain.load_distance;
-        let progress = &mut self.chain.state.progress;
+        self.effort.load_distance = self.evolution.load_distance;
+        let progress = &mut self.evolution.state.progress;
         if schedule.extent - *progress <= SAME * schedule.extent {
             *progress = schedule.extent;
         }
@@ -171,14 +175,15 @@ impl Steps {
         &mut self,
         simulation: &Simulation,
         step: f64,
-        scheme: fn(&mut Chain, &Simulation, Leg, &mut Effort) -> Result<(), Error>,
+        scheme: fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let extent = simulation.schedule.extent;
         // From the count of steps, so that rounding does not add up.
         let end = ((self.effort.steps + 1) as f64 * step).min(extent);
         let end = if extent - end <= SAME * extent { extent } else { end };
-        let advance = end - self.chain.state.progress;
-        let leg = Leg { advance, progress: end, control: simulation.schedule.control_at(end) };
-        scheme(&mut self.chain, simulation, leg, &mut self.effort)
+        let advance = end - self.evolution.state.progress;
+        let increment =
+            Increment { advance, progress: end, control: simulation.schedule.control_at(end) };
+        scheme(&mut self.evolution, simulation, increment, &mut self.effort)
     }
 }

@@ -2,17 +2,17 @@
 
 mod adaptive;
 mod builder;
-mod chain;
 mod checkpoint;
 mod collector;
+mod compatibility;
 mod cycles;
+mod evolution;
 pub mod history;
 mod march;
 mod passing;
 mod rolling;
 mod run;
 mod step;
-mod suits;
 
 use std::error::Error as StdError;
 
@@ -20,10 +20,10 @@ use serde::{Deserialize, Serialize};
 
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
+pub(crate) use compatibility::{crossed, inclined, lacks};
 pub use history::row;
 pub use march::March;
 pub use run::Run;
-pub(crate) use suits::{crossed, inclined, lacks};
 
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
@@ -151,7 +151,7 @@ pub enum Error {
     },
     /// Pressure, friction and wear did not agree with each other.
     #[error(
-        "at {} pressure, friction and wear did not settle in {passes} passes; take shorter steps",
+        "at {} pressure, friction and wear did not solve in {passes} passes; take shorter steps",
         .measure.at(*.progress)
     )]
     NotConsistent {
@@ -215,7 +215,7 @@ pub enum Error {
     #[error(
         "friction on a curved surface acts on the pressures; use a `friction_solver` that finds both at once: newton"
     )]
-    NotJoint,
+    NotMonolithic,
     /// A wear law of friction's work, without friction.
     #[error("the wear law of `{body}` goes by the work of friction: give a `friction` table")]
     NoFriction {

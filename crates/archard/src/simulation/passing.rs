@@ -5,7 +5,7 @@
 //! that pairing of tractions and slip the worn section equals the work of the creepage in rows of pairs, as it does in
 //! nature, to the last digits: by construction, so that it says nothing about the force itself. Between
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
-//! is scaled by what is missing. Both profiles wear evenly around, so that a plane has one depth.
+//! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
 use crate::frame::{Flow, Passage, VectorField};
 use crate::friction::Friction;
@@ -29,11 +29,11 @@ pub(super) struct Lines<'a> {
 
 /// Wear of the lines under the contact as it is, in one passage.
 pub(super) struct OfLines {
-    /// Depth worn off body 1 and body 2 (m), one value a plane.
+    /// Depth worn off body 1 and body 2 (m), one value a line.
     pub depths: Vec<[f64; 2]>,
-    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a plane.
+    /// Wear (m) of both under a unit pressure (Pa) on one pair more, one value a line.
     pub slopes: Vec<f64>,
-    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a plane.
+    /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a line.
     pub pressures: Vec<f64>,
 }
 
@@ -57,9 +57,9 @@ impl OfLines {
                 (pressure.clone(), flow.advances().unwrap_or_else(all), 1.0)
             }
         };
-        let planes = flow.planes();
+        let lines = flow.lines();
         let rubs = |one: &&Passage| means[one.pair] > 0.0;
-        let points = planes.iter().flat_map(|plane| plane.passages.iter().filter(rubs));
+        let points = lines.iter().flat_map(|line| line.passages.iter().filter(rubs));
         let direction = |pair: usize| match &state.tangential {
             Some(tangential) => tangential.slip.each_ref().map(|slip| slip[pair]),
             None => flow.direction().forward(),
@@ -70,19 +70,19 @@ impl OfLines {
         let points = points.map(|one| rubbing(one.pair, 1.0));
         let wear = problem.wear(&points.collect(), problem.wearing(bodies, Per::Increment));
         // All that a point goes through on a line.
-        let whole = planes.iter().map(|plane| {
+        let whole = lines.iter().map(|line| {
             let part = |one: &Passage| rubbing(one.pair, scale * one.times);
-            let parts = plane.passages.iter().filter(rubs).map(part);
+            let parts = line.passages.iter().filter(rubs).map(part);
             parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
         });
         let whole: Columns = whole.collect();
         let passage = problem.wear(&whole, problem.wearing(bodies, Per::Cycle));
         let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
         let mut point = 0;
-        for (line, plane) in planes.iter().enumerate() {
-            let mut depths = passage.depths.each_ref().map(|depths| depths[line]);
-            let (mut slope, mut sum) = (passage.slopes[line] * whole.pressure[line], 0.0);
-            for one in &plane.passages {
+        for (index, line) in lines.iter().enumerate() {
+            let mut depths = passage.depths.each_ref().map(|depths| depths[index]);
+            let (mut slope, mut sum) = (passage.slopes[index] * whole.pressure[index], 0.0);
+            for one in &line.passages {
                 sum += one.share * weight.at(one.pair) * pressure[one.pair];
                 if rubs(&one) {
                     let times = scale * one.times;
@@ -101,24 +101,24 @@ impl OfLines {
         collected
     }
 
-    /// Gives planes that do not touch yet the slope of the nearest that do.
+    /// Gives lines that do not touch yet the slope of the nearest that do.
     fn spread_slopes(&mut self) {
         let touching: Vec<usize> =
-            (0..self.pressures.len()).filter(|&plane| self.pressures[plane] > 0.0).collect();
+            (0..self.pressures.len()).filter(|&line| self.pressures[line] > 0.0).collect();
         let (Some(&first), Some(&last)) = (touching.first(), touching.last()) else { return };
         let (low, high) = (self.slopes[first], self.slopes[last]);
         self.slopes[..first].fill(low);
         self.slopes[last..].fill(high);
     }
 
-    /// Depth (m) of a plane on both bodies.
-    pub fn total(&self, plane: usize) -> f64 {
-        self.depths[plane].iter().sum()
+    /// Depth (m) of a line on both bodies.
+    pub fn total(&self, line: usize) -> f64 {
+        self.depths[line].iter().sum()
     }
 
-    /// Depth (m) of the deepest plane on both bodies.
+    /// Depth (m) of the deepest line on both bodies.
     pub fn deepest(&self) -> f64 {
-        (0..self.depths.len()).map(|plane| self.total(plane)).fold(0.0, f64::max)
+        (0..self.depths.len()).map(|line| self.total(line)).fold(0.0, f64::max)
     }
 }
 
@@ -192,8 +192,8 @@ fn work_ratio(
         one.times * limit * rubbed[one.pair]
     };
     let rigid: f64 = (0..means.len()).map(rigid).sum();
-    let planes = flow.planes();
-    let rubbed = planes.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());
+    let lines = flow.lines();
+    let rubbed = lines.iter().map(|one| one.width * one.passages.iter().map(rubbed).sum::<f64>());
     let images = if problem.frame.mirrored()[1 - flow.direction().axis] { 2.0 } else { 1.0 };
     let rubbed = images * flow.advance() * rubbed.sum::<f64>();
     let ratio = rigid / rubbed;

@@ -1,6 +1,6 @@
 //! Contact in steady rolling: pressures and friction that belong together.
 
-use super::chain::{Chain, Leg};
+use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
@@ -9,7 +9,7 @@ use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
 use crate::solve::Status;
-use crate::solve::tangential::{self, Held};
+use crate::solve::tangential::{self, PrescribedForce};
 
 /// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
 /// taken as consistent.
@@ -17,12 +17,12 @@ const CONSISTENT: f64 = 1e-8;
 /// Passes between pressures and friction.
 const PASSES: usize = 50;
 
-impl Chain {
+impl Evolution {
     /// Finds pressures and friction that belong together.
-    pub(super) fn roll_on(
+    pub(super) fn solve_rolling(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         (gap, addition): (&[f64], &[f64]),
         compliance: &dyn Compliance,
         effort: &mut Effort,
@@ -31,26 +31,30 @@ impl Chain {
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
             let before = self.state.pressure.clone();
-            self.meet(simulation, leg, gap, addition, compliance, effort)?;
-            return self.rub(simulation, leg, &before, effort);
+            self.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
+            return self.rub(simulation, increment, &before, effort);
         }
-        let mut opened = self.opened_by_friction(problem);
+        let mut gap_by_friction = self.opened_by_friction(problem);
         for _ in 0..PASSES {
-            let lifted = vector::map([gap, &opened], |[gap, opened]| gap + opened);
+            let lifted = vector::map([gap, &gap_by_friction], |[gap, gap_by_friction]| {
+                gap + gap_by_friction
+            });
             let before = self.state.pressure.clone();
-            self.meet(simulation, leg, &lifted, addition, compliance, effort)?;
-            self.rub(simulation, leg, &before, effort)?;
+            self.solve_normal(simulation, increment, &lifted, addition, compliance, effort)?;
+            self.rub(simulation, increment, &before, effort)?;
             let now = self.opened_by_friction(problem);
-            let change =
-                now.iter().zip(&opened).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            opened = now;
+            let change = now
+                .iter()
+                .zip(&gap_by_friction)
+                .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            gap_by_friction = now;
             if change <= CONSISTENT * self.state.approach.abs() {
                 return Ok(());
             }
         }
         Err(Error::NotConsistent {
             measure: problem.motion.progress(),
-            progress: leg.progress,
+            progress: increment.progress,
             passes: PASSES,
         })
     }
@@ -68,13 +72,13 @@ impl Chain {
     fn rub(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         before_pressure: &[f64],
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
         let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
-        let rolling = &rolling.at(leg.progress);
+        let rolling = &rolling.at(increment.progress);
         let frame = &problem.frame;
         let flow = frame.flow(rolling.direction)?;
         let advance = flow.advance();
@@ -96,11 +100,12 @@ impl Chain {
             before_pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
         let drives = [rolling.longitudinal, rolling.lateral];
-        let held = |(direction, drive): ([f64; 2], Drive)| match drive {
+        let prescribed = |(direction, drive): ([f64; 2], Drive)| match drive {
             Drive::Creepage(_) => None,
-            Drive::Force(force) => Some(Held { direction, force }),
+            Drive::Force(force) => Some(PrescribedForce { direction, force }),
         };
-        let held: Vec<Held> = units.into_iter().zip(drives).filter_map(held).collect();
+        let prescribed: Vec<PrescribedForce> =
+            units.into_iter().zip(drives).filter_map(prescribed).collect();
         let map = problem.compliance.rolling(flow);
         // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
         let advances = flow.advances();
@@ -115,10 +120,10 @@ impl Chain {
             measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
-            held: &held,
+            prescribed: &prescribed,
         };
         let before = self.state.tangential.take();
-        let found: Vec<f64> = before
+        let rigid_slip: Vec<f64> = before
             .iter()
             .flat_map(|before| {
                 let forces = drives.into_iter().zip(before.creepage);
@@ -129,7 +134,7 @@ impl Chain {
         let start = before.as_ref().map(|before| tangential::Start {
             traction: [&before.traction[0], &before.traction[1]],
             limit: &before_limit,
-            found: &found,
+            rigid_slip: &rigid_slip,
         });
         let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
         effort.iterations += outcome.iterations;
@@ -138,16 +143,16 @@ impl Chain {
         if outcome.status != Status::Converged {
             return Err(Error::FrictionNotConverged {
                 measure: problem.motion.progress(),
-                progress: leg.progress,
+                progress: increment.progress,
                 iterations: outcome.iterations,
                 residual: outcome.residual,
                 tolerance: simulation.friction_solver.settings().tolerance,
             });
         }
-        let mut found = outcome.found.iter().map(|slip| slip / advance);
+        let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,
-            Drive::Force(_) => found.next().unwrap_or_default(),
+            Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
         if let Some(advances) = &advances {
@@ -185,9 +190,9 @@ impl Chain {
         if problem.compliance.couples() {
             let n = self.state.pressure.clone();
             let zeros = || vec![0.0; n.len()];
-            let strained =
+            let elastic_displacement =
                 problem.compliance.apply(&VectorField { t1: zeros(), t2: zeros(), n: n.clone() });
-            let gained = flow.gained([&strained.t1, &strained.t2]);
+            let gained = flow.gained([&elastic_displacement.t1, &elastic_displacement.t2]);
             for (slip, gained) in slip.iter_mut().zip(&gained) {
                 vector::update(slip, [gained], |slip, [gained]| slip + gained);
             }

@@ -1,9 +1,9 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
-use super::chain::{Chain, Leg, not_converged};
 use super::collector::{Collector, Foreseen};
+use super::evolution::{Evolution, Increment, not_converged};
 use super::{Effort, Error, Simulation};
-use crate::compliance::WornPlanes;
+use crate::compliance::WornLines;
 use crate::motion::Motion;
 use crate::numerics::vector;
 use crate::problem::ContactProblem;
@@ -11,7 +11,7 @@ use crate::problem::ContactProblem;
 /// Times a step's wear is foreseen before it counts as not converged.
 const PASSES: usize = 50;
 
-impl Chain {
+impl Evolution {
     /// An implicit step: the contact at its end does the wear.
     ///
     /// What wears is foreseen as straight lines in the pressures, which adds their slopes to the compliance, and found
@@ -19,36 +19,36 @@ impl Chain {
     pub fn implicit(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        if !rubs(problem, leg.advance) {
-            self.press(simulation, leg, effort)?;
-            self.load_distance += self.distance(simulation, leg, leg)?;
+        if !rubs(problem, increment.advance) {
+            self.press(simulation, increment, effort)?;
+            self.load_distance += self.distance(simulation, increment, increment)?;
             return Ok(());
         }
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
-        let mut made = collector.collect(&self.state, leg.advance);
+        let mut made = collector.collect(&self.state, increment.advance);
         for _ in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);
-            let gap = foreseen.opened(&undeformed, collector.lines());
-            self.contact_wearing(simulation, leg, &gap, (&collector, &foreseen), effort)?;
-            made = collector.collect(&self.state, leg.advance);
+            let gap = foreseen.gap_by_friction(&undeformed, collector.lines());
+            self.contact_wearing(simulation, increment, &gap, (&collector, &foreseen), effort)?;
+            made = collector.collect(&self.state, increment.advance);
             if collector.agrees(&foreseen, &self.state, &made) {
                 collector.wear(&mut self.state, &made);
-                self.load_distance += self.distance(simulation, leg, leg)?;
+                self.load_distance += self.distance(simulation, increment, increment)?;
                 return Ok(());
             }
         }
         Err(match problem.motion {
             Motion::Rolling(_) => Error::NotConsistent {
                 measure: problem.motion.progress(),
-                progress: leg.progress,
+                progress: increment.progress,
                 passes: PASSES,
             },
-            _ => not_converged(simulation, leg, PASSES, f64::NAN),
+            _ => not_converged(simulation, increment, PASSES, f64::NAN),
         })
     }
 
@@ -56,15 +56,16 @@ impl Chain {
     pub fn explicit(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let collector = Collector::of(&simulation.problem)?;
         let before = simulation.schedule.control_at(self.state.progress);
-        let made = collector.collect(&self.state, leg.advance);
+        let made = collector.collect(&self.state, increment.advance);
         collector.wear(&mut self.state, &made);
-        self.load_distance += self.distance(simulation, leg, Leg { control: before, ..leg })?;
-        self.press(simulation, leg, effort)
+        self.load_distance +=
+            self.distance(simulation, increment, Increment { control: before, ..increment })?;
+        self.press(simulation, increment, effort)
     }
 
     /// Deepest wear (m) that an advance under the present contact makes.
@@ -76,7 +77,7 @@ impl Chain {
     fn contact_wearing(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         gap: &[f64],
         (collector, foreseen): (&Collector<'_>, &Foreseen),
         effort: &mut Effort,
@@ -85,21 +86,21 @@ impl Chain {
         let addition = foreseen.pair_slopes(gap.len());
         let wearing = (gap, &addition[..]);
         let Some((lines, slopes)) = collector.lines().zip(foreseen.line_slopes()) else {
-            return self.contact(simulation, leg, wearing, &*problem.compliance, effort);
+            return self.contact(simulation, increment, wearing, &*problem.compliance, effort);
         };
         let pressure = self.state.pressure.clone();
         let weight = problem.frame.measure().weight;
         let [total] = vector::sum_with([weight], [&pressure], |[w], [pressure]| [w * pressure]);
-        let worn = WornPlanes::new(&*problem.compliance, lines.flow, slopes, &pressure);
+        let worn = WornLines::new(&*problem.compliance, lines.flow, slopes, &pressure);
         if let Some(foreseen) = worn.foresee(gap, total, &pressure) {
             problem.compliance.apply_normal(&foreseen, &mut self.displacement);
             self.state.pressure = foreseen;
         }
         worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
-        let worn = match self.contact(simulation, leg, wearing, &worn, effort) {
+        let worn = match self.contact(simulation, increment, wearing, &worn, effort) {
             Err(Error::NotConverged { .. }) => {
                 let worn = worn.steady();
-                self.contact(simulation, leg, wearing, &worn, effort)?;
+                self.contact(simulation, increment, wearing, &worn, effort)?;
                 worn
             }
             other => other.map(|()| worn)?,
@@ -108,16 +109,21 @@ impl Chain {
         Ok(())
     }
 
-    /// What a step adds to the [integral of the load over the distance](Effort::load_distance), with the load of a leg.
-    fn distance(&self, simulation: &Simulation, leg: Leg, at: Leg) -> Result<f64, Error> {
+    /// What a step adds to the [integral of the load over the distance](Effort::load_distance), with the load of an increment.
+    fn distance(
+        &self,
+        simulation: &Simulation,
+        increment: Increment,
+        at: Increment,
+    ) -> Result<f64, Error> {
         let problem = &simulation.problem;
         Ok(match &problem.motion {
-            Motion::Rolling(rolling) if rubs(problem, leg.advance) => {
+            Motion::Rolling(rolling) if rubs(problem, increment.advance) => {
                 let flow = problem.frame.flow(rolling.direction)?;
-                leg.advance * self.creep_work(problem, rolling, flow)
+                increment.advance * self.creep_work(problem, rolling, flow)
             }
             Motion::Rolling(_) => 0.0,
-            motion => self.prescribed_load(at) * motion.slip(leg.advance),
+            motion => self.prescribed_load(at) * motion.slip(increment.advance),
         })
     }
 }

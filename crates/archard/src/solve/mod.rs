@@ -11,7 +11,7 @@
 
 mod accept;
 mod conjugate_gradient;
-pub mod joint;
+pub mod monolithic;
 mod residual;
 mod start;
 pub mod tangential;

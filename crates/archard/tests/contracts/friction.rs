@@ -6,7 +6,7 @@ use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace};
 use archard::frame::ContactFrame;
 use archard::solve::Status;
-use archard::solve::tangential::{self, FRICTION_SOLVERS, Held, Outcome};
+use archard::solve::tangential::{self, FRICTION_SOLVERS, Outcome, PrescribedForce};
 
 use super::rolling::{BRASS, friction_laws, norm};
 use crate::common::{Ball, STEEL, case, choose, states};
@@ -51,14 +51,15 @@ fn friction_solvers_agree_on_shifted_bodies() {
                 });
                 // Forces go half the way back too: from f to f / 2.
                 let force = |share: f64| way.abs() * share * frame.integrate(&limit);
-                let held = |&(direction, share)| Held { direction, force: force(share) };
+                let prescribed =
+                    |&(direction, share)| PrescribedForce { direction, force: force(share) };
                 let step = tangential::Step {
                     map: &*map,
                     elements,
                     measure: frame.measure(),
                     limit: &limit,
                     rigid: [&rigid[0], &rigid[1]],
-                    held: &forces.iter().map(held).collect::<Vec<_>>(),
+                    prescribed: &forces.iter().map(prescribed).collect::<Vec<_>>(),
                 };
                 let found = all_agree(&step, &frame);
                 let [one, two] = &mut strained;
@@ -82,10 +83,10 @@ fn all_agree(step: &tangential::Step<'_>, frame: &ContactFrame) -> [Vec<f64>; 2]
             assert!(x.hypot(*y) <= limit + 1e-8 * largest, "{name}");
         }
         let bears = frame.integrate(step.limit);
-        for held in step.held {
+        for prescribed in step.prescribed {
             let force = [0, 1].map(|axis| frame.integrate(&outcome.traction[axis]));
-            let force = force[0] * held.direction[0] + force[1] * held.direction[1];
-            assert_relative_eq!(force, held.force, epsilon = 1e-7 * bears);
+            let force = force[0] * prescribed.direction[0] + force[1] * prescribed.direction[1];
+            assert_relative_eq!(force, prescribed.force, epsilon = 1e-7 * bears);
         }
         let known = first.get_or_insert_with(|| outcome.clone());
         let apart = [0, 1].map(|axis| {

@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
-use archard::body::mesh::{Corners, Held, MESHES, Mesh, MeshError, MeshProblem, Meshed, Shape};
+use archard::body::mesh::{
+    Corners, MESHES, Mesh, MeshError, MeshProblem, Meshed, Shape, Supported,
+};
 use archard::parameters::{Value, Values};
 
 type Pairs<'a> = &'a [(&'static str, f64)];
@@ -126,7 +128,7 @@ fn all(growth: f64, test: impl Fn(&Example, [bool; 2], &Meshed)) {
     for example in examples() {
         let shape = build(&example, growth, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            match shape.mesh(mirrored, &Held::default()) {
+            match shape.mesh(mirrored, &Supported::default()) {
                 Ok(meshed) => test(&example, mirrored, &meshed),
                 Err(MeshError::OddElements { axis, count }) => {
                     let axis = usize::from(axis == 'y');
@@ -155,9 +157,9 @@ fn elements_are_bounded_before_they_are_made() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
         for mirrored in [[false, false], [true, false], [false, true], [true, true]] {
-            let Ok(meshed) = shape.mesh(mirrored, &Held::default()) else { continue };
+            let Ok(meshed) = shape.mesh(mirrored, &Supported::default()) else { continue };
             let (least, faces) =
-                (shape.at_least(mirrored, &Held::default()), meshed.mesh.faces.len());
+                (shape.at_least(mirrored, &Supported::default()), meshed.mesh.faces.len());
             let exact = example.name == "box";
             assert!(
                 if exact { least == faces } else { (1..=faces).contains(&least) },
@@ -298,9 +300,9 @@ fn elements_grow_within_the_ratio_away_from_the_zone() {
 fn halves_are_halves_of_the_whole() {
     for example in examples() {
         let shape = build(&example, 2.0, EVEN);
-        let whole = shape.mesh([false, false], &Held::default()).unwrap().mesh;
+        let whole = shape.mesh([false, false], &Supported::default()).unwrap().mesh;
         for mirrored in [[true, false], [false, true], [true, true]] {
-            let Ok(Meshed { mesh: part, .. }) = shape.mesh(mirrored, &Held::default()) else {
+            let Ok(Meshed { mesh: part, .. }) = shape.mesh(mirrored, &Supported::default()) else {
                 continue;
             };
             let parts = 1 << mirrored.iter().filter(|&&mirrored| mirrored).count();
@@ -349,7 +351,7 @@ fn vertices_around_a_zone_lie_on_the_curved_surfaces() {
 fn even_elements_enclose_the_volume() {
     for example in examples().iter().filter(|example| example.zone.is_none() && !example.plane) {
         let meshes = [8.0, 16.0, 32.0].map(|divisions| {
-            build(example, 2.0, divisions).mesh([true, true], &Held::default()).unwrap().mesh
+            build(example, 2.0, divisions).mesh([true, true], &Supported::default()).unwrap().mesh
         });
         for mesh in &meshes {
             assert_relative_eq!(mesh.volume([true, true]), example.volume, max_relative = 1e-12);
@@ -364,14 +366,15 @@ fn even_elements_enclose_the_volume() {
 /// top and the bottom, four rows of 15 on either side.
 #[test]
 fn far_sides_are_coarse() {
-    let cube = build(&examples()[0], 2.0, EVEN).mesh([true, true], &Held::default()).unwrap();
+    let cube = build(&examples()[0], 2.0, EVEN).mesh([true, true], &Supported::default()).unwrap();
     assert_eq!(cube.mesh.faces.len(), 2 * 15 * 15 + 2 * 4 * 15);
 }
 
 #[test]
 fn odd_numbers_are_refused_under_symmetry() {
     let box_of_flat = &examples()[1];
-    let error = build(box_of_flat, 2.0, EVEN).mesh([true, false], &Held::default()).unwrap_err();
+    let error =
+        build(box_of_flat, 2.0, EVEN).mesh([true, false], &Supported::default()).unwrap_err();
     assert_eq!(error, MeshError::OddElements { axis: 'x', count: 7 });
     assert_eq!(error.parameter(), "contact.elements");
     let divided = |size: [f64; 3], divisions: Value| {
@@ -379,7 +382,7 @@ fn odd_numbers_are_refused_under_symmetry() {
         values.insert("size", Value::Triple(size));
         values.insert("divisions", divisions);
         let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
-        (choice.build)(&values).unwrap().mesh([false, true], &Held::default())
+        (choice.build)(&values).unwrap().mesh([false, true], &Supported::default())
     };
     let odd = Err(MeshError::OddDivisions { axis: 'y', count: 5 });
     assert_eq!(divided([1.0; 3], Value::Number(5.0)), odd);
@@ -396,7 +399,7 @@ fn divided(size: [f64; 3], divisions: Option<f64>, sides: &[&str]) -> ([usize; 3
     if let Some(divisions) = divisions {
         values.insert("divisions", Value::Number(divisions));
     }
-    let held: Held = sides.iter().map(|side| ((*side).to_owned(), [true; 3])).collect();
+    let held: Supported = sides.iter().map(|side| ((*side).to_owned(), [true; 3])).collect();
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
     let shape = (choice.build)(&values).unwrap();
     let mesh = shape.mesh([false; 2], &held).unwrap().mesh;
@@ -439,7 +442,7 @@ fn elements_of_slender_bodies_do_not_outgrow_the_thickness() {
     let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
     let shape = (choice.build)(&values).unwrap();
     let longest = |side: &str| {
-        let held: Held = [(side.to_owned(), [true; 3])].into_iter().collect();
+        let held: Supported = [(side.to_owned(), [true; 3])].into_iter().collect();
         let meshed = shape.mesh([false; 2], &held).unwrap();
         let mut places: Vec<f64> = meshed.mesh.vertices.iter().map(|vertex| vertex[0]).collect();
         places.sort_by(f64::total_cmp);

@@ -3,12 +3,12 @@
 use approx::assert_relative_eq;
 use archard::body::Material;
 use archard::closed_form::Hertz;
-use archard::compliance::{Compliance, HalfSpace, SlipMap, WornPlanes};
+use archard::compliance::{Compliance, HalfSpace, SlipMap, WornLines};
 use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
 use archard::friction::{FRICTION, Friction, onto_disc};
 use archard::motion::Control;
 use archard::parameters::{Value, Values};
-use archard::solve::tangential::{self, FRICTION_SOLVERS, Held};
+use archard::solve::tangential::{self, FRICTION_SOLVERS, PrescribedForce};
 use archard::solve::{Start, Status, Step};
 use proptest::prelude::*;
 
@@ -265,7 +265,7 @@ fn pairs_in_rows_roll_as_any_do() {
             for pair in (0..PAIRS).filter(|&pair| direction.ahead(pair, ELEMENTS).is_some()) {
                 assert_relative_eq!(means[0][pair], means[1][pair], epsilon = 1e-12);
             }
-            let [rows, strips] = flows.map(|flow| (flow.planes(), flow.advance()));
+            let [rows, strips] = flows.map(|flow| (flow.lines(), flow.advance()));
             assert_eq!(rows.0.len(), strips.0.len());
             for (row, strip) in rows.0.iter().zip(strips.0.iter()) {
                 assert_relative_eq!(row.width, strip.width, max_relative = 1e-12);
@@ -321,9 +321,9 @@ fn friction_solvers_agree() {
             };
             let rigid =
                 [0, 1].map(|axis| (0..frame.len()).map(|i| turned(i)[axis]).collect::<Vec<_>>());
-            let held: Vec<Held> = forces
+            let prescribed: Vec<PrescribedForce> = forces
                 .iter()
-                .map(|&(direction, share)| Held { direction, force: share * bears })
+                .map(|&(direction, share)| PrescribedForce { direction, force: share * bears })
                 .collect();
             let step = tangential::Step {
                 map: &*map,
@@ -331,7 +331,7 @@ fn friction_solvers_agree() {
                 measure: frame.measure(),
                 limit: &limit,
                 rigid: [&rigid[0], &rigid[1]],
-                held: &held,
+                prescribed: &prescribed,
             };
             let outcomes = FRICTION_SOLVERS.iter().map(|choice| {
                 let solver = choose(FRICTION_SOLVERS, choice.name, &[("tolerance", 1e-8)]);
@@ -353,27 +353,28 @@ fn friction_solvers_agree() {
                 for ((x, y), limit) in sizes.zip(&limit) {
                     assert!(x.hypot(*y) <= limit + 1e-8 * largest, "{name}");
                 }
-                for held in &held {
+                for prescribed in &prescribed {
                     let force = [0, 1].map(|axis| frame.integrate(&outcome.traction[axis]));
-                    let force = force[0] * held.direction[0] + force[1] * held.direction[1];
-                    assert_relative_eq!(force, held.force, epsilon = 1e-7 * bears);
+                    let force =
+                        force[0] * prescribed.direction[0] + force[1] * prescribed.direction[1];
+                    assert_relative_eq!(force, prescribed.force, epsilon = 1e-7 * bears);
                 }
             }
         }
     }
 }
 
-/// Slopes (m/Pa) of planes that wear unevenly.
-fn slopes(planes: usize, slope: f64) -> Vec<f64> {
-    (0..planes).map(|plane| slope * (1.0 + 0.5 * (plane as f64).cos())).collect()
+/// Slopes (m/Pa) of lines that wear unevenly.
+fn slopes(lines: usize, slope: f64) -> Vec<f64> {
+    (0..lines).map(|line| slope * (1.0 + 0.5 * (line as f64).cos())).collect()
 }
 
-/// The elastic compliance and, in every plane, the slope times the sum of its pressures; symmetric and
+/// The elastic compliance and, in every line, the slope times the sum of its pressures; symmetric and
 /// positive, and so is its preconditioner.
 #[test]
 fn planes_that_wear_are_symmetric_and_positive() {
     let frame = small_frame();
-    // Some planes touch, others do not, and preconditioners see the contact alone.
+    // Some lines touch, others do not, and preconditioners see the contact alone.
     let bowl = |[x, y]: [f64; 2]| (1.0 - (x / 0.5e-3).powi(2) - (y / 0.3e-3).powi(2)).max(0.0);
     let pressure: Vec<f64> = (0..PAIRS).map(|pair| bowl(frame.place(pair))).collect();
     let in_contact = |seed: u32| -> Vec<f64> {
@@ -386,7 +387,7 @@ fn planes_that_wear_are_symmetric_and_positive() {
             for slope in [0.0, 0.1, 1e6].map(|factor| factor * elastic.normal_self_term()) {
                 let slopes = slopes(ELEMENTS[1 - direction.axis], slope);
                 let worn =
-                    WornPlanes::new(&elastic, frame.flow(direction).unwrap(), &slopes, &pressure);
+                    WornLines::new(&elastic, frame.flow(direction).unwrap(), &slopes, &pressure);
                 let image = |pressure: &[f64]| {
                     let mut displacement = vec![0.0; PAIRS];
                     worn.apply_normal(pressure, &mut displacement);
@@ -394,9 +395,9 @@ fn planes_that_wear_are_symmetric_and_positive() {
                 };
                 let mut expected = vec![0.0; PAIRS];
                 elastic.apply_normal(&a, &mut expected);
-                for (plane, slope) in direction.planes(ELEMENTS).zip(&slopes) {
-                    let sum: f64 = plane.clone().map(|pair| a[pair]).sum();
-                    plane.for_each(|pair| expected[pair] += slope * sum);
+                for (line, slope) in direction.lines(ELEMENTS).zip(&slopes) {
+                    let sum: f64 = line.clone().map(|pair| a[pair]).sum();
+                    line.for_each(|pair| expected[pair] += slope * sum);
                 }
                 let scale = norm([&expected, &[]]);
                 for (found, expected) in image(&a).iter().zip(&expected) {
@@ -420,7 +421,7 @@ fn planes_that_wear_are_symmetric_and_positive() {
     }
 }
 
-/// Iterations of a step from unworn twin discs that makes a plane wear by that many self terms under a unit
+/// Iterations of a step from unworn twin discs that makes a line wear by that many self terms under a unit
 /// pressure on one pair.
 fn iterations_of_a_step(direction: Direction, self_terms: f64) -> usize {
     let turn = |both: [f64; 2]| if direction.axis == 0 { both } else { [both[1], both[0]] };
@@ -432,7 +433,7 @@ fn iterations_of_a_step(direction: Direction, self_terms: f64) -> usize {
     let rest = at_rest(&problem, &addition, Control::Load(300.0));
     let unworn = solver("conjugate_gradient", 1e-8).solve(&rest, None);
     let slopes = vec![self_terms * elastic.normal_self_term(); elements[1 - direction.axis]];
-    let worn = WornPlanes::new(elastic, frame.flow(direction).unwrap(), &slopes, &unworn.pressure);
+    let worn = WornLines::new(elastic, frame.flow(direction).unwrap(), &slopes, &unworn.pressure);
     let total = unworn.pressure.iter().sum();
     let foreseen = worn.foresee(frame.gap(), total, &unworn.pressure);
     let pressure = foreseen.unwrap_or(unworn.pressure);

@@ -1,7 +1,7 @@
 //! Contracts of bodies shifted against each other: motions in increments, and what tractions do to the slip.
 
 use approx::assert_relative_eq;
-use archard::compliance::{Compliance, HalfSpace, Rub, SlipMap};
+use archard::compliance::{Compliance, HalfSpace, SlipMap, StickSlip};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::{Guide, MOTIONS, Motion, Schedule};
 use archard::parameters::{Value, Values};
@@ -159,16 +159,19 @@ fn maps_on_other_elements_are_those_of_their_frames() {
 fn undoing_a_slip_is_symmetric_and_positive() {
     let frame = small_frame();
     for_each_map(&frame, |map, _| {
-        let undo = |slip: &[Vec<f64>; 2], rub: &Rub| {
+        let precondition = |slip: &[Vec<f64>; 2], rub: &StickSlip| {
             let (mut one, mut two) = (vec![0.0; PAIRS], vec![0.0; PAIRS]);
-            map.undo([&slip[0], &slip[1]], rub, [&mut one, &mut two]);
+            map.precondition([&slip[0], &slip[1]], rub, [&mut one, &mut two]);
             [one, two]
         };
-        let all =
-            Rub { stick: vec![1.0; PAIRS], slip: vec![0.0; PAIRS], diagonal: vec![0.0; PAIRS] };
+        let all = StickSlip {
+            stick: vec![1.0; PAIRS],
+            slip: vec![0.0; PAIRS],
+            diagonal: vec![0.0; PAIRS],
+        };
         let third = |pair: usize| if pair.is_multiple_of(3) { 1.0 } else { 0.0 };
         let slip: Vec<f64> = (0..PAIRS).map(third).collect();
-        let some = Rub {
+        let some = StickSlip {
             stick: slip.iter().map(|slip| 1.0 - slip).collect(),
             diagonal: slip
                 .iter()
@@ -179,7 +182,7 @@ fn undoing_a_slip_is_symmetric_and_positive() {
         };
         for rub in [&all, &some] {
             let (one, other) = (tractions(&arbitrary(5)), tractions(&arbitrary(6)));
-            let (of_one, of_other) = (undo(&one, rub), undo(&other, rub));
+            let (of_one, of_other) = (precondition(&one, rub), precondition(&other, rub));
             let own = work(&one, &of_one);
             assert!(own > 0.0);
             assert_relative_eq!(
@@ -192,7 +195,7 @@ fn undoing_a_slip_is_symmetric_and_positive() {
         for seed in 0..4 {
             let t = tractions(&arbitrary(seed));
             let slip = apply(map, &t);
-            let share = work(&slip, &undo(&slip, &all)) / work(&slip, &t);
+            let share = work(&slip, &precondition(&slip, &all)) / work(&slip, &t);
             assert!((0.4..2.5).contains(&share), "{share}");
         }
     });

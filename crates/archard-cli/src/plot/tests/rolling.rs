@@ -52,9 +52,9 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
     let rolling = problem.motion.rolling().unwrap();
     let forward = rolling.direction.forward();
     let mut worn = vec![0.0; frame.len()];
-    for plane in rolling.direction.planes(frame.elements()) {
-        let most = plane.clone().map(|pair| bowl[pair]).fold(0.0, f64::max);
-        plane.for_each(|pair| worn[pair] = depth * most);
+    for line in rolling.direction.lines(frame.elements()) {
+        let most = line.clone().map(|pair| bowl[pair]).fold(0.0, f64::max);
+        line.for_each(|pair| worn[pair] = depth * most);
     }
     ContactState {
         progress,

@@ -14,9 +14,9 @@ const STOCKY: f64 = 2.0;
 
 /// The surfaces where displacements are known, each with the axes along which they are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Held(Vec<(String, [bool; 3])>);
+pub struct Supported(Vec<(String, [bool; 3])>);
 
-impl Held {
+impl Supported {
     /// Whether displacements are known on a surface.
     pub(super) fn at(&self, surface: &str) -> bool {
         self.0.iter().any(|(name, _)| name == surface)
@@ -28,7 +28,7 @@ impl Held {
     }
 }
 
-impl FromIterator<(String, [bool; 3])> for Held {
+impl FromIterator<(String, [bool; 3])> for Supported {
     fn from_iter<T: IntoIterator<Item = (String, [bool; 3])>>(surfaces: T) -> Self {
         Self(surfaces.into_iter().filter(|(_, along)| along.contains(&true)).collect())
     }

@@ -23,7 +23,7 @@ mod thickness;
 
 pub use check::MeshProblem;
 pub use file::{Fault, MeshFileError, Place};
-pub use free::Held;
+pub use free::Supported;
 
 use std::fmt::Debug;
 
@@ -98,13 +98,13 @@ pub trait Shape: Debug + Send + Sync {
     ///
     /// # Errors
     /// If the elements asked for cannot be made.
-    fn mesh(&self, mirrored: [bool; 2], held: &Held) -> Result<Meshed, MeshError>;
+    fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError>;
 
     /// A number of elements that the mesh has at least, known without making it.
-    fn at_least(&self, mirrored: [bool; 2], held: &Held) -> usize;
+    fn at_least(&self, mirrored: [bool; 2], held: &Supported) -> usize;
 
     /// The longest element along a free span beside the thickness that bends there; `None` where nothing bends.
-    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Held) -> Option<f64>;
+    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64>;
 
     /// Curvatures 1/R along x and y (1/m) in the middle of the zone, positive where it is convex; `None` where
     /// they are not known.

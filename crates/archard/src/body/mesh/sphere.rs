@@ -10,7 +10,7 @@ use super::builder::Builder;
 use super::contact::{self, Contact, Layout};
 use super::rings::{Ray, Rings, distance, widest_angle};
 use super::tensor::{block, patch};
-use super::{Held, MeshError, Meshed, Shape, Zone};
+use super::{MeshError, Meshed, Shape, Supported, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
@@ -63,7 +63,7 @@ struct Sphere {
 }
 
 impl Shape for Sphere {
-    fn mesh(&self, mirrored: [bool; 2], _held: &Held) -> Result<Meshed, MeshError> {
+    fn mesh(&self, mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
         self.layout.check(mirrored)?;
         let mut builder = Builder::new(self.radius);
         let angle = widest_angle(self.radius, self.radius - self.inner.unwrap_or(0.0));
@@ -95,7 +95,7 @@ impl Shape for Sphere {
         Ok(Meshed { mesh: builder.finish(), zone, placed: false })
     }
 
-    fn at_least(&self, mirrored: [bool; 2], _held: &Held) -> usize {
+    fn at_least(&self, mirrored: [bool; 2], _held: &Supported) -> usize {
         match self.layout {
             Layout::Contact(contact) => contact.kept(mirrored).into_iter().product(),
             Layout::Even(divisions) => {
@@ -108,7 +108,7 @@ impl Shape for Sphere {
     }
 
     /// Its one or two surfaces leave no free span: what is held is one side of the wall.
-    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Held) -> Option<f64> {
+    fn slenderness(&self, _: &Meshed, _: [bool; 2], _: &Supported) -> Option<f64> {
         None
     }
 

@@ -7,7 +7,7 @@
 use glam::DVec3;
 use rayon::prelude::*;
 
-use super::free::{self, Held};
+use super::free::{self, Supported};
 use super::{Mesh, Meshed};
 
 /// Share of the surface that may have longer elements: at sharp edges any element is longer than the body is thick,
@@ -30,7 +30,7 @@ struct Side {
 }
 
 /// The longest element beside the thickness that bends below it, all but a few; `None` where nothing bends.
-pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Held) -> Option<f64> {
+pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
     let mesh = &meshed.mesh;
     let own: Vec<Side> = (0..mesh.faces.len()).map(|face| side(mesh, face, held)).collect();
     let held_at: Vec<DVec3> = own.iter().filter(|one| one.held).map(|one| one.middle).collect();
@@ -54,7 +54,7 @@ pub(super) fn longest(meshed: &Meshed, mirrored: [bool; 2], held: &Held) -> Opti
     beyond.map(|(longest, _)| *longest)
 }
 
-fn side(mesh: &Mesh, face: usize, held: &Held) -> Side {
+fn side(mesh: &Mesh, face: usize, held: &Supported) -> Side {
     let corners = mesh.faces[face].corners.as_slice().iter();
     let corners: Vec<DVec3> = corners.map(|&corner| mesh.vertices[corner].into()).collect();
     let next = corners.iter().cycle().skip(1);
@@ -117,7 +117,7 @@ fn hit(from: DVec3, along: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::super::free::Held;
+    use super::super::free::Supported;
     use super::super::{MESHES, Meshed};
     use super::longest;
     use crate::parameters::{Value, Values};
@@ -128,10 +128,10 @@ mod tests {
         values.insert("size", Value::Triple(size));
         values.insert("divisions", Value::Triple(divisions));
         let choice = MESHES.iter().find(|choice| choice.name == "box").unwrap();
-        (choice.build)(&values).unwrap().mesh(mirrored, &Held::default()).unwrap()
+        (choice.build)(&values).unwrap().mesh(mirrored, &Supported::default()).unwrap()
     }
 
-    fn held(surfaces: &[&str]) -> Held {
+    fn held(surfaces: &[&str]) -> Supported {
         surfaces.iter().map(|name| ((*name).to_owned(), [true; 3])).collect()
     }
 

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use super::{Parts, size};
 use crate::compliance::bem;
 use crate::motion::{Shift, Stepping};
-use crate::solve::joint::factors_memory;
+use crate::solve::monolithic::factors_memory;
 
 // Measured as the peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two threads, per pair
 // and beyond that of the program, with N elements squared:

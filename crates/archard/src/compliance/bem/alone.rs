@@ -4,7 +4,7 @@ use glam::DVec3;
 use pulp::{Arch, Simd, WithSimd};
 
 use super::blocks::BLOCK;
-use super::element::{BOWS, element};
+use super::element::{CURVATURES, element};
 use super::integrate::{Spot, Tile};
 use super::kelvin::{ALL, Evaluations, Kelvin};
 use super::patch::Patch;
@@ -39,7 +39,7 @@ pub fn integrate_alone(evaluations: Evaluations) -> f64 {
                 points: points.each_ref().map(|points| &points[..]),
                 spots: &spots,
                 nodes: patch.element.nodes.len(),
-                bows: [false; BOWS],
+                curvatures: [false; CURVATURES],
                 displacement,
                 image: [1.0; 3],
                 sums: stock.lend(),

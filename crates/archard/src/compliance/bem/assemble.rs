@@ -17,9 +17,9 @@ use pulp::Arch;
 use rayon::prelude::*;
 
 use super::blocks::{BLOCK, blocks};
-use super::bows::{Share, bows};
 use super::conditions::{Conditions, Given};
-use super::element::BOWS;
+use super::curvature::{Share, curvatures};
+use super::element::CURVATURES;
 use super::integrate::NODES;
 use super::kelvin::{Evaluations, Kelvin};
 use super::rules::Rules;
@@ -53,7 +53,7 @@ pub(super) struct Assembly<'a> {
     /// Elements whose tractions are not all zero.
     pub loaded: Vec<bool>,
     /// What bends the displacements of an element between its nodes.
-    pub bows: Vec<Vec<Share>>,
+    pub curvatures: Vec<Vec<Share>>,
 }
 
 impl<'a> Assembly<'a> {
@@ -79,7 +79,7 @@ impl<'a> Assembly<'a> {
             arch: Arch::new(),
             images: surface.images(),
             loaded,
-            bows: bows(surface),
+            curvatures: curvatures(surface),
         }
     }
 
@@ -120,7 +120,7 @@ impl Rows<'_> {
         for face in 0..self.assembly.surface.patches.len() {
             strip.integrate(face);
             self.write(face, &strip.sums);
-            self.write_bows(face, strip.bent, &strip.sums.tractions);
+            self.write_curvatures(face, strip.bent, &strip.sums.tractions);
         }
         self.write_own(&strip.nodes, &strip.sums.rigid);
         strip.evaluations
@@ -171,16 +171,16 @@ impl Rows<'_> {
         }
     }
 
-    /// Takes the integrals with the bows of an element over to the nodes they are found from.
-    fn write_bows(&mut self, face: usize, bent: [bool; BOWS], tractions: &[f64]) {
-        if bent == [false; BOWS] {
+    /// Takes the integrals with the curvatures of an element over to the nodes they are found from.
+    fn write_curvatures(&mut self, face: usize, bent: [bool; CURVATURES], tractions: &[f64]) {
+        if bent == [false; CURVATURES] {
             return;
         }
         let rows = 9 * BLOCK;
         let [along_s, along_t] = [NODES, NODES + 1].map(|row| &tractions[row * rows..][..rows]);
         let mut values = [0.0; 9 * BLOCK];
-        for share in &self.assembly.bows[face] {
-            let [of_s, of_t] = share.bows;
+        for share in &self.assembly.curvatures[face] {
+            let [of_s, of_t] = share.curvatures;
             for ((value, s), t) in values.iter_mut().zip(along_s).zip(along_t) {
                 *value = of_s * s + of_t * t;
             }

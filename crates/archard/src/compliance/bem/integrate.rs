@@ -7,7 +7,7 @@ use glam::DVec3;
 use pulp::{Simd, WithSimd};
 
 use super::blocks::BLOCK;
-use super::element::{BOWS, evaluate};
+use super::element::{CURVATURES, evaluate};
 use super::kelvin::{ALL, DISPLACEMENT, Kelvin, TRACTIONS};
 use super::patch::Patch;
 use super::rules::Places;
@@ -24,8 +24,8 @@ pub(super) struct Spot {
     /// Outward, of the length of the area it stands for.
     area_vector: [f64; 3],
     area: f64,
-    /// Of the nodes, then of the bows.
-    shape: [f64; NODES + BOWS],
+    /// Of the nodes, then of the curvatures.
+    shape: [f64; NODES + CURVATURES],
 }
 
 impl Spot {
@@ -34,11 +34,11 @@ impl Spot {
         spots.clear();
         for ((&s, &t), weight) in places.s.iter().zip(&places.t).zip(&places.weight) {
             let area_vector = *weight * patch.area_vector([s, t]);
-            let mut shape = [0.0; NODES + BOWS];
+            let mut shape = [0.0; NODES + CURVATURES];
             for (shape, polynomial) in shape.iter_mut().zip(patch.element.shape) {
                 *shape = evaluate(polynomial, [s, t]);
             }
-            if let Some(square) = patch.element.bow {
+            if let Some(square) = patch.element.curvature {
                 shape[NODES..].copy_from_slice(&[s, t].map(|at| 0.5 * (at * at - square)));
             }
             spots.push(Self {
@@ -59,8 +59,8 @@ pub(super) struct Tile<'a> {
     pub spots: &'a [Spot],
     /// Shape functions in use, three or four.
     pub nodes: usize,
-    /// Which of the bows are wanted, too.
-    pub bows: [bool; BOWS],
+    /// Which of the curvatures are wanted, too.
+    pub curvatures: [bool; CURVATURES],
     /// Whether the displacements are wanted beside the tractions.
     pub displacement: bool,
     /// The planes the points were mirrored at: -1 along their normals.
@@ -69,7 +69,7 @@ pub(super) struct Tile<'a> {
 }
 
 /// What integrals are added to, a value a point and [`BLOCK`] of them in a row: a row for each node,
-/// then for each bow, and component xx, xy, xz, yx, ...
+/// then for each curvature, and component xx, xy, xz, yx, ...
 pub(super) struct Sums<'a> {
     pub tractions: &'a mut [f64],
     pub displacements: &'a mut [f64],
@@ -80,14 +80,14 @@ pub(super) struct Sums<'a> {
 }
 
 /// Values of the kernel at the places of a chunk, in the widest vectors there are, and what they come from.
-pub(super) const SCRATCH: usize = 8 * CHUNK * (ALL + NODES + BOWS);
+pub(super) const SCRATCH: usize = 8 * CHUNK * (ALL + NODES + CURVATURES);
 
 impl WithSimd for Tile<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Self { kelvin, points, spots, nodes, bows, displacement, image, sums } = self;
+        let Self { kelvin, points, spots, nodes, curvatures, displacement, image, sums } = self;
         let lanes = kelvin.lanes(simd);
         let x = S::as_simd_f64s(points[0]).0;
         let y = S::as_simd_f64s(points[1]).0;
@@ -122,7 +122,9 @@ impl WithSimd for Tile<'_> {
                 }
                 let values = &values[..spots.len()];
                 let mut total = [zero; TRACTIONS];
-                let bent = (0..BOWS).filter(|&bow| bows[bow]).map(|bow| NODES + bow);
+                let bent = (0..CURVATURES)
+                    .filter(|&curvature| curvatures[curvature])
+                    .map(|curvature| NODES + curvature);
                 for row in (0..nodes).chain(bent) {
                     let shape = |spot: usize| simd.splat_f64s(spots[spot].shape[row]);
                     let first = 9 * row * stride + point;
@@ -181,8 +183,8 @@ fn weighted<S: Simd, const ROWS: usize>(
     sums
 }
 
-/// The integrals for each node, then each bow, and each row of the kernel; those of bows of tractions only.
-pub(super) type Integrals = [[f64; ALL]; NODES + BOWS];
+/// The integrals for each node, then each curvature, and each row of the kernel; those of curvatures of tractions only.
+pub(super) type Integrals = [[f64; ALL]; NODES + CURVATURES];
 
 /// One point against many places.
 pub(super) struct Beam<'a> {
@@ -219,12 +221,12 @@ impl WithSimd for Beam<'_> {
         let s = S::as_simd_f64s(&self.places.s).0;
         let t = S::as_simd_f64s(&self.places.t).0;
         let weight = S::as_simd_f64s(&self.places.weight).0;
-        let mut sums = [[zero; ALL]; NODES + BOWS];
-        let bow = self.patch.element.bow.map(|square| simd.splat_f64s(-0.5 * square));
+        let mut sums = [[zero; ALL]; NODES + CURVATURES];
+        let curvature = self.patch.element.curvature.map(|square| simd.splat_f64s(-0.5 * square));
         let half = simd.splat_f64s(0.5);
         let (values, shapes) = S::as_mut_simd_f64s(self.scratch).0.split_at_mut(CHUNK * ALL);
         let (values, shapes) =
-            (values.as_chunks_mut::<ALL>().0, shapes.as_chunks_mut::<{ NODES + BOWS }>().0);
+            (values.as_chunks_mut::<ALL>().0, shapes.as_chunks_mut::<{ NODES + CURVATURES }>().0);
         for ((s, t), weight) in s.chunks(CHUNK).zip(t.chunks(CHUNK)).zip(weight.chunks(CHUNK)) {
             for place in 0..s.len() {
                 let (s, t, weight) = (s[place], t[place], weight[place]);
@@ -257,14 +259,14 @@ impl WithSimd for Beam<'_> {
                     let share = simd.mul_add_e_f64s(*along_t, t, share);
                     *shape = simd.mul_add_e_f64s(*along_both, both, share);
                 }
-                if let Some(constant) = bow {
+                if let Some(constant) = curvature {
                     for (shape, at) in shapes[place][NODES..].iter_mut().zip([s, t]) {
                         *shape = simd.mul_add_e_f64s(simd.mul_f64s(half, at), at, constant);
                     }
                 }
             }
             let (values, shapes) = (&values[..s.len()], &shapes[..s.len()]);
-            let bent = NODES..if bow.is_some() { NODES + BOWS } else { NODES };
+            let bent = NODES..if curvature.is_some() { NODES + CURVATURES } else { NODES };
             for row in (0..nodes).chain(bent) {
                 let (shape, sums) = (|place: usize| shapes[place][row], &mut sums[row]);
                 let products: [_; TRACTIONS] = weighted(simd, values, 0, shape);
@@ -279,7 +281,7 @@ impl WithSimd for Beam<'_> {
                 }
             }
         }
-        let mut integrals = [[0.0; ALL]; NODES + BOWS];
+        let mut integrals = [[0.0; ALL]; NODES + CURVATURES];
         for (integrals, sums) in integrals.iter_mut().zip(&sums) {
             for (integral, sum) in integrals.iter_mut().zip(sums) {
                 *integral = simd.reduce_sum_f64s(*sum);

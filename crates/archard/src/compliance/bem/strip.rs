@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::assemble::Assembly;
 use super::blocks::BLOCK;
-use super::element::BOWS;
+use super::element::CURVATURES;
 use super::integrate::{Beam, Integrals, NODES, SCRATCH, Spot, Sums, Tile};
 use super::kelvin::{DISPLACEMENT, Evaluations};
 use super::rules::{ORDERS, Places, Rules};
@@ -28,8 +28,8 @@ pub(super) struct Strip<'a> {
     radius: f64,
     /// Integrals over the last element; what a rigid displacement makes of those so far.
     pub sums: Stock,
-    /// Whether there are integrals with each bow among them.
-    pub bent: [bool; BOWS],
+    /// Whether there are integrals with each curvature among them.
+    pub bent: [bool; CURVATURES],
     /// Those of some of the nodes on their way there.
     some: Stock,
     /// Nodes near to an element, by the orders of their rules.
@@ -123,7 +123,7 @@ impl<'a> Strip<'a> {
             centre,
             radius,
             sums: Stock::new(),
-            bent: [false; BOWS],
+            bent: [false; CURVATURES],
             some: Stock::new(),
             near: vec![],
             places: Places::default(),
@@ -135,7 +135,7 @@ impl<'a> Strip<'a> {
     /// Integrates over an element, seen from all images of the nodes.
     pub fn integrate(&mut self, face: usize) {
         self.sums.tractions.fill(0.0);
-        self.bent = [false; BOWS];
+        self.bent = [false; CURVATURES];
         if self.assembly.loaded[face] {
             self.sums.displacements.fill(0.0);
         }
@@ -197,10 +197,10 @@ impl<'a> Strip<'a> {
         if let Some(some) = &some {
             points = some;
         }
-        // The two places of the least rule are those of the nodes, where bows are zero.
-        let has_bows = !self.assembly.bows[face].is_empty();
-        let bows = orders.map(|order| has_bows && order > ORDERS.0);
-        (0..BOWS).for_each(|bow| self.bent[bow] |= bows[bow]);
+        // The two places of the least rule are those of the nodes, where curvatures are zero.
+        let has_curvatures = !self.assembly.curvatures[face].is_empty();
+        let curvatures = orders.map(|order| has_curvatures && order > ORDERS.0);
+        (0..CURVATURES).for_each(|curvature| self.bent[curvature] |= curvatures[curvature]);
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(width * self.spots.len(), displacement);
         let sums = match group {
@@ -215,7 +215,7 @@ impl<'a> Strip<'a> {
             points: points.up_to(width),
             spots: &self.spots,
             nodes: patch.element.nodes.len(),
-            bows,
+            curvatures,
             displacement,
             image: self.assembly.images[image].to_array(),
             sums: sums.lend(),
@@ -238,7 +238,7 @@ impl<'a> Strip<'a> {
             }
         }
         self.places.pad();
-        self.bent = [!self.assembly.bows[face].is_empty(); BOWS];
+        self.bent = [!self.assembly.curvatures[face].is_empty(); CURVATURES];
         let displacement = self.assembly.loaded[face];
         self.evaluations.count(self.places.len(), displacement);
         let kelvin = self.assembly.kelvin;

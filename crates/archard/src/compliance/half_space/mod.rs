@@ -194,18 +194,18 @@ impl Compliance for HalfSpace {
 
 /// Half-spaces of the whole frame, or of a part of it.
 #[derive(Debug)]
-enum Held<'a> {
+enum Supported<'a> {
     Whole(&'a HalfSpace),
     Part(Arc<HalfSpace>),
 }
 
-impl Deref for Held<'_> {
+impl Deref for Supported<'_> {
     type Target = HalfSpace;
 
     fn deref(&self) -> &HalfSpace {
         match self {
-            Held::Whole(half_space) => half_space,
-            Held::Part(half_space) => half_space,
+            Supported::Whole(half_space) => half_space,
+            Supported::Part(half_space) => half_space,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Steady rolling on half-spaces: the upwind difference taken in the transforms.
 
-use super::{HalfSpace, Held};
-use crate::compliance::{Coarser, Rub, SlipMap};
+use super::{HalfSpace, Supported};
+use crate::compliance::{Coarser, SlipMap, StickSlip};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
 
@@ -13,7 +13,7 @@ const PASSED_ON: f64 = 4.0;
 /// The tangential compliance of half-spaces, differenced along the direction of rolling.
 #[derive(Debug)]
 pub(super) struct Rolling<'a> {
-    half_space: Held<'a>,
+    half_space: Supported<'a>,
     direction: Direction,
     difference: Difference,
     own: f64,
@@ -21,10 +21,10 @@ pub(super) struct Rolling<'a> {
 
 impl<'a> Rolling<'a> {
     pub fn new(half_space: &'a HalfSpace, direction: Direction) -> Self {
-        Self::on(Held::Whole(half_space), direction)
+        Self::on(Supported::Whole(half_space), direction)
     }
 
-    fn on(half_space: Held<'a>, direction: Direction) -> Self {
+    fn on(half_space: Supported<'a>, direction: Direction) -> Self {
         // The pair ahead is the one of higher index.
         let Direction { axis, reversed } = direction;
         let difference = Difference::new(&half_space.convolution, axis, !reversed);
@@ -45,8 +45,8 @@ impl SlipMap for Rolling<'_> {
 
     /// Where pairs stick, steps of the traction from pair to pair, found as in the normal problem by
     /// dividing by the spectrum of a frame that repeats itself, are summed up from the leading edge on.
-    /// Where they slip, a recursion along the plane stands for the map.
-    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
+    /// Where they slip, a recursion along the line stands for the map.
+    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
         let (convolution, inverse) = self.half_space.tangential_inverse();
         let sticking = slip.map(|slip| -> Vec<f64> {
             slip.iter().zip(&rub.stick).map(|(slip, stick)| slip * stick).collect()
@@ -55,9 +55,9 @@ impl SlipMap for Rolling<'_> {
         convolution.apply_pair(inverse.each_ref(), [&sticking[0], &sticking[1]], [one, two]);
         let elements = self.half_space.influence.elements();
         for (tractions, slip) in [one, two].into_iter().zip(slip) {
-            for plane in self.direction.planes(elements) {
+            for line in self.direction.lines(elements) {
                 let (mut sum, mut passed) = (0.0, 0.0);
-                for pair in plane {
+                for pair in line {
                     sum += rub.stick[pair] * tractions[pair];
                     passed = rub.slip[pair] * (slip[pair] + PASSED_ON * self.own * passed)
                         / (rub.diagonal[pair] + SLIPPING * self.own);
@@ -68,7 +68,7 @@ impl SlipMap for Rolling<'_> {
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        let part = Held::Part(self.half_space.part(elements));
+        let part = Supported::Part(self.half_space.part(elements));
         Some(Box::new(Rolling::on(part, self.direction)))
     }
 

@@ -1,21 +1,21 @@
 //! Half-spaces shifted against each other: the tangential compliance itself.
 
-use super::{HalfSpace, Held};
-use crate::compliance::{Coarser, Rub, SlipMap};
+use super::{HalfSpace, Supported};
+use crate::compliance::{Coarser, SlipMap, StickSlip};
 
 /// The tangential compliance of half-spaces.
 #[derive(Debug)]
 pub(super) struct Shifting<'a> {
-    half_space: Held<'a>,
+    half_space: Supported<'a>,
     own: f64,
 }
 
 impl<'a> Shifting<'a> {
     pub fn new(half_space: &'a HalfSpace) -> Self {
-        Self::on(Held::Whole(half_space))
+        Self::on(Supported::Whole(half_space))
     }
 
-    fn on(half_space: Held<'a>) -> Self {
+    fn on(half_space: Supported<'a>) -> Self {
         let own = half_space.influence.tangential_self_term();
         Self { half_space, own }
     }
@@ -32,7 +32,7 @@ impl SlipMap for Shifting<'_> {
 
     /// Division by the spectrum of a frame that repeats itself, as in the normal problem, where the
     /// compliance governs: pairs that stick, and slip as far as its diagonal outweighs their own.
-    fn undo(&self, slip: [&[f64]; 2], rub: &Rub, tractions: [&mut [f64]; 2]) {
+    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
         let (convolution, inverse) = self.half_space.tangential_inverse();
         let weight = |pair: usize| {
             rub.stick[pair] + rub.slip[pair] * self.own / (self.own + rub.diagonal[pair])
@@ -52,7 +52,7 @@ impl SlipMap for Shifting<'_> {
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        Some(Box::new(Self::on(Held::Part(self.half_space.part(elements)))))
+        Some(Box::new(Self::on(Supported::Part(self.half_space.part(elements)))))
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {

@@ -7,12 +7,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::rig::Rig;
+use super::shifted::Shifted;
 use super::spread::spread;
 use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::ContactProblem;
-use crate::simulation::chain::{Chain, Leg};
+use crate::simulation::evolution::{Evolution, Increment};
 use crate::simulation::{Effort, Error, Simulation};
 
 /// Wear a cycle as a function of the pressure at its most pressed instant.
@@ -20,7 +20,7 @@ use crate::simulation::{Effort, Error, Simulation};
 pub(super) struct Rate {
     line: Line,
     /// The contact at the most pressed instant.
-    reference: Chain,
+    reference: Evolution,
     control: Control,
     /// Ones where pairs in contact stuck throughout the cycle, zeros elsewhere.
     pub stuck: Vec<f64>,
@@ -33,7 +33,7 @@ struct Line {
     constant: [Vec<f64>; 2],
     slope: [Vec<f64>; 2],
     /// Gap (m) that friction opens at that instant.
-    opened: Vec<f64>,
+    gap_by_friction: Vec<f64>,
     /// Distance slid (m).
     slip: Vec<f64>,
     /// Energy dissipated (J).
@@ -78,18 +78,18 @@ impl Wear {
 }
 
 impl Rate {
-    /// Of the cycle that a rig has gone through, the most pressed instant of which is kept beside it.
+    /// Of the cycle that shifted bodies have gone through, the most pressed instant of which is kept beside it.
     ///
     /// `begun` holds the pressures (Pa) at its beginning where that is the same instant, one cycle earlier: a pair
     /// that has joined since was rubbed for a part of the cycle only, and is given what its neighbours were.
     pub fn of(
-        rig: &Rig,
-        reference: Rig,
+        shifted: &Shifted,
+        reference: Shifted,
         begun: Option<&[f64]>,
         control: Control,
         problem: &ContactProblem,
     ) -> Self {
-        let pressure = &reference.chain.state.pressure;
+        let pressure = &reference.evolution.state.pressure;
         let frame = &problem.frame;
         let known = rubbed_throughout(pressure, begun);
         let control = match control {
@@ -108,7 +108,7 @@ impl Rate {
             spread(quotient, &known, frame)
         };
         let constant = [0, 1].map(|body| {
-            let (depths, slopes) = (&rig.rubbed.depths[body], &rig.rubbed.slopes[body]);
+            let (depths, slopes) = (&shifted.rubbed.depths[body], &shifted.rubbed.slopes[body]);
             map(
                 [depths, slopes, pressure],
                 |[depth, slope, pressure]| {
@@ -117,24 +117,24 @@ impl Rate {
             )
         });
         let couples = problem.compliance.couples();
-        let opened = if couples {
-            reference.chain.opened_by_friction(problem)
+        let gap_by_friction = if couples {
+            reference.evolution.opened_by_friction(problem)
         } else {
             vec![0.0; pressure.len()]
         };
-        let stuck = map([pressure, &rig.rubbed.slip], |[pressure, slip]| {
+        let stuck = map([pressure, &shifted.rubbed.slip], |[pressure, slip]| {
             f64::from(pressure > 0.0 && slip == 0.0)
         });
         Self {
             line: Line {
                 constant,
-                slope: rig.rubbed.slopes.each_ref().map(per_pressure),
-                opened,
-                slip: per_pressure(&rig.rubbed.work),
-                dissipated: rig.rubbed.dissipated,
+                slope: shifted.rubbed.slopes.each_ref().map(per_pressure),
+                gap_by_friction,
+                slip: per_pressure(&shifted.rubbed.work),
+                dissipated: shifted.rubbed.dissipated,
             },
             stuck,
-            reference: reference.chain,
+            reference: reference.evolution,
             control,
         }
     }
@@ -150,30 +150,37 @@ impl Rate {
         effort: &mut Effort,
     ) -> Result<Wear, Error> {
         let problem = &simulation.problem;
-        let mut chain = self.reference.clone();
-        chain.state.worn.clone_from(&start.worn);
+        let mut evolution = self.reference.clone();
+        evolution.state.worn.clone_from(&start.worn);
         if problem.compliance.couples() {
-            chain.find_displacement(problem, effort);
+            evolution.find_displacement(problem, effort);
         }
         let mut wear = start.clone();
-        let progress = chain.state.progress;
-        let leg = Leg { advance: 0.0, progress, control: self.control };
+        let progress = evolution.state.progress;
+        let increment = Increment { advance: 0.0, progress, control: self.control };
         let length = cycles as f64 / steps as f64;
         let mut earlier: Option<Vec<f64>> = None;
         for step in 0..steps {
             let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
             let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
-            let undeformed = chain.undeformed_gap(problem);
+            let undeformed = evolution.undeformed_gap(problem);
             let gap = map(
-                [&undeformed, &line.opened, &line.constant[0], &line.constant[1]],
-                |[gap, opened, one, two]| gap + opened + length * (one + two),
+                [&undeformed, &line.gap_by_friction, &line.constant[0], &line.constant[1]],
+                |[gap, gap_by_friction, one, two]| gap + gap_by_friction + length * (one + two),
             );
-            if let Some(earlier) = earlier.replace(chain.state.pressure.clone()) {
-                chain.foresee(&earlier, problem, effort);
+            if let Some(earlier) = earlier.replace(evolution.state.pressure.clone()) {
+                evolution.foresee(&earlier, problem, effort);
             }
-            chain.meet(simulation, leg, &gap, &slope, &*problem.compliance, effort)?;
-            let pressure = &chain.state.pressure;
-            for (body, worn) in chain.state.worn.iter_mut().enumerate() {
+            evolution.solve_normal(
+                simulation,
+                increment,
+                &gap,
+                &slope,
+                &*problem.compliance,
+                effort,
+            )?;
+            let pressure = &evolution.state.pressure;
+            for (body, worn) in evolution.state.worn.iter_mut().enumerate() {
                 let fields: [&[f64]; 3] = [&line.constant[body], &line.slope[body], pressure];
                 update(worn, fields, |worn, [constant, slope, pressure]| {
                     worn + length * (constant + slope * pressure).max(0.0)
@@ -187,7 +194,7 @@ impl Rate {
             wear.load_distance += length * work * measure.area;
             wear.dissipated += length * line.dissipated;
         }
-        wear.worn = chain.state.worn;
+        wear.worn = evolution.state.worn;
         Ok(wear)
     }
 }
@@ -204,7 +211,7 @@ impl Line {
         Self {
             constant: both(&self.constant, &other.constant),
             slope: both(&self.slope, &other.slope),
-            opened: blend(&self.opened, &other.opened),
+            gap_by_friction: blend(&self.gap_by_friction, &other.gap_by_friction),
             slip: blend(&self.slip, &other.slip),
             dissipated: (1.0 - share) * self.dissipated + share * other.dissipated,
         }

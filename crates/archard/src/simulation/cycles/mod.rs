@@ -1,11 +1,11 @@
 //! Motions that go through increments, once or in cycles: every cycle, or with jumps over most of them.
 
 mod jump;
-mod rig;
+mod jump_control;
 mod rubbing;
-mod settle;
+mod shifted;
+mod solve;
 mod spread;
-mod stride;
 mod touch;
 mod unlike;
 
@@ -18,12 +18,12 @@ use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Guide, Shift, Station, Stepping};
 use crate::numerics::vector::update;
 use crate::problem::ContactState;
-use crate::solve::joint;
+use crate::solve::monolithic;
 
 use jump::{Rate, Wear};
-use rig::Rig;
-use settle::Settled;
-use stride::{Stride, Tried};
+use jump_control::{JumpControl, Tried};
+use shifted::Shifted;
+use solve::WarmStart;
 
 /// Steps within a jump of fixed length, and the fewest in others.
 const STEPS: usize = 8;
@@ -37,7 +37,7 @@ pub(super) struct Cycles {
     open: Option<Open>,
     /// The rate of wear of the cycle before, where jumps follow it.
     rate: Option<Rate>,
-    stride: Stride,
+    jump_control: JumpControl,
     effort: Effort,
     shown: Shown,
     /// States behind a jump that are to be shown.
@@ -57,19 +57,19 @@ struct Open {
     /// Increments done.
     index: usize,
     /// The bodies at the most pressed instant.
-    reference: Option<Rig>,
+    reference: Option<Shifted>,
     /// The pressures (Pa) at the beginning, where that is the same instant of the cycle before.
     begun: Option<Vec<f64>>,
     /// What became of the last increment since the cycle before.
-    change: Option<joint::Solution>,
+    change: Option<monolithic::Solution>,
 }
 
 /// Where a run has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Position {
-    rig: Rig,
+    shifted: Shifted,
     /// The solutions of the last cycle, to start those of the next from.
-    memory: Vec<Option<Settled>>,
+    memory: Vec<Option<WarmStart>>,
     /// Cycles done or jumped over.
     done: usize,
     /// Energy (J) dissipated in them.
@@ -104,17 +104,17 @@ pub(super) struct Shown {
 
 impl Position {
     fn wear(&self) -> Wear {
-        let chain = &self.rig.chain;
+        let evolution = &self.shifted.evolution;
         Wear {
-            worn: chain.state.worn.clone(),
-            load_distance: chain.load_distance,
+            worn: evolution.state.worn.clone(),
+            load_distance: evolution.load_distance,
             dissipated: self.dissipated,
         }
     }
 
     fn take(&mut self, wear: Wear) {
-        let chain = &mut self.rig.chain;
-        (chain.state.worn, chain.load_distance) = (wear.worn, wear.load_distance);
+        let evolution = &mut self.shifted.evolution;
+        (evolution.state.worn, evolution.load_distance) = (wear.worn, wear.load_distance);
         self.dissipated = wear.dissipated;
     }
 }
@@ -145,10 +145,10 @@ impl Setting<'_> {
 
 impl Position {
     fn shown(&self, control: Control, effort: &mut Effort) -> Shown {
-        let Self { rig, dissipated, .. } = self;
-        effort.load_distance = rig.chain.load_distance;
-        effort.dissipated = [rig.rubbed.dissipated, *dissipated];
-        Shown { state: rig.chain.state.clone(), control, effort: *effort }
+        let Self { shifted, dissipated, .. } = self;
+        effort.load_distance = shifted.evolution.load_distance;
+        effort.dissipated = [shifted.rubbed.dissipated, *dissipated];
+        Shown { state: shifted.evolution.state.clone(), control, effort: *effort }
     }
 }
 
@@ -158,14 +158,14 @@ impl Cycles {
         let Setting { simulation, shift } = setting;
         let mut effort = Effort::default();
         let mut position = Position {
-            rig: Rig::new(&simulation.problem),
+            shifted: Shifted::new(&simulation.problem),
             memory: vec![None; shift.cycle.len()],
             done: 0,
             dissipated: 0.0,
         };
         for station in &shift.lead {
             let at = (setting.symmetric(*station), 0.0);
-            position.rig.increment(simulation, at, None, &mut effort)?;
+            position.shifted.increment(simulation, at, None, &mut effort)?;
         }
         let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
         let tolerance = match simulation.schedule.stepping {
@@ -177,7 +177,7 @@ impl Cycles {
             position,
             open: None,
             rate: None,
-            stride: Stride::new(tolerance),
+            jump_control: JumpControl::new(tolerance),
             effort,
             waiting: VecDeque::new(),
         })
@@ -242,7 +242,7 @@ impl Cycles {
             let before = self.position.clone();
             let steps_before = self.effort.steps;
             let start = before.wear();
-            let length = self.stride.jump(ahead);
+            let length = self.jump_control.jump(ahead);
             let Jumped { foreseen, corrected, next, mut rows, lag } =
                 match self.jump_and_compute(setting, &rate, &start, length) {
                     Ok(jumped) => jumped,
@@ -251,7 +251,7 @@ impl Cycles {
                         self.effort.steps = steps_before;
                         (self.position, self.open) = (before, None);
                         self.effort.rejected += 1;
-                        self.stride.shorten(length);
+                        self.jump_control.shorten(length);
                         continue;
                     }
                     Err(error) => return Err(error),
@@ -263,14 +263,14 @@ impl Cycles {
             let turned = sticks[0] != sticks[1];
             let (done, worn) = (before.done, corrected.total());
             let tried = Tried { length, made, off, flipped, worn, lag, turned, done };
-            if !self.stride.judge(tried) {
+            if !self.jump_control.judge(tried) {
                 self.effort.steps = steps_before;
                 self.position = before;
                 self.effort.rejected += 1;
                 continue;
             }
             self.correct(&foreseen, &corrected, &mut rows);
-            self.effort.time_error = Some(self.stride.estimate(self.position.wear().total()));
+            self.effort.time_error = Some(self.jump_control.estimate(self.position.wear().total()));
             rows.iter_mut().for_each(|row| row.effort.time_error = self.effort.time_error);
             self.waiting = rows.into();
             self.rate = Some(next);
@@ -306,13 +306,13 @@ impl Cycles {
     fn open(&mut self, Setting { simulation, shift }: Setting<'_>) -> Open {
         self.position.done += 1;
         self.effort.true_cycles += 1;
-        let rig = &mut self.position.rig;
+        let shifted = &mut self.position.shifted;
         if shift.released {
-            rig.release(&simulation.problem);
+            shifted.release(&simulation.problem);
         }
-        rig.begin_cycle();
+        shifted.begin_cycle();
         let comparable = shift.peak() == shift.cycle.len() - 1 && !shift.released;
-        let begun = comparable.then(|| rig.chain.state.pressure.clone());
+        let begun = comparable.then(|| shifted.evolution.state.pressure.clone());
         Open { begun, ..Open::default() }
     }
 
@@ -325,7 +325,7 @@ impl Cycles {
         };
         let (index, last) = (open.index, shift.cycle.len() - 1);
         let station = setting.symmetric(shift.cycle[index]);
-        let Position { rig, memory, done, dissipated } = &mut self.position;
+        let Position { shifted, memory, done, dissipated } = &mut self.position;
         self.effort.iterations = 0;
         let progress = if index == last {
             *done as f64 * shift.period()
@@ -337,23 +337,23 @@ impl Cycles {
             known.foresee(change);
         }
         let at = (station, progress);
-        let settled = rig.increment(simulation, at, known.as_ref(), &mut self.effort)?;
-        open.change = known.and_then(|known| known.change_to(&settled));
-        memory[index] = Some(settled);
+        let warm_start = shifted.increment(simulation, at, known.as_ref(), &mut self.effort)?;
+        open.change = known.and_then(|known| known.change_to(&warm_start));
+        memory[index] = Some(warm_start);
         let jumps = !matches!(simulation.schedule.stepping, Stepping::Implicit(_));
         if jumps && index == shift.peak() {
-            open.reference = Some(rig.clone());
+            open.reference = Some(shifted.clone());
         }
         self.effort.steps += 1;
         open.index += 1;
         if index == last {
-            rig.end_cycle(&simulation.problem);
-            *dissipated += rig.rubbed.dissipated;
+            shifted.end_cycle(&simulation.problem);
+            *dissipated += shifted.rubbed.dissipated;
             if jumps {
-                let reference = open.reference.take().unwrap_or_else(|| rig.clone());
+                let reference = open.reference.take().unwrap_or_else(|| shifted.clone());
                 let control = shift.cycle[shift.peak()].control;
                 let begun = open.begun.as_deref();
-                self.rate = Some(Rate::of(rig, reference, begun, control, &simulation.problem));
+                self.rate = Some(Rate::of(shifted, reference, begun, control, &simulation.problem));
             }
         } else {
             self.open = Some(open);
@@ -391,7 +391,7 @@ impl Cycles {
             let wear = self.jump(setting, [rate, rate], start, (length, steps))?;
             let made = wear.norm_since(start);
             let lag = if made > 0.0 { wear.norm_since(&coarse) / made } else { 0.0 };
-            if self.stride.resolves(lag, steps) {
+            if self.jump_control.resolves(lag, steps) {
                 return Ok(Foreseen { wear, steps, lag });
             }
             coarse = wear;
@@ -407,7 +407,7 @@ impl Cycles {
             return Ok(());
         };
         let at = (setting.symmetric(*station), self.position.done as f64 * shift.period());
-        self.position.rig.settle(simulation, at, None, &mut self.effort)?;
+        self.position.shifted.solve_increment(simulation, at, None, &mut self.effort)?;
         Ok(())
     }
 
@@ -416,13 +416,13 @@ impl Cycles {
         let further = corrected.load_distance - foreseen.load_distance;
         let dissipated = corrected.dissipated - foreseen.dissipated;
         let states = rows.iter_mut().map(|row| &mut row.state);
-        for state in states.chain([&mut self.position.rig.chain.state]) {
+        for state in states.chain([&mut self.position.shifted.evolution.state]) {
             for (body, worn) in state.worn.iter_mut().enumerate() {
                 let change = [&corrected.worn[body], &foreseen.worn[body]];
                 update(worn, [change[0], change[1]], |worn, [new, old]| worn + (new - old));
             }
         }
-        self.position.rig.chain.load_distance += further;
+        self.position.shifted.evolution.load_distance += further;
         self.position.dissipated += dissipated;
         for effort in rows.iter_mut().map(|row| &mut row.effort).chain([&mut self.effort]) {
             effort.load_distance += further;

@@ -8,7 +8,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::problem::{ContactProblem, ContactState};
-use crate::simulation::chain::Chain;
+use crate::simulation::evolution::Evolution;
 use crate::wear::{Per, Rubbing};
 
 /// What rubbing did since a cycle began.
@@ -35,8 +35,13 @@ impl Rubbed {
     }
 
     /// Takes up what was rubbed since a state, and wears both bodies by it.
-    pub fn take_up(&mut self, chain: &mut Chain, before: &ContactState, problem: &ContactProblem) {
-        let stroke = |pair| Some((pair, stroke(pair, [before, &chain.state], problem)?));
+    pub fn take_up(
+        &mut self,
+        evolution: &mut Evolution,
+        before: &ContactState,
+        problem: &ContactProblem,
+    ) {
+        let stroke = |pair| Some((pair, stroke(pair, [before, &evolution.state], problem)?));
         let strokes: Vec<_> = (0..before.pressure.len()).filter_map(stroke).collect();
         for &(pair, rubbing) in &strokes {
             let work = rubbing.pressure * rubbing.slip;
@@ -44,9 +49,9 @@ impl Rubbed {
             self.work[pair] += work;
             let area = problem.frame.area(pair);
             self.dissipated += rubbing.work * area;
-            chain.load_distance += work * area;
+            evolution.load_distance += work * area;
         }
-        self.wear(chain, &strokes, Per::Increment, problem);
+        self.wear(evolution, &strokes, Per::Increment, problem);
         if problem.wearing([true; 2], Per::Cycle) != [false; 2] {
             self.whole.resize(before.pressure.len(), None);
             for (pair, rubbing) in strokes {
@@ -57,23 +62,23 @@ impl Rubbed {
     }
 
     /// Wears both bodies by laws that take a whole cycle, at its end.
-    pub fn end_cycle(&mut self, chain: &mut Chain, problem: &ContactProblem) {
+    pub fn end_cycle(&mut self, evolution: &mut Evolution, problem: &ContactProblem) {
         let rubbed = std::mem::take(&mut self.whole);
         let rubbed: Vec<(usize, Rubbing)> =
             rubbed.into_iter().enumerate().filter_map(|(pair, one)| Some((pair, one?))).collect();
-        self.wear(chain, &rubbed, Per::Cycle, problem);
+        self.wear(evolution, &rubbed, Per::Cycle, problem);
     }
 
     /// Wears both bodies, at pairs that were rubbed, by the laws that take that at once.
     fn wear(
         &mut self,
-        chain: &mut Chain,
+        evolution: &mut Evolution,
         rubbed: &[(usize, Rubbing)],
         per: Per,
         problem: &ContactProblem,
     ) {
         let points = rubbed.iter().map(|(_, rubbing)| *rubbing).collect();
-        for (index, worn) in chain.state.worn.iter_mut().enumerate() {
+        for (index, worn) in evolution.state.worn.iter_mut().enumerate() {
             let one = [0, 1].map(|body| body == index);
             let wear = problem.wear(&points, problem.wearing(one, per));
             for (point, &(pair, rubbing)) in rubbed.iter().enumerate() {

@@ -47,8 +47,8 @@ impl Contraction {
                 *traction += step * slip;
             }
             pairs.project(&mut trial.traction);
-            for (found, missing) in trial.found.iter_mut().zip(&missing) {
-                *found += step * unit * unit * missing;
+            for (rigid_slip, missing) in trial.rigid_slip.iter_mut().zip(&missing) {
+                *rigid_slip += step * unit * unit * missing;
             }
             pairs.find_slip(&mut trial);
             let left = force(&trial.traction, pairs);
@@ -62,7 +62,7 @@ impl Contraction {
             );
             let (mut moved, mut changed, mut product) = (moved, changed, product);
             for index in 0..missing.len() {
-                let e = (iterate.found[index] - trial.found[index]) / unit;
+                let e = (iterate.rigid_slip[index] - trial.rigid_slip[index]) / unit;
                 let d = step * unit * (left[index] - missing[index]);
                 moved += e * e;
                 changed += d * d;
@@ -86,9 +86,9 @@ impl Contraction {
                 next.traction[index] -= length * (e - d);
             }
             for index in 0..missing.len() {
-                let e = iterate.found[index] - trial.found[index];
+                let e = iterate.rigid_slip[index] - trial.rigid_slip[index];
                 let d = step * unit * unit * (left[index] - missing[index]);
-                next.found[index] -= length * (e - d);
+                next.rigid_slip[index] -= length * (e - d);
             }
             pairs.find_slip(&mut next);
             (self.iterate, self.state) = (next, trial);

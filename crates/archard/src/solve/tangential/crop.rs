@@ -33,12 +33,12 @@ fn solve_on(
     let step =
         Step { map, elements: part.size, limit: &limit, rigid: [&rigid[0], &rigid[1]], ..*step };
     let cut = start.map(|start| {
-        (start.traction.map(|traction| part.cut(traction)), part.cut(start.limit), start.found)
+        (start.traction.map(|traction| part.cut(traction)), part.cut(start.limit), start.rigid_slip)
     });
-    let start = cut.as_ref().map(|(traction, limit, found)| Start {
+    let start = cut.as_ref().map(|(traction, limit, rigid_slip)| Start {
         traction: [&traction[0], &traction[1]],
         limit,
-        found,
+        rigid_slip,
     });
     let outcome = solver.solve(&step, start);
     let [traction, slip] =

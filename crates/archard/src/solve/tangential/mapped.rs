@@ -1,6 +1,6 @@
 //! Friction solved in tractions whose admissible set is a disc.
 
-use super::{FrictionSolver, Held, Outcome, Start, Step, crop};
+use super::{FrictionSolver, Outcome, PrescribedForce, Start, Step, crop};
 use crate::compliance::Mapped;
 use crate::friction::Map;
 
@@ -18,9 +18,13 @@ pub fn solve(
     let inverse = map.inverse();
     let slips = Mapped::new(step.map, map);
     let rigid = map.images(step.rigid);
-    let held = |held: &Held| Held { direction: map.apply(held.direction), ..*held };
-    let held: Vec<Held> = step.held.iter().map(held).collect();
-    let step = Step { map: &slips, rigid: [&rigid[0], &rigid[1]], held: &held, ..*step };
+    let prescribed = |prescribed: &PrescribedForce| PrescribedForce {
+        direction: map.apply(prescribed.direction),
+        ..*prescribed
+    };
+    let prescribed: Vec<PrescribedForce> = step.prescribed.iter().map(prescribed).collect();
+    let step =
+        Step { map: &slips, rigid: [&rigid[0], &rigid[1]], prescribed: &prescribed, ..*step };
     let traction = start.map(|start| inverse.images(start.traction));
     let start = start
         .zip(traction.as_ref())

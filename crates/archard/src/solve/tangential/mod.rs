@@ -22,7 +22,7 @@ pub use mapped::solve;
 pub use newton::Newton;
 pub use uzawa::Uzawa;
 
-use super::{Settings, Status, joint};
+use super::{Settings, Status, monolithic};
 use crate::compliance::SlipMap;
 use crate::frame::Measure;
 use crate::parameters::Choice;
@@ -41,12 +41,12 @@ pub struct Step<'a> {
     /// Slip of the rigid bodies (m), along t1 and t2, one value a pair.
     pub rigid: [&'a [f64]; 2],
     /// Directions along which the force is given, two at most.
-    pub held: &'a [Held],
+    pub prescribed: &'a [PrescribedForce],
 }
 
 /// A force that is given instead of a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Held {
+pub struct PrescribedForce {
     /// Vector along which the bodies slip as far as it takes; of length one where tractions are those of the pairs.
     pub direction: [f64; 2],
     /// Sum over the contact of the tractions on body 1 times this vector (N): the force along it.
@@ -61,7 +61,7 @@ pub struct Start<'a> {
     /// Largest tractions (Pa) they had to keep to, one value a pair.
     pub limit: &'a [f64],
     /// Uniform slip (m) along each direction whose force is given.
-    pub found: &'a [f64],
+    pub rigid_slip: &'a [f64],
 }
 
 /// What a solve found and what it took.
@@ -75,7 +75,7 @@ pub struct Outcome {
     /// surfaces slide over each other without touching.
     pub slip: [Vec<f64>; 2],
     /// Uniform slip (m) along each direction whose force is given.
-    pub found: Vec<f64>,
+    pub rigid_slip: Vec<f64>,
     /// Iterations done.
     pub iterations: usize,
     /// Distance of the tractions from those that the slip projects them on, relative to the limits
@@ -94,10 +94,10 @@ pub trait FrictionSolver: Debug + Send + Sync {
     /// where they are to be found in turn.
     fn solve_jointly(
         &self,
-        _step: &joint::Step<'_>,
-        _start: &joint::Solution,
-        _foreseen: Option<&joint::Solution>,
-    ) -> Option<joint::Outcome> {
+        _step: &monolithic::Step<'_>,
+        _start: &monolithic::Solution,
+        _foreseen: Option<&monolithic::Solution>,
+    ) -> Option<monolithic::Outcome> {
         None
     }
 

@@ -9,20 +9,20 @@
 //! B dt + (|q| - limit) / (r limit) dt = s |q| / limit
 //! ```
 //!
-//! The linear systems are preconditioned by [`SlipMap::undo`](crate::compliance::SlipMap::undo). A step that does not lower the residual is shortened; where that does not help, steps
+//! The linear systems are preconditioned by [`SlipMap::precondition`](crate::compliance::SlipMap::precondition). A step that does not lower the residual is shortened; where that does not help, steps
 //! of projection and contraction come between. Without a solution to start from, the problem is solved
 //! on elements of twice the size first, so that few steps remain on the finest whatever their number.
 
 use super::blocks::Blocks;
 use super::contraction::Contraction;
 use super::pairs::{Pairs, State};
-use super::{FrictionSolver, Held, Outcome, Start, Step, TOLERANCE};
-use crate::compliance::{Coarser, Rub};
+use super::{FrictionSolver, Outcome, PrescribedForce, Start, Step, TOLERANCE};
+use crate::compliance::{Coarser, StickSlip};
 use crate::frame::Measure;
 use crate::numerics::gmres::{self, Solution, System};
 use crate::numerics::vector::{in_pool, sum, sweep, update};
 use crate::parameters::Choice;
-use crate::solve::{PARAMETERS, Settings, Status, joint};
+use crate::solve::{PARAMETERS, Settings, Status, monolithic};
 
 pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     name: "newton",
@@ -77,11 +77,11 @@ impl FrictionSolver for Newton {
 
     fn solve_jointly(
         &self,
-        step: &joint::Step<'_>,
-        start: &joint::Solution,
-        foreseen: Option<&joint::Solution>,
-    ) -> Option<joint::Outcome> {
-        Some(in_pool(|| joint::solve(step, start, foreseen, self.settings)))
+        step: &monolithic::Step<'_>,
+        start: &monolithic::Solution,
+        foreseen: Option<&monolithic::Solution>,
+    ) -> Option<monolithic::Outcome> {
+        Some(in_pool(|| monolithic::solve(step, start, foreseen, self.settings)))
     }
 
     fn settings(&self) -> Settings {
@@ -110,15 +110,16 @@ impl Newton {
             measure: Measure::even(4.0 * step.measure.area),
             limit: &limit,
             rigid: [&one, &two],
-            held: step.held,
+            prescribed: step.prescribed,
         };
         let settings =
             Settings { tolerance: self.settings.tolerance.max(COARSE_TOLERANCE), ..self.settings };
         let first = Newton { settings }.descend(&coarse);
         let [one, two] = first.traction.each_ref().map(|traction| blocks.interpolate(traction));
-        let found: Vec<f64> = first.found.iter().map(|found| found / factor).collect();
+        let rigid_slip: Vec<f64> =
+            first.rigid_slip.iter().map(|rigid_slip| rigid_slip / factor).collect();
         let limit = blocks.interpolate(&limit);
-        let start = Start { traction: [&one, &two], limit: &limit, found: &found };
+        let start = Start { traction: [&one, &two], limit: &limit, rigid_slip: &rigid_slip };
         let outcome = self.iterate(step, Some(start));
         let applications = outcome.applications + first.applications.div_ceil(4);
         Outcome { applications, ..outcome }
@@ -166,7 +167,7 @@ fn shorten(
         };
         let next = State {
             traction: along(&state.traction, &change.traction),
-            found: along(&state.found, &change.found),
+            rigid_slip: along(&state.rigid_slip, &change.rigid_slip),
             slip: along(&state.slip, &change.slip),
         };
         let lower = pairs.residual(&next);
@@ -183,7 +184,7 @@ fn shorten(
 struct Linear<'p, 'a> {
     pairs: &'p mut Pairs<'a>,
     /// What each pair of the frame does.
-    rub: Rub,
+    rub: StickSlip,
     /// Ones where pairs in contact stick, zeros elsewhere.
     sticking: Vec<f64>,
     /// Components of the unit vector across the augmented traction of slipping pairs; zeros elsewhere.
@@ -194,7 +195,7 @@ struct Linear<'p, 'a> {
     fixed: Vec<f64>,
     /// Slip that what is unknown has to take away, and forces that are missing, in its unit (m).
     right: Vec<f64>,
-    /// Slip (m) of a found slip of one unit.
+    /// Slip (m) of a rigid slip of one unit.
     unit: f64,
     border: Border,
     /// Slip (m) that the fixed change takes away, and that each change tried does.
@@ -215,7 +216,7 @@ impl<'p, 'a> Linear<'p, 'a> {
         let count = pairs.len();
         let zeros = || vec![0.0; count];
         let frame = || vec![0.0; pairs.step.limit.len()];
-        let mut rub = Rub { stick: frame(), slip: frame(), diagonal: frame() };
+        let mut rub = StickSlip { stick: frame(), slip: frame(), diagonal: frame() };
         let (mut sticking, mut across, mut diagonal) = (zeros(), [zeros(), zeros()], zeros());
         let (mut fixed, mut right) = (vec![0.0; 2 * count], vec![0.0; 2 * count]);
         for pair in 0..count {
@@ -270,22 +271,22 @@ impl<'p, 'a> Linear<'p, 'a> {
     /// Prepares what the forces given need.
     fn add_border(&mut self, state: &State) {
         let pairs = &*self.pairs;
-        let held = pairs.step.held;
+        let prescribed = pairs.step.prescribed;
         let after: Vec<f64> =
             state.traction.iter().zip(&self.fixed).map(|(t, change)| t + change).collect();
         let per_area = self.unit / pairs.step.measure.area;
         self.right.extend(pairs.missing(&after).iter().map(|missing| per_area * missing));
-        let responses: Vec<Vec<f64>> = (0..held.len())
+        let responses: Vec<Vec<f64>> = (0..prescribed.len())
             .map(|index| {
-                let mut uniform = self.uniform(&held[index]);
+                let mut uniform = self.uniform(&prescribed[index]);
                 self.keep_unknown(&mut uniform);
                 self.precondition_tractions(&uniform)
             })
             .collect();
         let gain = |row: usize, column: usize| {
-            per_area * self.pairs.force(&responses[column], held[row].direction)
+            per_area * self.pairs.force(&responses[column], prescribed[row].direction)
         };
-        let inverse = match held.len() {
+        let inverse = match prescribed.len() {
             0 => [[0.0; 2]; 2],
             1 => [[1.0 / gain(0, 0), 0.0], [0.0; 2]],
             _ => {
@@ -336,34 +337,35 @@ impl<'p, 'a> Linear<'p, 'a> {
         );
     }
 
-    /// The change of tractions, slip and found slips.
+    /// The change of tractions, slip and rigid slip.
     fn solve(&mut self, tolerance: f64) -> State {
         let right = std::mem::take(&mut self.right);
         let Solution { vector: mut traction, weights } =
             gmres::solve(self, &right, tolerance, KRYLOV);
-        let held = self.pairs.step.held;
-        let found = traction.split_off(2 * self.sticking.len());
-        let found: Vec<f64> = found.iter().map(|found| self.unit * found).collect();
+        let prescribed = self.pairs.step.prescribed;
+        let rigid_slip = traction.split_off(2 * self.sticking.len());
+        let rigid_slip: Vec<f64> =
+            rigid_slip.iter().map(|rigid_slip| self.unit * rigid_slip).collect();
         update(&mut traction, [&self.fixed], |change, [fixed]| change + fixed);
         let mut slip: Vec<f64> = self.fixed_slip.iter().map(|taken| -taken).collect();
         for (taken, &weight) in self.tried.iter().zip(&weights) {
             update(&mut slip, [taken], |slip, [taken]| slip - weight * taken);
         }
-        for (held, &found) in held.iter().zip(&found) {
-            update(&mut slip, [&self.uniform(held)], |slip, [unit]| slip + found * unit);
+        for (prescribed, &rigid_slip) in prescribed.iter().zip(&rigid_slip) {
+            update(&mut slip, [&self.uniform(prescribed)], |slip, [unit]| slip + rigid_slip * unit);
         }
-        State { traction, found, slip }
+        State { traction, rigid_slip, slip }
     }
 
     /// A uniform slip of one along a direction.
-    fn uniform(&self, held: &Held) -> Vec<f64> {
+    fn uniform(&self, prescribed: &PrescribedForce) -> Vec<f64> {
         let pairs = self.sticking.len();
-        held.direction.iter().flat_map(|&unit| std::iter::repeat_n(unit, pairs)).collect()
+        prescribed.direction.iter().flat_map(|&unit| std::iter::repeat_n(unit, pairs)).collect()
     }
 
     /// Nearly the tractions that take a slip away, of what is unknown.
     fn precondition_tractions(&mut self, slip: &[f64]) -> Vec<f64> {
-        let mut traction = self.pairs.undo(slip, &self.rub);
+        let mut traction = self.pairs.precondition(slip, &self.rub);
         self.keep_unknown(&mut traction);
         traction
     }
@@ -372,12 +374,12 @@ impl<'p, 'a> Linear<'p, 'a> {
 impl System for Linear<'_, '_> {
     fn apply(&mut self, vector: &[f64]) -> Vec<f64> {
         let count = self.sticking.len();
-        let (traction, found) = vector.split_at(2 * count);
+        let (traction, rigid_slip) = vector.split_at(2 * count);
         let mut image = self.pairs.apply(traction);
         self.tried.push(image.clone());
-        for (held, found) in self.pairs.step.held.iter().zip(found) {
-            let slip = self.unit * found;
-            for (image, unit) in image.chunks_mut(count).zip(held.direction) {
+        for (prescribed, rigid_slip) in self.pairs.step.prescribed.iter().zip(rigid_slip) {
+            let slip = self.unit * rigid_slip;
+            for (image, unit) in image.chunks_mut(count).zip(prescribed.direction) {
                 image.iter_mut().for_each(|image| *image -= slip * unit);
             }
         }
@@ -388,28 +390,35 @@ impl System for Linear<'_, '_> {
             });
         }
         let per_area = self.unit / self.pairs.step.measure.area;
-        let held = self.pairs.step.held.iter();
-        image.extend(held.map(|held| per_area * self.pairs.force(traction, held.direction)));
+        let prescribed = self.pairs.step.prescribed.iter();
+        image.extend(
+            prescribed
+                .map(|prescribed| per_area * self.pairs.force(traction, prescribed.direction)),
+        );
         image
     }
 
     fn precondition(&mut self, image: &[f64]) -> Vec<f64> {
         let (slip, force) = image.split_at(2 * self.sticking.len());
         let mut traction = self.precondition_tractions(slip);
-        let held = self.pairs.step.held;
-        if held.is_empty() {
+        let prescribed = self.pairs.step.prescribed;
+        if prescribed.is_empty() {
             return traction;
         }
         let per_area = self.unit / self.pairs.step.measure.area;
         let mut short = [0.0; 2];
-        for ((short, held), force) in short.iter_mut().zip(held).zip(force) {
-            *short = force - per_area * self.pairs.force(&traction, held.direction);
+        for ((short, prescribed), force) in short.iter_mut().zip(prescribed).zip(force) {
+            *short = force - per_area * self.pairs.force(&traction, prescribed.direction);
         }
-        let found = self.border.inverse.map(|row| row[0] * short[0] + row[1] * short[1]);
-        for (response, &found) in self.border.responses.iter().zip(&found) {
-            update(&mut traction, [response], |traction, [response]| traction + found * response);
+        let rigid_slip = self.border.inverse.map(|row| row[0] * short[0] + row[1] * short[1]);
+        for (response, &rigid_slip) in self.border.responses.iter().zip(&rigid_slip) {
+            update(&mut traction, [response], |traction, [response]| {
+                traction + rigid_slip * response
+            });
         }
-        traction.extend(found.iter().take(held.len()).map(|found| found / self.unit));
+        traction.extend(
+            rigid_slip.iter().take(prescribed.len()).map(|rigid_slip| rigid_slip / self.unit),
+        );
         traction
     }
 }

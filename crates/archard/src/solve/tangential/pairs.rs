@@ -1,7 +1,7 @@
 //! The pairs in contact alone: what iterations of friction work on.
 
 use super::{Outcome, Start, Status, Step};
-use crate::compliance::Rub;
+use crate::compliance::StickSlip;
 use crate::friction::onto_disc;
 use crate::numerics::vector::sum;
 use crate::solve::residual::worse;
@@ -37,7 +37,7 @@ pub(super) struct State {
     /// Tractions (Pa).
     pub traction: Vec<f64>,
     /// Uniform slip (m) along each direction whose force is given.
-    pub found: Vec<f64>,
+    pub rigid_slip: Vec<f64>,
     /// Slip (m).
     pub slip: Vec<f64>,
 }
@@ -90,10 +90,10 @@ impl<'a> Pairs<'a> {
     }
 
     /// Tractions (Pa) that nearly take a slip (m) away.
-    pub fn undo(&mut self, slip: &[f64], rub: &Rub) -> Vec<f64> {
+    pub fn precondition(&mut self, slip: &[f64], rub: &StickSlip) -> Vec<f64> {
         self.scatter(slip);
         let [one, two] = &mut self.images;
-        self.step.map.undo([&self.fields[0], &self.fields[1]], rub, [one, two]);
+        self.step.map.precondition([&self.fields[0], &self.fields[1]], rub, [one, two]);
         self.gather()
     }
 
@@ -108,7 +108,7 @@ impl<'a> Pairs<'a> {
     /// Tractions at rest, or those of an earlier solution brought within the limits.
     pub fn start(&mut self, start: Option<Start<'_>>) -> State {
         let mut traction = vec![0.0; 2 * self.len()];
-        let mut found = vec![0.0; self.step.held.len()];
+        let mut rigid_slip = vec![0.0; self.step.prescribed.len()];
         if let Some(start) = start {
             let [one, two] = start.traction;
             let (first, second) = traction.split_at_mut(self.places.len());
@@ -120,10 +120,10 @@ impl<'a> Pairs<'a> {
                 let factor = if slips { limit / start.limit[place] } else { 1.0 };
                 (*x, *y) = (factor * one[place], factor * two[place]);
             }
-            found.copy_from_slice(start.found);
+            rigid_slip.copy_from_slice(start.rigid_slip);
             self.project(&mut traction);
         }
-        let mut state = State { traction, found, slip: vec![] };
+        let mut state = State { traction, rigid_slip, slip: vec![] };
         self.find_slip(&mut state);
         state
     }
@@ -145,10 +145,11 @@ impl<'a> Pairs<'a> {
             self.apply(&state.traction)
         };
         state.slip = self.rigid.iter().zip(&taken).map(|(rigid, taken)| rigid - taken).collect();
-        for (found, held) in state.found.iter().zip(self.step.held) {
-            for (slip, unit) in state.slip.chunks_mut(self.places.len().max(1)).zip(held.direction)
+        for (rigid_slip, prescribed) in state.rigid_slip.iter().zip(self.step.prescribed) {
+            for (slip, unit) in
+                state.slip.chunks_mut(self.places.len().max(1)).zip(prescribed.direction)
             {
-                slip.iter_mut().for_each(|slip| *slip += found * unit);
+                slip.iter_mut().for_each(|slip| *slip += rigid_slip * unit);
             }
         }
     }
@@ -164,8 +165,10 @@ impl<'a> Pairs<'a> {
 
     /// How much each force given is short of (N).
     pub fn missing(&self, traction: &[f64]) -> Vec<f64> {
-        let missing = |held: &super::Held| held.force - self.force(traction, held.direction);
-        self.step.held.iter().map(missing).collect()
+        let missing = |prescribed: &super::PrescribedForce| {
+            prescribed.force - self.force(traction, prescribed.direction)
+        };
+        self.step.prescribed.iter().map(missing).collect()
     }
 
     /// The residual of [`Outcome`].
@@ -194,8 +197,10 @@ impl<'a> Pairs<'a> {
         self.find_slip(&mut state);
         let (step, pairs) = (self.step, self.places.len());
         let mut slip = [0, 1].map(|axis| -> Vec<f64> {
-            let held = state.found.iter().zip(step.held);
-            let uniform: f64 = held.map(|(found, held)| found * held.direction[axis]).sum();
+            let prescribed = state.rigid_slip.iter().zip(step.prescribed);
+            let uniform: f64 = prescribed
+                .map(|(rigid_slip, prescribed)| rigid_slip * prescribed.direction[axis])
+                .sum();
             let taken = self.images[axis].iter();
             step.rigid[axis]
                 .iter()
@@ -212,7 +217,7 @@ impl<'a> Pairs<'a> {
             status,
             traction: self.fields,
             slip,
-            found: state.found,
+            rigid_slip: state.rigid_slip,
             iterations,
             residual,
             applications: self.applications,

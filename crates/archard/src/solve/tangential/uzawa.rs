@@ -73,8 +73,8 @@ impl Uzawa {
                     *traction += penalty * slip;
                 }
                 pairs.project(&mut state.traction);
-                for (found, missing) in state.found.iter_mut().zip(missing) {
-                    *found += compliance * missing / area;
+                for (rigid_slip, missing) in state.rigid_slip.iter_mut().zip(missing) {
+                    *rigid_slip += compliance * missing / area;
                 }
                 pairs.find_slip(&mut state);
                 continue;

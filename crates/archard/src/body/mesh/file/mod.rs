@@ -10,7 +10,7 @@ pub use error::{Fault, MeshFileError, Place};
 #[cfg(test)]
 mod tests;
 
-use super::{Held, Mesh, MeshError, Meshed, Shape, Zone, thickness};
+use super::{Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 /// Units a file may be in, and how long they are (m).
@@ -72,15 +72,15 @@ struct File {
 }
 
 impl Shape for File {
-    fn mesh(&self, _mirrored: [bool; 2], _held: &Held) -> Result<Meshed, MeshError> {
+    fn mesh(&self, _mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
         Ok(Meshed { mesh: self.mesh.clone(), zone: self.zone.clone(), placed: true })
     }
 
-    fn at_least(&self, _mirrored: [bool; 2], _held: &Held) -> usize {
+    fn at_least(&self, _mirrored: [bool; 2], _held: &Supported) -> usize {
         self.mesh.faces.len()
     }
 
-    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Held) -> Option<f64> {
+    fn slenderness(&self, meshed: &Meshed, mirrored: [bool; 2], held: &Supported) -> Option<f64> {
         thickness::longest(meshed, mirrored, held)
     }
 }

@@ -2,7 +2,7 @@ use approx::assert_relative_eq;
 use proptest::prelude::*;
 
 use super::{Fault, Place, parse};
-use crate::body::mesh::{Corners, Held, MESHES, Mesh, MeshError, Meshed};
+use crate::body::mesh::{Corners, MESHES, Mesh, MeshError, Meshed, Supported};
 use crate::parameters::{Invalid, Value, Values};
 
 macro_rules! files {
@@ -191,7 +191,7 @@ fn build(contact: Option<&str>, unit: Option<&str>) -> Result<Meshed, Invalid> {
     if let Some(unit) = unit {
         values.insert("unit", Value::Word(unit.to_owned()));
     }
-    Ok((choice.build)(&values)?.mesh([false; 2], &Held::default())?)
+    Ok((choice.build)(&values)?.mesh([false; 2], &Supported::default())?)
 }
 
 #[test]

@@ -22,15 +22,15 @@ pub struct Element {
     /// Shape function of each node.
     pub shape: &'static [Polynomial],
     /// The square of s and t at all of the nodes, where they have one, and squares of both are added to the shape
-    /// functions for what bends between the nodes: see [`BOWS`].
-    pub bow: Option<f64>,
+    /// functions for what bends between the nodes: see [`CURVATURES`].
+    pub curvature: Option<f64>,
     /// Whether the nodes are the corners, and neighbours share their displacements.
     pub continuous: bool,
 }
 
-/// Functions that vanish at the nodes, (s^2 - bow) / 2 and (t^2 - bow) / 2: what they are multiplied by are second
+/// Functions that vanish at the nodes, (s^2 - c) / 2 and (t^2 - c) / 2: what they are multiplied by are second
 /// derivatives along s and t, found from the nodes around.
-pub const BOWS: usize = 2;
+pub const CURVATURES: usize = 2;
 
 /// Coefficients of 1, s, t and s t.
 pub type Polynomial = [f64; 4];

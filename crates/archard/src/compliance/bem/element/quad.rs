@@ -24,7 +24,7 @@ pub(super) const CONTINUOUS: Element = Element {
     map: MAP,
     nodes: CORNERS,
     shape: MAP,
-    bow: None,
+    curvature: None,
     continuous: true,
 };
 
@@ -40,6 +40,6 @@ pub(super) const DISCONTINUOUS: Element = Element {
         [0.25, SLOPE, SLOPE, 0.75],
         [0.25, -SLOPE, SLOPE, -0.75],
     ],
-    bow: Some(GAUSS * GAUSS),
+    curvature: Some(GAUSS * GAUSS),
     continuous: false,
 };

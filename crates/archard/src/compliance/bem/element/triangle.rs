@@ -17,7 +17,7 @@ pub(super) const CONTINUOUS: Element = Element {
     map: MAP,
     nodes: CORNERS,
     shape: MAP,
-    bow: None,
+    curvature: None,
     continuous: true,
 };
 
@@ -28,6 +28,6 @@ pub(super) const DISCONTINUOUS: Element = Element {
     map: MAP,
     nodes: &[[SIXTH, SIXTH], [4.0 * SIXTH, SIXTH], [SIXTH, 4.0 * SIXTH]],
     shape: &[[5.0 * THIRD, -2.0, -2.0, 0.0], [-THIRD, 2.0, 0.0, 0.0], [-THIRD, 0.0, 2.0, 0.0]],
-    bow: None,
+    curvature: None,
     continuous: false,
 };

@@ -23,8 +23,8 @@ mod tests;
 use glam::{DMat3, DVec3};
 use rayon::prelude::*;
 
-use super::bows::{Share, bows};
-use super::element::{BOWS, evaluate};
+use super::curvature::{Share, curvatures};
+use super::element::{CURVATURES, evaluate};
 use super::rules::{Places, Rules};
 use super::solid::Boundary;
 use super::surface::Surface;
@@ -70,7 +70,7 @@ pub struct Interior<'a> {
     rules: Rules,
     slopes: Vec<Option<Fit>>,
     /// Second derivatives of the displacement of each element along s and t.
-    bends: Vec<[DVec3; BOWS]>,
+    bends: Vec<[DVec3; CURVATURES]>,
 }
 
 impl<'a> Interior<'a> {
@@ -88,7 +88,7 @@ impl<'a> Interior<'a> {
             kernels: Kernels::new(material),
             rules: Rules::new(tolerance),
             slopes: vec![None; surface.patches.len()],
-            bends: bows(surface).iter().map(|shares| bends(shares, boundary)).collect(),
+            bends: curvatures(surface).iter().map(|shares| bends(shares, boundary)).collect(),
         };
         let middle = |face: usize| surface.patches[face].middle_reference();
         let gradients: Vec<DMat3> = (0..surface.patches.len())
@@ -180,7 +180,7 @@ impl<'a> Interior<'a> {
             values[0] += share * self.boundary.displacement[local.node];
             values[1] += share * self.boundary.traction[local.traction];
         }
-        if let Some(square) = self.surface.patches[face].element.bow {
+        if let Some(square) = self.surface.patches[face].element.curvature {
             for (bend, at) in self.bends[face].iter().zip(at) {
                 values[0] += 0.5 * (at * at - square) * *bend;
             }
@@ -210,8 +210,8 @@ impl<'a> Interior<'a> {
             slopes[0] += (s + both * at[1]) * value;
             slopes[1] += (t + both * at[0]) * value;
         }
-        for bow in 0..BOWS {
-            slopes[bow] += at[bow] * self.bends[face][bow];
+        for curvature in 0..CURVATURES {
+            slopes[curvature] += at[curvature] * self.bends[face][curvature];
         }
         slopes
     }
@@ -259,10 +259,10 @@ impl<'a> Interior<'a> {
 }
 
 /// Second derivatives of a displacement from those of the nodes around.
-fn bends(shares: &[Share], boundary: &Boundary) -> [DVec3; BOWS] {
-    let mut bends = [DVec3::ZERO; BOWS];
-    for Share { node, image, bows } in shares {
-        for (bend, share) in bends.iter_mut().zip(bows) {
+fn bends(shares: &[Share], boundary: &Boundary) -> [DVec3; CURVATURES] {
+    let mut bends = [DVec3::ZERO; CURVATURES];
+    for Share { node, image, curvatures } in shares {
+        for (bend, share) in bends.iter_mut().zip(curvatures) {
             *bend += *share * *image * boundary.displacement[*node];
         }
     }

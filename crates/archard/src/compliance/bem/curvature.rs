@@ -13,7 +13,7 @@ use faer::Mat;
 use faer::linalg::solvers::SolveLstsq;
 use glam::{DVec2, DVec3};
 
-use super::element::BOWS;
+use super::element::CURVATURES;
 use super::surface::Surface;
 
 /// How far from its plane (relative to its size) what lies in the plane of an element may be.
@@ -26,11 +26,11 @@ pub(super) struct Share {
     /// The image of the node: signs of its displacement along x, y and z.
     pub image: DVec3,
     /// Second derivatives along s and t.
-    pub bows: [f64; BOWS],
+    pub curvatures: [f64; CURVATURES],
 }
 
-/// The shares of all nodes around, by element; none where an element bears no bows.
-pub(super) fn bows(surface: &Surface) -> Vec<Vec<Share>> {
+/// The shares of all nodes around, by element; none where an element bears no curvatures.
+pub(super) fn curvatures(surface: &Surface) -> Vec<Vec<Share>> {
     let mut sides: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
     for (face, corners) in surface.corners.iter().enumerate() {
         for side in sides_of(corners.as_slice()) {
@@ -52,13 +52,13 @@ fn sides_of(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> {
 struct Around {
     nodes: Vec<(usize, DVec3, DVec2)>,
     /// Whether there are others beside it along s and along t.
-    along: [bool; BOWS],
+    along: [bool; CURVATURES],
 }
 
 impl Around {
     fn new(surface: &Surface, sides: &HashMap<[usize; 2], Vec<usize>>, face: usize) -> Self {
-        let mut around = Self { nodes: vec![], along: [false; BOWS] };
-        if surface.patches[face].element.bow.is_none()
+        let mut around = Self { nodes: vec![], along: [false; CURVATURES] };
+        if surface.patches[face].element.curvature.is_none()
             || !around.add(surface, face, face, DVec3::ONE)
         {
             return around;
@@ -83,7 +83,7 @@ impl Around {
         around
     }
 
-    /// Adds the nodes of an image of an element if that lies in the plane of the face and bears bows, too.
+    /// Adds the nodes of an image of an element if that lies in the plane of the face and bears curvatures, too.
     fn add(&mut self, surface: &Surface, face: usize, other: usize, image: DVec3) -> bool {
         let (patch, beside) = (&surface.patches[face], &surface.patches[other]);
         let middle = patch.middle();
@@ -92,7 +92,7 @@ impl Around {
             (image * *place - middle).dot(normal).abs() <= FLAT * (patch.radius + beside.radius)
         };
         let alike = normal.dot(image * beside.normal(beside.middle_reference())) > 0.0;
-        if beside.element.bow.is_none() || !alike || !beside.corners.iter().all(lies_in) {
+        if beside.element.curvature.is_none() || !alike || !beside.corners.iter().all(lies_in) {
             return false;
         }
         let [s, t] = patch.tangents(patch.middle_reference());
@@ -109,7 +109,7 @@ impl Around {
 
     /// The least squares of a polynomial 1, s, t, s t, and s^2 and t^2 where there are nodes along them.
     fn shares(&self) -> Vec<Share> {
-        let squares: Vec<usize> = (0..BOWS).filter(|&along| self.along[along]).collect();
+        let squares: Vec<usize> = (0..CURVATURES).filter(|&along| self.along[along]).collect();
         if squares.is_empty() {
             return vec![];
         }
@@ -125,11 +125,11 @@ impl Around {
             Mat::from_fn(count, 4 + squares.len(), |row, term| polynomial(self.nodes[row].2, term));
         let fit = terms.qr().solve_lstsq(Mat::<f64>::identity(count, count));
         let share = |(index, &(node, image, _)): (usize, &(usize, DVec3, DVec2))| {
-            let mut bows = [0.0; BOWS];
+            let mut curvatures = [0.0; CURVATURES];
             for (term, &along) in squares.iter().enumerate() {
-                bows[along] = fit[(4 + term, index)];
+                curvatures[along] = fit[(4 + term, index)];
             }
-            Share { node, image, bows }
+            Share { node, image, curvatures }
         };
         self.nodes.iter().enumerate().map(share).collect()
     }
@@ -141,7 +141,7 @@ mod tests {
 
     use super::super::surface::Surface;
     use super::super::tests::cube;
-    use super::{Share, bows};
+    use super::{Share, curvatures};
     use crate::body::Interpolation;
 
     /// A quadratic displacement that planes of symmetry mirror.
@@ -167,7 +167,7 @@ mod tests {
     fn found(surface: &Surface, shares: &[Share]) -> [DVec3; 2] {
         [0, 1].map(|along| {
             let part = |share: &Share| {
-                share.bows[along] * share.image * quadratic(surface.nodes[share.node])
+                share.curvatures[along] * share.image * quadratic(surface.nodes[share.node])
             };
             shares.iter().map(part).sum()
         })
@@ -183,7 +183,7 @@ mod tests {
         let surface =
             Surface::new(&cube(3, false, moved), Interpolation::Discontinuous, [false; 2]);
         let mut checked = 0;
-        for (face, shares) in bows(&surface).iter().enumerate() {
+        for (face, shares) in curvatures(&surface).iter().enumerate() {
             let patch = &surface.patches[face];
             let tangents = patch.tangents(patch.middle_reference());
             for (found, tangent) in found(&surface, shares).into_iter().zip(tangents) {
@@ -198,7 +198,7 @@ mod tests {
     fn single_elements_and_other_planes_do_not_count() {
         let bows_of = |divisions, triangles, interpolation| {
             let mesh = cube(divisions, triangles, |place| place);
-            bows(&Surface::new(&mesh, interpolation, [false; 2]))
+            curvatures(&Surface::new(&mesh, interpolation, [false; 2]))
         };
         let (continuous, discontinuous) = (Interpolation::Continuous, Interpolation::Discontinuous);
         assert!(bows_of(1, false, discontinuous).iter().all(Vec::is_empty));
@@ -217,7 +217,7 @@ mod tests {
         // Without the sides on the planes of symmetry.
         mesh.faces.retain(|face| ![0, 2].contains(&face.surface));
         let surface = Surface::new(&mesh, Interpolation::Discontinuous, [true; 2]);
-        let all = bows(&surface);
+        let all = curvatures(&surface);
         for (face, shares) in all.iter().enumerate() {
             let patch = &surface.patches[face];
             let tangents = patch.tangents(patch.middle_reference());

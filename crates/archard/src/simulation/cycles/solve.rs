@@ -7,13 +7,13 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::rig::{Found, Rig};
+use super::shifted::{Shifted, Solved};
 use super::touch::{Before, Course};
 use crate::motion::{Control, Station};
 use crate::problem::ContactState;
-use crate::simulation::chain::Leg;
+use crate::simulation::evolution::Increment;
 use crate::simulation::{Effort, Error, Simulation};
-use crate::solve::joint;
+use crate::solve::monolithic;
 
 /// Disagreement of what closing pairs slide before they touch with what an increment shows, relative to the largest,
 /// that is let pass at once, and after it was found anew.
@@ -24,72 +24,74 @@ const TOUCHES: usize = 9;
 
 /// A solution to start the same increment of another cycle from.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Settled {
+pub(super) struct WarmStart {
     pub state: ContactState,
     pub displacement: Vec<f64>,
     pub limit: Vec<f64>,
-    pub found: Vec<f64>,
-    pub joint: Option<joint::Solution>,
+    pub rigid_slip: Vec<f64>,
+    pub monolithic: Option<monolithic::Solution>,
     /// Where the increment before went, from one cycle to the next, this one may go too.
-    pub foreseen: Option<joint::Solution>,
+    pub foreseen: Option<monolithic::Solution>,
     /// How closing pairs slid.
     course: Option<Arc<Course>>,
 }
 
-impl Settled {
+impl WarmStart {
     /// What became of it in another cycle.
-    pub fn change_to(&self, other: &Self) -> Option<joint::Solution> {
-        let (from, to) = (self.joint.as_ref()?, other.joint.as_ref()?);
-        (from.found.len() == to.found.len()).then(|| to.moved(from, -1.0))
+    pub fn change_to(&self, other: &Self) -> Option<monolithic::Solution> {
+        let (from, to) = (self.monolithic.as_ref()?, other.monolithic.as_ref()?);
+        (from.rigid_slip.len() == to.rigid_slip.len()).then(|| to.moved(from, -1.0))
     }
 
     /// Foresees that it changes as another did.
-    pub fn foresee(&mut self, change: &joint::Solution) {
-        let joint = self.joint.as_ref();
-        let joint = joint.filter(|joint| joint.found.len() == change.found.len());
-        self.foreseen = joint.map(|joint| joint.moved(change, 1.0));
+    pub fn foresee(&mut self, change: &monolithic::Solution) {
+        let monolithic = self.monolithic.as_ref();
+        let monolithic =
+            monolithic.filter(|monolithic| monolithic.rigid_slip.len() == change.rigid_slip.len());
+        self.foreseen = monolithic.map(|monolithic| monolithic.moved(change, 1.0));
     }
 }
 
-impl Rig {
+impl Shifted {
     /// The same without rubbing.
-    pub fn settle(
+    pub fn solve_increment(
         &mut self,
         simulation: &Simulation,
         (station, progress): (Station, f64),
-        known: Option<&Settled>,
+        known: Option<&WarmStart>,
         effort: &mut Effort,
-    ) -> Result<Settled, Error> {
-        let leg = Leg { advance: 0.0, progress, control: station.control };
+    ) -> Result<WarmStart, Error> {
+        let increment = Increment { advance: 0.0, progress, control: station.control };
         if station.control == Control::Load(0.0) {
-            let shift = self.shifted(station, &[]);
+            let shift = self.shift_at(station, &[]);
             self.release(&simulation.problem);
-            self.chain.state.progress = progress;
-            if let Some(tangential) = &mut self.chain.state.tangential {
+            self.evolution.state.progress = progress;
+            if let Some(tangential) = &mut self.evolution.state.tangential {
                 tangential.shift = shift;
             }
-            return Ok(self.settled(Found::default()));
+            return Ok(self.warm_start(Solved::default()));
         }
         let problem = &simulation.problem;
         let ends = problem.motion.shift().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
-            let found = self.solve(simulation, leg, station, known, effort)?;
-            return Ok(self.settled(found));
+            let rigid_slip = self.solve(simulation, increment, station, known, effort)?;
+            return Ok(self.warm_start(rigid_slip));
         }
-        self.settle_from_touch(simulation, (leg, station), known, effort)
+        self.settle_from_touch(simulation, (increment, station), known, effort)
     }
 
     /// The same with friction, which pairs that close bear from where they touch on.
     fn settle_from_touch(
         &mut self,
         simulation: &Simulation,
-        (leg, station): (Leg, Station),
-        known: Option<&Settled>,
+        (increment, station): (Increment, Station),
+        known: Option<&WarmStart>,
         effort: &mut Effort,
-    ) -> Result<Settled, Error> {
+    ) -> Result<WarmStart, Error> {
         let frame = &simulation.problem.frame;
-        let before = Before::of(&self.chain.state);
-        let (tangential, strained) = (self.chain.state.tangential.clone(), self.strained.clone());
+        let before = Before::of(&self.evolution.state);
+        let (tangential, elastic_displacement) =
+            (self.evolution.state.tangential.clone(), self.elastic_displacement.clone());
         let approached = self.approached;
         if let Some(course) = known.and_then(|known| known.course.clone()) {
             self.course = Some(course);
@@ -99,15 +101,16 @@ impl Rig {
         loop {
             pass += 1;
             self.until_touch = before.until_touch(self.course.as_deref());
-            let found = self.solve(simulation, leg, station, latest.as_ref().or(known), effort)?;
-            let settled = self.settled(found);
-            let state = &self.chain.state;
-            let Some(course) = before.course(state, frame) else { return Ok(settled) };
+            let rigid_slip =
+                self.solve(simulation, increment, station, latest.as_ref().or(known), effort)?;
+            let warm_start = self.warm_start(rigid_slip);
+            let state = &self.evolution.state;
+            let Some(course) = before.course(state, frame) else { return Ok(warm_start) };
             let apart = before.apart(state, [self.course.as_deref(), Some(&course)]);
             let enough = if pass == 1 { AT_FIRST } else { LATER };
             if apart <= enough || pass == TOUCHES {
                 effort.unsettled += usize::from(apart > enough);
-                return Ok(settled);
+                return Ok(warm_start);
             }
             // Every second pass goes on from where the two before lead.
             let used = self.course.take();
@@ -119,10 +122,10 @@ impl Rig {
                 }
             };
             self.course = Some(Arc::new(next));
-            self.chain.state.tangential.clone_from(&tangential);
-            self.strained.clone_from(&strained);
+            self.evolution.state.tangential.clone_from(&tangential);
+            self.elastic_displacement.clone_from(&elastic_displacement);
             self.approached = approached;
-            latest = Some(settled);
+            latest = Some(warm_start);
         }
     }
 
@@ -130,40 +133,40 @@ impl Rig {
     fn solve(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         station: Station,
-        known: Option<&Settled>,
+        known: Option<&WarmStart>,
         effort: &mut Effort,
-    ) -> Result<Found, Error> {
+    ) -> Result<Solved, Error> {
         let problem = &simulation.problem;
         let curved = !problem.frame.is_plane();
         if problem.friction.is_some() && (curved || problem.compliance.couples()) {
-            return self.solve_jointly(simulation, leg, station, known, effort);
+            return self.solve_jointly(simulation, increment, station, known, effort);
         }
-        self.start_from(leg, known);
-        let opened = self.opened_by_shift(problem, station);
-        self.press(simulation, leg, &opened, effort)?;
-        let pressed = self.strain_of(problem, None);
-        self.drag(simulation, leg, station, &pressed, known, effort)
+        self.start_from(increment, known);
+        let gap_by_friction = self.opened_by_shift(problem, station);
+        self.press(simulation, increment, &gap_by_friction, effort)?;
+        let pressed = self.displacement_under(problem, None);
+        self.solve_friction(simulation, increment, station, &pressed, known, effort)
     }
 
-    pub fn settled(&self, found: Found) -> Settled {
-        let Found { limit, found, joint } = found;
-        let displacement = self.chain.displacement.clone();
+    pub fn warm_start(&self, rigid_slip: Solved) -> WarmStart {
+        let Solved { limit, rigid_slip, monolithic } = rigid_slip;
+        let displacement = self.evolution.displacement.clone();
         let (state, course) = (self.clone_contact(), self.course.clone());
-        Settled { state, displacement, limit, found, joint, foreseen: None, course }
+        WarmStart { state, displacement, limit, rigid_slip, monolithic, foreseen: None, course }
     }
 
     /// Takes the pressures of a known solution to start from, where the load differs from the present one.
-    fn start_from(&mut self, leg: Leg, known: Option<&Settled>) {
-        let same = match leg.control {
-            Control::Load(load) => (load - self.chain.state.load).abs() <= 1e-9 * load,
-            Control::Approach(approach) => approach == self.chain.state.approach,
+    fn start_from(&mut self, increment: Increment, known: Option<&WarmStart>) {
+        let same = match increment.control {
+            Control::Load(load) => (load - self.evolution.state.load).abs() <= 1e-9 * load,
+            Control::Approach(approach) => approach == self.evolution.state.approach,
         };
         if let Some(known) = known.filter(|_| !same) {
             let ContactState { pressure, approach, load, .. } = &known.state;
-            self.chain.displacement.clone_from(&known.displacement);
-            let state = &mut self.chain.state;
+            self.evolution.displacement.clone_from(&known.displacement);
+            let state = &mut self.evolution.state;
             (state.approach, state.load) = (*approach, *load);
             state.pressure.clone_from(pressure);
         }

@@ -25,18 +25,22 @@ pub(super) struct Border {
 }
 
 impl Border {
-    /// `undo` is nearly the inverse of the rows of the pairs.
+    /// `precondition` is nearly the inverse of the rows of the pairs.
     pub fn of(
         state: &State,
         step: &Mapped<'_>,
         regime: &Regime,
-        undo: impl Fn(&[f64]) -> Vec<f64>,
+        precondition: impl Fn(&[f64]) -> Vec<f64>,
     ) -> Self {
         let pairs = regime.touch.len();
         let (load, forces) = state.missing(step);
         // The gap closes as the approach grows, the slip grows as the bodies are shifted.
         let mut directions: Vec<[f64; 3]> = load.map(|_| APPROACH).into_iter().collect();
-        directions.extend(step.held.iter().map(|held| [held.direction[0], held.direction[1], 0.0]));
+        directions.extend(
+            step.prescribed
+                .iter()
+                .map(|prescribed| [prescribed.direction[0], prescribed.direction[1], 0.0]),
+        );
         let zero = VectorField::zeros(pairs);
         let column = |direction: &[f64; 3]| {
             regime.rows(&step.moved(direction.map(|component| -component)), &zero)
@@ -50,7 +54,7 @@ impl Border {
             weights,
             unit: state.own[0] / (regime.touching().max(1) as f64).sqrt(),
             right: vec![],
-            responses: columns.iter().map(|rows| undo(rows)).collect(),
+            responses: columns.iter().map(|rows| precondition(rows)).collect(),
             columns,
             inverse: vec![],
         };

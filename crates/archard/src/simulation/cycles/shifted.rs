@@ -1,31 +1,31 @@
 //! One increment of bodies that are pressed and shifted against each other.
 //!
 //! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
-//! surfaces were strained by.
+//! surfaces were displaced elastically by.
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::rubbing::Rubbed;
-use super::settle::Settled;
+use super::solve::WarmStart;
 use super::touch::Course;
 use crate::frame::VectorField;
 use crate::motion::{Guide, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::simulation::chain::{Chain, Leg};
+use crate::simulation::evolution::{Evolution, Increment};
 use crate::simulation::{Effort, Error, Simulation};
-use crate::solve::tangential::{self, Held};
-use crate::solve::{Status, joint};
+use crate::solve::tangential::{self, PrescribedForce};
+use crate::solve::{Status, monolithic};
 
 /// Bodies on their way, and what they went through in the present cycle.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Rig {
-    pub chain: Chain,
+pub(super) struct Shifted {
+    pub evolution: Evolution,
     /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes
     /// with it.
-    pub strained: [Vec<f64>; 2],
+    pub elastic_displacement: [Vec<f64>; 2],
     pub approached: f64,
     /// How pairs that close slide meanwhile, as the increments so far show, and what open pairs slide (m) until
     /// they touch in the present one.
@@ -36,40 +36,47 @@ pub(super) struct Rig {
 
 /// What a solve left behind beside the state.
 #[derive(Default)]
-pub(super) struct Found {
+pub(super) struct Solved {
     /// Largest tractions (Pa) of the pairs.
     pub limit: Vec<f64>,
     /// Slips (m) along the directions whose force is given.
-    pub found: Vec<f64>,
-    pub joint: Option<joint::Solution>,
+    pub rigid_slip: Vec<f64>,
+    pub monolithic: Option<monolithic::Solution>,
 }
 
-impl Rig {
+impl Shifted {
     /// Bodies that just touch.
     pub fn new(problem: &ContactProblem) -> Self {
         let pairs = problem.frame.len();
         let zeros = || vec![0.0; pairs];
-        let mut chain = Chain::new(problem);
+        let mut evolution = Evolution::new(problem);
         let moves = problem.motion.shift().is_some_and(Shift::moves);
-        chain.state.tangential =
+        evolution.state.tangential =
             (moves || problem.friction.is_some() || problem.wears()).then(|| {
                 let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
                 Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
             });
-        let strained = [zeros(), zeros()];
+        let elastic_displacement = [zeros(), zeros()];
         let rubbed = Rubbed::none(pairs);
-        Self { chain, strained, approached: 0.0, course: None, until_touch: None, rubbed }
+        Self {
+            evolution,
+            elastic_displacement,
+            approached: 0.0,
+            course: None,
+            until_touch: None,
+            rubbed,
+        }
     }
 
     /// Takes the bodies apart without rubbing.
     pub fn release(&mut self, problem: &ContactProblem) {
-        let worn = self.chain.state.worn.clone();
-        let load_distance = self.chain.load_distance;
+        let worn = self.evolution.state.worn.clone();
+        let load_distance = self.evolution.load_distance;
         let rubbed = std::mem::take(&mut self.rubbed);
         let course = self.course.take();
         *self = Self { rubbed, course, ..Self::new(problem) };
-        self.chain.load_distance = load_distance;
-        let state = &mut self.chain.state;
+        self.evolution.load_distance = load_distance;
+        let state = &mut self.evolution.state;
         for (gap, (one, two)) in state.gap.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
             *gap += one + two;
         }
@@ -78,12 +85,12 @@ impl Rig {
 
     /// Begins a new cycle.
     pub fn begin_cycle(&mut self) {
-        self.rubbed = Rubbed::none(self.chain.displacement.len());
+        self.rubbed = Rubbed::none(self.evolution.displacement.len());
     }
 
     /// Ends it.
     pub fn end_cycle(&mut self, problem: &ContactProblem) {
-        self.rubbed.end_cycle(&mut self.chain, problem);
+        self.rubbed.end_cycle(&mut self.evolution, problem);
     }
 
     /// Brings the bodies to a station at some progress (the motion's unit), with all the rubbing on the way.
@@ -91,37 +98,47 @@ impl Rig {
         &mut self,
         simulation: &Simulation,
         (station, progress): (Station, f64),
-        known: Option<&Settled>,
+        known: Option<&WarmStart>,
         effort: &mut Effort,
-    ) -> Result<Settled, Error> {
+    ) -> Result<WarmStart, Error> {
         let before = self.clone_contact();
-        let settled = self.settle(simulation, (station, progress), known, effort)?;
-        self.rubbed.take_up(&mut self.chain, &before, &simulation.problem);
-        Ok(settled)
+        let warm_start = self.solve_increment(simulation, (station, progress), known, effort)?;
+        self.rubbed.take_up(&mut self.evolution, &before, &simulation.problem);
+        Ok(warm_start)
     }
 
     /// Pressures, tractions and gaps before an increment.
     pub fn clone_contact(&self) -> ContactState {
-        ContactState { worn: [vec![], vec![]], ..self.chain.state.clone() }
+        ContactState { worn: [vec![], vec![]], ..self.evolution.state.clone() }
     }
 
     /// Finds the pressures under a gap (m) that friction opens beside.
     pub fn press(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
-        opened: &[f64],
+        increment: Increment,
+        gap_by_friction: &[f64],
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let gap = map([&self.chain.undeformed_gap(problem), opened], |[gap, opened]| gap + opened);
+        let gap = map(
+            [&self.evolution.undeformed_gap(problem), gap_by_friction],
+            |[gap, gap_by_friction]| gap + gap_by_friction,
+        );
         let addition = vec![0.0; gap.len()];
-        self.chain.meet(simulation, leg, &gap, &addition, &*problem.compliance, effort)
+        self.evolution.solve_normal(
+            simulation,
+            increment,
+            &gap,
+            &addition,
+            &*problem.compliance,
+            effort,
+        )
     }
 
     /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it
     /// opens the gap beside the pressures' own.
-    pub fn strain_of(
+    pub fn displacement_under(
         &self,
         problem: &ContactProblem,
         traction: Option<&[Vec<f64>; 2]>,
@@ -131,9 +148,9 @@ impl Rig {
         let couples = problem.compliance.couples();
         if couples {
             let [t1, t2] = traction.cloned().unwrap_or_else(zeros);
-            let n = self.chain.state.pressure.iter().map(|pressure| -pressure).collect();
+            let n = self.evolution.state.pressure.iter().map(|pressure| -pressure).collect();
             let mut strain = problem.compliance.apply(&VectorField { t1, t2, n });
-            for (n, own) in strain.n.iter_mut().zip(&self.chain.displacement) {
+            for (n, own) in strain.n.iter_mut().zip(&self.evolution.displacement) {
                 *n = -*n - own;
             }
             return strain;
@@ -153,21 +170,27 @@ impl Rig {
         problem: &ContactProblem,
         station: Station,
         pressed: Option<&VectorField>,
-    ) -> ([Vec<f64>; 2], Vec<Held>) {
+    ) -> ([Vec<f64>; 2], Vec<PrescribedForce>) {
         let [x, y] = self.shifted_since(station);
         // Where pressures are found with friction, so is the approach.
-        let approach = if pressed.is_some() { self.chain.state.approach } else { 0.0 };
+        let approach = if pressed.is_some() { self.evolution.state.approach } else { 0.0 };
         let moved = problem.frame.moved([x, y, self.approached - approach]);
         let mut rigid = [0, 1].map(|axis| {
-            let (strained, moved) = (&self.strained[axis], [&moved.t1, &moved.t2][axis]);
+            let (elastic_displacement, moved) =
+                (&self.elastic_displacement[axis], [&moved.t1, &moved.t2][axis]);
             match pressed {
                 Some(pressed) => {
                     let pressed = [&pressed.t1, &pressed.t2][axis];
-                    map([moved, strained, pressed], |[moved, strained, pressed]| {
-                        moved + strained - pressed
-                    })
+                    map(
+                        [moved, elastic_displacement, pressed],
+                        |[moved, elastic_displacement, pressed]| {
+                            moved + elastic_displacement - pressed
+                        },
+                    )
                 }
-                None => map([moved, strained], |[moved, strained]| moved + strained),
+                None => map([moved, elastic_displacement], |[moved, elastic_displacement]| {
+                    moved + elastic_displacement
+                }),
             }
         });
         if let Some(until_touch) = &self.until_touch {
@@ -175,15 +198,15 @@ impl Rig {
                 update(rigid, [slid], |rigid, [slid]| rigid - slid);
             }
         }
-        let held = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
+        let prescribed = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
             Guide::Shift(_) => None,
             Guide::Force(force) => {
                 let mut direction = [0.0; 2];
                 direction[axis] = 1.0;
-                Some(Held { direction, force })
+                Some(PrescribedForce { direction, force })
             }
         });
-        (rigid, held.collect())
+        (rigid, prescribed.collect())
     }
 
     /// What the bodies are shifted by until a station (m), where that is given.
@@ -205,48 +228,48 @@ impl Rig {
     }
 
     fn shift(&self) -> [f64; 2] {
-        self.chain.state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.shift)
+        self.evolution.state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.shift)
     }
 
     /// The shift after an increment, given or found.
-    pub fn shifted(&self, station: Station, found: &[f64]) -> [f64; 2] {
-        let (before, mut found) = (self.shift(), found.iter());
+    pub fn shift_at(&self, station: Station, rigid_slip: &[f64]) -> [f64; 2] {
+        let (before, mut rigid_slip) = (self.shift(), rigid_slip.iter());
         [0, 1].map(|axis| match station.guides[axis] {
             Guide::Shift(shift) => shift,
-            Guide::Force(_) => before[axis] + found.next().copied().unwrap_or(0.0),
+            Guide::Force(_) => before[axis] + rigid_slip.next().copied().unwrap_or(0.0),
         })
     }
 
     /// Finds the friction under the present pressures, whose own tangential displacement is given.
-    pub fn drag(
+    pub fn solve_friction(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         station: Station,
         pressed: &VectorField,
-        known: Option<&Settled>,
+        known: Option<&WarmStart>,
         effort: &mut Effort,
-    ) -> Result<Found, Error> {
+    ) -> Result<Solved, Error> {
         let problem = &simulation.problem;
         let frame = &problem.frame;
-        let (rigid, held) = self.rigid_slip(problem, station, Some(pressed));
+        let (rigid, prescribed) = self.rigid_slip(problem, station, Some(pressed));
         let Some(friction) = &problem.friction else {
-            if self.chain.state.tangential.is_none() {
-                return Ok(Found::default());
+            if self.evolution.state.tangential.is_none() {
+                return Ok(Solved::default());
             }
             let traction = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
-            self.strained = [pressed.t1.clone(), pressed.t2.clone()];
-            self.approached = self.chain.state.approach;
-            let shift = self.shifted(station, &[]);
+            self.elastic_displacement = [pressed.t1.clone(), pressed.t2.clone()];
+            self.approached = self.evolution.state.approach;
+            let shift = self.shift_at(station, &[]);
             let creepage = [0.0; 2];
-            self.chain.state.tangential =
+            self.evolution.state.tangential =
                 Some(Tangential { traction, slip: rigid, creepage, shift });
-            return Ok(Found::default());
+            return Ok(Solved::default());
         };
         let limits = |pressure: &[f64]| -> Vec<f64> {
             pressure.iter().map(|&pressure| friction.limit(pressure)).collect()
         };
-        let limit = limits(&self.chain.state.pressure);
+        let limit = limits(&self.evolution.state.pressure);
         let shifting = problem.compliance.shifting(frame);
         let step = tangential::Step {
             map: &*shifting,
@@ -254,32 +277,34 @@ impl Rig {
             measure: frame.measure(),
             limit: &limit,
             rigid: [&rigid[0], &rigid[1]],
-            held: &held,
+            prescribed: &prescribed,
         };
-        let now = self.chain.state.tangential.as_ref();
-        let found = vec![0.0; held.len()];
+        let now = self.evolution.state.tangential.as_ref();
+        let rigid_slip = vec![0.0; prescribed.len()];
         let start = match known.and_then(|known| Some((known.state.tangential.as_ref()?, known))) {
-            Some((tangential, known)) => Some((&tangential.traction, &known.limit, &known.found)),
-            None => now.map(|tangential| (&tangential.traction, &limit, &found)),
+            Some((tangential, known)) => {
+                Some((&tangential.traction, &known.limit, &known.rigid_slip))
+            }
+            None => now.map(|tangential| (&tangential.traction, &limit, &rigid_slip)),
         };
-        let start = start.map(|([one, two], limit, found)| tangential::Start {
+        let start = start.map(|([one, two], limit, rigid_slip)| tangential::Start {
             traction: [one, two],
             limit,
-            found,
+            rigid_slip,
         });
         let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
         effort.iterations += outcome.iterations;
         effort.applications += outcome.applications;
         effort.residual = effort.residual.max(outcome.residual);
         if outcome.status != Status::Converged {
-            return Err(not_converged(simulation, leg, outcome.iterations, outcome.residual));
+            return Err(not_converged(simulation, increment, outcome.iterations, outcome.residual));
         }
-        let tangential::Outcome { traction, found, .. } = outcome;
-        let shift = self.shifted(station, &found);
+        let tangential::Outcome { traction, rigid_slip, .. } = outcome;
+        let shift = self.shift_at(station, &rigid_slip);
         effort.applications += 1;
-        let strain = self.strain_of(problem, Some(&traction));
+        let strain = self.displacement_under(problem, Some(&traction));
         self.take(problem, traction, shift, strain);
-        Ok(Found { limit, found, joint: None })
+        Ok(Solved { limit, rigid_slip, monolithic: None })
     }
 
     /// Takes tractions over, with the slip since the last state.
@@ -292,31 +317,32 @@ impl Rig {
     ) {
         let before = self.shift();
         let [x, y] = [0, 1].map(|axis| shift[axis] - before[axis]);
-        let approach = self.chain.state.approach;
+        let approach = self.evolution.state.approach;
         let moved = problem.frame.moved([x, y, self.approached - approach]);
-        let strained = [strain.t1, strain.t2];
+        let elastic_displacement = [strain.t1, strain.t2];
         let slip = [0, 1].map(|axis| {
             let moved = [&moved.t1, &moved.t2][axis];
-            map([moved, &self.strained[axis], &strained[axis]], |[moved, before, after]| {
-                moved + before - after
-            })
+            map(
+                [moved, &self.elastic_displacement[axis], &elastic_displacement[axis]],
+                |[moved, before, after]| moved + before - after,
+            )
         });
-        self.strained = strained;
+        self.elastic_displacement = elastic_displacement;
         self.approached = approach;
-        self.chain.state.tangential =
+        self.evolution.state.tangential =
             Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
     }
 }
 
 pub(super) fn not_converged(
     simulation: &Simulation,
-    leg: Leg,
+    increment: Increment,
     iterations: usize,
     residual: f64,
 ) -> Error {
     Error::FrictionNotConverged {
         measure: simulation.problem.motion.progress(),
-        progress: leg.progress,
+        progress: increment.progress,
         iterations,
         residual,
         tolerance: simulation.friction_solver.settings().tolerance,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Mapped;
 use super::state::State;
-use crate::compliance::Rub;
+use crate::compliance::StickSlip;
 use crate::frame::VectorField;
 use crate::numerics::vector::map;
 
@@ -30,7 +30,7 @@ pub(super) struct Sliding {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Regime {
     pub touch: Vec<Touch>,
-    pub rub: Rub,
+    pub rub: StickSlip,
     /// Unit vectors along the augmented tractions q of slipping pairs.
     along: [Vec<f64>; 2],
     /// How their limits change with the pressure.
@@ -50,7 +50,7 @@ impl Regime {
         let zeros = || vec![0.0; pairs];
         let mut regime = Self {
             touch: vec![Touch::Open; pairs],
-            rub: Rub { stick: zeros(), slip: zeros(), diagonal: zeros() },
+            rub: StickSlip { stick: zeros(), slip: zeros(), diagonal: zeros() },
             along: [zeros(), zeros()],
             slope: zeros(),
             share: vec![1.0; pairs],

@@ -1,4 +1,4 @@
-//! Whether a problem suits its motion and its laws: symmetric halves move along their plane of symmetry only and
+//! Whether a problem is compatible with its motion and its laws: symmetric halves move along their plane of symmetry only and
 //! rub alike on both sides, rolling needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};

@@ -10,7 +10,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Aim relative to what the tolerance allows, and bounds on the change from one stride to the next.
+/// Aim relative to what the tolerance allows, and bounds on the change from one jump to the next.
 const AIM: f64 = 0.8;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Root of the error that is kept over the one that is corrected, squared.
@@ -25,9 +25,9 @@ const LAG: f64 = 0.2;
 /// Most steps within a jump.
 const MOST_STEPS: usize = 64;
 
-/// The stride and the error so far.
+/// The cycles of the next jump and the error so far.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-pub(super) struct Stride {
+pub(super) struct JumpControl {
     tolerance: f64,
     /// Cycles to go on by, the one computed included.
     cycles: f64,
@@ -55,7 +55,7 @@ pub(super) struct Tried {
     pub done: usize,
 }
 
-impl Stride {
+impl JumpControl {
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, cycles: 2.0, error: 0.0 }
     }
@@ -77,7 +77,7 @@ impl Stride {
         self.cycles = if length == 1 { 1.0 } else { (1.0 + 0.25 * length as f64).max(2.0) };
     }
 
-    /// Whether a jump is good enough; sets the next stride.
+    /// Whether a jump is good enough; sets the next jump.
     pub fn judge(&mut self, tried: Tried) -> bool {
         let Tried { length, made, off, flipped, worn, lag, turned, done } = tried;
         if length == 0 {
@@ -113,7 +113,7 @@ impl Stride {
 
 #[cfg(test)]
 mod tests {
-    use super::{STATED, Stride, Tried};
+    use super::{JumpControl, STATED, Tried};
 
     const GOOD: Tried = Tried {
         length: 1,
@@ -128,38 +128,38 @@ mod tests {
 
     #[test]
     fn strides_grow_and_land_on_what_is_ahead() {
-        let mut stride = Stride::new(0.01);
-        assert_eq!(stride.jump(50), 1);
-        assert!(stride.judge(GOOD) && stride.judge(Tried { length: 2, ..GOOD }));
-        assert_eq!(stride.jump(50), 4);
+        let mut jump_control = JumpControl::new(0.01);
+        assert_eq!(jump_control.jump(50), 1);
+        assert!(jump_control.judge(GOOD) && jump_control.judge(Tried { length: 2, ..GOOD }));
+        assert_eq!(jump_control.jump(50), 4);
         // Five and then the rest, or two of about the same length.
-        assert_eq!((stride.jump(6), stride.jump(5), stride.jump(1)), (2, 4, 0));
+        assert_eq!((jump_control.jump(6), jump_control.jump(5), jump_control.jump(1)), (2, 4, 0));
     }
 
     #[test]
     fn errors_and_turns_shorten_them() {
-        let mut stride = Stride::new(0.01);
-        assert!(!stride.judge(Tried { length: 40, off: 0.2, ..GOOD }));
-        assert_eq!(stride.jump(100), 8);
-        assert!(!stride.judge(Tried { length: 8, turned: true, ..GOOD }));
-        assert!(stride.judge(Tried { length: 1, turned: true, ..GOOD }));
+        let mut jump_control = JumpControl::new(0.01);
+        assert!(!jump_control.judge(Tried { length: 40, off: 0.2, ..GOOD }));
+        assert_eq!(jump_control.jump(100), 8);
+        assert!(!jump_control.judge(Tried { length: 8, turned: true, ..GOOD }));
+        assert!(jump_control.judge(Tried { length: 1, turned: true, ..GOOD }));
     }
 
     /// What flips between stick and slip counts by half, what is even by four times its square; the sum stays.
     #[test]
     fn errors_are_of_both_kinds_and_add_up() {
         let error = |off: f64, flipped: f64| {
-            let mut stride = Stride::new(0.5);
-            assert!(stride.judge(Tried { off, flipped, lag: 0.0, ..GOOD }));
-            stride.estimate(1.0) / STATED
+            let mut jump_control = JumpControl::new(0.5);
+            assert!(jump_control.judge(Tried { off, flipped, lag: 0.0, ..GOOD }));
+            jump_control.estimate(1.0) / STATED
         };
         assert!((error(0.1, 0.0) - 4.0 * 0.01).abs() < 1e-15);
         assert!((error(0.1, 0.1) - 0.5 * 0.1).abs() < 1e-15);
         assert!((error(0.05, 0.04) - (4.0 * 0.03_f64.powi(2) + 0.5 * 0.04)).abs() < 1e-15);
-        let mut stride = Stride::new(0.5);
+        let mut jump_control = JumpControl::new(0.5);
         for jumps in 1..=3 {
-            assert!(stride.judge(Tried { off: 0.1, lag: 0.0, worn: 10.0, ..GOOD }));
-            assert!((stride.estimate(1.0) / STATED - 0.04 * f64::from(jumps)).abs() < 1e-15);
+            assert!(jump_control.judge(Tried { off: 0.1, lag: 0.0, worn: 10.0, ..GOOD }));
+            assert!((jump_control.estimate(1.0) / STATED - 0.04 * f64::from(jumps)).abs() < 1e-15);
         }
     }
 
@@ -167,23 +167,25 @@ mod tests {
     #[test]
     fn what_was_spared_may_be_spent_within_bounds() {
         let accepts = |lag: f64, worn: f64| {
-            Stride::new(0.01).judge(Tried { lag, off: 0.0, length: 4, worn, ..GOOD })
+            JumpControl::new(0.01).judge(Tried { lag, off: 0.0, length: 4, worn, ..GOOD })
         };
         assert!(accepts(0.009, 1.0) && !accepts(0.02, 1.0));
         assert!(accepts(0.02, 3.0) && !accepts(0.04, 100.0));
-        let stride = Stride::new(0.01);
+        let jump_control = JumpControl::new(0.01);
         assert!(
-            stride.resolves(0.001, 2) && !stride.resolves(0.01, 2) && stride.resolves(0.01, 64)
+            jump_control.resolves(0.001, 2)
+                && !jump_control.resolves(0.01, 2)
+                && jump_control.resolves(0.01, 64)
         );
     }
 
     /// Jumps that fail are shortened until every cycle is computed.
     #[test]
     fn failures_shorten_to_every_cycle() {
-        let mut stride = Stride::new(0.01);
+        let mut jump_control = JumpControl::new(0.01);
         for (failed, next) in [(40, 10), (10, 3), (3, 1), (1, 0)] {
-            stride.shorten(failed);
-            assert_eq!(stride.jump(100), next);
+            jump_control.shorten(failed);
+            assert_eq!(jump_control.jump(100), next);
         }
     }
 }

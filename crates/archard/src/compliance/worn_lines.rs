@@ -1,8 +1,8 @@
-//! The compliance of bodies that wear as they roll: pressures in a plane of rolling wear all of it.
+//! The compliance of bodies that wear as they roll: pressures in a line of rolling wear all of it.
 //!
-//! Over some revolutions a plane wears by its slope times the sum of its pressures, and that opens the gap
-//! along the whole plane: a matrix of rank one beside the elastic compliance, plane by plane. It is
-//! symmetric and positive, so that an implicit step of wear is one normal contact problem. Where planes share
+//! Over some revolutions a line wears by its slope times the sum of its pressures, and that opens the gap
+//! along the whole line: a matrix of rank one beside the elastic compliance, line by line. It is
+//! symmetric and positive, so that an implicit step of wear is one normal contact problem. Where lines share
 //! pairs, the elastic preconditioner has to do.
 
 use std::cell::RefCell;
@@ -12,43 +12,43 @@ use crate::frame::{self, Flow, VectorField};
 use crate::numerics::dense::Cholesky;
 use crate::numerics::vector::Values;
 
-/// Sets of touching planes tried.
+/// Sets of touching lines tried.
 const SETS: usize = 50;
-/// Share of the load that has to move from plane to plane for pressures worth foreseeing.
+/// Share of the load that has to move from line to line for pressures worth foreseeing.
 const HARDLY: f64 = 0.03;
 
 /// Updates of the contact after which a pair that has been in contact stays in the means. Large steps let the contact
 /// swing to and fro; a fixed set ends that.
 const SWINGING: usize = 24;
 
-/// A compliance with the wear of its planes.
+/// A compliance with the wear of its lines.
 #[derive(Debug)]
-pub struct WornPlanes<'a> {
+pub struct WornLines<'a> {
     elastic: &'a dyn Compliance,
-    planes: Vec<Plane>,
-    /// Elastic displacement (m/Pa) that uniform unit pressure on the contact of a plane makes, a pair on the
-    /// average, of a plane that many planes away.
+    lines: Vec<Line>,
+    /// Elastic displacement (m/Pa) that uniform unit pressure on the contact of a line makes, a pair on the
+    /// average, of a line that many lines away.
     between: Vec<f64>,
     /// Whether preconditioners keep to the contact given instead of following the iteration's.
     steady: bool,
-    /// Whether each plane has pairs of its own and some of them touch.
+    /// Whether each line has pairs of its own and some of them touch.
     rows: bool,
     /// Areas of the pairs relative to the mean.
     weight: Values<'a>,
 }
 
-/// A plane of rolling.
+/// A line of rolling.
 #[derive(Debug)]
-struct Plane {
+struct Line {
     /// All its pairs, how much of each lies in it, and those in contact.
     pairs: Vec<usize>,
     shares: Vec<f64>,
     contact: Vec<usize>,
-    /// Wear (m) of the plane under a unit pressure (Pa) on one pair of mean area.
+    /// Wear (m) of the line under a unit pressure (Pa) on one pair of mean area.
     slope: f64,
 }
 
-impl<'a> WornPlanes<'a> {
+impl<'a> WornLines<'a> {
     /// Planes of rolling that wear by these slopes (m/Pa) while about the pairs under the given pressure are in
     /// contact.
     pub fn new(
@@ -57,30 +57,30 @@ impl<'a> WornPlanes<'a> {
         slopes: &[f64],
         pressure: &[f64],
     ) -> Self {
-        let plane = |(plane, &slope): (&frame::Plane, &f64)| {
-            let pairs: Vec<usize> = plane.passages.iter().map(|one| one.pair).collect();
-            Plane {
+        let line = |(line, &slope): (&frame::Line, &f64)| {
+            let pairs: Vec<usize> = line.passages.iter().map(|one| one.pair).collect();
+            Line {
                 contact: pairs.iter().copied().filter(|&pair| pressure[pair] > 0.0).collect(),
                 pairs,
-                shares: plane.passages.iter().map(|one| one.share).collect(),
+                shares: line.passages.iter().map(|one| one.share).collect(),
                 slope,
             }
         };
-        let mut planes: Vec<Plane> = flow.planes().iter().zip(slopes).map(plane).collect();
+        let mut lines: Vec<Line> = flow.lines().iter().zip(slopes).map(line).collect();
         let mut between = vec![];
         if flow.has_rows() {
-            spread_contact(&mut planes);
-            between = self::between(elastic, &planes, pressure.len());
+            spread_contact(&mut lines);
+            between = self::between(elastic, &lines, pressure.len());
         }
         // Where nothing touches, nothing is known between rows.
         let rows = !between.is_empty();
         let weight = flow.frame().measure().weight;
-        Self { elastic, planes, between, steady: false, rows, weight }
+        Self { elastic, lines, between, steady: false, rows, weight }
     }
 
-    /// Sum of the pressures (Pa) of a plane, weighted by areas.
-    fn sum(&self, plane: &Plane, pressure: &[f64]) -> f64 {
-        let parts = plane.pairs.iter().zip(&plane.shares);
+    /// Sum of the pressures (Pa) of a line, weighted by areas.
+    fn sum(&self, line: &Line, pressure: &[f64]) -> f64 {
+        let parts = line.pairs.iter().zip(&line.shares);
         parts.map(|(&pair, share)| share * self.weight.at(pair) * pressure[pair]).sum()
     }
 
@@ -91,34 +91,34 @@ impl<'a> WornPlanes<'a> {
     }
 
     /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each row those
-    /// that were there, or in the nearest plane that touched, scaled to what the plane takes of the
+    /// that were there, or in the nearest line that touched, scaled to what the line takes of the
     /// load as the wear goes on. `None` where they are hardly others, or not found.
     pub fn foresee(&self, gap: &[f64], total: f64, pressure: &[f64]) -> Option<Vec<f64>> {
         if !self.rows {
             return None;
         }
-        let mean = |plane: &Plane| {
-            plane.contact.iter().map(|&pair| gap[pair]).sum::<f64>() / plane.contact.len() as f64
+        let mean = |line: &Line| {
+            line.contact.iter().map(|&pair| gap[pair]).sum::<f64>() / line.contact.len() as f64
         };
-        let before: Vec<f64> = self.planes.iter().map(|plane| self.sum(plane, pressure)).collect();
+        let before: Vec<f64> = self.lines.iter().map(|line| self.sum(line, pressure)).collect();
         let touching: Vec<bool> = before.iter().map(|&sum| sum > 0.0).collect();
         let first = touching.iter().position(|&touches| touches)?;
         let last = touching.iter().rposition(|&touches| touches)?;
-        let gap = self.planes.iter().map(mean).collect();
-        let across = Across { planes: &self.planes, between: &self.between, gap };
+        let gap = self.lines.iter().map(mean).collect();
+        let across = Across { lines: &self.lines, between: &self.between, gap };
         let sums = across.share(total, touching)?;
         let change: f64 = sums.iter().zip(&before).map(|(now, then)| (now - then).abs()).sum();
         if change < HARDLY * total {
             return None;
         }
         let mut foreseen = vec![0.0; pressure.len()];
-        for (index, (plane, sum)) in self.planes.iter().zip(&sums).enumerate() {
+        for (index, (line, sum)) in self.lines.iter().zip(&sums).enumerate() {
             let nearest = index.clamp(first, last);
-            let source = &self.planes[nearest];
+            let source = &self.lines[nearest];
             if before[nearest] > 0.0 {
                 let along: Vec<f64> = source.pairs.iter().map(|&pair| pressure[pair]).collect();
                 let scaled = as_a_line(&along, sum / before[nearest]);
-                plane.pairs.iter().zip(scaled).for_each(|(&pair, value)| foreseen[pair] = value);
+                line.pairs.iter().zip(scaled).for_each(|(&pair, value)| foreseen[pair] = value);
             }
         }
         Some(foreseen)
@@ -126,30 +126,30 @@ impl<'a> WornPlanes<'a> {
 
     /// Adds to displacements (m) what pressures (Pa) wear, times a factor.
     pub fn add_wear(&self, pressure: &[f64], factor: f64, displacement: &mut [f64]) {
-        for plane in &self.planes {
-            let sum = self.sum(plane, pressure);
+        for line in &self.lines {
+            let sum = self.sum(line, pressure);
             if sum != 0.0 {
-                let depth = factor * plane.slope * sum;
-                let parts = plane.pairs.iter().zip(&plane.shares);
+                let depth = factor * line.slope * sum;
+                let parts = line.pairs.iter().zip(&line.shares);
                 parts.for_each(|(&pair, share)| displacement[pair] += share * depth);
             }
         }
     }
 }
 
-/// How the sums of the pressures of planes share a load, each plane taken as one: the contact problem
-/// across the planes.
+/// How the sums of the pressures of lines share a load, each line taken as one: the contact problem
+/// across the lines.
 struct Across<'a> {
-    planes: &'a [Plane],
+    lines: &'a [Line],
     between: &'a [f64],
-    /// Mean gap (m) over the contact of each plane.
+    /// Mean gap (m) over the contact of each line.
     gap: Vec<f64>,
 }
 
 impl Across<'_> {
-    /// Mean displacement (m) of a plane under a unit sum (Pa) of another's pressures.
+    /// Mean displacement (m) of a line under a unit sum (Pa) of another's pressures.
     fn element(&self, row: usize, column: usize) -> f64 {
-        let own = if row == column { self.planes[row].slope } else { 0.0 };
+        let own = if row == column { self.lines[row].slope } else { 0.0 };
         self.between[row.abs_diff(column)] + own
     }
 
@@ -157,28 +157,28 @@ impl Across<'_> {
     fn share(&self, total: f64, first: Vec<bool>) -> Option<Vec<f64>> {
         let mut touching = first;
         for _ in 0..SETS {
-            let set: Vec<usize> = (0..self.planes.len()).filter(|&plane| touching[plane]).collect();
+            let set: Vec<usize> = (0..self.lines.len()).filter(|&line| touching[line]).collect();
             let factors = Cholesky::new(set.len(), |i, j| self.element(set[i], set[j]))?;
             let ones = factors.solve(&vec![1.0; set.len()]);
             let opposed =
-                factors.solve(&set.iter().map(|&plane| self.gap[plane]).collect::<Vec<_>>());
+                factors.solve(&set.iter().map(|&line| self.gap[line]).collect::<Vec<_>>());
             let (lift, drop) = (ones.iter().sum::<f64>(), opposed.iter().sum::<f64>());
             let approach = (total + drop) / lift;
-            let mut sums = vec![0.0; self.planes.len()];
-            for ((&plane, one), opposed) in set.iter().zip(&ones).zip(&opposed) {
-                sums[plane] = approach * one - opposed;
+            let mut sums = vec![0.0; self.lines.len()];
+            for ((&line, one), opposed) in set.iter().zip(&ones).zip(&opposed) {
+                sums[line] = approach * one - opposed;
             }
             let mut changed = false;
-            for plane in 0..self.planes.len() {
-                let touches = if touching[plane] {
-                    sums[plane] > 0.0
+            for line in 0..self.lines.len() {
+                let touches = if touching[line] {
+                    sums[line] > 0.0
                 } else {
                     let lifted: f64 =
-                        set.iter().map(|&other| self.element(plane, other) * sums[other]).sum();
-                    self.gap[plane] + lifted < approach
+                        set.iter().map(|&other| self.element(line, other) * sums[other]).sum();
+                    self.gap[line] + lifted < approach
                 };
-                changed |= touches != touching[plane];
-                touching[plane] = touches;
+                changed |= touches != touching[line];
+                touching[line] = touches;
             }
             if !changed {
                 return Some(sums);
@@ -188,7 +188,7 @@ impl Across<'_> {
     }
 }
 
-/// The pressures along a plane when what it bears changes by a factor: as in a line contact of Hertz, peak
+/// The pressures along a line when what it bears changes by a factor: as in a line contact of Hertz, peak
 /// and width both change with its root.
 fn as_a_line(pressure: &[f64], factor: f64) -> Vec<f64> {
     let root = factor.max(0.0).sqrt();
@@ -208,39 +208,39 @@ fn as_a_line(pressure: &[f64], factor: f64) -> Vec<f64> {
     (0..pressure.len()).map(|i| root * at(centre + (i as f64 - centre) / root)).collect()
 }
 
-/// Gives planes that do not touch yet the contact of the nearest that do: some of them will touch.
-fn spread_contact(planes: &mut [Plane]) {
-    let touching = |plane: &Plane| !plane.contact.is_empty();
+/// Gives lines that do not touch yet the contact of the nearest that do: some of them will touch.
+fn spread_contact(lines: &mut [Line]) {
+    let touching = |line: &Line| !line.contact.is_empty();
     let (Some(first), Some(last)) =
-        (planes.iter().position(touching), planes.iter().rposition(touching))
+        (lines.iter().position(touching), lines.iter().rposition(touching))
     else {
         return;
     };
-    for (from, to) in [(first, 0..first), (last, last + 1..planes.len())] {
-        let source = &planes[from];
+    for (from, to) in [(first, 0..first), (last, last + 1..lines.len())] {
+        let source = &lines[from];
         let number = |pair: &usize| source.pairs.iter().position(|other| other == pair);
         let numbers: Vec<usize> = source.contact.iter().filter_map(number).collect();
-        for plane in &mut planes[to] {
-            plane.contact = numbers.iter().map(|&number| plane.pairs[number]).collect();
+        for line in &mut lines[to] {
+            line.contact = numbers.iter().map(|&number| line.pairs[number]).collect();
         }
     }
 }
 
-/// See [`WornPlanes`]: found from the widest contact.
-fn between(elastic: &dyn Compliance, planes: &[Plane], pairs: usize) -> Vec<f64> {
-    let widest = planes.iter().max_by_key(|plane| plane.contact.len());
-    let Some(widest) = widest.filter(|plane| !plane.contact.is_empty()) else { return vec![] };
+/// See [`WornLines`]: found from the widest contact.
+fn between(elastic: &dyn Compliance, lines: &[Line], pairs: usize) -> Vec<f64> {
+    let widest = lines.iter().max_by_key(|line| line.contact.len());
+    let Some(widest) = widest.filter(|line| !line.contact.is_empty()) else { return vec![] };
     let number = |pair: &usize| widest.pairs.iter().position(|other| other == pair);
     let numbers: Vec<usize> = widest.contact.iter().filter_map(number).collect();
     let mut pressure = vec![0.0; pairs];
-    numbers.iter().for_each(|&number| pressure[planes[0].pairs[number]] = 1.0);
+    numbers.iter().for_each(|&number| pressure[lines[0].pairs[number]] = 1.0);
     let mut displacement = vec![0.0; pairs];
     elastic.apply_normal(&pressure, &mut displacement);
-    let sum = |plane: &Plane| numbers.iter().map(|&n| displacement[plane.pairs[n]]).sum::<f64>();
-    planes.iter().map(|plane| sum(plane) / (numbers.len() * numbers.len()) as f64).collect()
+    let sum = |line: &Line| numbers.iter().map(|&n| displacement[line.pairs[n]]).sum::<f64>();
+    lines.iter().map(|line| sum(line) / (numbers.len() * numbers.len()) as f64).collect()
 }
 
-impl Compliance for WornPlanes<'_> {
+impl Compliance for WornLines<'_> {
     fn apply(&self, tractions: &VectorField) -> VectorField {
         let mut displacement = self.elastic.apply(tractions);
         self.add_wear(&tractions.n, 1.0, &mut displacement.n);
@@ -260,7 +260,7 @@ impl Compliance for WornPlanes<'_> {
         self.elastic.couples()
     }
 
-    /// The mean over the contact of a plane and the deviations from it are taken apart: wear does not see
+    /// The mean over the contact of a line and the deviations from it are taken apart: wear does not see
     /// the deviations, and the means are few enough to be solved for.
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         let elastic = self.elastic.normal_preconditioner(addition);
@@ -271,11 +271,11 @@ impl Compliance for WornPlanes<'_> {
     }
 }
 
-/// Means over the contact of each plane by Cholesky's factors, deviations by the elastic preconditioner.
+/// Means over the contact of each line by Cholesky's factors, deviations by the elastic preconditioner.
 #[derive(Debug)]
 struct ByPlanes<'a> {
     elastic: Box<dyn Preconditioner + 'a>,
-    worn: &'a WornPlanes<'a>,
+    worn: &'a WornLines<'a>,
     addition: f64,
     contact: RefCell<Contact>,
 }
@@ -292,21 +292,21 @@ struct Contact {
     means: Option<Cholesky>,
 }
 
-/// The pairs in contact of a plane.
+/// The pairs in contact of a line.
 #[derive(Debug, PartialEq)]
 struct Row {
-    plane: usize,
+    line: usize,
     pairs: Vec<usize>,
 }
 
 impl Contact {
     /// Follows the iteration; after some time without going back.
-    fn follow(&mut self, displacement: &[f64], worn: &WornPlanes<'_>, addition: f64) {
+    fn follow(&mut self, displacement: &[f64], worn: &WornLines<'_>, addition: f64) {
         self.looks += 1;
         self.pairs.resize(displacement.len(), false);
         if worn.steady {
             if self.looks == 1 {
-                let contact = worn.planes.iter().flat_map(|plane| &plane.contact);
+                let contact = worn.lines.iter().flat_map(|line| &line.contact);
                 contact.for_each(|&pair| self.pairs[pair] = true);
                 self.take(worn, addition);
             }
@@ -319,12 +319,12 @@ impl Contact {
     }
 
     /// Takes the pairs as rows, and factorises what is between them where they have changed.
-    fn take(&mut self, worn: &WornPlanes<'_>, addition: f64) {
-        let row = |(plane, pairs): (usize, &Plane)| Row {
-            plane,
+    fn take(&mut self, worn: &WornLines<'_>, addition: f64) {
+        let row = |(line, pairs): (usize, &Line)| Row {
+            line,
             pairs: pairs.pairs.iter().copied().filter(|&pair| self.pairs[pair]).collect(),
         };
-        let rows: Vec<Row> = worn.planes.iter().enumerate().map(row).collect();
+        let rows: Vec<Row> = worn.lines.iter().enumerate().map(row).collect();
         let rows: Vec<Row> = rows.into_iter().filter(|row| !row.pairs.is_empty()).collect();
         if rows == self.rows {
             return;
@@ -332,14 +332,14 @@ impl Contact {
         let element = |i: usize, j: usize| {
             let [one, other] = [&rows[i], &rows[j]];
             let [pairs, others] = [one, other].map(|row| row.pairs.len() as f64);
-            let own = if i == j { worn.planes[one.plane].slope + addition / pairs } else { 0.0 };
-            pairs * others * (worn.between[one.plane.abs_diff(other.plane)] + own)
+            let own = if i == j { worn.lines[one.line].slope + addition / pairs } else { 0.0 };
+            pairs * others * (worn.between[one.line.abs_diff(other.line)] + own)
         };
         self.means = Cholesky::new(rows.len(), element);
         self.rows = rows;
     }
 
-    /// Takes the mean over its contact from each plane; returns the sums.
+    /// Takes the mean over its contact from each line; returns the sums.
     fn deviate(&self, values: &mut [f64]) -> Vec<f64> {
         let take = |row: &Row| {
             let sum: f64 = row.pairs.iter().map(|&pair| values[pair]).sum();

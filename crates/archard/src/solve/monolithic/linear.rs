@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The preconditioner takes the directions apart: that of the normal problem, and
-//! [`SlipMap::undo`](crate::compliance::SlipMap::undo). Where there are [`Factors`] from a solution nearby, they take
+//! [`SlipMap::precondition`](crate::compliance::SlipMap::precondition). Where there are [`Factors`] from a solution nearby, they take
 //! the place of both.
 
 use super::border::Border;
@@ -92,7 +92,7 @@ impl<'s> Linear<'s> {
         tolerance.max(enough).min(LOOSE)
     }
 
-    /// The change of tractions, displacement, approach and found slips.
+    /// The change of tractions, displacement, approach and rigid slip.
     pub fn solve(&mut self, tolerance: f64) -> Solution {
         let pairs = self.regime.touch.len();
         let right = [&self.regime.right[..], &self.border.right].concat();
@@ -102,7 +102,7 @@ impl<'s> Linear<'s> {
         let displacement = self.displacement(pairs, &weights);
         let mut border = vector[3 * pairs..].iter().map(|value| self.border.unit * value);
         let approach = if self.border.loaded { border.next().unwrap_or_default() } else { 0.0 };
-        Solution { traction, displacement, approach, found: border.collect(), factors: None }
+        Solution { traction, displacement, approach, rigid_slip: border.collect(), factors: None }
     }
 
     /// What the compliance makes of the change of the tractions, from what was tried.
@@ -128,7 +128,7 @@ impl Inverse<'_> {
         let mut result = vec![0.0; 3 * pairs];
         let (first, rest) = result.split_at_mut(pairs);
         let (second, third) = rest.split_at_mut(pairs);
-        self.tangential.undo([&one, &two], &regime.rub, [first, second]);
+        self.tangential.precondition([&one, &two], &regime.rub, [first, second]);
         self.normal.apply(n, third);
         if let Some(factors) = self.factors {
             factors.solve([&one, &two, n], [first, second, third]);

@@ -27,7 +27,7 @@ impl State {
     pub fn new(step: &Mapped<'_>, start: &Solution) -> Self {
         let own = [step.compliance.normal_self_term(), step.compliance.shifting(step.frame).own()];
         let mut solution = start.clone();
-        solution.found.resize(step.held.len(), 0.0);
+        solution.rigid_slip.resize(step.prescribed.len(), 0.0);
         if let Control::Approach(approach) = step.control {
             solution.approach = approach;
         }
@@ -37,8 +37,8 @@ impl State {
     fn of(solution: Solution, own: [f64; 2], step: &Mapped<'_>) -> Self {
         let displacement = &solution.displacement;
         let mut moved = APPROACH.map(|component| solution.approach * component);
-        for (found, held) in solution.found.iter().zip(step.held) {
-            (0..2).for_each(|axis| moved[axis] += found * held.direction[axis]);
+        for (rigid_slip, prescribed) in solution.rigid_slip.iter().zip(step.prescribed) {
+            (0..2).for_each(|axis| moved[axis] += rigid_slip * prescribed.direction[axis]);
         }
         let moved = step.moved(moved);
         let apart = |before: &[f64], moved: &[f64], taken: &[f64]| {
@@ -76,7 +76,7 @@ impl State {
         [along(0, t1[pair]), along(1, t2[pair])]
     }
 
-    /// Forces (N) that are missing: the load, if it is given, and those held.
+    /// Forces (N) that are missing: the load, if it is given, and those prescribed.
     pub fn missing(&self, step: &Mapped<'_>) -> (Option<f64>, Vec<f64>) {
         let force = step.force(&self.solution.traction);
         let load = match step.control {
@@ -84,13 +84,14 @@ impl State {
             Control::Approach(_) => None,
         };
         let along = |[x, y]: [f64; 2]| x * force[0] + y * force[1];
-        let held = step.held.iter().map(|held| held.force - along(held.direction));
-        (load, held.collect())
+        let prescribed =
+            step.prescribed.iter().map(|prescribed| prescribed.force - along(prescribed.direction));
+        (load, prescribed.collect())
     }
 
     fn measure(&self, step: &Mapped<'_>) -> f64 {
         let (mut off, mut pressed, mut beside, mut borne) = (0.0, 0.0, 0.0, 0.0);
-        let (mut total, mut held) = (0.0, 0.0);
+        let (mut total, mut prescribed) = (0.0, 0.0);
         let VectorField { t1, t2, n } = &self.solution.traction;
         let rounding = match step.control {
             Control::Load(_) => 0.0,
@@ -110,7 +111,7 @@ impl State {
                 let [x, y] = onto_disc(self.augmented_traction(pair), limit);
                 beside += weight * ((t1[pair] - x).powi(2) + (t2[pair] - y).powi(2));
                 borne += weight * (limit * limit);
-                held += weight * limit;
+                prescribed += weight * limit;
             }
         }
         let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
@@ -118,7 +119,8 @@ impl State {
         let (load, forces) = self.missing(step);
         let load = relative(load.unwrap_or(0.0).abs(), total * area);
         let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();
-        let parts = [relative(beside.sqrt(), borne.sqrt()), load, relative(force, held * area)];
+        let parts =
+            [relative(beside.sqrt(), borne.sqrt()), load, relative(force, prescribed * area)];
         parts.into_iter().fold(relative(off.sqrt(), pressed.sqrt()), worse)
     }
 

@@ -68,7 +68,7 @@ impl Solution {
             traction: tangentially(tractions, &self.traction),
             displacement: tangentially(displacements, &self.displacement),
             approach: self.approach,
-            found: self.found.clone(),
+            rigid_slip: self.rigid_slip.clone(),
             factors: self.factors.clone(),
         }
     }

@@ -11,7 +11,7 @@ use crate::solve::{self, Outcome, Start, Status, Step};
 
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Chain {
+pub(super) struct Evolution {
     /// The contact and the worn depths.
     pub state: ContactState,
     /// Displacement the compliance makes of the pressure (m).
@@ -20,9 +20,9 @@ pub(super) struct Chain {
     pub load_distance: f64,
 }
 
-/// The part of a step that is the same for every chain.
+/// The part of a step that is the same for every evolution.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Leg {
+pub(super) struct Increment {
     /// Length (the motion's unit).
     pub advance: f64,
     /// Progress at its end (the motion's unit).
@@ -31,7 +31,7 @@ pub(super) struct Leg {
     pub control: Control,
 }
 
-impl Chain {
+impl Evolution {
     /// Unworn bodies, just touching.
     pub fn new(problem: &ContactProblem) -> Self {
         let gap = problem.frame.gap();
@@ -46,13 +46,13 @@ impl Chain {
     pub fn press(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
         let gap = self.undeformed_gap(problem);
-        self.contact(simulation, leg, (&gap, &addition), &*problem.compliance, effort)
+        self.contact(simulation, increment, (&gap, &addition), &*problem.compliance, effort)
     }
 
     /// Pressures, and friction where the bodies roll, under a gap (m), with what pairs give way beside the compliance
@@ -60,22 +60,22 @@ impl Chain {
     pub(super) fn contact(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         (gap, addition): (&[f64], &[f64]),
         compliance: &dyn Compliance,
         effort: &mut Effort,
     ) -> Result<(), Error> {
         match simulation.problem.motion {
             Motion::Rolling(_) => {
-                self.roll_on(simulation, leg, (gap, addition), compliance, effort)
+                self.solve_rolling(simulation, increment, (gap, addition), compliance, effort)
             }
-            _ => self.meet(simulation, leg, gap, addition, compliance, effort),
+            _ => self.solve_normal(simulation, increment, gap, addition, compliance, effort),
         }
     }
 
     /// The load (N) that is given; the one found where the approach is.
-    pub(super) fn prescribed_load(&self, leg: Leg) -> f64 {
-        match leg.control {
+    pub(super) fn prescribed_load(&self, increment: Increment) -> f64 {
+        match increment.control {
             Control::Load(load) => load,
             Control::Approach(_) => self.state.load,
         }
@@ -90,8 +90,10 @@ impl Chain {
         if let Some(Tangential { shift: [x, y], .. }) = &self.state.tangential
             && !frame.is_plane()
         {
-            let opened = frame.moved([*x, *y, 0.0]).n;
-            vector::update(&mut gap, [&opened], |gap, [opened]| gap + opened);
+            let gap_by_friction = frame.moved([*x, *y, 0.0]).n;
+            vector::update(&mut gap, [&gap_by_friction], |gap, [gap_by_friction]| {
+                gap + gap_by_friction
+            });
         }
         gap
     }
@@ -117,21 +119,21 @@ impl Chain {
     }
 
     /// Takes a solution over.
-    fn take(&mut self, outcome: Outcome, simulation: &Simulation, leg: Leg) {
+    fn take(&mut self, outcome: Outcome, simulation: &Simulation, increment: Increment) {
         let Outcome { pressure, displacement, gap, approach, .. } = outcome;
         self.displacement = displacement;
         let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
         let tangential = self.state.tangential.take();
-        let progress = leg.progress;
+        let progress = increment.progress;
         self.state = ContactState { progress, approach, load, pressure, gap, worn, tangential };
     }
 
     /// Finds the pressures that close a gap (m).
-    pub(super) fn meet(
+    pub(super) fn solve_normal(
         &mut self,
         simulation: &Simulation,
-        leg: Leg,
+        increment: Increment,
         gap: &[f64],
         addition: &[f64],
         compliance: &dyn Compliance,
@@ -143,7 +145,7 @@ impl Chain {
             gap,
             addition,
             measure: problem.frame.measure(),
-            control: leg.control,
+            control: increment.control,
         };
         let ContactState { pressure, approach, .. } = &self.state;
         let start = Start { pressure, displacement: &self.displacement, approach: *approach };
@@ -154,14 +156,15 @@ impl Chain {
         effort.residual = outcome.residual;
         match outcome.status {
             Status::Converged => {
-                self.take(outcome, simulation, leg);
+                self.take(outcome, simulation, increment);
                 Ok(())
             }
-            Status::FrameFull => {
-                Err(Error::FrameFull { measure: problem.motion.progress(), progress: leg.progress })
-            }
+            Status::FrameFull => Err(Error::FrameFull {
+                measure: problem.motion.progress(),
+                progress: increment.progress,
+            }),
             Status::OutOfIterations => {
-                Err(not_converged(simulation, leg, outcome.iterations, outcome.residual))
+                Err(not_converged(simulation, increment, outcome.iterations, outcome.residual))
             }
         }
     }
@@ -169,13 +172,13 @@ impl Chain {
 
 pub(super) fn not_converged(
     simulation: &Simulation,
-    leg: Leg,
+    increment: Increment,
     iterations: usize,
     residual: f64,
 ) -> Error {
     Error::NotConverged {
         measure: simulation.problem.motion.progress(),
-        progress: leg.progress,
+        progress: increment.progress,
         iterations,
         residual,
         tolerance: simulation.solver.settings().tolerance,

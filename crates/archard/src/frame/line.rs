@@ -1,15 +1,15 @@
 //! Planes of rolling: the parts of a frame in which bodies that roll wear evenly.
 //!
-//! Where pairs form rows, each row is a plane. Otherwise the frame is cut into strips along the direction, as wide
+//! Where pairs form rows, each row is a line. Otherwise the frame is cut into strips along the direction, as wide
 //! as a mean pair, and a pair takes part in those across which its part of the surface lies. Whatever its pairs
-//! lose then keeps its volume: a field that is spread over planes and taken back to the pairs has the same integral.
+//! lose then keeps its volume: a field that is spread over lines and taken back to the pairs has the same integral.
 
 use super::pairs::Pairs;
 use super::{ContactFrame, Direction};
 
 /// A strip of a frame along the direction of rolling.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Plane {
+pub struct Line {
     /// The place of its middle across the direction, along the other axis (m).
     pub place: f64,
     /// Its width (m), without mirror images.
@@ -18,19 +18,19 @@ pub struct Plane {
     pub passages: Vec<Passage>,
 }
 
-/// A pair that particles pass in a plane of rolling.
+/// A pair that particles pass in a line of rolling.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passage {
     /// The pair.
     pub pair: usize,
-    /// How much of the pair lies in the plane: 1 in rows.
+    /// How much of the pair lies in the line: 1 in rows.
     pub share: f64,
-    /// How often a particle passes to the pair, the mean over the width of the plane: 1 in rows.
+    /// How often a particle passes to the pair, the mean over the width of the line: 1 in rows.
     pub times: f64,
 }
 
-impl Plane {
-    /// The mean of a field over the plane.
+impl Line {
+    /// The mean of a field over the line.
     pub fn mean(&self, field: &[f64]) -> f64 {
         let sum: f64 = self.passages.iter().map(|one| one.times * field[one.pair]).sum();
         let times: f64 = self.passages.iter().map(|one| one.times).sum();
@@ -39,13 +39,13 @@ impl Plane {
 }
 
 /// The rows of a grid.
-pub(super) fn rows(frame: &ContactFrame, direction: Direction) -> Vec<Plane> {
+pub(super) fn rows(frame: &ContactFrame, direction: Direction) -> Vec<Line> {
     let across = 1 - direction.axis;
-    let plane = |pairs: Vec<usize>| {
+    let line = |pairs: Vec<usize>| {
         let first = pairs.first().copied().unwrap_or_default();
         let corners = frame.outline(first).into_iter().map(|corner| corner[across]);
         let lowest = corners.clone().fold(f64::INFINITY, f64::min);
-        Plane {
+        Line {
             place: frame.place(first)[across],
             width: corners.fold(f64::NEG_INFINITY, f64::max) - lowest,
             passages: pairs
@@ -54,11 +54,11 @@ pub(super) fn rows(frame: &ContactFrame, direction: Direction) -> Vec<Plane> {
                 .collect(),
         }
     };
-    direction.planes(frame.elements()).map(|pairs| plane(pairs.collect())).collect()
+    direction.lines(frame.elements()).map(|pairs| line(pairs.collect())).collect()
 }
 
 /// Strips about as wide as the side (m) of a mean pair, over which a contact rolls in one passage.
-pub(super) fn strips(direction: Direction, pairs: &Pairs, side: f64) -> Vec<Plane> {
+pub(super) fn strips(direction: Direction, pairs: &Pairs, side: f64) -> Vec<Line> {
     let across = 1 - direction.axis;
     let corners = pairs.outlines.iter().flatten().map(|corner| corner[across]);
     let lowest = corners.clone().fold(f64::INFINITY, f64::min);
@@ -66,21 +66,21 @@ pub(super) fn strips(direction: Direction, pairs: &Pairs, side: f64) -> Vec<Plan
     let count = ((highest - lowest) / side).round().max(1.0);
     let width = (highest - lowest) / count;
     let strip = |index: usize| [lowest + index as f64 * width, lowest + (index + 1) as f64 * width];
-    let plane = |index: usize| {
+    let line = |index: usize| {
         let [low, high] = strip(index);
-        Plane { place: 0.5 * (low + high), width, passages: vec![] }
+        Line { place: 0.5 * (low + high), width, passages: vec![] }
     };
-    let mut planes: Vec<Plane> = (0..count as usize).map(plane).collect();
+    let mut lines: Vec<Line> = (0..count as usize).map(line).collect();
     for (pair, outline) in pairs.outlines.iter().enumerate() {
         let parts: Vec<f64> =
-            (0..planes.len()).map(|index| area_within(outline, across, strip(index))).collect();
+            (0..lines.len()).map(|index| area_within(outline, across, strip(index))).collect();
         let whole: f64 = parts.iter().sum();
-        for (plane, part) in planes.iter_mut().zip(parts).filter(|(_, part)| *part != 0.0) {
+        for (line, part) in lines.iter_mut().zip(parts).filter(|(_, part)| *part != 0.0) {
             let times = part.abs() / (width * side);
-            plane.passages.push(Passage { pair, share: part / whole, times });
+            line.passages.push(Passage { pair, share: part / whole, times });
         }
     }
-    planes
+    lines
 }
 
 /// The area of a polygon seen along z between two values of a coordinate, positive in one sense of its corners.
@@ -158,11 +158,11 @@ mod tests {
                 let spread = |field: &[f64]| {
                     let mut depth = vec![0.0; field.len()];
                     let mut section = 0.0;
-                    for plane in flow.planes().iter() {
+                    for line in flow.lines().iter() {
                         let sum: f64 =
-                            plane.passages.iter().map(|one| one.times * field[one.pair]).sum();
-                        section += images * plane.width * sum;
-                        for one in &plane.passages {
+                            line.passages.iter().map(|one| one.times * field[one.pair]).sum();
+                        section += images * line.width * sum;
+                        for one in &line.passages {
                             depth[one.pair] += one.share * sum;
                         }
                     }

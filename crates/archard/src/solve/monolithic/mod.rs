@@ -23,7 +23,7 @@ use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::Control;
 use crate::numerics::vector::map;
-use crate::solve::tangential::Held;
+use crate::solve::tangential::PrescribedForce;
 
 pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
@@ -48,7 +48,7 @@ pub struct Step<'a> {
     /// Slip at zero approach before any traction (m), along t1 and t2, one value a pair.
     pub rigid: [&'a [f64]; 2],
     /// Directions along which the force is given, two at most.
-    pub held: &'a [Held],
+    pub prescribed: &'a [PrescribedForce],
     /// Whether it comes again, nearly the same, so that it is worth while to keep what makes that faster.
     pub again: bool,
 }
@@ -63,7 +63,7 @@ pub struct Solution {
     /// Approach (m).
     pub approach: f64,
     /// Uniform slip (m) along each direction whose force is given.
-    pub found: Vec<f64>,
+    pub rigid_slip: Vec<f64>,
     /// What is kept to solve others near it faster.
     pub factors: Option<Arc<Factors>>,
 }
@@ -81,7 +81,7 @@ impl Solution {
             traction: field(&self.traction, &change.traction),
             displacement: field(&self.displacement, &change.displacement),
             approach: self.approach + length * change.approach,
-            found: along(&self.found, &change.found),
+            rigid_slip: along(&self.rigid_slip, &change.rigid_slip),
             factors: None,
         }
     }
