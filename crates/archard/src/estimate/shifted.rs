@@ -104,7 +104,7 @@ impl Fretting {
         let coefficient = subject.total_wear_coefficient()?;
         let modulus = subject.contact_modulus();
         let end = WornOut::new(subject.radius()?, modulus, self.load, self.stick_radius)?;
-        let cycles = course.progress / subject.motion.shift()?.period();
+        let cycles = course.progress / subject.motion.period()?;
         let steady_volume = coefficient * self.dissipated / self.contact.friction * cycles;
         Some(FrettingWear { steady_volume, end })
     }

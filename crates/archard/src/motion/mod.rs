@@ -96,6 +96,16 @@ impl Motion {
         if let Self::Shift(shift) = self { Some(shift) } else { None }
     }
 
+    /// How far the motion goes in a cycle (its own unit), if it goes through cycles.
+    pub fn period(&self) -> Option<f64> {
+        self.shift().map(Shift::period)
+    }
+
+    /// Whether friction decides which pairs slip, and how far.
+    pub fn slips_partly(&self) -> bool {
+        !matches!(self, Self::Sliding(_))
+    }
+
     /// What progress measures, for result columns and messages.
     pub fn progress(&self) -> Progress {
         match self {

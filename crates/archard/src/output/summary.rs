@@ -42,7 +42,7 @@ impl Standing {
             last: last.into(),
             wear: wear(report, row),
             closed_form: closed_forms::of(report, estimator),
-            cycles: report.problem.motion.shift().is_some(),
+            cycles: report.problem.motion.period().is_some(),
             effort: report.effort,
             extent: report.extent,
         }

@@ -51,8 +51,8 @@ const BYTES_OF_THE_PROGRAM: f64 = 12e6;
 
 /// Memory (bytes) of a run.
 pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
-    let by_error =
-        matches!(parts.schedule.stepping, Stepping::Tolerance(_)) && parts.motion.shift().is_none();
+    let by_error = matches!(parts.schedule.stepping, Stepping::Tolerance(_))
+        && parts.motion.period().is_none();
     let histories = if by_error { BYTES_A_PAIR_OF_HISTORIES } else { 0.0 };
     let pairs = parts.pairs() as f64;
     let meshed = bem::memory(parts.bodies.each_ref().map(|body| body.finite.as_ref().map(size)));

@@ -51,7 +51,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 
 /// Wear without sliding, sliding without wear, where that does not depend on friction.
 fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
-    if tells_slip_from_stick(parts) {
+    if parts.motion.slips_partly() {
         return vec![];
     }
     let motion = parts.case.motion.choice.name;
@@ -68,16 +68,11 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
     .collect()
 }
 
-/// Whether friction decides where the bodies slip.
-fn tells_slip_from_stick(parts: &Parts<'_>) -> bool {
-    parts.motion.rolling().is_some() || parts.motion.shift().is_some()
-}
-
 /// Friction where the motion does not ask for it.
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
     let asked =
         parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| lacks(law, false));
-    (parts.friction.is_some() && !asked && !tells_slip_from_stick(parts)).then(|| {
+    (parts.friction.is_some() && !asked && !parts.motion.slips_partly()).then(|| {
         let name = parts.case.motion.choice.name;
         let message = format!("has no effect in `motion.{name}`: all of the contact slides");
         Problem::warning(Key::of(["friction"]), message).at_name()
@@ -135,7 +130,7 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
         Problem::warning(Key::of(["motion", motion]), message).help(
-            if parts.motion.shift().is_some() {
+            if parts.motion.period().is_some() {
                 "take fewer cycles or increments, or jump over cycles with `tolerance`"
             } else {
                 "take longer steps or a larger tolerance"

@@ -22,7 +22,9 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, meeting.pairs()));
-            if parts.motion.rolling().is_some() && !meeting.is_plane() {
+            if (parts.motion.rolling().is_some() || parts.motion.passing().is_some())
+                && !meeting.is_plane()
+            {
                 problems.push(on_a_curve(parts));
             }
         }
@@ -30,7 +32,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     problems
 }
 
-/// Rolling on a curved zone.
+/// Rolling, or a track, on a curved zone.
 fn on_a_curve(parts: &Parts<'_>) -> Problem {
     let key = Key::of(["motion", parts.case.motion.choice.name]);
     Problem::error(key, Error::NotPlane.to_string()).at_name()

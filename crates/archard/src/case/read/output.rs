@@ -8,7 +8,7 @@ use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use crate::elastic::Point;
-use crate::motion::{Motion, Planned};
+use crate::motion::{Motion, Planned, Progress};
 use crate::parameters::{Quantity, Values};
 
 impl Reader<'_> {
@@ -128,8 +128,7 @@ impl Reader<'_> {
 /// A tenth of a motion, in whole cycles where it counts them or repeats itself.
 fn tenth(motion: &Motion, extent: f64) -> f64 {
     let tenth = extent / 10.0;
-    let Some(shift) = motion.shift() else { return tenth };
-    let period = shift.period();
-    let counts = shift.progress.column == "cycle" || extent > 1.5 * period;
+    let Some(period) = motion.period() else { return tenth };
+    let counts = motion.progress() == Progress::CYCLES || extent > 1.5 * period;
     if counts { period * (tenth / period - 1e-9).ceil().max(1.0) } else { tenth }
 }

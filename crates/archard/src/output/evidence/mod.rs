@@ -69,7 +69,7 @@ impl Evidence {
             }
             worst(&mut self.largest, Some(across));
         }
-        let shifted = problem.motion.shift().is_some();
+        let shifted = problem.motion.period().is_some();
         self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
             let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
             let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
@@ -165,8 +165,8 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
 /// Whether whole cycles are done, which count as dissipated; always where there are none.
 fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
     const SAME: f64 = 1e-6;
-    problem.motion.shift().is_none_or(|shift| {
-        let cycles = progress / shift.period();
+    problem.motion.period().is_none_or(|period| {
+        let cycles = progress / period;
         (cycles - cycles.round()).abs() < SAME
     })
 }
