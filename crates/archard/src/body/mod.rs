@@ -28,6 +28,9 @@ pub struct Body {
     pub finite: Option<Finite>,
     /// How it wears; `None` if it does not.
     pub wear: Option<Box<dyn WearLaw>>,
+    /// In plane strain: how far below the contact (m) its approach and shift are measured from, a length that a line of
+    /// contact by itself leaves open. `None` for the [default](Body::depths).
+    pub depth: Option<f64>,
 }
 
 impl Body {
@@ -36,7 +39,7 @@ impl Body {
     /// Result columns carry the name: letters, digits, `_` and `-`.
     pub fn new(name: impl Into<String>, profile: impl Profile + 'static) -> Self {
         let profile = Box::new(profile);
-        Self { name: name.into(), profile, material: None, finite: None, wear: None }
+        Self { name: name.into(), profile, material: None, finite: None, wear: None, depth: None }
     }
 
     /// What to write for a name that is none.
@@ -58,6 +61,21 @@ impl Body {
     #[must_use]
     pub fn wear(self, law: impl WearLaw + 'static) -> Self {
         Self { wear: Some(Box::new(law)), ..self }
+    }
+
+    /// The same body, its approach and shift in plane strain measured from that depth (m).
+    #[must_use]
+    pub fn depth(self, depth: f64) -> Self {
+        Self { depth: Some(depth), ..self }
+    }
+
+    /// The depths (m) of bodies that touch along a line within that width (m): where none is given the radius of the
+    /// rounder one along x, and at least the width.
+    pub fn depths(bodies: [&Self; 2], width: f64) -> [f64; 2] {
+        let curvature = |body: &Self| body.curvatures().map_or(0.0, |[x, _]| x.abs());
+        let sharpest = curvature(bodies[0]).max(curvature(bodies[1]));
+        let default = if sharpest > 0.0 { sharpest.recip().max(width) } else { 10.0 * width };
+        bodies.map(|body| body.depth.unwrap_or(default))
     }
 
     /// The same body with that meshed surface, which its profile lies on, in place of a half-space.

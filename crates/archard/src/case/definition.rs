@@ -53,6 +53,8 @@ pub struct BodyCase {
     pub finite: Option<FiniteCase>,
     /// How it wears; `None` if it does not.
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
+    /// How far below a line of contact its approach and shift are measured from (m); `None` for the default.
+    pub depth: Option<f64>,
 }
 
 /// The mesh of a body and how it is held.
@@ -80,6 +82,8 @@ pub struct FrameCase {
     pub size: [f64; 2],
     /// Number of elements along x and y.
     pub elements: [usize; 2],
+    /// Whether it is a line of contact along y in plane strain.
+    pub line: bool,
 }
 
 /// When fields are put out; the end of the motion always is one of the places.
@@ -193,6 +197,7 @@ impl BodyCase {
             material: self.material,
             finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
             wear: self.wear.as_ref().map(Chosen::build).transpose()?,
+            depth: self.depth,
         })
     }
 }
@@ -239,8 +244,12 @@ impl Case {
         builder.friction = friction;
         builder.solver = self.solver.build()?;
         builder.friction_solver = self.friction_solver.build()?;
-        let FrameCase { size, elements } = self.frame;
-        let builder = if self.is_meshed() { builder } else { builder.frame(size, elements) };
+        let FrameCase { size, elements, line } = self.frame;
+        let builder = match line {
+            _ if self.is_meshed() => builder,
+            true => builder.line(size[0], elements[0], size[1]),
+            false => builder.frame(size, elements),
+        };
         Ok(builder.build_with(condense)?)
     }
 }

@@ -190,7 +190,7 @@ impl CaseFile {
         read: impl FnOnce(&mut Reader<'_>, &Section<'_>) -> Option<C>,
         check: impl FnOnce(&C) -> (F, Vec<Problem>),
     ) -> Result<(C, F, Vec<Problem>), Vec<Problem>> {
-        let mut reader = Reader { folder: &self.folder, problems, bodies: vec![] };
+        let mut reader = Reader { folder: &self.folder, problems, bodies: vec![], line: None };
         let case = read(&mut reader, &Section { key: Key::default(), table: &table });
         let mut problems = reader.problems;
         let failed = |problems: &[Problem]| {

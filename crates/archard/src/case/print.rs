@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use super::chosen::Chosen;
-use super::definition::{BodyCase, Case, FiniteCase, Output};
+use super::definition::{BodyCase, Case, FiniteCase, FrameCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
 use crate::body::{Elasticity, Interpolation, Support};
@@ -29,12 +29,20 @@ impl Display for Case {
             if let Some(wear) = &body.wear {
                 print_chosen(f, &format!("{key}.wear"), wear)?;
             }
+            if let Some(depth) = body.depth {
+                writeln!(f, "{key}.depth = {}", si(depth, "m"))?;
+            }
             writeln!(f)?;
         }
         if !self.is_meshed() {
-            let [x, y] = self.frame.size.map(|size| si(size, "m"));
-            writeln!(f, "frame.size = [{x}, {y}]")?;
-            writeln!(f, "frame.elements = {:?}\n", self.frame.elements)?;
+            let FrameCase { size, elements, line } = self.frame;
+            let [x, y] = size.map(|size| si(size, "m"));
+            if line {
+                writeln!(f, "frame.plane_strain = true\nframe.length = {y}")?;
+                writeln!(f, "frame.size = {x}\nframe.elements = {}\n", elements[0])?;
+            } else {
+                writeln!(f, "frame.size = [{x}, {y}]\nframe.elements = {elements:?}\n")?;
+            }
         }
         if let Some(friction) = &self.friction {
             print_chosen(f, "friction", friction)?;

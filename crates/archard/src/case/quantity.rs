@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::columns;
+use super::reader::Line;
 use super::tree::{Item, Node};
 use crate::parameters::{Parameter, Quantity, Value, Values};
 use crate::units::{self, Measure};
@@ -19,12 +20,21 @@ impl From<String> for Wrong {
     }
 }
 
+/// Where a value stands.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Surroundings<'a> {
+    /// Where relative file names begin.
+    pub folder: &'a Path,
+    /// The line of contact, if the case has one.
+    pub line: Option<Line>,
+}
+
 /// The value in SI and, for a table, the file it came from. `before` holds the values already read.
 pub(super) fn read(
     node: &Node,
     parameter: &Parameter,
     before: &Values,
-    folder: &Path,
+    surroundings: &Surroundings<'_>,
 ) -> Result<(Value, Option<PathBuf>), Wrong> {
     match parameter.quantity {
         // The reader of tables knows the bodies.
@@ -41,25 +51,35 @@ pub(super) fn read(
             bounded(value, parameter)
         }
         Quantity::Word(words) => word(node, words).map(|word| (Value::Word(word), None)),
-        Quantity::Table(columns) => table(node, folder, columns),
-        Quantity::File => file(node, folder),
+        Quantity::Table(columns) => {
+            let loads = columns.iter().any(|(_, quantity)| *quantity == Quantity::Force);
+            if loads && surroundings.line.is_some_and(|line| line.length.is_none()) {
+                return Err(
+                    "the forces in a file are in N: give the line of contact a `frame.length`"
+                        .to_owned()
+                        .into(),
+                );
+            }
+            table(node, surroundings.folder, columns)
+        }
+        Quantity::File => file(node, surroundings.folder),
         Quantity::Text => text(node).map(|text| (Value::Word(text), None)),
         Quantity::Pair(quantity) => {
             let along = "two values, along x and y";
             let parameter = Parameter { quantity: *quantity, ..*parameter };
-            Ok((Value::Pair(several(node, &parameter, along)?), None))
+            Ok((Value::Pair(several(node, &parameter, along, surroundings)?), None))
         }
         Quantity::Triple(quantity) => {
             let along = "three values, along x, y and z";
             let parameter = Parameter { quantity: *quantity, ..*parameter };
-            Ok((Value::Triple(several(node, &parameter, along)?), None))
+            Ok((Value::Triple(several(node, &parameter, along, surroundings)?), None))
         }
         Quantity::OneOrThree(quantity) => {
             let quantity = match node.item {
                 Item::Array(_) => Quantity::Triple(quantity),
                 _ => *quantity,
             };
-            read(node, &Parameter { quantity, ..*parameter }, before, folder)
+            read(node, &Parameter { quantity, ..*parameter }, before, surroundings)
         }
         // The reader of tables has gone into it.
         Quantity::Section(_) => Err(format!("expected a table, found {}", node.item.kind()).into()),
@@ -71,7 +91,12 @@ pub(super) fn read(
             })?;
             // A factor of which the exponent has left no unit.
             let plain = if measure == Measure::NUMBER { plain(node) } else { None };
-            let value = plain.map_or_else(|| dimensional(node, &measure), Ok)?;
+            let value = match (plain, quantity, surroundings.line) {
+                (Some(value), ..) => value,
+                (None, Quantity::Force, Some(line)) => on_a_line(node, line)?,
+                (None, Quantity::Force, None) => off_a_line(node)?,
+                _ => dimensional(node, &measure)?,
+            };
             bounded(value, parameter)
         }
     }
@@ -105,6 +130,34 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         | Quantity::File
         | Quantity::Section(_) => None,
     }
+}
+
+/// A force (N) on a line of contact, given per length or shared over the length that is given.
+fn on_a_line(node: &Node, line: Line) -> Result<f64, Wrong> {
+    if let Ok(load) = dimensional(node, &Measure::LOAD_PER_LENGTH) {
+        return Ok(load * line.length());
+    }
+    match (line.length, dimensional(node, &Measure::FORCE)) {
+        (Some(_), force) => force,
+        (None, Ok(_)) => Err(Wrong {
+            message: "a line of contact has loads per length, like \"18.5 N/mm\"".to_owned(),
+            help: Some("or give `frame.length`, which loads in N are shared over".to_owned()),
+        }),
+        (None, Err(_)) => dimensional(node, &Measure::LOAD_PER_LENGTH),
+    }
+}
+
+/// A force (N) on a frame that is no line of contact.
+fn off_a_line(node: &Node) -> Result<f64, Wrong> {
+    let force = dimensional(node, &Measure::FORCE);
+    if force.is_err() && dimensional(node, &Measure::LOAD_PER_LENGTH).is_ok() {
+        return Err(Wrong {
+            message: "a load per length is one of a line of contact; here loads are in N"
+                .to_owned(),
+            help: Some("`frame.plane_strain = true` makes the frame a line of contact".to_owned()),
+        });
+    }
+    force
 }
 
 /// A text with its unit.
@@ -167,6 +220,7 @@ fn several<const N: usize>(
     node: &Node,
     parameter: &Parameter,
     along: &str,
+    surroundings: &Surroundings<'_>,
 ) -> Result<[f64; N], Wrong> {
     let expected = || {
         let example = measure(parameter.quantity, &Values::default())
@@ -180,8 +234,7 @@ fn several<const N: usize>(
     };
     let mut values = [0.0; N];
     for (value, node) in values.iter_mut().zip(nodes) {
-        if let (Value::Number(number), _) =
-            read(node, parameter, &Values::default(), Path::new(""))?
+        if let (Value::Number(number), _) = read(node, parameter, &Values::default(), surroundings)?
         {
             *value = number;
         }

@@ -18,6 +18,22 @@ pub(super) struct Reader<'a> {
     pub problems: Vec<Problem>,
     /// The names of the bodies, once they are read.
     pub bodies: Vec<String>,
+    /// The line of contact, once the frame is read, if it is one.
+    pub line: Option<Line>,
+}
+
+/// A line of contact: what loads are shared over.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Line {
+    /// Its length (m), if it is given.
+    pub length: Option<f64>,
+}
+
+impl Line {
+    /// Its length (m): one metre if none is given.
+    pub fn length(self) -> f64 {
+        self.length.unwrap_or(1.0)
+    }
 }
 
 /// A table and its key.
@@ -35,6 +51,10 @@ impl<'a> Section<'a> {
 }
 
 impl Reader<'_> {
+    fn surroundings(&self) -> quantity::Surroundings<'_> {
+        quantity::Surroundings { folder: self.folder, line: self.line }
+    }
+
     pub fn push(&mut self, problem: Problem) {
         self.problems.push(problem);
     }
@@ -157,7 +177,7 @@ impl Reader<'_> {
                         }
                         continue;
                     }
-                    match quantity::read(&entry.node, parameter, &values, self.folder) {
+                    match quantity::read(&entry.node, parameter, &values, &self.surroundings()) {
                         Ok((Value::Word(name), _)) if parameter.quantity == Quantity::Body => {
                             match self.bodies.iter().position(|known| *known == name) {
                                 Some(index) => {
@@ -188,7 +208,7 @@ impl Reader<'_> {
     /// A number without unit that is zero or greater and whole.
     pub fn count(&mut self, key: Key, node: &Node) -> Option<usize> {
         const COUNT: Parameter = Parameter::required("", Quantity::Count, "");
-        match quantity::read(node, &COUNT, &Values::default(), self.folder) {
+        match quantity::read(node, &COUNT, &Values::default(), &self.surroundings()) {
             Ok((Value::Number(number), _)) => Some(number as usize),
             Ok(_) => None,
             Err(wrong) => {
@@ -201,7 +221,7 @@ impl Reader<'_> {
     /// A value of that quantity, greater than zero.
     pub fn number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
         let parameter = Parameter::required("", quantity, "");
-        match quantity::read(node, &parameter, &Values::default(), self.folder) {
+        match quantity::read(node, &parameter, &Values::default(), &self.surroundings()) {
             Ok((Value::Number(number), _)) => Some(number),
             Ok(_) => None,
             Err(wrong) => {
@@ -214,7 +234,7 @@ impl Reader<'_> {
     /// A value of that quantity, of any sign.
     pub fn any_number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
         let parameter = Parameter::required("", quantity, "").bound(Bound::Any);
-        match quantity::read(node, &parameter, &Values::default(), self.folder) {
+        match quantity::read(node, &parameter, &Values::default(), &self.surroundings()) {
             Ok((Value::Number(number), _)) => Some(number),
             Ok(_) => None,
             Err(wrong) => {

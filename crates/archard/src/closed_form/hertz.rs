@@ -13,6 +13,7 @@
 
 use std::f64::consts::PI;
 
+use crate::body::Material;
 use ellip::{elliprd, elliprf};
 
 /// The contact of two bodies of constant curvature.
@@ -131,8 +132,8 @@ fn squared_axis_ratio(curvature_ratio: f64) -> f64 {
 
 /// The contact of two cylinders with parallel axes, per length.
 ///
-/// Johnson, *Contact Mechanics*, eqs. 4.43 to 4.45. The approach of cylinders depends on more than
-/// the contact and has no place here.
+/// Johnson, *Contact Mechanics*, eqs. 4.43 to 4.45. The approach of cylinders depends on how far below the contact it is
+/// measured from, too: see [`Line::sinking`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {
     /// Half width of the contact (m).
@@ -155,6 +156,15 @@ impl Line {
             peak_pressure: (load_per_length * contact_modulus * curvature / PI).sqrt(),
             load_per_length,
         })
+    }
+
+    /// How far the surface of a body of that material comes closer to what lies that depth (m) below the middle line, in
+    /// plane strain (m): Johnson, eq. 5.58. The approach of two bodies is the sum.
+    pub fn sinking(&self, material: &Material, depth: f64) -> f64 {
+        let Material { young, poisson, .. } = *material;
+        let compliance = (1.0 - poisson * poisson) / (PI * young);
+        let logarithm = 2.0 * (2.0 * depth / self.half_width).ln();
+        compliance * self.load_per_length * (logarithm - poisson / (1.0 - poisson))
     }
 
     /// Pressure (Pa) at that distance (m) from the middle line.

@@ -37,6 +37,8 @@ pub struct Subject<'a> {
     pub bodies: &'a [Body; 2],
     /// Size of the frame along x and y (m).
     pub size: [f64; 2],
+    /// Whether the bodies touch along a line in plane strain.
+    pub line: bool,
     /// How much tangential traction the pairs bear; `None` without friction.
     pub friction: Option<&'a dyn Friction>,
     /// How the pairs rub.
@@ -130,6 +132,7 @@ impl<'a> From<&'a ContactProblem> for Subject<'a> {
         Self {
             bodies: &problem.bodies,
             size: problem.frame.size(),
+            line: problem.frame.is_line(),
             friction: problem.friction.as_deref(),
             motion: &problem.motion,
         }
@@ -158,6 +161,9 @@ impl Subject<'_> {
     /// The contact of the unworn bodies under a load or at an approach; `None` where there is no closed form.
     pub fn contact(&self, control: Control) -> Option<Contact> {
         let (curvatures, modulus) = (self.curvatures()?, self.contact_modulus());
+        if self.line {
+            return self.line(control, curvatures, modulus);
+        }
         let hertz = match control {
             Control::Load(load) => Hertz::from_load(curvatures, modulus, load),
             Control::Approach(approach) => Hertz::from_approach(curvatures, modulus, approach),
@@ -167,16 +173,43 @@ impl Subject<'_> {
 
     /// Cylinders that touch along a line as long as the frame.
     fn line(&self, control: Control, curvatures: [f64; 2], modulus: f64) -> Option<Contact> {
-        let Control::Load(load) = control else { return None };
         let across = match curvatures {
             [x, 0.0] if x > 0.0 => 0,
             [0.0, y] if y > 0.0 => 1,
             _ => return None,
         };
-        let line = Line::from_load(curvatures[across], modulus, load / self.size[1 - across])?;
+        let under =
+            |load: f64| Line::from_load(curvatures[across], modulus, load / self.size[1 - across]);
+        let load = match control {
+            Control::Load(load) => load,
+            Control::Approach(approach) => self.load_of_a_line(approach, under)?,
+        };
+        let line = under(load)?;
         let mut semi_axes = [f64::INFINITY; 2];
         semi_axes[across] = line.half_width;
-        Some(Contact { semi_axes, peak_pressure: line.peak_pressure, approach: None, load })
+        let approach = self.approach_of_a_line(&line);
+        Some(Contact { semi_axes, peak_pressure: line.peak_pressure, approach, load })
+    }
+
+    /// The approach (m) of bodies that touch along a line, known in plane strain.
+    fn approach_of_a_line(&self, line: &Line) -> Option<f64> {
+        let depths = Body::depths(self.bodies.each_ref(), self.size[0]);
+        let both = self.materials().into_iter().zip(depths);
+        let sinking =
+            both.filter_map(|(material, depth)| Some(line.sinking(material?, depth))).sum();
+        self.line.then_some(sinking)
+    }
+
+    /// The load (N) of bodies that touch along a line at an approach (m), by bisection.
+    fn load_of_a_line(&self, approach: f64, under: impl Fn(f64) -> Option<Line>) -> Option<f64> {
+        let beyond = |load: f64| Some(self.approach_of_a_line(&under(load)?)? > approach);
+        // As far as the contact is narrow beside the depth, the approach grows with the load.
+        let (mut low, mut high) = (0.0, self.contact_modulus() * approach * self.size[1]);
+        for _ in 0..100 {
+            let middle = 0.5 * (low + high);
+            if beyond(middle)? { high = middle } else { low = middle }
+        }
+        beyond(1.1 * low)?.then_some(low)
     }
 
     /// The combined radius (m) of a sphere.

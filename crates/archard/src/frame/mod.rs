@@ -60,6 +60,8 @@ struct Grid {
     size: [f64; 2],
     /// Number of elements along x and y.
     elements: [usize; 2],
+    /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
+    line: bool,
 }
 
 impl Grid {
@@ -100,7 +102,25 @@ impl ContactFrame {
         elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        let grid = Grid { size, elements };
+        Self::on(Grid { size, elements, line: false }, profiles)
+    }
+
+    /// A line of contact along y: that many elements over a width along x (m), in plane strain; forces and volumes are
+    /// those of a length along y (m).
+    ///
+    /// # Errors
+    /// If a profile has no surface at some pair.
+    pub fn line(
+        width: f64,
+        elements: usize,
+        length: f64,
+        profiles: [&dyn Profile; 2],
+    ) -> Result<Self, OffTheSurface> {
+        Self::on(Grid { size: [width, length], elements: [elements, 1], line: true }, profiles)
+    }
+
+    fn on(grid: Grid, profiles: [&dyn Profile; 2]) -> Result<Self, OffTheSurface> {
+        let elements = grid.elements;
         let recess = |pair: usize| {
             let [x, y] = grid.place(pair);
             profiles.map(|profile| profile.recess(x, y))
@@ -134,6 +154,11 @@ impl ContactFrame {
     /// Whether the pairs are equal elements of a rectangular grid, without mirror images.
     pub fn is_uniform(&self) -> bool {
         matches!(self.shape, Shape::Uniform(_))
+    }
+
+    /// Whether the pairs are a line of contact in plane strain.
+    pub fn is_line(&self) -> bool {
+        matches!(self.shape, Shape::Uniform(Grid { line: true, .. }))
     }
 
     /// Whether the pairs lie in rows and columns along x and y.
@@ -200,6 +225,9 @@ impl ContactFrame {
     pub fn measure(&self) -> Measure<'_> {
         let area = self.element_area();
         match &self.shape {
+            Shape::Uniform(grid) if grid.line => {
+                Measure { side: grid.spacing()[0], ..Measure::even(area) }
+            }
             Shape::Uniform(_) => Measure::even(area),
             Shape::Described(described) => {
                 let closing = match &*described.closing {

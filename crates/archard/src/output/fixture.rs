@@ -61,6 +61,7 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
         finite: None,
         material: Some(Material { young: 210e9, poisson: 0.3 }),
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
+        depth: None,
     }
 }
 

@@ -47,6 +47,8 @@ enum Touch {
     Meshed,
     /// On a uniform frame of that size (m) and number of elements, as half-spaces.
     Frame([f64; 2], [usize; 2]),
+    /// Along a line, in plane strain: width and elements along x, and the length (m) along y.
+    Line(f64, usize, f64),
     /// As given.
     Given(ContactFrame, Box<dyn Compliance>),
 }
@@ -92,6 +94,13 @@ impl Builder {
     #[must_use]
     pub fn frame(self, size: [f64; 2], elements: [usize; 2]) -> Self {
         Self { contact: Touch::Frame(size, elements), ..self }
+    }
+
+    /// Half-spaces touch along y in plane strain, within that width along x (m) divided into so many elements. Loads,
+    /// forces and volumes are those of that length (m).
+    #[must_use]
+    pub fn line(self, width: f64, elements: usize, length: f64) -> Self {
+        Self { contact: Touch::Line(width, elements, length), ..self }
     }
 
     /// The bodies may touch at these pairs, and deform there by that compliance.
@@ -155,6 +164,14 @@ impl Builder {
                 let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
                 (frame, Box::new(compliance))
             }
+            Touch::Line(width, elements, length) => {
+                let profiles = bodies.each_ref().map(|body| &*body.profile);
+                let frame = ContactFrame::line(width, elements, length, profiles)?;
+                let materials = bodies.each_ref().map(|body| body.material.as_ref());
+                let depths = Body::depths(bodies.each_ref(), width);
+                let half_space = HalfSpace::plane_strain(materials, depths, &frame);
+                (frame, Box::new(half_space))
+            }
             Touch::Frame(size, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
                 let frame = ContactFrame::uniform(size, elements, profiles)?;
@@ -204,12 +221,21 @@ impl Builder {
         }
         let meshed = self.bodies.iter().any(|body| body.finite.is_some());
         match &self.contact {
-            Touch::Frame(..) if meshed => {
+            Touch::Frame(..) | Touch::Line(..) if meshed => {
                 wrong("frame", "the pairs are the nodes of the mesh: leave the frame out")
             }
             Touch::Frame(size, elements) => {
                 size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
                 elements.iter().try_for_each(|&count| ELEMENTS.admit(count as f64).map(|_| ()))
+            }
+            Touch::Line(width, elements, length) => {
+                let size = [*width, *length];
+                size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
+                ELEMENTS.admit(*elements as f64)?;
+                for body in &self.bodies {
+                    line_of_contact(body, *width)?;
+                }
+                Ok(())
             }
             Touch::Meshed if !meshed => wrong(
                 "frame",
@@ -217,5 +243,34 @@ impl Builder {
             ),
             _ => Ok(()),
         }
+    }
+}
+
+const DEPTH: Parameter =
+    Parameter::optional("depth", Quantity::Length, "depth below the contact in plane strain");
+
+/// Whether a body can touch along y within a width (m) along x: its surface must be the same all along y, and the depth
+/// (m) it is measured from at least the width, or its compliance would not be positive.
+pub(crate) fn line_of_contact(body: &Body, width: f64) -> Result<(), Invalid> {
+    let Body { name, profile, depth, .. } = body;
+    let shares = [-0.45, -0.2, 0.0, 0.3, 0.5];
+    let varies = shares.iter().any(|x| {
+        let recess = |y: f64| profile.recess(x * width, y * width);
+        shares.iter().any(|&y| recess(y) != recess(0.0))
+    });
+    if varies {
+        let message = format!(
+            "the surface of `{name}` varies along y: in a line of contact it is the same all along"
+        );
+        return Err(Invalid::new("profile", message));
+    }
+    match depth.map(|depth| DEPTH.admit(depth)).transpose()? {
+        Some(depth) if depth < width => Err(Invalid::new(
+            "depth",
+            format!(
+                "the depth of `{name}` is less than the width of the frame; it has to lie well below the contact"
+            ),
+        )),
+        _ => Ok(()),
     }
 }

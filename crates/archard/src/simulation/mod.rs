@@ -18,6 +18,7 @@ use std::error::Error as StdError;
 
 use serde::{Deserialize, Serialize};
 
+pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub(crate) use compatibility::{crossed, inclined, lacks};

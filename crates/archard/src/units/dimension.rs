@@ -19,6 +19,8 @@ impl Dimension {
     pub const ANGLE: Self = Self([0.0, 0.0, 0.0, 1.0]);
     /// Force (N).
     pub const FORCE: Self = Self([1.0, 1.0, -2.0, 0.0]);
+    /// Load per length (N/m).
+    pub const LOAD_PER_LENGTH: Self = Self([0.0, 1.0, -2.0, 0.0]);
     /// Pressure (Pa).
     pub const PRESSURE: Self = Self([-1.0, 1.0, -2.0, 0.0]);
     /// Energy (J).
@@ -43,6 +45,7 @@ impl Dimension {
         (Self::TIME, "a time"),
         (Self::ANGLE, "an angle"),
         (Self::FORCE, "a force"),
+        (Self::LOAD_PER_LENGTH, "a load per length"),
         (Self::PRESSURE, "a pressure"),
         (Self::ENERGY, "an energy or a moment"),
         (Self::POWER, "a power"),

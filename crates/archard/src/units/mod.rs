@@ -39,6 +39,14 @@ impl Measure {
     pub const LENGTH: Self = Self::of(Dimension::LENGTH, "a length", "50 mm", ["mm", "m"], "m");
     /// A force (N).
     pub const FORCE: Self = Self::of(Dimension::FORCE, "a force", "10 N", ["N", "kN"], "N");
+    /// A load per length (N/m).
+    pub const LOAD_PER_LENGTH: Self = Self::of(
+        Dimension::LOAD_PER_LENGTH,
+        "a load per length",
+        "18.5 N/mm",
+        ["N/mm", "N/m"],
+        "N/m",
+    );
     /// A pressure, stress, modulus or hardness (Pa).
     pub const PRESSURE: Self =
         Self::of(Dimension::PRESSURE, "a pressure", "210 GPa", ["GPa", "Pa"], "Pa");

@@ -67,6 +67,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
         profile: Chosen::named("flat", PROFILES)?,
         finite: Some(coarse),
         wear: None,
+        depth: None,
     };
     mean(&body).ok()
 }
@@ -74,7 +75,14 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
 fn mean(body: &BodyCase) -> Result<f64, BuildError> {
     let profile = body.profile.build()?;
     let body = body.build()?;
-    let rigid = Body { name: String::new(), profile, material: None, finite: None, wear: None };
+    let rigid = Body {
+        name: String::new(),
+        profile,
+        material: None,
+        finite: None,
+        wear: None,
+        depth: None,
+    };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)
         .map_err(simulation::BuildError::from)?;
     let areas: Vec<f64> = (0..contact.frame.len()).map(|pair| contact.frame.area(pair)).collect();

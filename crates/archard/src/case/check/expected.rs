@@ -19,7 +19,12 @@ pub(super) fn write_contact(
         None => writeln!(f, "contact           no closed form for these profiles and this motion")?,
     }
     if let Some([x, y]) = cells {
-        writeln!(f, "elements across   {} along x, {} along y", three(x), three(y))?;
+        match estimate.contact {
+            Some(Contact { semi_axes: [_, f64::INFINITY], .. }) => {
+                writeln!(f, "elements across   {}", three(x))?;
+            }
+            _ => writeln!(f, "elements across   {} along x, {} along y", three(x), three(y))?,
+        }
     }
     if let Some(rolled) = &estimate.rolled {
         rolled_in_words(f, rolled)?;

@@ -178,14 +178,20 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let (key, word) = (parts.frame_key("size"), parts.frame_word());
     let contact = forecast.estimate.contact.as_ref()?;
     if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {
-        if ends_there(parts, axis) {
+        if parts.case.frame.line || ends_there(parts, axis) {
             return None;
         }
         let message = format!(
             "the bodies touch along a line that runs through both edges of the {word} along {}: they are computed as if cut off there",
             ["x", "y"][axis]
         );
-        return Some(Problem::warning(key, message));
+        let problem = Problem::warning(key, message);
+        let help = "`frame.plane_strain = true` computes a line of contact that does not end";
+        return Some(if parts.case.is_meshed() || axis == 0 {
+            problem
+        } else {
+            problem.help(help)
+        });
     }
     let reach = forecast.estimate.reach()?;
     let cut: Vec<&str> = [0, 1]

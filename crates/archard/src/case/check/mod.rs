@@ -11,6 +11,7 @@ mod free;
 mod geometry;
 mod inside;
 mod judge;
+mod line;
 mod meeting;
 pub(super) mod memory;
 mod rolling;
@@ -61,6 +62,7 @@ impl<'a> Parts<'a> {
         Subject {
             bodies: &self.bodies,
             size: self.case.frame.size,
+            line: self.case.frame.line,
             friction: self.friction.as_deref(),
             motion: &self.motion,
         }
@@ -193,7 +195,10 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     if !sound(&problems) {
         return problems;
     }
-    let geometry = geometry::problems(parts);
+    let mut geometry = line::problems(parts);
+    if geometry.is_empty() {
+        geometry = geometry::problems(parts);
+    }
     if geometry.is_empty() {
         problems.extend(judge::problems(parts, forecast));
     }

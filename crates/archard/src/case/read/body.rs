@@ -7,6 +7,7 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
+use crate::parameters::Quantity;
 use crate::wear::{WEAR_LAWS, WearLaw};
 
 /// What a body may have.
@@ -20,6 +21,7 @@ const KEYS: &[&str] = &[
     "elasticity",
     "boundary_elements",
     "wear",
+    "depth",
 ];
 
 impl Reader<'_> {
@@ -82,6 +84,10 @@ impl Reader<'_> {
                 .and_then(|profiles| self.required(&profiles, "profile", PROFILES)),
         };
         let wear = self.wear(&section);
+        let depth = match section.get("depth") {
+            None => Some(None),
+            Some((key, entry)) => self.number(key, &entry.node, Quantity::Length).map(Some),
+        };
         if let (Some(None), Some(Some(_))) = (&material, &finite) {
             let message = "a rigid body does not deform: give its shape as a `profile` instead";
             self.push(Problem::error(section.key.child("mesh"), message).at_name());
@@ -102,6 +108,7 @@ impl Reader<'_> {
             profile: profile?,
             finite: finite?,
             wear: wear?,
+            depth: depth?,
         })
         .filter(|_| named)
     }

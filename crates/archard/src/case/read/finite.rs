@@ -289,5 +289,9 @@ pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
     };
     let side = (faces.len() as f64).sqrt().ceil() as usize;
     let elements = grid.unwrap_or([side; 2]);
-    Some(FrameCase { size, elements: [0, 1].map(|axis| images[axis] * pairs(elements[axis])) })
+    Some(FrameCase {
+        size,
+        elements: [0, 1].map(|axis| images[axis] * pairs(elements[axis])),
+        line: false,
+    })
 }

@@ -4,14 +4,17 @@ use crate::case::check::footprint::BYTES_A_PAIR;
 use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::case::reader::{Reader, Section};
+use crate::case::reader::{Line, Reader, Section};
 use crate::case::tree::{Item, Node};
 use crate::parameters::Quantity;
 
 impl Reader<'_> {
     /// Size and elements.
     pub(super) fn frame(&mut self, section: &Section<'_>) -> Option<FrameCase> {
-        self.unknown(section, "key", &["size", "elements"]);
+        self.unknown(section, "key", &["size", "elements", "plane_strain", "length"]);
+        if let Some(length) = self.line_of_contact(section)? {
+            return self.line(section, length);
+        }
         let size = self.pair(
             section,
             "size",
@@ -25,7 +28,82 @@ impl Reader<'_> {
             |reader, key, node| reader.count(key, node),
         );
         let elements = elements.filter(|&elements| self.not_too_many(section, elements));
-        Some(FrameCase { size: size?, elements: elements? })
+        Some(FrameCase { size: size?, elements: elements?, line: false })
+    }
+
+    /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read
+    /// accordingly from here on.
+    fn line_of_contact(&mut self, section: &Section<'_>) -> Option<Option<f64>> {
+        let plane = match section.get("plane_strain").map(|(key, entry)| (key, &entry.node.item)) {
+            None => None,
+            Some((_, Item::Boolean(plane))) => Some(*plane),
+            Some((key, other)) => {
+                let message = format!("expected true or false, found {}", other.kind());
+                self.push(Problem::error(key, message));
+                return None;
+            }
+        };
+        let length = match section.get("length") {
+            None => None,
+            Some((key, entry)) => Some(self.number(key, &entry.node, Quantity::Length)?),
+        };
+        if plane == Some(false) && length.is_some() {
+            let message =
+                "only a line of contact has a `length`: without plane strain `size` says all";
+            self.push(Problem::error(section.key.child("length"), message).at_name());
+            return None;
+        }
+        self.line = (plane == Some(true) || length.is_some()).then_some(Line { length });
+        Some(self.line.map(Line::length))
+    }
+
+    /// Width and elements of a line of contact.
+    fn line(&mut self, section: &Section<'_>, length: f64) -> Option<FrameCase> {
+        let size = self.along_x(
+            section,
+            "size",
+            "its size along x, `\"1 mm\"`",
+            "of a line of contact `size` is that along x alone; how long it is says `length`",
+            |reader, key, node| reader.number(key, node, Quantity::Length),
+        );
+        let elements = self.along_x(
+            section,
+            "elements",
+            "the number of elements along x, `240`",
+            "of a line of contact there is one element across: give their number along x alone",
+            |reader, key, node| reader.count(key, node),
+        );
+        let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
+        Some(FrameCase { size: [size?, length], elements: [elements?, 1], line: true })
+    }
+
+    /// A value along x, by itself or in a list.
+    fn along_x<T: PartialEq>(
+        &mut self,
+        section: &Section<'_>,
+        name: &str,
+        meaning: &str,
+        two: &str,
+        read: impl Fn(&mut Self, Key, &Node) -> Option<T>,
+    ) -> Option<T> {
+        let Some((key, entry)) = section.get(name) else {
+            self.missing(section.key.child(name), meaning);
+            return None;
+        };
+        let one = |node: &Node| matches!(&node.item, Item::Number { value, .. } if *value == 1.0);
+        match &entry.node.item {
+            Item::Array(values) => match &values[..] {
+                [value] => read(self, key.index(0), value),
+                [value, across] if name == "elements" && one(across) => {
+                    read(self, key.index(0), value)
+                }
+                _ => {
+                    self.push(Problem::error(key, two));
+                    None
+                }
+            },
+            _ => read(self, key, &entry.node),
+        }
     }
 
     /// Whether a machine can hold that many elements.

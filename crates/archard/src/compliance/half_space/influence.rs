@@ -8,6 +8,15 @@
 //! A_nn = S1 [Fxx + Fyy]  A_xx = A_nn + S2 [Fxx]  A_yy = A_nn + S2 [Fyy]
 //! A_xy = S2 [Fxy]        A_xn = S3 [Fxn]         A_nx = -A_xn
 //! ```
+//!
+//! In plane strain (Johnson, sections 2.2 to 2.4 and 5.6) elements are strips without end. With F = x ln|x| - x, [F] its
+//! difference over the edges, h the width and d how far below the contact displacements are measured from,
+//!
+//! ```text
+//! A_nn = sum (1 - nu^2)/(pi E) {-2 [F] + h (2 ln d - 1/(1 - nu))}   A_xn = S3 pi [|x|]
+//! A_xx = sum (1 - nu^2)/(pi E) {-2 [F] + h (2 ln d + 1/(1 - nu))}
+//! A_yy = sum 2 (1 + nu)/(pi E) {  -[F] + h ln d }
+//! ```
 
 use std::f64::consts::PI;
 
@@ -50,11 +59,50 @@ pub(super) struct Influence {
     elements: [usize; 2],
     /// Half the size of an element along x and y (m).
     half: [f64; 2],
+    /// In plane strain, what the depths of the bodies add to the displacements n, x and y (1/Pa), over the width of
+    /// an element.
+    depths: Option<[f64; 3]>,
 }
 
 impl Influence {
     pub(super) fn new(constants: Constants, elements: [usize; 2], spacing: [f64; 2]) -> Self {
-        Self { constants, elements, half: spacing.map(|h| 0.5 * h) }
+        Self { constants, elements, half: spacing.map(|h| 0.5 * h), depths: None }
+    }
+
+    /// Strips that long along x (m), without end along y, on bodies of these depths (m).
+    pub(super) fn plane_strain(
+        materials: [Option<&Material>; 2],
+        depths: [f64; 2],
+        strips: usize,
+        width: f64,
+    ) -> Self {
+        let mut added = [0.0; 3];
+        for (material, depth) in materials.into_iter().zip(depths) {
+            let Some(Material { young, poisson, .. }) = material else { continue };
+            let (normal, ln) = ((1.0 - poisson * poisson) / (PI * young), 2.0 * depth.ln());
+            added[0] += normal * (ln - 1.0 / (1.0 - poisson));
+            added[1] += normal * (ln + 1.0 / (1.0 - poisson));
+            added[2] += (1.0 + poisson) / (PI * young) * ln;
+        }
+        let strips = Self::new(Constants::of(materials), [strips, 1], [width; 2]);
+        Self { depths: Some(added), ..strips }
+    }
+
+    /// Square elements that wide on the same half-spaces: of the size of what the elements do to one another where
+    /// they are strips, whose displacements under themselves grow with the depth of the bodies.
+    fn square(&self) -> Self {
+        Self { elements: [1, 1], half: [self.half[0]; 2], depths: None, ..*self }
+    }
+
+    /// Displacements under a unit traction on a strip (m/Pa): `factor` times minus [F], and what the depth adds.
+    fn strips(&self, factor: f64, added: f64) -> Vec<f64> {
+        let a = self.half[0];
+        let antiderivative = |x: f64| x * x.abs().ln() - x;
+        let strip = |i: usize| {
+            let x = 2.0 * a * i as f64;
+            2.0 * a * added - factor * (antiderivative(x + a) - antiderivative(x - a))
+        };
+        (0..self.elements[0]).map(strip).collect()
     }
 
     pub(super) fn elements(&self) -> [usize; 2] {
@@ -80,6 +128,9 @@ impl Influence {
     /// The larger tangential displacement under a unit traction on the element itself, less that of
     /// the neighbour along an axis (m/Pa).
     pub(super) fn rolling_self_term(&self, axis: usize) -> f64 {
+        if self.depths.is_some() && axis == 1 {
+            return self.square().rolling_self_term(axis);
+        }
         let mut elements = [1, 1];
         elements[axis] = 2;
         let near = self.within(elements);
@@ -89,25 +140,34 @@ impl Influence {
 
     /// The larger tangential displacement under a unit traction on the element itself (m/Pa).
     pub(super) fn tangential_self_term(&self) -> f64 {
+        if self.depths.is_some() {
+            return self.square().tangential_self_term();
+        }
         let itself = self.within([1, 1]);
         itself.xx()[0].max(itself.yy()[0])
     }
 
     /// Normal displacement under a unit pressure on the element itself (m/Pa).
     pub(super) fn normal_self_term(&self) -> f64 {
-        let [a, b] = self.half;
+        let [a, b] = self.depths.map_or(self.half, |_| [self.half[0]; 2]);
         4.0 * self.constants.normal * (b * (a / b).asinh() + a * (b / a).asinh())
     }
 
     /// Normal displacement under pressure (m/Pa).
     pub(super) fn nn(&self) -> Vec<f64> {
         let normal = self.constants.normal;
+        if let Some([added, ..]) = self.depths {
+            return self.strips(2.0 * normal, added);
+        }
         self.differences([-1.0, -1.0], |corner| normal * (corner.fxx() + corner.fyy()))
     }
 
     /// Displacement along x under a traction along x (m/Pa).
     pub(super) fn xx(&self) -> Vec<f64> {
         let Constants { normal, tangential, .. } = self.constants;
+        if let Some([_, added, _]) = self.depths {
+            return self.strips(2.0 * normal, added);
+        }
         self.differences([-1.0, -1.0], |corner| {
             (normal + tangential) * corner.fxx() + normal * corner.fyy()
         })
@@ -116,6 +176,9 @@ impl Influence {
     /// Displacement along y under a traction along y (m/Pa).
     pub(super) fn yy(&self) -> Vec<f64> {
         let Constants { normal, tangential, .. } = self.constants;
+        if let Some([.., added]) = self.depths {
+            return self.strips(2.0 * (normal + tangential), added);
+        }
         self.differences([-1.0, -1.0], |corner| {
             normal * corner.fxx() + (normal + tangential) * corner.fyy()
         })
@@ -124,18 +187,30 @@ impl Influence {
     /// Displacement along x under a traction along y, and the reverse (m/Pa).
     pub(super) fn xy(&self) -> Vec<f64> {
         let tangential = self.constants.tangential;
+        if self.depths.is_some() {
+            return vec![0.0; self.elements[0]];
+        }
         self.differences([1.0, 1.0], |corner| -tangential * corner.r)
     }
 
     /// Displacement along x under a normal traction (m/Pa).
     pub(super) fn xn(&self) -> Vec<f64> {
         let coupling = self.constants.coupling;
+        if self.depths.is_some() {
+            let a = self.half[0];
+            // The strip itself is pulled neither way.
+            let sign = |i: usize| if i == 0 { 0.0 } else { 1.0 };
+            return (0..self.elements[0]).map(|i| 2.0 * PI * coupling * a * sign(i)).collect();
+        }
         self.differences([1.0, -1.0], |c| coupling * (c.y * c.r.ln() + c.x * (c.y / c.x).atan()))
     }
 
     /// Displacement along y under a normal traction (m/Pa).
     pub(super) fn yn(&self) -> Vec<f64> {
         let coupling = self.constants.coupling;
+        if self.depths.is_some() {
+            return vec![0.0; self.elements[0]];
+        }
         self.differences([-1.0, 1.0], |c| coupling * (c.x * c.r.ln() + c.y * (c.x / c.y).atan()))
     }
 

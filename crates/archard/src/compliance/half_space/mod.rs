@@ -1,5 +1,5 @@
-//! Two elastic half-spaces: the uniform tractions of rectangular elements (Boussinesq, Cerruti, Love),
-//! summed by fast convolution.
+//! Two elastic half-spaces: the uniform tractions of rectangular elements (Boussinesq, Cerruti, Love), or of strips in
+//! plane strain (Flamant), summed by fast convolution.
 
 mod influence;
 mod rolling;
@@ -48,6 +48,17 @@ impl HalfSpace {
     /// The half-spaces of these materials under the elements of a frame; `None` for a rigid body.
     pub fn new(materials: [Option<&Material>; 2], frame: &ContactFrame) -> Self {
         Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()))
+    }
+
+    /// The half-spaces of these materials in plane strain, under the elements of a line of contact along y. Their
+    /// displacements are measured from so far below the contact (m), which under a load changes approach and shift alone.
+    pub fn plane_strain(
+        materials: [Option<&Material>; 2],
+        depths: [f64; 2],
+        frame: &ContactFrame,
+    ) -> Self {
+        let (strips, width) = (frame.elements()[0], frame.spacing()[0]);
+        Self::on(Influence::plane_strain(materials, depths, strips, width))
     }
 
     fn on(influence: Influence) -> Self {
@@ -194,18 +205,18 @@ impl Compliance for HalfSpace {
 
 /// Half-spaces of the whole frame, or of a part of it.
 #[derive(Debug)]
-enum Supported<'a> {
+enum WholeOrPart<'a> {
     Whole(&'a HalfSpace),
     Part(Arc<HalfSpace>),
 }
 
-impl Deref for Supported<'_> {
+impl Deref for WholeOrPart<'_> {
     type Target = HalfSpace;
 
     fn deref(&self) -> &HalfSpace {
         match self {
-            Supported::Whole(half_space) => half_space,
-            Supported::Part(half_space) => half_space,
+            WholeOrPart::Whole(half_space) => half_space,
+            WholeOrPart::Part(half_space) => half_space,
         }
     }
 }

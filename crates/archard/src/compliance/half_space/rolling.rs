@@ -1,6 +1,6 @@
 //! Steady rolling on half-spaces: the upwind difference taken in the transforms.
 
-use super::{HalfSpace, Supported};
+use super::{HalfSpace, WholeOrPart};
 use crate::compliance::{Coarser, SlipMap, StickSlip};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
@@ -13,7 +13,7 @@ const PASSED_ON: f64 = 4.0;
 /// The tangential compliance of half-spaces, differenced along the direction of rolling.
 #[derive(Debug)]
 pub(super) struct Rolling<'a> {
-    half_space: Supported<'a>,
+    half_space: WholeOrPart<'a>,
     direction: Direction,
     difference: Difference,
     own: f64,
@@ -21,10 +21,10 @@ pub(super) struct Rolling<'a> {
 
 impl<'a> Rolling<'a> {
     pub fn new(half_space: &'a HalfSpace, direction: Direction) -> Self {
-        Self::on(Supported::Whole(half_space), direction)
+        Self::on(WholeOrPart::Whole(half_space), direction)
     }
 
-    fn on(half_space: Supported<'a>, direction: Direction) -> Self {
+    fn on(half_space: WholeOrPart<'a>, direction: Direction) -> Self {
         // The pair ahead is the one of higher index.
         let Direction { axis, reversed } = direction;
         let difference = Difference::new(&half_space.convolution, axis, !reversed);
@@ -68,7 +68,7 @@ impl SlipMap for Rolling<'_> {
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        let part = Supported::Part(self.half_space.part(elements));
+        let part = WholeOrPart::Part(self.half_space.part(elements));
         Some(Box::new(Rolling::on(part, self.direction)))
     }
 

@@ -1,21 +1,21 @@
 //! Half-spaces shifted against each other: the tangential compliance itself.
 
-use super::{HalfSpace, Supported};
+use super::{HalfSpace, WholeOrPart};
 use crate::compliance::{Coarser, SlipMap, StickSlip};
 
 /// The tangential compliance of half-spaces.
 #[derive(Debug)]
 pub(super) struct Shifting<'a> {
-    half_space: Supported<'a>,
+    half_space: WholeOrPart<'a>,
     own: f64,
 }
 
 impl<'a> Shifting<'a> {
     pub fn new(half_space: &'a HalfSpace) -> Self {
-        Self::on(Supported::Whole(half_space))
+        Self::on(WholeOrPart::Whole(half_space))
     }
 
-    fn on(half_space: Supported<'a>) -> Self {
+    fn on(half_space: WholeOrPart<'a>) -> Self {
         let own = half_space.influence.tangential_self_term();
         Self { half_space, own }
     }
@@ -52,7 +52,7 @@ impl SlipMap for Shifting<'_> {
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {
-        Some(Box::new(Self::on(Supported::Part(self.half_space.part(elements)))))
+        Some(Box::new(Self::on(WholeOrPart::Part(self.half_space.part(elements)))))
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {

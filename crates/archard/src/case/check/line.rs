@@ -1,0 +1,40 @@
+//! Whether bodies can touch along a line in plane strain, and move so.
+
+use super::Parts;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use crate::simulation::line_of_contact;
+
+/// What is wrong with a line of contact; or with what says that there is one.
+pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
+    let body_key =
+        |body: usize, name: &str| Key::of(["body", &parts.case.bodies[body].name]).child(name);
+    if !parts.case.frame.line {
+        let deep = (0..2).filter(|&body| parts.bodies[body].depth.is_some());
+        return deep.map(|body| not_a_line(body_key(body, "depth"))).collect();
+    }
+    let width = parts.case.frame.size[0];
+    let wrong = (0..2).filter_map(|body| {
+        let invalid = line_of_contact(&parts.bodies[body], width).err()?;
+        Some(Problem::error(body_key(body, invalid.parameter), invalid.message))
+    });
+    wrong.chain(across(parts)).collect()
+}
+
+fn not_a_line(key: Key) -> Problem {
+    let message = "only the bodies of a line of contact have a depth";
+    Problem::error(key, message).help("`frame.plane_strain = true` makes the frame one")
+}
+
+/// Rolling along the line, or spin, which slips differently all along it.
+fn across(parts: &Parts<'_>) -> Option<Problem> {
+    let rolling = parts.motion.rolling()?;
+    let (name, message) = if rolling.direction.axis == 1 {
+        ("direction", "the line of contact lies along y: bodies roll along x")
+    } else if rolling.spin != 0.0 {
+        ("spin", "the slip of bodies that spin is not the same all along a line of contact")
+    } else {
+        return None;
+    };
+    Some(Problem::error(Key::of(["motion", parts.case.motion.choice.name, name]), message))
+}
