@@ -37,6 +37,7 @@ pub const CASES: &[Builtin] = &[
     ),
     without_files("punch_fretting_block", include_str!("../cases/punch_fretting_block/case.toml")),
     without_files("punch_fretting", include_str!("../cases/punch_fretting/case.toml")),
+    without_files("mccoll_fretting", include_str!("../cases/mccoll_fretting/case.toml")),
     without_files("fretting_sphere", include_str!("../cases/fretting_sphere/case.toml")),
     without_files(
         "running_in_flat_punch",

@@ -28,6 +28,7 @@ mod verification {
     mod spence;
     mod step_by_error;
     mod stresses_under_contact;
+    mod swinging;
     mod track;
     mod unequal_pairs;
 }

@@ -27,7 +27,7 @@ impl WornCap {
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
         let curvatures = subject.curvatures().filter(|both| both.iter().all(|&one| one > 0.0))?;
         let coefficient = subject.total_wear_coefficient()?;
-        if subject.motion.sliding()?.track.is_some() {
+        if subject.motion.sliding()?.track.is_some() || subject.motion.swing().is_some() {
             return None;
         }
         let radius = 1.0 / (curvatures[0] * curvatures[1]).sqrt();

@@ -2,10 +2,11 @@
 
 use super::shift::{CYCLE_COUNT, Cycles, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
 use super::{
-    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, counted,
-    pressing,
+    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, Sliding, Stepping,
+    control, counted, pressing,
 };
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::frame::Direction;
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "fretting",
@@ -22,8 +23,16 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         COUNT,
         JUMP,
         JUMP_TOLERANCE,
+        Parameter::optional(
+            "surfaces",
+            Quantity::Word(&["stay", "swing"]),
+            "whether the same points stay opposite each other (stay, the default), or the surfaces swing past each other, as in gross slip",
+        ),
     ],
     build: |values| {
+        if values.word("surfaces") == Some("swing") {
+            return swinging(values);
+        }
         let fretting = match values.one_pair_of("amplitude", "force_amplitude")? {
             (Some(amplitude), _) => Fretting::shifted(amplitude),
             (None, amplitude) => Fretting::pushed(amplitude.unwrap_or_default()),
@@ -37,6 +46,37 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
             .under(control(values)?)
     },
 };
+
+/// Gross slip: the surfaces swing past each other along one axis.
+fn swinging(values: &Values) -> Result<Planned, Invalid> {
+    const OTHERS: [&str; 5] =
+        ["force_amplitude", "phase", "load_amplitude", "load_phase", "increments"];
+    if let Some(other) = OTHERS.into_iter().find(|name| values.get(name).is_some()) {
+        let message =
+            format!("surfaces that swing slide all over by an `amplitude`, without `{other}`");
+        return Err(Invalid::new(other, message));
+    }
+    let amplitude = values
+        .pair("amplitude")
+        .ok_or_else(|| Invalid::new("amplitude", "`amplitude` is missing"))?;
+    let (axis, amplitude) = match amplitude {
+        [x, 0.0] if x > 0.0 => (0, x),
+        [0.0, y] if y > 0.0 => (1, y),
+        _ => {
+            let message = "surfaces swing along x or along y: give an amplitude along one of them";
+            return Err(Invalid::new("amplitude", message));
+        }
+    };
+    let (extent, stepping) = Cycles::read(values)?.divided(1.0)?;
+    let stepping = match stepping {
+        Stepping::Jumps(cycles) => Stepping::Implicit(cycles as f64),
+        other => other,
+    };
+    let direction = Direction { axis, reversed: false };
+    let sliding = Sliding { direction, swing: Some(amplitude), ..Sliding::default() };
+    let control = pressing(control(values)?)?;
+    Ok((Motion::Sliding(sliding), Schedule::steady(control, extent, stepping)))
+}
 
 const AMPLITUDE: Parameter = Parameter::optional(
     "amplitude",

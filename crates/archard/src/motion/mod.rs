@@ -73,7 +73,11 @@ impl Motion {
     /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
     /// much; zero where what they slide depends on the place.
     pub fn slip(&self, advance: f64) -> f64 {
-        if matches!(self, Self::Sliding(_)) { advance } else { 0.0 }
+        match self {
+            Self::Sliding(Sliding { swing: Some(amplitude), .. }) => 4.0 * amplitude * advance,
+            Self::Sliding(_) => advance,
+            Self::Rolling(_) | Self::Shift(_) => 0.0,
+        }
     }
 
     /// Unit vector along which bodies slide that slide the same distance everywhere.
@@ -106,9 +110,15 @@ impl Motion {
         !matches!(self, Self::Sliding(_))
     }
 
+    /// Amplitude (m) by which the surfaces swing past each other, if they do.
+    pub fn swing(&self) -> Option<f64> {
+        self.sliding()?.swing
+    }
+
     /// What progress measures, for result columns and messages.
     pub fn progress(&self) -> Progress {
         match self {
+            Self::Sliding(Sliding { swing: Some(_), .. }) => Progress::CYCLES,
             Self::Sliding(_) => Progress::DISTANCE,
             Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
             Self::Rolling(_) => Progress::REVOLUTIONS,

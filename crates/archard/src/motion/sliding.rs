@@ -69,7 +69,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         };
         let axis = usize::from(values.word("direction") == Some("y"));
         let direction = Direction { axis, reversed: false };
-        Sliding { direction, track, speed }.over(distance, control(values)?, stepping)
+        Sliding { direction, track, speed, swing: None }.over(distance, control(values)?, stepping)
     },
 };
 
@@ -96,6 +96,9 @@ pub struct Sliding {
     pub track: Option<Track>,
     /// Mean speed of sliding (m/s), where it is known.
     pub speed: Option<f64>,
+    /// Amplitude (m) of bodies that slide to and fro past each other by lengths comparable with the contact, so that
+    /// their surfaces swing; progress is then cycles.
+    pub swing: Option<f64>,
 }
 
 /// A track.

@@ -174,8 +174,10 @@ impl Adaptive {
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let mut trial = Trial::of(coarse, fine, &self.fine.state.pressure);
-        if matches!(simulation.schedule.control, Control::Approach(_)) {
-            // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
+        let swings = simulation.problem.motion.swing().is_some();
+        if swings || matches!(simulation.schedule.control, Control::Approach(_)) {
+            // Pressures fade to nothing as the bodies part, or show how the surfaces fit at the last position of a
+            // swing: what they lag by is no measure then.
             trial.lag = 0.0;
         }
         Ok(trial)
@@ -193,7 +195,8 @@ impl Adaptive {
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
         let state = ContactState { worn: self.worn.clone(), ..self.fine.state.clone() };
         // Nothing goes on from the state shown: it needs no displacement.
-        Evolution { state, displacement: vec![], load_distance }
+        let forward = self.fine.forward;
+        Evolution { state, displacement: vec![], load_distance, forward }
     }
 }
 

@@ -29,7 +29,7 @@ pub(super) struct Collector<'a> {
 /// What a step wears.
 pub(super) struct Collected {
     /// Of surfaces that stay, one value a pair.
-    pairs: Option<Wear>,
+    pub pairs: Option<Wear>,
     /// Of surfaces that pass: of one passage, and the number of passages.
     lines: Option<(OfLines, f64)>,
 }
@@ -49,11 +49,16 @@ impl<'a> Collector<'a> {
     /// If surfaces do not pass along the frame.
     pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
         let Some(Passing { direction, bodies, passages, .. }) = problem.motion.passing() else {
-            return Ok(Self { problem, stays: [true; 2], lines: None });
+            return Ok(Self::of_pairs(problem));
         };
         let flow = problem.frame.flow(direction)?;
         let lines = Some(Lines { problem, flow, bodies, passages });
         Ok(Self { problem, stays: bodies.map(|passes| !passes), lines })
+    }
+
+    /// Of surfaces that both stay where they are, at least for a while.
+    pub fn of_pairs(problem: &'a ContactProblem) -> Self {
+        Self { problem, stays: [true; 2], lines: None }
     }
 
     /// The lines of surfaces that pass.
@@ -63,8 +68,12 @@ impl<'a> Collector<'a> {
 
     /// What an advance (the motion's unit) wears under the contact as it is.
     pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
+        self.collect_sliding(state, advance, self.problem.motion.slip(advance))
+    }
+
+    /// The same where pairs of surfaces that stay slide that distance (m).
+    pub fn collect_sliding(&self, state: &ContactState, advance: f64, slip: f64) -> Collected {
         let pairs = self.any_stays().then(|| {
-            let slip = self.problem.motion.slip(advance);
             let slides = self.problem.motion.slides();
             let points =
                 state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip, slides));

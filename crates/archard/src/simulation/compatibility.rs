@@ -15,6 +15,9 @@ impl Simulation {
     /// Whether the motion is possible on the frame.
     pub(super) fn check_frame(&self) -> Result<(), Error> {
         let (motion, frame) = (&self.problem.motion, &self.problem.frame);
+        if motion.swing().is_some() && !self.problem.frame.is_uniform() {
+            return Err(Error::NotUniform);
+        }
         let rolling = motion.rolling().map(|rolling| rolling.direction);
         if let Some(direction) = motion.passing().map(|passing| passing.direction).or(rolling) {
             if !frame.is_plane() {

@@ -18,6 +18,8 @@ pub(super) struct Evolution {
     pub displacement: Vec<f64>,
     /// Integral of the load over the distance slid (N m); see [`Effort::load_distance`].
     pub load_distance: f64,
+    /// Of surfaces that swing: whether the last pass went forward.
+    pub forward: bool,
 }
 
 /// The part of a step that is the same for every evolution.
@@ -39,6 +41,7 @@ impl Evolution {
             state: ContactState::untouched(gap),
             displacement: vec![0.0; gap.len()],
             load_distance: 0.0,
+            forward: false,
         }
     }
 

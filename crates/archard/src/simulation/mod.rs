@@ -13,6 +13,7 @@ mod passing;
 mod rolling;
 mod run;
 mod step;
+mod swing;
 
 use std::error::Error as StdError;
 
@@ -206,6 +207,27 @@ pub enum Error {
         "bodies roll, and surfaces pass, only where the frame, or the zone of the mesh, is plane"
     )]
     NotPlane,
+    /// Surfaces that swing on a frame that is no uniform grid.
+    #[error("surfaces swing on a uniform frame only, not on a mesh")]
+    NotUniform,
+    /// An amplitude that the bodies follow elastically.
+    #[error(
+        "the bodies do not slide all over: of the amplitude of {amplitude:.3e} m their elasticity takes up {elastic:.3e} m; surfaces that stay (`surfaces = \"stay\"`) tell where they slip"
+    )]
+    NoGrossSlip {
+        /// The amplitude prescribed (m).
+        amplitude: f64,
+        /// What elasticity takes up (m).
+        elastic: f64,
+    },
+    /// Surfaces that swing carry the contact beyond the frame.
+    #[error("{} the contact swings beyond the edge of the frame; take a larger frame", .measure.at(*.progress))]
+    SwungOut {
+        /// What progress measures.
+        measure: Progress,
+        /// Where (the motion's unit).
+        progress: f64,
+    },
     /// A track on pairs without rows.
     #[error("a track needs pairs in rows along it: take a grid, or a zone with `elements`")]
     NoRows,

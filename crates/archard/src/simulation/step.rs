@@ -1,12 +1,12 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
-use super::collector::{Collector, Foreseen};
+use super::collector::{Collected, Collector, Foreseen};
 use super::evolution::{Evolution, Increment, not_converged};
 use super::{Effort, Error, Simulation};
 use crate::compliance::WornLines;
 use crate::motion::Motion;
 use crate::numerics::vector;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, ContactState};
 
 /// Times a step's wear is foreseen before it counts as not converged.
 const PASSES: usize = 50;
@@ -28,18 +28,40 @@ impl Evolution {
             self.load_distance += self.distance(simulation, increment, increment)?;
             return Ok(());
         }
+        if let Some(amplitude) = problem.motion.swing() {
+            return self.swing(simulation, increment, amplitude, effort);
+        }
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
-        let mut made = collector.collect(&self.state, increment.advance);
+        let slip = problem.motion.slip(increment.advance);
+        let made =
+            self.contact_and_wear(simulation, (increment, slip), &collector, &undeformed, effort)?;
+        collector.wear(&mut self.state, &made);
+        self.load_distance += self.distance(simulation, increment, increment)?;
+        Ok(())
+    }
+
+    /// The contact at the end of an increment in which pairs of surfaces that stay slide a distance (m), from an
+    /// undeformed gap (m), and the wear it makes.
+    pub(super) fn contact_and_wear(
+        &mut self,
+        simulation: &Simulation,
+        (increment, slip): (Increment, f64),
+        collector: &Collector<'_>,
+        undeformed: &[f64],
+        effort: &mut Effort,
+    ) -> Result<Collected, Error> {
+        let problem = &simulation.problem;
+        let collect =
+            |state: &ContactState| collector.collect_sliding(state, increment.advance, slip);
+        let mut made = collect(&self.state);
         for _ in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);
-            let gap = foreseen.gap_by_friction(&undeformed, collector.lines());
-            self.contact_wearing(simulation, increment, &gap, (&collector, &foreseen), effort)?;
-            made = collector.collect(&self.state, increment.advance);
+            let gap = foreseen.gap_by_friction(undeformed, collector.lines());
+            self.contact_wearing(simulation, increment, &gap, (collector, &foreseen), effort)?;
+            made = collect(&self.state);
             if collector.agrees(&foreseen, &self.state, &made) {
-                collector.wear(&mut self.state, &made);
-                self.load_distance += self.distance(simulation, increment, increment)?;
-                return Ok(());
+                return Ok(made);
             }
         }
         Err(match problem.motion {

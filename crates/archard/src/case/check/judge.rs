@@ -72,7 +72,8 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
     let asked =
         parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| lacks(law, false));
-    (parts.friction.is_some() && !asked && !parts.motion.slips_partly()).then(|| {
+    let swings = parts.motion.swing().is_some();
+    (parts.friction.is_some() && !asked && !swings && !parts.motion.slips_partly()).then(|| {
         let name = parts.case.motion.choice.name;
         let message = format!("has no effect in `motion.{name}`: all of the contact slides");
         Problem::warning(Key::of(["friction"]), message).at_name()

@@ -140,8 +140,11 @@ fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Pr
             length(reach),
             three(reach / half_width)
         );
-        let name = if given(parts, "amplitude") { "amplitude" } else { "file" };
-        Problem::warning(key(parts, name), message)
+        if !given(parts, "amplitude") {
+            return Problem::warning(key(parts, "file"), message);
+        }
+        let help = "where they slide all over, `surfaces = \"swing\"` wears each where its own points are; staying, the scar comes out some 8 % too deep";
+        Problem::warning(key(parts, "amplitude"), message).help(help)
     })
 }
 

@@ -24,6 +24,9 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 
 /// Both bodies wear and nothing is said of how their surfaces meet.
 fn stays(parts: &Parts<'_>) -> Option<Problem> {
+    if parts.motion.swing().is_some() {
+        return None;
+    }
     let said = parts.case.motion.values.get("surfaces").is_some();
     if said || !parts.bodies.iter().all(|body| body.wear.is_some()) {
         return None;

@@ -1,0 +1,177 @@
+//! Surfaces that swing past each other, as in fretting with gross slip.
+//!
+//! Bodies that slide to and fro by lengths comparable with the contact do not keep the same points opposite each other. The
+//! rounder body keeps its place in the frame, and the worn surface of the other is moved over it. A step of N cycles goes
+//! once through the positions of a half cycle, in whole elements: at each of them the contact wears both surfaces by what
+//! N cycles slide there, implicitly, and the depths are laid down where the points of each surface are. The next step goes
+//! through the positions backwards.
+//!
+//! The bodies slide by the amplitude less what their elasticity takes up before all of the contact slips: the tangential
+//! displacement of the tractions mu p, its mean weighted by the pressures.
+
+use super::collector::Collector;
+use super::evolution::{Evolution, Increment};
+use super::{Effort, Error, Simulation};
+use crate::problem::ContactProblem;
+
+/// Positions on either side of the middle, at most: beyond, they lie several elements apart.
+const MOST: usize = 8;
+
+/// Share of the cycles of a step that go back again: surfaces that were worn from one end to the other fit at the last
+/// positions better than at the first.
+const BACK: f64 = 0.1;
+
+/// The frame, and the body that is moved over it.
+struct Course<'a> {
+    problem: &'a ContactProblem,
+    axis: usize,
+    /// The body that keeps its place, and the one that is moved.
+    bodies: [usize; 2],
+}
+
+impl Evolution {
+    /// A step of `increment.advance` cycles of that amplitude (m).
+    pub(super) fn swing(
+        &mut self,
+        simulation: &Simulation,
+        increment: Increment,
+        amplitude: f64,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let course = Course::of(problem);
+        let elastic = course.elastic(&self.state.pressure);
+        let reach = amplitude - elastic;
+        if reach <= 0.0 {
+            return Err(Error::NoGrossSlip { amplitude, elastic });
+        }
+        let positions = course.positions(reach);
+        self.forward = !self.forward;
+        let there = positions.iter().map(|&one| (one, 1.0 - BACK));
+        let back = positions.iter().rev().map(|&one| (one, BACK));
+        let mut course_of_step: Vec<_> = there.chain(back).collect();
+        if !self.forward {
+            course_of_step.iter_mut().for_each(|((offset, _), _)| *offset = -*offset);
+        }
+        let collector = Collector::of_pairs(problem);
+        // Each half cycle goes through all positions.
+        let passes = 2.0 * increment.advance;
+        for ((offset, length), share) in course_of_step {
+            let gap = course.gap(&self.state.worn, offset);
+            let slip = share * passes * length;
+            let made =
+                self.contact_and_wear(simulation, (increment, slip), &collector, &gap, effort)?;
+            self.load_distance += self.prescribed_load(increment) * slip;
+            let Some(wear) = made.pairs else { continue };
+            for (index, &body) in course.bodies.iter().enumerate() {
+                let offset = if index == 0 { 0 } else { offset };
+                if !course.lay_down(&wear.depths[body], &mut self.state.worn[body], offset) {
+                    let measure = problem.motion.progress();
+                    return Err(Error::SwungOut { measure, progress: increment.progress });
+                }
+            }
+        }
+        // What is shown is the contact in the middle.
+        self.press(simulation, increment, effort)?;
+        effort.dissipated[0] =
+            course.coefficient(&self.state.pressure) * self.state.load * 4.0 * reach;
+        Ok(())
+    }
+}
+
+impl<'a> Course<'a> {
+    fn of(problem: &'a ContactProblem) -> Self {
+        let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);
+        let curvature = |body: usize| {
+            problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
+        };
+        let bodies = if curvature(1) > curvature(0) { [1, 0] } else { [0, 1] };
+        Self { problem, axis, bodies }
+    }
+
+    /// Positions in elements, and the distance (m) that a half cycle slides at each, of which the reach is half the sum:
+    /// hats over the way.
+    fn positions(&self, reach: f64) -> Vec<(isize, f64)> {
+        let element = self.problem.frame.spacing()[self.axis];
+        let stride = (reach / element / MOST as f64).ceil().max(1.0);
+        let side = stride * element;
+        let most = (reach / side).ceil() as isize;
+        // The integral of a hat of base two, from its middle on, as far as a place.
+        let half = |to: f64| {
+            let to = to.clamp(-1.0, 1.0);
+            to - 0.5 * to * to.abs()
+        };
+        let length = |position: isize| {
+            let middle = position as f64;
+            side * (half(reach / side - middle) - half(-reach / side - middle))
+        };
+        (-most..=most).map(|position| (position * stride as isize, length(position))).collect()
+    }
+
+    /// Where the element of the moved body is that lies opposite a pair at an offset.
+    fn opposite(&self, pair: usize, offset: isize) -> Option<usize> {
+        let elements = self.problem.frame.elements();
+        let stride = [1, elements[0]][self.axis];
+        let index = pair / stride % elements[self.axis];
+        let moved = index as isize - offset;
+        let inside = moved >= 0 && moved < elements[self.axis] as isize;
+        inside.then(|| (pair as isize - offset * stride as isize) as usize)
+    }
+
+    /// Gap (m) of the worn, undeformed surfaces at zero approach.
+    fn gap(&self, worn: &[Vec<f64>; 2], offset: isize) -> Vec<f64> {
+        let frame = &self.problem.frame;
+        let [stays, moves] = self.bodies;
+        let profile = &self.problem.bodies[moves].profile;
+        let shift = offset as f64 * frame.spacing()[self.axis];
+        let at = |pair: usize| {
+            let place = frame.place(pair);
+            let mut moved = place;
+            moved[self.axis] -= shift;
+            let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
+            let depth = self.opposite(pair, offset).map_or(0.0, |pair| worn[moves][pair]);
+            frame.gap()[pair] + rises + worn[stays][pair] + depth
+        };
+        (0..frame.len()).map(at).collect()
+    }
+
+    /// Adds depths (m), one value a pair, to a surface at an offset; whether all of them lie on it.
+    fn lay_down(&self, depths: &[f64], worn: &mut [f64], offset: isize) -> bool {
+        let mut inside = true;
+        for (pair, depth) in depths.iter().enumerate() {
+            match self.opposite(pair, offset) {
+                Some(place) => worn[place] += depth,
+                None => inside &= *depth == 0.0,
+            }
+        }
+        inside
+    }
+
+    /// The limit of friction over the load.
+    fn coefficient(&self, pressure: &[f64]) -> f64 {
+        let Some(friction) = &self.problem.friction else { return 0.0 };
+        let frame = &self.problem.frame;
+        let direction = self.problem.motion.slides();
+        let limit: f64 =
+            (0..frame.len()).map(|pair| frame.area(pair) * friction.limit(pressure[pair])).sum();
+        let load = frame.integrate(pressure);
+        if load > 0.0 { friction.map().resistance(direction) * limit / load } else { 0.0 }
+    }
+
+    /// What the bodies give way elastically (m) before they slide all over.
+    fn elastic(&self, pressure: &[f64]) -> f64 {
+        let Some(friction) = &self.problem.friction else { return 0.0 };
+        let frame = &self.problem.frame;
+        let resistance = friction.map().resistance(self.problem.motion.slides());
+        let traction: Vec<f64> =
+            pressure.iter().map(|&pressure| resistance * friction.limit(pressure)).collect();
+        let zeros = vec![0.0; traction.len()];
+        let tractions = if self.axis == 0 { [&traction, &zeros] } else { [&zeros, &traction] };
+        let mut slip = [zeros.clone(), zeros.clone()];
+        let [x, y] = &mut slip;
+        self.problem.compliance.shifting(frame).apply(tractions.map(|one| &one[..]), [x, y]);
+        let load: f64 = pressure.iter().sum();
+        let work: f64 = slip[self.axis].iter().zip(pressure).map(|(slip, p)| slip * p).sum();
+        if load > 0.0 { work / load } else { 0.0 }
+    }
+}

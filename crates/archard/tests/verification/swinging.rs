@@ -1,0 +1,135 @@
+//! Surfaces that swing past each other: fretting in gross slip.
+
+use approx::assert_relative_eq;
+use archard::simulation::Error;
+
+use crate::common::{Rows, case};
+
+const CASE: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
+
+fn rows(text: &str, options: &[&str]) -> Rows {
+    let mut rows = Rows::default();
+    case(text, options).run(&mut [&mut rows]).expect("a run");
+    rows
+}
+
+fn at(rows: &Rows, cycle: f64, column: &str) -> f64 {
+    let number = |row: &[(String, f64)], column: &str| {
+        archard::simulation::history::number(row, column).expect(column)
+    };
+    let row = rows.0.iter().find(|row| (number(row, "cycle") - cycle).abs() < 1e-6);
+    number(row.expect("a row there"), column)
+}
+
+/// The field's benchmark: I. R. McColl, J. Ding and S. B. Leen, Wear 256 (2004) 1114, as computed since with level sets.
+#[test]
+fn depths_are_those_published() {
+    let found = rows(CASE, &[]);
+    for (cycle, depth) in [(1e3, 0.378e-6), (5e3, 1.131e-6), (1e4, 1.815e-6), (1.8e4, 2.713e-6)] {
+        assert_relative_eq!(at(&found, cycle, "wear_depth_flat_m"), depth, max_relative = 5e-3);
+    }
+    assert_relative_eq!(at(&found, 1.8e4, "wear_depth_cylinder_m"), 2.023e-6, max_relative = 0.012);
+    // The friction of 16.65 N/mm slides four amplitudes a cycle, less the elastic shift of some 2 %.
+    let dissipated = found.last("dissipated_J") / (0.9 * 18500.0 * 1e-4);
+    assert!((0.97..0.99).contains(&dissipated), "{dissipated}");
+}
+
+/// Volumes are in the ratio of the coefficients, and k F s with the distance that is slid.
+#[test]
+fn volumes_follow_from_the_work() {
+    let found = rows(CASE, &["motion.fretting.cycles=2000", "output={}"]);
+    let [flat, cylinder] =
+        ["flat", "cylinder"].map(|body| found.last(&format!("worn_volume_{body}_m3")));
+    assert_relative_eq!(flat / cylinder / (2.9 / 1.9), 1.0, epsilon = 1e-9);
+    // 18500 N times 2000 cycles of 0.1 mm: all of it less what is elastic.
+    let slid = flat / (2.9e-14 * 18500.0) / 0.2;
+    assert!((0.96..0.99).contains(&slid), "{slid}");
+}
+
+/// Without friction nothing is elastic, and without an amplitude worth an element the surfaces stay.
+#[test]
+fn short_swings_are_sliding_in_place() {
+    let short = [
+        "friction=",
+        "motion.fretting.amplitude=[\"1 nm\", \"0 um\"]",
+        "motion.fretting.cycles=1000000",
+        "motion.fretting.tolerance=",
+        "motion.fretting.jump=100000",
+        "output={}",
+    ];
+    let sliding = [
+        "friction=",
+        "motion={ sliding = { load = \"18.5 N/mm\", distance = \"4 mm\", step = \"0.4 mm\", surfaces = \"stay\" } }",
+        "output={}",
+    ];
+    let [short, sliding] = [rows(CASE, &short), rows(CASE, &sliding)];
+    for column in ["wear_depth_flat_m", "wear_depth_cylinder_m", "worn_volume_flat_m3"] {
+        assert_relative_eq!(short.last(column) / sliding.last(column), 1.0, epsilon = 5e-3);
+    }
+}
+
+/// The bodies swapped, by their order in the case.
+#[test]
+fn bodies_may_be_swapped() {
+    let (head, rest) = CASE.split_once("[body.cylinder]").expect("two bodies");
+    let (title, flat) = head.split_once("[body.flat]").expect("a flat");
+    let (cylinder, rest) = rest.split_once("[frame]").expect("a frame");
+    let swapped = format!("{title}[body.cylinder]{cylinder}[body.flat]{flat}[frame]{rest}");
+    let options =
+        ["motion.fretting.cycles=1000", "output={}", "solver.conjugate_gradient.tolerance=1e-11"];
+    let [one, other] = [rows(CASE, &options), rows(&swapped, &options)];
+    for column in ["wear_depth_flat_m", "wear_depth_cylinder_m", "peak_pressure_Pa"] {
+        assert_relative_eq!(one.last(column) / other.last(column), 1.0, epsilon = 1e-7);
+    }
+}
+
+/// Jumps chosen by error against each cycle computed.
+#[test]
+fn jumps_meet_every_cycle() {
+    let run = |rest: &[&str]| {
+        let options =
+            [&["motion.fretting.cycles=60", "output={}", "frame.size=0.4 mm"], rest].concat();
+        rows(CASE, &options)
+    };
+    let every = run(&["motion.fretting.tolerance="]);
+    let jumps = run(&["motion.fretting.tolerance=0.01"]);
+    assert_eq!(every.0.len(), 61);
+    assert!(jumps.0.len() < 30);
+    let ratio = jumps.last("wear_depth_m") / every.last("wear_depth_m");
+    assert_relative_eq!(ratio, 1.0, epsilon = 0.01);
+}
+
+/// A ball that swings along x and one that swings along y.
+#[test]
+fn a_ball_swings_along_either_axis() {
+    let ball = |amplitude: &str| {
+        let text = format!(
+            "body.ball = {{ material = {{ young = \"210 GPa\", poisson = 0.3 }}, profile.sphere.radius = \"3 mm\", wear.archard.coefficient = \"1e-14 1/Pa\" }}
+             body.flat = {{ material = {{ young = \"210 GPa\", poisson = 0.3 }}, profile.flat = {{}}, wear.archard.coefficient = \"2e-14 1/Pa\" }}
+             frame = {{ size = [\"0.3 mm\", \"0.3 mm\"], elements = [41, 41] }}
+             friction.coulomb.coefficient = 0.5
+             motion.fretting = {{ load = \"10 N\", amplitude = {amplitude}, surfaces = \"swing\", cycles = 500, jump = 50 }}"
+        );
+        rows(&text, &[])
+    };
+    let [x, y] = [ball("[\"20 um\", \"0 um\"]"), ball("[\"0 um\", \"20 um\"]")];
+    for column in ["wear_depth_ball_m", "wear_depth_flat_m", "worn_volume_flat_m3"] {
+        assert_relative_eq!(x.last(column) / y.last(column), 1.0, epsilon = 1e-6);
+    }
+    // What swings is worn over a longer zone, and less deep than its share of volume.
+    let share =
+        |of: &str| x.last(&format!("wear_depth_{of}_m")) / x.last(&format!("worn_volume_{of}_m3"));
+    assert!(share("flat") < share("ball"));
+}
+
+/// Bodies that stick, and a contact that is carried beyond the frame.
+#[test]
+fn what_cannot_swing_is_refused() {
+    let error = |options: &[&str]| {
+        case(CASE, &[&["output={}"], options].concat()).run(&mut []).expect_err("an error")
+    };
+    let sticks = error(&["motion.fretting.amplitude=[\"0.3 um\", \"0 um\"]"]);
+    assert!(matches!(sticks, Error::NoGrossSlip { .. }), "{sticks}");
+    let out = error(&["frame.size=0.12 mm", "frame.elements=24"]);
+    assert!(matches!(out, Error::SwungOut { .. } | Error::FrameFull { .. }), "{out}");
+}
