@@ -29,6 +29,8 @@ const LAG: f64 = 0.7;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Share of a step whose contact was not found that is tried next.
 const SHORTER: f64 = 0.25;
+/// Shortest step that the lag of the pressures of surfaces that swing asks for, relative to the progress.
+const SHORTEST: f64 = 0.06;
 /// Smallest step, relative to the extent of the motion.
 const SMALLEST: f64 = 1e-10;
 
@@ -84,8 +86,12 @@ impl Trial {
 
     /// Error relative to what the tolerance allows; of second order in the step.
     fn excess(&self, tolerance: f64) -> f64 {
-        let error = if self.depth > 0.0 { self.error / (tolerance * self.depth) } else { 0.0 };
-        error.max(self.lag * self.lag / (LAG * LAG * tolerance))
+        self.excess_of_depth(tolerance).max(self.lag * self.lag / (LAG * LAG * tolerance))
+    }
+
+    /// The same of the depth alone.
+    fn excess_of_depth(&self, tolerance: f64) -> f64 {
+        if self.depth > 0.0 { self.error / (tolerance * self.depth) } else { 0.0 }
     }
 }
 
@@ -137,8 +143,13 @@ impl Adaptive {
                 }
                 attempt => attempt?,
             };
-            let excess = trial.excess(self.tolerance);
-            let change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
+            let mut excess = trial.excess(self.tolerance);
+            let mut change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
+            if simulation.problem.motion.swing().is_some() {
+                // How the surfaces fit after the last position of a swing stays in the pressures, however short the step.
+                excess = trial.excess_of_depth(self.tolerance);
+                change = change.max(SHORTEST * progress / length);
+            }
             if excess <= 1.0 {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
                 let next = if shortened { self.step.max(change * length) } else { change * length };
@@ -174,10 +185,8 @@ impl Adaptive {
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let mut trial = Trial::of(coarse, fine, &self.fine.state.pressure);
-        let swings = simulation.problem.motion.swing().is_some();
-        if swings || matches!(simulation.schedule.control, Control::Approach(_)) {
-            // Pressures fade to nothing as the bodies part, or show how the surfaces fit at the last position of a
-            // swing: what they lag by is no measure then.
+        if matches!(simulation.schedule.control, Control::Approach(_)) {
+            // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
             trial.lag = 0.0;
         }
         Ok(trial)
