@@ -89,12 +89,16 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
     all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &[]);
     for (name, numbers) in WEAR_EXAMPLES {
         let law = choose(WEAR_LAWS, name, numbers);
-        let depth = |pressure: f64, slip: f64| law.depth(Rubbing::new(pressure, slip));
+        let rubbing = |pressure: f64, slip: f64| {
+            Rubbing::new(pressure, slip).with_friction(0.4 * pressure * slip, 0.4)
+        };
+        let depth = |pressure: f64, slip: f64| law.depth(rubbing(pressure, slip));
+        assert!(depth(3e9, 0.3) > 0.0, "{name}: the example wears nothing");
         assert_eq!(depth(0.0, 1.0), 0.0, "{name}");
         assert_eq!(depth(1e8, 0.0), 0.0, "{name}");
         for pressure in [0.0, 1e6, 1e8, 3e9] {
             let change = 1e-4 * f64::max(pressure, 1e6);
-            let slope = law.slope(Rubbing::new(pressure, 0.3));
+            let slope = law.slope(rubbing(pressure, 0.3));
             let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
             assert!(slope >= 0.0 && rise >= 0.0, "{name}");
             assert_relative_eq!(rise / change, slope, max_relative = 1e-3);
@@ -106,8 +110,8 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
                 );
             }
         }
-        let rubbing = |pressure: f64| Rubbing::new(pressure, 0.3).with_friction(0.1, 0.4);
-        let points: Columns = [0.0, 1e6, 1e8, 3e9].map(rubbing).into_iter().collect();
+        let pressures = [0.0, 1e6, 1e8, 3e9];
+        let points: Columns = pressures.into_iter().map(|p| rubbing(p, 0.3)).collect();
         let (mut depths, mut slopes) = ([f64::NAN; 4], [f64::NAN; 4]);
         law.depths(&points, &mut depths, &mut slopes);
         for point in 0..points.len() {
