@@ -60,6 +60,8 @@ struct Grid {
     size: [f64; 2],
     /// Number of elements along x and y.
     elements: [usize; 2],
+    /// Whether all pairs may touch.
+    closed: bool,
 }
 
 impl Grid {
@@ -100,7 +102,7 @@ impl ContactFrame {
         elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        let grid = Grid { size, elements };
+        let grid = Grid { size, elements, closed: false };
         let recess = |pair: usize| {
             let [x, y] = grid.place(pair);
             profiles.map(|profile| profile.recess(x, y))
@@ -119,6 +121,16 @@ impl ContactFrame {
         let touch = gap.iter().copied().fold(apex, f64::min);
         gap.iter_mut().for_each(|gap| *gap -= touch);
         Ok(Self { shape: Shape::Uniform(grid), gap })
+    }
+
+    /// The same pairs where the surfaces end, or repeat themselves, with them: all of them may touch.
+    #[must_use]
+    pub fn closed(mut self) -> Self {
+        match &mut self.shape {
+            Shape::Uniform(grid) => grid.closed = true,
+            Shape::Described(described) => described.pairs.closed = true,
+        }
+        self
     }
 
     /// Number of pairs.
@@ -200,7 +212,7 @@ impl ContactFrame {
     pub fn measure(&self) -> Measure<'_> {
         let area = self.element_area();
         match &self.shape {
-            Shape::Uniform(_) => Measure::even(area),
+            Shape::Uniform(grid) => Measure { closed: grid.closed, ..Measure::even(area) },
             Shape::Described(described) => {
                 let closing = match &*described.closing {
                     [] => Values::All(1.0),
@@ -369,6 +381,13 @@ mod tests {
 
     use super::ContactFrame;
     use crate::body::profile::Flat;
+
+    #[test]
+    fn all_pairs_of_a_closed_frame_may_touch() {
+        let frame = ContactFrame::uniform([2.0, 1.0], [4, 2], [&Flat, &Flat]).unwrap();
+        assert!(!frame.measure().closed);
+        assert!(frame.closed().measure().closed);
+    }
 
     #[test]
     fn the_centre_of_a_smooth_field_is_exact_for_cubics() {
