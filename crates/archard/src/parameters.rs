@@ -38,6 +38,13 @@ pub enum Quantity {
     Speed,
     /// How often something happens in a time (1/s).
     Frequency,
+    /// Anything else with a unit.
+    Measured {
+        /// What it is called, with its article: "a work per area".
+        name: &'static str,
+        /// Its SI unit: "J/m^2".
+        unit: &'static str,
+    },
     /// The name of one of the bodies.
     Body,
     /// Two values of one quantity, along x and y.

@@ -9,7 +9,7 @@ use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
 use archard::motion::{Progress, Rolling};
-use archard::output::{Image, Surface};
+use archard::output::{Collection, Image};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
 use serde_json::{Map, Value};
 
@@ -240,13 +240,9 @@ fn last_image(dir: &Path) -> anyhow::Result<Option<Image>> {
     if !path.is_file() {
         return Ok(None);
     }
-    let text =
-        fs::read_to_string(&path).with_context(|| format!("cannot read `{}`", path.display()))?;
-    let last = text.rsplit_once("file=\"").and_then(|(_, rest)| rest.split_once('"'));
-    let Some((name, _)) = last else { return Ok(None) };
-    let path = dir.join(name);
-    let surface = path.extension().is_some_and(|extension| extension == "vtu");
-    Ok(Some(if surface { Surface::read(&path)?.image() } else { Image::read(&path)? }))
+    let collection = Collection::read(&path)?;
+    let last = collection.outputs.last();
+    Ok(last.map(|(_, file)| Image::of_output(&dir.join(file))).transpose()?)
 }
 
 /// The summary of a run.

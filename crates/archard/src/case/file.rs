@@ -13,6 +13,7 @@ use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
+use super::unclosed::unclosed;
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -198,7 +199,7 @@ impl CaseFile {
         };
         let mut checked = None;
         if let Some(case) = case
-            && syntax.is_empty()
+            && syntax.problems.is_empty()
             && !failed(&problems)
         {
             let (forecast, doubts) = check(&case);
@@ -213,7 +214,7 @@ impl CaseFile {
     }
 
     /// The tree of the file, and what is not TOML in it.
-    fn parse(&self) -> (Table, Vec<Problem>) {
+    fn parse(&self) -> (Table, Syntax) {
         let (table, errors) = DeTable::parse_recoverable(&self.text);
         let origin = Origin { source: Source::File, start: 0, fixed: None };
         let problems = errors.iter().map(|error| Problem {
@@ -221,20 +222,21 @@ impl CaseFile {
             ..Problem::error(Key::default(), error.message())
         });
         let mut problems: Vec<Problem> = problems.collect();
-        if let Some(unclosed) = problems.iter().find(|problem| is_unclosed(problem)) {
-            let help =
-                format!("{}; is a bracket or a quote missing on a line above?", unclosed.message);
-            problems[0].help = Some(help);
+        let unclosed = problems.first().and_then(|_| unclosed(&self.text));
+        if let (Some(first), Some(unclosed)) = (problems.first_mut(), &unclosed) {
+            let help = format!("{unclosed}; is a bracket or a quote missing on a line above?");
+            first.help = Some(help);
         }
-        (Table::from_toml(table.get_ref(), &origin), problems)
+        let syntax = Syntax { problems, unclosed: unclosed.is_some() };
+        (Table::from_toml(table.get_ref(), &origin), syntax)
     }
 
     /// Looks up where each problem stands, in the order of the file. Beside broken TOML, keys are
     /// missing and values garbled only because of it: such problems are left out.
-    fn locate(&self, found: Vec<Problem>, syntax: Vec<Problem>, table: &Table) -> Vec<Problem> {
+    fn locate(&self, found: Vec<Problem>, syntax: Syntax, table: &Table) -> Vec<Problem> {
+        let Syntax { problems: mut syntax, unclosed } = syntax;
         let line = |problem: &Problem| problem.location.as_ref().map(|at| self.line(at));
         let broken: Vec<usize> = syntax.iter().filter_map(line).collect();
-        let unclosed = syntax.iter().any(is_unclosed);
         let located = found.into_iter().map(|problem| Problem {
             location: problem
                 .location
@@ -249,7 +251,6 @@ impl CaseFile {
                     && line(problem).is_none_or(|line| !broken.contains(&line)))
         };
         let mut problems: Vec<Problem> = located.filter(independent).collect();
-        let mut syntax = syntax;
         // What follows something unclosed is read as its content: the first mistake says enough.
         syntax.dedup_by_key(|problem| if unclosed { None } else { line(problem) });
         problems.extend(syntax);
@@ -263,13 +264,14 @@ impl CaseFile {
 /// A tree with what is wrong with it so far.
 struct Laid {
     table: Table,
-    /// What is not TOML in the file.
-    syntax: Vec<Problem>,
+    syntax: Syntax,
     /// What is wrong with the options.
     problems: Vec<Problem>,
 }
 
-/// Whether a list, a table or a text never ends.
-fn is_unclosed(problem: &Problem) -> bool {
-    problem.message.contains("unclosed")
+/// What is not TOML in a file.
+struct Syntax {
+    problems: Vec<Problem>,
+    /// Whether a list, a table or a header never ends.
+    unclosed: bool,
 }

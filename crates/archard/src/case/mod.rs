@@ -38,6 +38,7 @@ mod quantity;
 mod read;
 mod reader;
 mod tree;
+mod unclosed;
 
 pub use check::{BesideHalfSpace, Cycles, Finiteness, Forecast, Solves};
 pub use chosen::Chosen;

@@ -115,6 +115,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Speed => Some(Measure::SPEED),
         Quantity::Frequency => Some(Measure::FREQUENCY),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
+        Quantity::Measured { name, unit } => Measure::in_si(name, unit),
         Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
             if exponent == 1.0 { Measure::NUMBER } else { Measure::length_to_the(1.0 - exponent) }
         }),
@@ -287,4 +288,44 @@ fn table(
     // A resolved case is stored elsewhere and must still find the file.
     let path = std::path::absolute(&path).unwrap_or(path);
     Ok((Value::Table(columns), Some(path)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::measure;
+    use crate::body::mesh::MESHES;
+    use crate::body::profile::PROFILES;
+    use crate::friction::FRICTION;
+    use crate::motion::MOTIONS;
+    use crate::parameters::{Choice, Parameter, Quantity, Values};
+    use crate::solve::SOLVERS;
+    use crate::solve::tangential::FRICTION_SOLVERS;
+    use crate::wear::WEAR_LAWS;
+
+    fn declared<T>(choices: &'static [Choice<T>]) -> impl Iterator<Item = Parameter> {
+        choices.iter().flat_map(|choice| choice.parameters).copied()
+    }
+
+    /// The unit that a parameter brings along is one.
+    #[test]
+    fn units_of_parameters_can_be_read() {
+        let parameters = declared(PROFILES)
+            .chain(declared(MESHES))
+            .chain(declared(WEAR_LAWS))
+            .chain(declared(FRICTION))
+            .chain(declared(MOTIONS))
+            .chain(declared(SOLVERS))
+            .chain(declared(FRICTION_SOLVERS));
+        let example = Parameter::required(
+            "threshold",
+            Quantity::Measured { name: "a work per area", unit: "J/m^2" },
+            "an example",
+        );
+        for parameter in parameters.chain([example]) {
+            if let Quantity::Measured { .. } = parameter.quantity {
+                let known = measure(parameter.quantity, &Values::default());
+                assert!(known.is_some(), "{parameter:?}");
+            }
+        }
+    }
 }

@@ -16,7 +16,7 @@ pub struct Measure<'a> {
     pub closing: Values<'a>,
     /// Size (m) of a pair alone: the side of a square of its mean area.
     pub side: f64,
-    /// Whether the surfaces end where the pairs do, so that all of them may touch.
+    /// Whether the surfaces end where the pairs do, or repeat themselves, so that all of them may touch.
     pub closed: bool,
 }
 

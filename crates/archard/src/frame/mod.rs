@@ -62,6 +62,8 @@ struct Grid {
     elements: [usize; 2],
     /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
     line: bool,
+    /// Whether all pairs may touch.
+    closed: bool,
 }
 
 impl Grid {
@@ -102,7 +104,7 @@ impl ContactFrame {
         elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        Self::on(Grid { size, elements, line: false }, profiles)
+        Self::on(Grid { size, elements, line: false, closed: false }, profiles)
     }
 
     /// A line of contact along y: that many elements over a width along x (m), in plane strain; forces and volumes are
@@ -116,7 +118,10 @@ impl ContactFrame {
         length: f64,
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        Self::on(Grid { size: [width, length], elements: [elements, 1], line: true }, profiles)
+        Self::on(
+            Grid { size: [width, length], elements: [elements, 1], line: true, closed: false },
+            profiles,
+        )
     }
 
     fn on(grid: Grid, profiles: [&dyn Profile; 2]) -> Result<Self, OffTheSurface> {
@@ -139,6 +144,16 @@ impl ContactFrame {
         let touch = gap.iter().copied().fold(apex, f64::min);
         gap.iter_mut().for_each(|gap| *gap -= touch);
         Ok(Self { shape: Shape::Uniform(grid), gap })
+    }
+
+    /// The same pairs where the surfaces end, or repeat themselves, with them: all of them may touch.
+    #[must_use]
+    pub fn closed(mut self) -> Self {
+        match &mut self.shape {
+            Shape::Uniform(grid) => grid.closed = true,
+            Shape::Described(described) => described.pairs.closed = true,
+        }
+        self
     }
 
     /// Number of pairs.
@@ -225,10 +240,11 @@ impl ContactFrame {
     pub fn measure(&self) -> Measure<'_> {
         let area = self.element_area();
         match &self.shape {
-            Shape::Uniform(grid) if grid.line => {
-                Measure { side: grid.spacing()[0], ..Measure::even(area) }
+            Shape::Uniform(grid) => {
+                let closed = grid.closed;
+                let even = Measure { closed, ..Measure::even(area) };
+                if grid.line { Measure { side: grid.spacing()[0], ..even } } else { even }
             }
-            Shape::Uniform(_) => Measure::even(area),
             Shape::Described(described) => {
                 let closing = match &*described.closing {
                     [] => Values::All(1.0),
@@ -397,6 +413,13 @@ mod tests {
 
     use super::ContactFrame;
     use crate::body::profile::Flat;
+
+    #[test]
+    fn all_pairs_of_a_closed_frame_may_touch() {
+        let frame = ContactFrame::uniform([2.0, 1.0], [4, 2], [&Flat, &Flat]).unwrap();
+        assert!(!frame.measure().closed);
+        assert!(frame.closed().measure().closed);
+    }
 
     #[test]
     fn the_centre_of_a_smooth_field_is_exact_for_cubics() {

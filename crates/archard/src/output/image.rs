@@ -1,9 +1,8 @@
 //! All fields of one output on their grid.
 
-use std::fs;
 use std::path::Path;
 
-use super::{Error, Field, fields, file, vti};
+use super::{Error, Field, Surface, fields, vtk};
 use crate::problem::{ContactProblem, ContactState};
 
 /// Fields on a uniform grid of elements, as kept in a `.vti` file (VTK's XML image data).
@@ -46,9 +45,7 @@ impl Image {
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        let bytes =
-            vti::encode(self).map_err(|source| Error::Write { path: path.to_owned(), source })?;
-        file::write_whole(path, &bytes)
+        vtk::write(self, path)
     }
 
     /// Reads a `.vti` file that [`Image::write`] wrote; it does not read those of other programs.
@@ -56,8 +53,15 @@ impl Image {
     /// # Errors
     /// If the file cannot be read, is damaged or is written in another way.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes =
-            fs::read(path).map_err(|source| Error::Read { path: path.to_owned(), source })?;
-        vti::decode(&bytes).map_err(|what| Error::NotAnImage { path: path.to_owned(), what })
+        vtk::read(path)
+    }
+
+    /// Reads an output of either kind: a `.vti` file, or a `.vtu` file as its surface looks along z.
+    ///
+    /// # Errors
+    /// As [`Image::read`] and [`Surface::read`].
+    pub fn of_output(path: &Path) -> Result<Self, Error> {
+        let surface = path.extension().is_some_and(|extension| extension == "vtu");
+        if surface { Ok(Surface::read(path)?.image()) } else { Self::read(path) }
     }
 }

@@ -8,8 +8,8 @@
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
 //!   every one in which an output falls due, a row an increment;
-//! - `fields.pvd` and `fields/NNNN.vti`: at each output the [`Image`] of all fields, for ParaView; on frames
-//!   that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
+//! - `fields.pvd`, the [`Collection`] of outputs for ParaView, and for each `fields/NNNN.vti`, the [`Image`] of all
+//!   fields; on frames that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals;
 //! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
 //!
@@ -22,7 +22,6 @@
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
 
-mod appended;
 mod closed_forms;
 mod elastic;
 mod evidence;
@@ -33,14 +32,12 @@ mod fretting_loop;
 mod image;
 mod inside;
 mod limit;
-mod pvd;
 mod sections;
 mod store;
 mod summary;
 mod surface;
 mod table;
-mod vti;
-mod vtu;
+mod vtk;
 mod worn_profiles;
 
 #[cfg(test)]
@@ -57,6 +54,10 @@ pub use inside::{Inside, InsideError};
 pub use store::Store;
 pub use summary::Totals;
 pub use surface::Surface;
+pub use vtk::Collection;
+
+/// The file that lists the outputs.
+const COLLECTION: &str = "fields.pvd";
 
 /// What a file of fields is called.
 fn extension(path: &Path) -> String {
@@ -119,7 +120,7 @@ pub enum Error {
         /// Why.
         source: io::Error,
     },
-    /// A file of fields that is damaged or comes from another program.
+    /// A file of fields, or the list of them, that is damaged or comes from another program.
     #[error("`{}` is not a complete {} file of this program: {what}", .path.display(), extension(.path))]
     NotAnImage {
         /// The file.

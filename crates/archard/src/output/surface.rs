@@ -1,9 +1,8 @@
 //! All fields of one output on pairs that are no uniform grid.
 
-use std::fs;
 use std::path::Path;
 
-use super::{Error, Field, Image, fields, file, vtu};
+use super::{Error, Field, Image, fields, vtk};
 use crate::frame::ContactFrame;
 use crate::problem::{ContactProblem, ContactState};
 
@@ -158,9 +157,7 @@ impl Surface {
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        let bytes =
-            vtu::encode(self).map_err(|source| Error::Write { path: path.to_owned(), source })?;
-        file::write_whole(path, &bytes)
+        vtk::write(self, path)
     }
 
     /// Reads a `.vtu` file that [`Surface::write`] wrote; it does not read those of other programs.
@@ -168,9 +165,7 @@ impl Surface {
     /// # Errors
     /// If the file cannot be read, is damaged or is written in another way.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes =
-            fs::read(path).map_err(|source| Error::Read { path: path.to_owned(), source })?;
-        vtu::decode(&bytes).map_err(|what| Error::NotAnImage { path: path.to_owned(), what })
+        vtk::read(path)
     }
 }
 

@@ -98,10 +98,19 @@ impl Measure {
         }
     }
 
+    /// Anything of that name, with its article, and SI unit; `None` where that is no unit, or none of SI.
+    pub fn in_si(name: &'static str, unit: &'static str) -> Option<Self> {
+        let Unit { dimension, tens, factor } = unit::parse(unit).ok()?;
+        let example = Cow::Owned(format!("1 {unit}"));
+        let si = (tens, factor) == (0.0, 1.0);
+        si.then(|| Self { example, ..Self::of(dimension, name, "", [unit, unit], unit) })
+    }
+
     /// Both readings of a number written without its unit: `"50 mm" or "50 m"`.
     fn readings(&self, number: &str) -> String {
         let [one, other] = &self.units;
-        format!("\"{number} {one}\" or \"{number} {other}\"")
+        let one = format!("\"{number} {one}\"");
+        if *other == self.units[0] { one } else { format!("{one} or \"{number} {other}\"") }
     }
 }
 

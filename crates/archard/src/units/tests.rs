@@ -88,6 +88,22 @@ fn messages_say_what_is_expected() {
 }
 
 #[test]
+fn anything_with_a_unit_of_si_can_be_read() {
+    let work = Measure::in_si("a work per area", "J/m^2").expect("a unit");
+    assert_eq!(read("2 mJ/mm^2", &work).unwrap(), 2e3);
+    assert_eq!(read("3 N/m", &work).unwrap(), 3.0);
+    for (wrong, said) in [
+        ("5", "needs a unit: write \"5 J/m^2\""),
+        ("5 Pa", "expected a work per area (for example \"1 J/m^2\"), found a pressure"),
+    ] {
+        assert_eq!(read(wrong, &work).unwrap_err().to_string(), said);
+    }
+    for unit in ["mJ/mm^2", "rpm", "J/m^", "widgets"] {
+        assert_eq!(Measure::in_si("anything", unit), None, "{unit}");
+    }
+}
+
+#[test]
 fn columns_share_a_scale() {
     let scale = Scale::read("um", &Measure::LENGTH).unwrap();
     assert_eq!(scale.apply(" 450 "), Some(0.45e-3));

@@ -26,17 +26,17 @@ use crate::body::Material;
 
 /// The elastic constants of two half-spaces, as the formulas need them (1/Pa).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Constants {
+pub(in crate::compliance) struct Constants {
     /// S1: sum of (1 - nu^2)/(pi E).
-    normal: f64,
+    pub(in crate::compliance) normal: f64,
     /// S2: sum of nu (1 + nu)/(pi E).
-    tangential: f64,
+    pub(in crate::compliance) tangential: f64,
     /// S3: difference of (1 + nu)(1 - 2 nu)/(2 pi E), body 1 less body 2; zero for like materials.
-    coupling: f64,
+    pub(in crate::compliance) coupling: f64,
 }
 
 impl Constants {
-    pub(super) fn of(materials: [Option<&Material>; 2]) -> Self {
+    pub(in crate::compliance) fn of(materials: [Option<&Material>; 2]) -> Self {
         let sum = |part: fn(&Material) -> f64| -> f64 {
             materials.iter().flatten().map(|material| part(material)).sum()
         };

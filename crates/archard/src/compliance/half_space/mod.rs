@@ -14,7 +14,8 @@ use crate::compliance::{Compliance, Preconditioner, SlipMap};
 use crate::frame::{ContactFrame, Flow, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
-use influence::{Constants, Influence};
+pub(in crate::compliance) use influence::Constants;
+use influence::Influence;
 use rolling::Rolling;
 use shifting::Shifting;
 
@@ -238,13 +239,13 @@ fn tangential_spectra(influence: &Influence, convolution: &Convolution) -> [Spec
 /// Division by the spectrum of the compliance of a frame that repeats itself: nearly the inverse
 /// away from the edge of the contact.
 #[derive(Debug)]
-struct Circulant<'a> {
+pub(in crate::compliance) struct Circulant<'a> {
     convolution: &'a Convolution,
     inverse: Spectrum,
 }
 
 impl<'a> Circulant<'a> {
-    fn new(
+    pub(in crate::compliance) fn new(
         convolution: &'a Convolution,
         spectrum: &Spectrum,
         self_term: f64,

@@ -111,6 +111,22 @@ impl Convolution {
         Spectrum { factors, parity }
     }
 
+    /// The spectrum that multiplies waves by a number, or, where it is odd along one axis only, by i times that number:
+    /// a function of how many of them fit into the period along x and y. What is odd along an axis vanishes where the
+    /// field or its shortest wave repeats itself from point to point.
+    pub fn transfer(&self, parity: [Parity; 2], factor: impl Fn([usize; 2]) -> f64) -> Spectrum {
+        let height = self.period[1] / 2 + 1;
+        let scale = 1.0 / (self.period[0] * self.period[1]) as f64;
+        let value = |index: usize| {
+            let waves = [index / height, index % height];
+            let vanishes = |axis: usize| {
+                parity[axis] == Parity::Odd && (2 * waves[axis]).is_multiple_of(self.period[axis])
+            };
+            if vanishes(0) || vanishes(1) { 0.0 } else { scale * factor(waves) }
+        };
+        Spectrum { factors: (0..self.columns() * height).map(value).collect(), parity }
+    }
+
     /// Convolves one field with one kernel, into `result`.
     pub fn apply(&self, spectrum: &Spectrum, field: &[f64], result: &mut [f64]) {
         self.apply_columns([field], [result], |column, spectra| {

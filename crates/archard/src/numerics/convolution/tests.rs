@@ -125,3 +125,31 @@ fn pairs_and_differences_equal_the_sum() {
 fn periods_have_small_factors() {
     assert_eq!([60, 82, 1024, 14].map(even_smooth), [60, 90, 1024, 16]);
 }
+
+/// Waves are multiplied, and shifted by a quarter where the spectrum is odd along one axis.
+#[test]
+fn a_transfer_multiplies_waves() {
+    let size @ [nx, ny] = [12, 10];
+    let convolution = Convolution::periodic(size);
+    let value = |[x, y]: [usize; 2]| 1.0 + x as f64 + 10.0 * y as f64;
+    let even = convolution.transfer([Parity::Even; 2], value);
+    let odd = convolution.transfer([Parity::Odd, Parity::Even], value);
+    for waves in [[0, 0], [1, 0], [2, 3], [5, 4], [6, 5]] {
+        let wave = |phase: f64| -> Vec<f64> {
+            let turns = |i: usize| {
+                (waves[0] * (i % nx)) as f64 / nx as f64 + (waves[1] * (i / nx)) as f64 / ny as f64
+            };
+            (0..nx * ny).map(|i| (std::f64::consts::TAU * turns(i) + phase).cos()).collect()
+        };
+        let vanishes = waves[0] == 0 || 2 * waves[0] == nx;
+        let quarter = wave(std::f64::consts::FRAC_PI_2);
+        let shifted = if vanishes { vec![0.0; nx * ny] } else { quarter };
+        for (spectrum, expected) in [(&even, wave(0.0)), (&odd, shifted)] {
+            let mut result = vec![0.0; nx * ny];
+            convolution.apply_matrix([[(spectrum, 1.0)]], [&wave(0.0)], [&mut result]);
+            for (found, expected) in result.iter().zip(expected) {
+                assert_relative_eq!(*found, value(waves) * expected, epsilon = 1e-11);
+            }
+        }
+    }
+}

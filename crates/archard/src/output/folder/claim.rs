@@ -9,7 +9,7 @@ use super::lock::Lock;
 use super::{HISTORY, ResultFolder, TABLES, checkpoint};
 use crate::output::elastic::{POINTS, SURFACE};
 use crate::output::inside::SURFACES;
-use crate::output::{Error, file};
+use crate::output::{COLLECTION, Error, file};
 
 /// A folder that no other run writes into. What is in it stays as it is until the results begin, so that a case that
 /// cannot be built costs no results.
@@ -80,7 +80,7 @@ impl Claim {
     pub(in crate::output) fn clear(&self) -> Result<(), Error> {
         let fields = self.dir.join("fields");
         self.remove_parts();
-        let names = ["summary.json", "fields.pvd", checkpoint::NAME].into_iter().chain(TABLES);
+        let names = ["summary.json", COLLECTION, checkpoint::NAME].into_iter().chain(TABLES);
         let mut names = names.chain([POINTS, SURFACE]).chain(SURFACES);
         names.try_for_each(|name| file::remove(&self.dir.join(name)))?;
         remove_fields(&fields, 0)

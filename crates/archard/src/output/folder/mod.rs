@@ -20,7 +20,7 @@ use super::fretting_loop::FrettingLoop;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
-use super::{Error, Image, Surface, Totals, file, pvd, sections};
+use super::{COLLECTION, Collection, Error, Image, Surface, Totals, file, sections};
 use crate::estimate::Estimator;
 use crate::simulation::history::TIME_ERROR;
 use crate::simulation::{Observer, Report, row};
@@ -50,8 +50,8 @@ pub struct ResultFolder {
     /// The loops of bodies that are shifted, once there are any, and the one under way.
     fretting_loops: Option<Table>,
     fretting_loop: FrettingLoop,
-    /// Progress and file of every output so far.
-    outputs: Vec<(f64, String)>,
+    /// Every output so far.
+    collection: Collection,
     iterations: usize,
     estimator: Estimator,
     standing: Option<Standing>,
@@ -84,7 +84,7 @@ impl ResultFolder {
             worn_profiles: None,
             fretting_loops: None,
             fretting_loop: FrettingLoop::default(),
-            outputs: Vec::new(),
+            collection: Collection::default(),
             iterations: 0,
             estimator: Estimator::default(),
             standing: None,
@@ -127,7 +127,7 @@ impl ResultFolder {
             worn_profiles,
             fretting_loops,
             fretting_loop,
-            outputs,
+            collection: Collection { outputs },
             iterations,
             estimator: Estimator::default(),
             standing: None,
@@ -158,7 +158,7 @@ impl ResultFolder {
         let kept = Kept {
             tables,
             fretting_loop: self.fretting_loop.clone(),
-            outputs: self.outputs.clone(),
+            outputs: self.collection.outputs.clone(),
             iterations: self.iterations,
             evidence: self.evidence.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
@@ -238,8 +238,7 @@ impl ResultFolder {
     /// Writes the fields and sections of a report.
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
-        let collection = pvd::collection(&self.outputs);
-        file::write_whole(&self.dir.join("fields.pvd"), collection.as_bytes())?;
+        self.collection.write(&self.dir.join(COLLECTION))?;
         match WornProfiles::of(report.problem, report.state) {
             Some(profiles) => {
                 profiles.write(begun(&mut self.worn_profiles, &self.dir.join(WORN_PROFILES))?)
@@ -254,7 +253,7 @@ impl ResultFolder {
     fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let Report { problem, state, .. } = report;
         let progress = (problem.motion.progress().column, state.progress);
-        let name = format!("fields/{:04}", self.outputs.len());
+        let name = format!("fields/{:04}", self.collection.outputs.len());
         let name = if problem.frame.is_uniform() {
             let (image, name) = (Image::of(problem, state), format!("{name}.vti"));
             image.write(&self.dir.join(&name))?;
@@ -266,7 +265,7 @@ impl ResultFolder {
             sections::write_surface(&mut self.profiles, progress, &surface)?;
             name
         };
-        self.outputs.push((state.progress, name));
+        self.collection.outputs.push((state.progress, name));
         Ok(())
     }
 }
