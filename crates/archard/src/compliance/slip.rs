@@ -23,16 +23,13 @@ pub trait SlipMap: Debug + Send + Sync {
     /// Tractions (Pa) that nearly take a slip (m) away where the pairs of the frame have this status. By default a
     /// division by the diagonal.
     fn precondition(&self, slip: [&[f64]; 2], status: &[PairStatus], tractions: [&mut [f64]; 2]) {
-        for (tractions, slip) in tractions.into_iter().zip(slip) {
-            for ((traction, slip), status) in tractions.iter_mut().zip(slip).zip(status) {
-                *traction = match status {
-                    PairStatus::Open => 0.0,
-                    PairStatus::Stick => slip * (1.0 / self.own()),
-                    PairStatus::Slip { diagonal } => {
-                        slip * (1.0 / (diagonal + SLIPPING * self.own()))
-                    }
-                };
-            }
+        for (pair, status) in status.iter().enumerate() {
+            let factor = match status {
+                PairStatus::Open => 0.0,
+                PairStatus::Stick => 1.0 / self.own(),
+                PairStatus::Slip { diagonal } => 1.0 / (diagonal + SLIPPING * self.own()),
+            };
+            (0..2).for_each(|axis| tractions[axis][pair] = slip[axis][pair] * factor);
         }
     }
 

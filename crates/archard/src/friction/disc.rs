@@ -22,11 +22,6 @@ impl Beyond {
         }
         Some(Self { normal: [x / length, y / length], length, share: radius / length })
     }
-
-    /// Unit vector across the normal, a quarter turn counterclockwise from it.
-    pub fn across(&self) -> [f64; 2] {
-        [-self.normal[1], self.normal[0]]
-    }
 }
 
 /// The point of a disc around zero that is next to a point. With the limit for radius it is the projection of the augmented
@@ -49,7 +44,7 @@ mod tests {
         let (point, change, h) = ([3.0, -1.0], [0.4, 0.7], 1e-5);
         let beyond = Beyond::of(point, 2.0).expect("a point beyond the disc");
         let moved = |length: f64| onto_disc([0, 1].map(|i| point[i] + length * change[i]), 2.0);
-        let (forth, back, across) = (moved(h), moved(-h), beyond.across());
+        let (forth, back, across) = (moved(h), moved(-h), [-beyond.normal[1], beyond.normal[0]]);
         let part = beyond.share * (across[0] * change[0] + across[1] * change[1]);
         for axis in 0..2 {
             let difference = (forth[axis] - back[axis]) / (2.0 * h);

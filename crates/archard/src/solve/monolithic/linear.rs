@@ -123,7 +123,8 @@ impl Inverse<'_> {
         if let Some(factors) = self.factors {
             factors.solve([&one, &two, n], [first, second, third]);
         }
-        regime.unknown(&result).components().concat()
+        regime.keep_unknown(&mut result);
+        result
     }
 }
 

@@ -116,10 +116,13 @@ impl Regime {
         (0..self.pairs.len()).filter(|&pair| !self.is_open(pair)).count()
     }
 
-    /// Values of the pairs in contact, zeros elsewhere.
-    fn in_contact(&self, values: &[f64]) -> Vec<f64> {
-        let value = |(pair, value): (usize, &f64)| if self.is_open(pair) { 0.0 } else { *value };
-        values.iter().enumerate().map(value).collect()
+    /// Keeps the part of a vector along what is unknown.
+    pub fn keep_unknown(&self, vector: &mut [f64]) {
+        self.pairs.keep_unknown(vector);
+        let pairs = self.pairs.len();
+        (0..pairs)
+            .filter(|&pair| self.is_open(pair))
+            .for_each(|pair| vector[2 * pairs + pair] = 0.0);
     }
 
     /// The rows of the pairs under a displacement (m) and unknown tractions (Pa).
@@ -130,19 +133,19 @@ impl Regime {
                 share * displacement + diagonal * unknown
             })
         };
-        let (one, two) = (row(&displacement.t1, &unknown.t1), row(&displacement.t2, &unknown.t2));
-        let mut rows = [one, two, self.in_contact(&displacement.n)].concat();
-        self.pairs.keep_unknown(&mut rows);
+        let VectorField { t1, t2, n } = displacement;
+        let mut rows = [&row(t1, &unknown.t1)[..], &row(t2, &unknown.t2), n].concat();
+        self.keep_unknown(&mut rows);
         rows
     }
 
     /// The unknown part of tractions.
     pub fn unknown(&self, vector: &[f64]) -> VectorField {
-        let (tangential, n) = vector.split_at(2 * self.pairs.len());
-        let mut t1 = tangential.to_vec();
-        self.pairs.keep_unknown(&mut t1);
+        let mut t1 = vector.to_vec();
+        self.keep_unknown(&mut t1);
+        let n = t1.split_off(2 * self.pairs.len());
         let t2 = t1.split_off(self.pairs.len());
-        VectorField { t1, t2, n: self.in_contact(n) }
+        VectorField { t1, t2, n }
     }
 
     /// The tractions that an unknown part brings along: limits follow the pressure.

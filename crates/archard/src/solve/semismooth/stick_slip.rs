@@ -65,3 +65,23 @@ impl StickSlip {
         );
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Beyond, PairStatus, StickSlip};
+
+    /// An open pair, one that sticks and one that slips along (0.6, 0.8), across which (10, 5) has (-0.8, 0.6) times -5.
+    #[test]
+    fn what_is_unknown_is_what_sticks_and_what_is_across() {
+        let mut pairs = StickSlip::open(3);
+        pairs.stick(1);
+        pairs.slip(2, &Beyond::of([3.0, 4.0], 1.0).expect("a point beyond the disc"), 2.0);
+        let mut vector = [7.0, 8.0, 10.0, 7.0, 9.0, 5.0, 1.0];
+        pairs.keep_unknown(&mut vector);
+        let expected = [0.0, 8.0, 4.0, 0.0, 9.0, -3.0, 1.0];
+        assert!(vector.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{vector:?}");
+        let slips = PairStatus::Slip { diagonal: 1.0 };
+        assert_eq!(pairs.changed(&[PairStatus::Open, slips, slips]), 1);
+        assert_eq!(pairs.changed(&[]), 0);
+    }
+}

@@ -28,3 +28,18 @@ impl Tolerance {
         wanted.max(self.enough * aim / residual).min(self.loose)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Tolerance;
+
+    #[test]
+    fn systems_are_solved_better_as_the_pairs_settle() {
+        let tolerance =
+            Tolerance { loose: 0.5, tight: 0.05, settled: 0.1, last: 0.02, enough: 0.3 };
+        let of = |changed: usize, residual: f64| tolerance.of(changed, 100, residual, 1e-6);
+        assert_eq!([of(11, 1e-3), of(10, 1e-3), of(2, 1e-3), of(2, 1.0)], [0.5, 0.05, 1e-3, 0.05]);
+        // Near the aim a part of what is left is enough, and never less than loose.
+        assert_eq!([of(2, 2e-6), of(2, 1e-7)], [0.3 * 1e-6 / 2e-6, 0.5]);
+    }
+}

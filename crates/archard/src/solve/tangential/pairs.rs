@@ -4,7 +4,7 @@ use super::{Outcome, Start, Status, Step};
 use crate::compliance::PairStatus;
 use crate::friction::onto_disc;
 use crate::numerics::vector::{map, sum, update};
-use crate::solve::residual::worse;
+use crate::solve::residual::{norm, relative, worse};
 
 /// How near its limit a traction of an earlier solution is where pairs slip, relative to it.
 const SLIPS: f64 = 1e-3;
@@ -148,8 +148,16 @@ impl<'a> Pairs<'a> {
         state
     }
 
+    /// Goes along the slip by a step (Pa/m) and back within the limits, and by changes of the rigid slip (m).
+    pub fn predict(&mut self, state: &mut State, step: f64, rigid_slip: &[f64]) {
+        update(&mut state.traction, [&state.slip], |traction, [slip]| traction + step * slip);
+        self.project(&mut state.traction);
+        update(&mut state.rigid_slip, [rigid_slip], |before, [change]| before + change);
+        self.find_slip(state);
+    }
+
     /// Brings tractions within the limits.
-    pub fn project(&self, traction: &mut [f64]) {
+    fn project(&self, traction: &mut [f64]) {
         let (one, two) = traction.split_at_mut(self.len());
         for ((x, y), &limit) in one.iter_mut().zip(two).zip(&self.limit) {
             [*x, *y] = onto_disc([*x, *y], limit);
@@ -204,9 +212,7 @@ impl<'a> Pairs<'a> {
             let [x, y] = onto_disc([t1 + s1 / self.own, t2 + s2 / self.own], limit);
             [weight * ((t1 - x).powi(2) + (t2 - y).powi(2))]
         });
-        let missing = self.missing(&state.traction);
-        let missing = missing.iter().map(|force| force * force).sum::<f64>().sqrt();
-        let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
+        let missing = norm(&self.missing(&state.traction));
         worse(relative(squares.sqrt(), self.norm), relative(missing, self.force))
     }
 
