@@ -7,7 +7,7 @@ use super::state::State;
 use crate::compliance::PairStatus;
 use crate::frame::VectorField;
 use crate::friction::Beyond;
-use crate::numerics::vector::map;
+use crate::numerics::vector::{map, update};
 use crate::solve::semismooth::StickSlip;
 
 /// How a slipping pair slips.
@@ -127,14 +127,13 @@ impl Regime {
 
     /// The rows of the pairs under a displacement (m) and unknown tractions (Pa).
     pub fn rows(&self, displacement: &VectorField, unknown: &VectorField) -> Vec<f64> {
-        let row = |displacement: &[f64], unknown: &[f64]| {
-            let fields = [displacement, unknown, &self.share, &self.diagonal];
-            map(fields, |[displacement, unknown, share, diagonal]| {
+        let mut rows = displacement.components().concat();
+        for (row, unknown) in rows.chunks_mut(self.pairs.len()).zip([&unknown.t1, &unknown.t2]) {
+            let fields = [unknown, &self.share, &self.diagonal];
+            update(row, fields.map(Vec::as_slice), |displacement, [unknown, share, diagonal]| {
                 share * displacement + diagonal * unknown
-            })
-        };
-        let VectorField { t1, t2, n } = displacement;
-        let mut rows = [&row(t1, &unknown.t1)[..], &row(t2, &unknown.t2), n].concat();
+            });
+        }
         self.keep_unknown(&mut rows);
         rows
     }
