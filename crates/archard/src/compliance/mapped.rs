@@ -6,7 +6,8 @@
 use std::fmt::Debug;
 use std::ops::Deref;
 
-use super::{Coarser, Compliance, Preconditioner, SlipMap, StickSlip};
+use super::slip::precondition_by_share;
+use super::{Coarser, Compliance, PairStatus, Preconditioner, SlipMap};
 use crate::frame::{ContactFrame, Flow, VectorField};
 use crate::friction::Map;
 
@@ -38,26 +39,18 @@ impl<P: Deref<Target: SlipMap> + Debug + Send + Sync> SlipMap for Mapped<P> {
 
     /// The inverse of what is mapped, where the compliance governs: pairs that stick, and slip as far as its diagonal
     /// outweighs their own, which is the same in all directions of a mapped traction only.
-    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
-        let (pairs, own) = (rub.stick.len(), self.own());
-        let weight =
-            |pair: usize| rub.stick[pair] + rub.slip[pair] * own / (own + rub.diagonal[pair]);
-        let roots: Vec<f64> = (0..pairs).map(|pair| weight(pair).sqrt()).collect();
-        let weighed = slip.map(|slip| -> Vec<f64> {
-            slip.iter().zip(&roots).map(|(slip, root)| slip * root).collect()
-        });
+    fn precondition(&self, slip: [&[f64]; 2], status: &[PairStatus], tractions: [&mut [f64]; 2]) {
         let inverse = self.map.inverse();
-        let [x, y] = inverse.images([&weighed[0], &weighed[1]]);
-        let compliant = StickSlip { diagonal: vec![0.0; pairs], ..rub.clone() };
-        let [one, two] = tractions;
-        self.inner.precondition([&x, &y], &compliant, [&mut *one, &mut *two]);
-        inverse.apply_to([&mut *one, &mut *two]);
-        for (tractions, slip) in [one, two].into_iter().zip(slip) {
-            for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
-                let rest = (1.0 - roots[pair] * roots[pair]) * rub.slip[pair];
-                *traction = roots[pair] * *traction + rest * slip / (rub.diagonal[pair] + own);
-            }
-        }
+        let compliant = |status: &PairStatus| match status {
+            PairStatus::Slip { .. } => PairStatus::Slip { diagonal: 0.0 },
+            PairStatus::Open | PairStatus::Stick => *status,
+        };
+        let compliant: Vec<PairStatus> = status.iter().map(compliant).collect();
+        precondition_by_share(self.own(), slip, status, tractions, |slip, [one, two]| {
+            let [x, y] = inverse.images(slip);
+            self.inner.precondition([&x, &y], &compliant, [&mut *one, &mut *two]);
+            inverse.apply_to([one, two]);
+        });
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {

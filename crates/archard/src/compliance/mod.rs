@@ -20,7 +20,7 @@ pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
 pub use half_space::HalfSpace;
 pub use mapped::Mapped;
-pub use slip::{Coarser, SlipMap, StickSlip};
+pub use slip::{Coarser, PairStatus, SlipMap};
 pub use worn_lines::WornLines;
 
 use slip::{Differenced, Direct};

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Compliance;
 use crate::frame::{ContactFrame, Flow, VectorField};
+use crate::numerics::vector::{map, update};
 
 /// A linear map from tangential tractions (Pa) to the slip (m) they take away.
 ///
@@ -19,14 +20,16 @@ pub trait SlipMap: Debug + Send + Sync {
     /// Slip (m) of a pair under a unit traction (Pa) on it alone; the larger of both directions.
     fn own(&self) -> f64;
 
-    /// Tractions (Pa) that nearly take a slip (m) away, pair by pair as `rub` says. By default a division
-    /// by the diagonal.
-    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
-        for (tractions, slip) in tractions.into_iter().zip(slip) {
-            for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
-                let slipping = rub.slip[pair] / (rub.diagonal[pair] + SLIPPING * self.own());
-                *traction = slip * (rub.stick[pair] / self.own() + slipping);
-            }
+    /// Tractions (Pa) that nearly take a slip (m) away where the pairs of the frame have this status. By default a
+    /// division by the diagonal.
+    fn precondition(&self, slip: [&[f64]; 2], status: &[PairStatus], tractions: [&mut [f64]; 2]) {
+        for (pair, status) in status.iter().enumerate() {
+            let factor = match status {
+                PairStatus::Open => 0.0,
+                PairStatus::Stick => 1.0 / self.own(),
+                PairStatus::Slip { diagonal } => 1.0 / (diagonal + SLIPPING * self.own()),
+            };
+            (0..2).for_each(|axis| tractions[axis][pair] = slip[axis][pair] * factor);
         }
     }
 
@@ -53,15 +56,53 @@ pub struct Coarser<'a> {
     pub slip: f64,
 }
 
-/// Which pairs stick and which slip, one value a pair of the frame.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct StickSlip {
-    /// One where a pair sticks, zero elsewhere.
-    pub stick: Vec<f64>,
-    /// One where a pair slips, zero elsewhere.
-    pub slip: Vec<f64>,
-    /// What slipping pairs have beside the map on the diagonal (m/Pa).
-    pub diagonal: Vec<f64>,
+/// What a pair does.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum PairStatus {
+    /// It is not in contact, or bears no tangential traction.
+    Open,
+    /// It sticks: what is unknown is its traction.
+    Stick,
+    /// It slips: what is unknown is the direction of its traction.
+    Slip {
+        /// What the linear system has beside the map on the diagonal (m/Pa).
+        diagonal: f64,
+    },
+}
+
+impl PairStatus {
+    /// Whether another pair does the same.
+    pub fn is_like(self, other: Self) -> bool {
+        std::mem::discriminant(&self) == std::mem::discriminant(&other)
+    }
+}
+
+/// [`SlipMap::precondition`] with what undoes the map of all pairs, for maps that are symmetric. It governs pairs that
+/// stick, and pairs that slip as far as their diagonal in the map, `own` (m/Pa), outweighs the one beside it.
+pub(super) fn precondition_by_share(
+    own: f64,
+    slip: [&[f64]; 2],
+    status: &[PairStatus],
+    [one, two]: [&mut [f64]; 2],
+    undo: impl FnOnce([&[f64]; 2], [&mut [f64]; 2]),
+) {
+    let share = |status: &PairStatus| match status {
+        PairStatus::Open => 0.0,
+        PairStatus::Stick => 1.0,
+        PairStatus::Slip { diagonal } => own / (own + diagonal),
+    };
+    let roots: Vec<f64> = status.iter().map(|status| share(status).sqrt()).collect();
+    let weighed = slip.map(|slip| map([slip, &roots], |[slip, root]| slip * root));
+    undo([&weighed[0], &weighed[1]], [&mut *one, &mut *two]);
+    for (tractions, slip) in [one, two].into_iter().zip(slip) {
+        update(tractions, [&roots], |traction, [root]| root * traction);
+        for (pair, status) in status.iter().enumerate() {
+            if let PairStatus::Slip { diagonal } = status {
+                let rest = 1.0 - roots[pair] * roots[pair];
+                tractions[pair] += rest * slip[pair] / (diagonal + own);
+            }
+        }
+    }
 }
 
 /// Self terms beside the diagonal of slipping pairs.

@@ -3,12 +3,14 @@
 //! A new law is one file here and one line in [`FRICTION`].
 
 mod coulomb;
+mod disc;
 mod map;
 mod orthotropic;
 
 use std::fmt::Debug;
 
 pub use coulomb::Coulomb;
+pub use disc::{Beyond, onto_disc};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 
@@ -36,10 +38,3 @@ pub trait Friction: Debug + Send + Sync {
 
 /// The friction laws a case can name.
 pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE, orthotropic::CHOICE];
-
-/// The point of a disc around zero that is next to a point. With the limit for radius it is the projection of the augmented
-/// Lagrangian on the admissible tractions (the paper's eq. 11, with the sign of its eq. 10).
-pub fn onto_disc([x, y]: [f64; 2], radius: f64) -> [f64; 2] {
-    let length = x.hypot(y);
-    if length <= radius { [x, y] } else { [x, y].map(|value| value * (radius / length)) }
-}

@@ -7,6 +7,7 @@ mod collector;
 mod compatibility;
 mod cycles;
 mod evolution;
+mod friction;
 pub mod history;
 mod march;
 mod passing;

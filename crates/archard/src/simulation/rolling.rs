@@ -2,20 +2,13 @@
 
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
-use super::{Effort, Error, Simulation};
+use super::{Effort, Error, Simulation, friction};
 use crate::compliance::Compliance;
 use crate::frame::{Flow, VectorField};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
-use crate::solve::Status;
 use crate::solve::tangential::{self, PrescribedForce};
-
-/// Change of the tractions' effect on the gap, relative to the approach, below which unlike bodies are
-/// taken as consistent.
-const CONSISTENT: f64 = 1e-8;
-/// Passes between pressures and friction.
-const PASSES: usize = 50;
 
 impl Evolution {
     /// Finds pressures and friction that belong together.
@@ -34,28 +27,12 @@ impl Evolution {
             self.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
             return self.rub(simulation, increment, &before, effort);
         }
-        let mut gap_by_friction = self.opened_by_friction(problem);
-        for _ in 0..PASSES {
-            let lifted = vector::map([gap, &gap_by_friction], |[gap, gap_by_friction]| {
-                gap + gap_by_friction
-            });
+        friction::alternate(simulation, increment, self.opened_by_friction(problem), |opened| {
+            let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
             let before = self.state.pressure.clone();
             self.solve_normal(simulation, increment, &lifted, addition, compliance, effort)?;
             self.rub(simulation, increment, &before, effort)?;
-            let now = self.opened_by_friction(problem);
-            let change = now
-                .iter()
-                .zip(&gap_by_friction)
-                .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            gap_by_friction = now;
-            if change <= CONSISTENT * self.state.approach.abs() {
-                return Ok(());
-            }
-        }
-        Err(Error::NotConsistent {
-            measure: problem.motion.progress(),
-            progress: increment.progress,
-            passes: PASSES,
+            Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }
 
@@ -83,7 +60,7 @@ impl Evolution {
         let flow = frame.flow(rolling.direction)?;
         let advance = flow.advance();
         let mut rigid = self.rigid_slip(problem, rolling, flow);
-        let Some(friction) = &problem.friction else {
+        let Some(law) = &problem.friction else {
             let given =
                 |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
             self.state.tangential = Some(Tangential {
@@ -95,9 +72,9 @@ impl Evolution {
             return Ok(());
         };
         let limit: Vec<f64> =
-            self.state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+            self.state.pressure.iter().map(|&pressure| law.limit(pressure)).collect();
         let before_limit: Vec<f64> =
-            before_pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+            before_pressure.iter().map(|&pressure| law.limit(pressure)).collect();
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
         let drives = [rolling.longitudinal, rolling.lateral];
         let prescribed = |(direction, drive): ([f64; 2], Drive)| match drive {
@@ -136,19 +113,7 @@ impl Evolution {
             limit: &before_limit,
             rigid_slip: &rigid_slip,
         });
-        let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
-        effort.iterations += outcome.iterations;
-        effort.applications += outcome.applications;
-        effort.residual = effort.residual.max(outcome.residual);
-        if outcome.status != Status::Converged {
-            return Err(Error::FrictionNotConverged {
-                measure: problem.motion.progress(),
-                progress: increment.progress,
-                iterations: outcome.iterations,
-                residual: outcome.residual,
-                tolerance: simulation.friction_solver.settings().tolerance,
-            });
-        }
+        let outcome = friction::solve(simulation, increment, &**law, (&step, start), effort)?;
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,

@@ -13,6 +13,7 @@ mod accept;
 mod conjugate_gradient;
 pub mod monolithic;
 mod residual;
+mod semismooth;
 mod start;
 pub mod tangential;
 mod uzawa;

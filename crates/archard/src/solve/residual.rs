@@ -15,12 +15,17 @@ pub(super) struct Measure {
 
 impl Measure {
     pub fn of(step: &Step<'_>) -> Self {
+        Self::new(step.compliance.normal_self_term(), step.control)
+    }
+
+    /// For pairs of a compliance (m/Pa) to their own pressure.
+    pub fn new(own: f64, control: Control) -> Self {
         // Pressures at a given approach may fade to nothing, those under a load never do.
-        let rounding = match step.control {
+        let rounding = match control {
             Control::Load(_) => 0.0,
             Control::Approach(approach) => f64::EPSILON * approach.abs(),
         };
-        Self { own: step.compliance.normal_self_term(), rounding }
+        Self { own, rounding }
     }
 
     /// min(p, g / c) of a pair (Pa), c its compliance to its own pressure: zero exactly where p >= 0,
@@ -57,6 +62,16 @@ impl Measure {
             (violations / pressures).sqrt()
         }
     }
+}
+
+/// One value relative to another; nothing is nothing relative to nothing too.
+pub(super) fn relative(one: f64, other: f64) -> f64 {
+    if one == 0.0 { 0.0 } else { one / other }
+}
+
+/// The 2-norm of forces (N) that are missing.
+pub(super) fn norm(forces: &[f64]) -> f64 {
+    forces.iter().map(|force| force * force).sum::<f64>().sqrt()
 }
 
 /// The larger of two residuals; what is not a number is worse than any.

@@ -1,7 +1,7 @@
 //! Contracts of bodies shifted against each other: motions in increments, and what tractions do to the slip.
 
 use approx::assert_relative_eq;
-use archard::compliance::{Compliance, HalfSpace, SlipMap, StickSlip};
+use archard::compliance::{Compliance, HalfSpace, PairStatus, SlipMap};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::{Guide, MOTIONS, Motion, Schedule};
 use archard::parameters::{Value, Values};
@@ -159,30 +159,20 @@ fn maps_on_other_elements_are_those_of_their_frames() {
 fn undoing_a_slip_is_symmetric_and_positive() {
     let frame = small_frame();
     for_each_map(&frame, |map, _| {
-        let precondition = |slip: &[Vec<f64>; 2], rub: &StickSlip| {
+        let precondition = |slip: &[Vec<f64>; 2], status: &[PairStatus]| {
             let (mut one, mut two) = (vec![0.0; PAIRS], vec![0.0; PAIRS]);
-            map.precondition([&slip[0], &slip[1]], rub, [&mut one, &mut two]);
+            map.precondition([&slip[0], &slip[1]], status, [&mut one, &mut two]);
             [one, two]
         };
-        let all = StickSlip {
-            stick: vec![1.0; PAIRS],
-            slip: vec![0.0; PAIRS],
-            diagonal: vec![0.0; PAIRS],
+        let all = vec![PairStatus::Stick; PAIRS];
+        let third = |pair: usize| match pair % 3 {
+            0 => PairStatus::Slip { diagonal: pair as f64 * map.own() },
+            _ => PairStatus::Stick,
         };
-        let third = |pair: usize| if pair.is_multiple_of(3) { 1.0 } else { 0.0 };
-        let slip: Vec<f64> = (0..PAIRS).map(third).collect();
-        let some = StickSlip {
-            stick: slip.iter().map(|slip| 1.0 - slip).collect(),
-            diagonal: slip
-                .iter()
-                .enumerate()
-                .map(|(i, slip)| slip * i as f64 * map.own())
-                .collect(),
-            slip,
-        };
-        for rub in [&all, &some] {
+        let some: Vec<PairStatus> = (0..PAIRS).map(third).collect();
+        for status in [&all, &some] {
             let (one, other) = (tractions(&arbitrary(5)), tractions(&arbitrary(6)));
-            let (of_one, of_other) = (precondition(&one, rub), precondition(&other, rub));
+            let (of_one, of_other) = (precondition(&one, status), precondition(&other, status));
             let own = work(&one, &of_one);
             assert!(own > 0.0);
             assert_relative_eq!(

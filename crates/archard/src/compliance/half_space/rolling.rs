@@ -1,7 +1,7 @@
 //! Steady rolling on half-spaces: the upwind difference taken in the transforms.
 
 use super::{HalfSpace, WholeOrPart};
-use crate::compliance::{Coarser, SlipMap, StickSlip};
+use crate::compliance::{Coarser, PairStatus, SlipMap};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
 
@@ -46,10 +46,12 @@ impl SlipMap for Rolling<'_> {
     /// Where pairs stick, steps of the traction from pair to pair, found as in the normal problem by
     /// dividing by the spectrum of a frame that repeats itself, are summed up from the leading edge on.
     /// Where they slip, a recursion along the line stands for the map.
-    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
+    fn precondition(&self, slip: [&[f64]; 2], status: &[PairStatus], tractions: [&mut [f64]; 2]) {
         let (convolution, inverse) = self.half_space.tangential_inverse();
         let sticking = slip.map(|slip| -> Vec<f64> {
-            slip.iter().zip(&rub.stick).map(|(slip, stick)| slip * stick).collect()
+            let sticks = |status: &PairStatus| *status == PairStatus::Stick;
+            let values = slip.iter().zip(status);
+            values.map(|(slip, status)| if sticks(status) { *slip } else { 0.0 }).collect()
         });
         let [one, two] = tractions;
         convolution.apply_pair(inverse.each_ref(), [&sticking[0], &sticking[1]], [one, two]);
@@ -58,10 +60,18 @@ impl SlipMap for Rolling<'_> {
             for line in self.direction.lines(elements) {
                 let (mut sum, mut passed) = (0.0, 0.0);
                 for pair in line {
-                    sum += rub.stick[pair] * tractions[pair];
-                    passed = rub.slip[pair] * (slip[pair] + PASSED_ON * self.own * passed)
-                        / (rub.diagonal[pair] + SLIPPING * self.own);
-                    tractions[pair] = rub.stick[pair] * sum + passed;
+                    (tractions[pair], passed) = match status[pair] {
+                        PairStatus::Open => (0.0, 0.0),
+                        PairStatus::Stick => {
+                            sum += tractions[pair];
+                            (sum, 0.0)
+                        }
+                        PairStatus::Slip { diagonal } => {
+                            let slip = slip[pair] + PASSED_ON * self.own * passed;
+                            let passed = slip / (diagonal + SLIPPING * self.own);
+                            (passed, passed)
+                        }
+                    };
                 }
             }
         }

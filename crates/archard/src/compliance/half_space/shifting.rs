@@ -1,7 +1,7 @@
 //! Half-spaces shifted against each other: the tangential compliance itself.
 
 use super::{HalfSpace, WholeOrPart};
-use crate::compliance::{Coarser, SlipMap, StickSlip};
+use crate::compliance::{Coarser, PairStatus, SlipMap, slip::precondition_by_share};
 
 /// The tangential compliance of half-spaces.
 #[derive(Debug)]
@@ -31,24 +31,12 @@ impl SlipMap for Shifting<'_> {
     }
 
     /// Division by the spectrum of a frame that repeats itself, as in the normal problem, where the
-    /// compliance governs: pairs that stick, and slip as far as its diagonal outweighs their own.
-    fn precondition(&self, slip: [&[f64]; 2], rub: &StickSlip, tractions: [&mut [f64]; 2]) {
+    /// compliance governs.
+    fn precondition(&self, slip: [&[f64]; 2], status: &[PairStatus], tractions: [&mut [f64]; 2]) {
         let (convolution, inverse) = self.half_space.tangential_inverse();
-        let weight = |pair: usize| {
-            rub.stick[pair] + rub.slip[pair] * self.own / (self.own + rub.diagonal[pair])
-        };
-        let roots: Vec<f64> = (0..rub.stick.len()).map(|pair| weight(pair).sqrt()).collect();
-        let weighed = slip.map(|slip| -> Vec<f64> {
-            slip.iter().zip(&roots).map(|(slip, root)| slip * root).collect()
+        precondition_by_share(self.own, slip, status, tractions, |slip, tractions| {
+            convolution.apply_pair(inverse.each_ref(), slip, tractions);
         });
-        let [one, two] = tractions;
-        convolution.apply_pair(inverse.each_ref(), [&weighed[0], &weighed[1]], [one, two]);
-        for (tractions, slip) in [one, two].into_iter().zip(slip) {
-            for (pair, (traction, slip)) in tractions.iter_mut().zip(slip).enumerate() {
-                let rest = (1.0 - roots[pair] * roots[pair]) * rub.slip[pair];
-                *traction = roots[pair] * *traction + rest * slip / (rub.diagonal[pair] + self.own);
-            }
-        }
     }
 
     fn within(&self, elements: [usize; 2]) -> Option<Box<dyn SlipMap + '_>> {

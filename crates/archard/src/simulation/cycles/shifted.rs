@@ -15,9 +15,9 @@ use crate::motion::{Guide, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::evolution::{Evolution, Increment};
-use crate::simulation::{Effort, Error, Simulation};
+use crate::simulation::{Effort, Error, Simulation, friction};
+use crate::solve::monolithic;
 use crate::solve::tangential::{self, PrescribedForce};
-use crate::solve::{Status, monolithic};
 
 /// Bodies on their way, and what they went through in the present cycle.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -253,7 +253,7 @@ impl Shifted {
         let problem = &simulation.problem;
         let frame = &problem.frame;
         let (rigid, prescribed) = self.rigid_slip(problem, station, Some(pressed));
-        let Some(friction) = &problem.friction else {
+        let Some(law) = &problem.friction else {
             if self.evolution.state.tangential.is_none() {
                 return Ok(Solved::default());
             }
@@ -267,7 +267,7 @@ impl Shifted {
             return Ok(Solved::default());
         };
         let limits = |pressure: &[f64]| -> Vec<f64> {
-            pressure.iter().map(|&pressure| friction.limit(pressure)).collect()
+            pressure.iter().map(|&pressure| law.limit(pressure)).collect()
         };
         let limit = limits(&self.evolution.state.pressure);
         let shifting = problem.compliance.shifting(frame);
@@ -292,14 +292,8 @@ impl Shifted {
             limit,
             rigid_slip,
         });
-        let outcome = tangential::solve(&*simulation.friction_solver, &step, friction.map(), start);
-        effort.iterations += outcome.iterations;
-        effort.applications += outcome.applications;
-        effort.residual = effort.residual.max(outcome.residual);
-        if outcome.status != Status::Converged {
-            return Err(not_converged(simulation, increment, outcome.iterations, outcome.residual));
-        }
-        let tangential::Outcome { traction, rigid_slip, .. } = outcome;
+        let tangential::Outcome { traction, rigid_slip, .. } =
+            friction::solve(simulation, increment, &**law, (&step, start), effort)?;
         let shift = self.shift_at(station, &rigid_slip);
         effort.applications += 1;
         let strain = self.displacement_under(problem, Some(&traction));
@@ -331,20 +325,5 @@ impl Shifted {
         self.approached = approach;
         self.evolution.state.tangential =
             Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
-    }
-}
-
-pub(super) fn not_converged(
-    simulation: &Simulation,
-    increment: Increment,
-    iterations: usize,
-    residual: f64,
-) -> Error {
-    Error::FrictionNotConverged {
-        measure: simulation.problem.motion.progress(),
-        progress: increment.progress,
-        iterations,
-        residual,
-        tolerance: simulation.friction_solver.settings().tolerance,
     }
 }

@@ -1,19 +1,14 @@
 //! Pressures and friction of unlike bodies, which act on one another.
 
-use super::shifted::{Shifted, Solved, not_converged};
+use super::shifted::{Shifted, Solved};
 use super::solve::WarmStart;
 use crate::frame::VectorField;
 use crate::motion::Station;
 use crate::numerics::vector::map;
 use crate::simulation::evolution::Increment;
+use crate::simulation::friction::{alternate, not_converged};
 use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::{Status, monolithic};
-
-/// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
-/// that are found in turn agree.
-const CONSISTENT: f64 = 1e-8;
-/// Turns between them.
-const TURNS: usize = 50;
 
 impl Shifted {
     /// Pressures and friction at once, where the solver can and it converges; otherwise in turn.
@@ -146,37 +141,23 @@ impl Shifted {
             effort.applications += 1;
             gap_by_friction = self.evolution.opened_by_friction(problem);
         }
-        let mut latest = known.cloned();
-        for _ in 0..TURNS {
-            self.press(simulation, increment, &gap_by_friction, effort)?;
+        let (mut latest, mut solved) = (known.cloned(), None);
+        alternate(simulation, increment, gap_by_friction, |gap_by_friction| {
+            if let Some(solved) = solved.take() {
+                latest = Some(self.warm_start(solved));
+            }
+            self.press(simulation, increment, gap_by_friction, effort)?;
             self.evolution.state.tangential.clone_from(&before);
             self.elastic_displacement.clone_from(&elastic_displacement);
             effort.applications += 1;
             let pressed = self.displacement_under(problem, None);
-            let rigid_slip = self.solve_friction(
-                simulation,
-                increment,
-                station,
-                &pressed,
-                latest.as_ref(),
-                effort,
-            )?;
+            let latest = latest.as_ref();
+            let found =
+                self.solve_friction(simulation, increment, station, &pressed, latest, effort)?;
+            solved = Some(found);
             effort.applications += 1;
-            let now = self.evolution.opened_by_friction(problem);
-            let change = now
-                .iter()
-                .zip(&gap_by_friction)
-                .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            gap_by_friction = now;
-            if change <= CONSISTENT * self.evolution.state.approach.abs() {
-                return Ok(rigid_slip);
-            }
-            latest = Some(self.warm_start(rigid_slip));
-        }
-        Err(Error::NotConsistent {
-            measure: problem.motion.progress(),
-            progress: increment.progress,
-            passes: TURNS,
-        })
+            Ok((self.evolution.opened_by_friction(problem), self.evolution.state.approach))
+        })?;
+        Ok(solved.unwrap_or_default())
     }
 }

@@ -5,6 +5,7 @@ use super::regime::Regime;
 use super::state::{APPROACH, State};
 use crate::frame::VectorField;
 use crate::numerics::vector::{Values, sum};
+use crate::solve::semismooth::Schur;
 
 /// The border of the system: one row and one column for the load, if it is given, and for each force.
 pub(super) struct Border {
@@ -19,9 +20,7 @@ pub(super) struct Border {
     pub unit: f64,
     /// Right-hand sides of its rows.
     pub right: Vec<f64>,
-    /// Tractions that nearly answer to each column, and the inverse of the forces they make.
-    responses: Vec<Vec<f64>>,
-    inverse: Vec<Vec<f64>>,
+    pub schur: Schur,
 }
 
 impl Border {
@@ -32,43 +31,33 @@ impl Border {
         regime: &Regime,
         precondition: impl Fn(&[f64]) -> Vec<f64>,
     ) -> Self {
-        let pairs = regime.touch.len();
         let (load, forces) = state.missing(step);
         // The gap closes as the approach grows, the slip grows as the bodies are shifted.
         let mut directions: Vec<[f64; 3]> = load.map(|_| APPROACH).into_iter().collect();
         directions.extend(
-            step.prescribed
-                .iter()
-                .map(|prescribed| [prescribed.direction[0], prescribed.direction[1], 0.0]),
+            step.prescribed.iter().map(|given| [given.direction[0], given.direction[1], 0.0]),
         );
-        let zero = VectorField::zeros(pairs);
+        let zero = VectorField::zeros(regime.pairs.len());
         let column = |direction: &[f64; 3]| {
             regime.rows(&step.moved(direction.map(|component| -component)), &zero)
         };
         let columns: Vec<Vec<f64>> = directions.iter().map(column).collect();
         let measure = step.frame.measure();
         let weigh = |direction: &[f64; 3]| weighed(step.moved(*direction), measure.weight);
-        let weights = directions.iter().map(weigh).collect();
+        let unit = state.own[0] / (regime.touching().max(1) as f64).sqrt();
+        let responses = columns.iter().map(|rows| precondition(rows)).collect();
         let mut border = Self {
             loaded: load.is_some(),
-            weights,
-            unit: state.own[0] / (regime.touching().max(1) as f64).sqrt(),
-            right: vec![],
-            responses: columns.iter().map(|rows| precondition(rows)).collect(),
+            weights: directions.iter().map(weigh).collect(),
             columns,
-            inverse: vec![],
+            unit,
+            right: vec![],
+            schur: Schur::default(),
         };
-        let known = border.forces(&regime.fixed);
-        let area = measure.area;
-        let missing = load.into_iter().chain(forces).zip(known);
+        let missing = load.into_iter().chain(forces).zip(border.forces(&regime.fixed));
         border.right =
-            missing.map(|(missing, known)| border.unit * missing / area - known).collect();
-        let made: Vec<Vec<f64>> = border
-            .responses
-            .iter()
-            .map(|response| border.forces(&regime.tractions(&regime.unknown(response))))
-            .collect();
-        border.inverse = inverse_of_columns(&made);
+            missing.map(|(missing, known)| unit * missing / measure.area - known).collect();
+        border.schur = Schur::of(responses, |response| border.forces_of(response, regime));
         border
     }
 
@@ -83,17 +72,9 @@ impl Border {
         self.weights.iter().map(|weights| self.unit * force(weights)).collect()
     }
 
-    /// Takes from tractions, whose forces exceed those wanted, what puts that right; the approach and slips
-    /// (m) that do it.
-    pub fn relieve(&self, tractions: &mut [f64], excess: &[f64]) -> Vec<f64> {
-        let slip = |row: &Vec<f64>| row.iter().zip(excess).map(|(a, b)| a * b).sum();
-        let slips: Vec<f64> = self.inverse.iter().map(slip).collect();
-        for (response, slip) in self.responses.iter().zip(&slips) {
-            for (traction, response) in tractions.iter_mut().zip(response) {
-                *traction -= slip * response;
-            }
-        }
-        slips
+    /// The same of the tractions that belong to unknown ones.
+    pub fn forces_of(&self, unknown: &[f64], regime: &Regime) -> Vec<f64> {
+        self.forces(&regime.tractions(&regime.unknown(unknown)))
     }
 }
 
@@ -104,51 +85,4 @@ fn weighed(field: VectorField, weight: Values<'_>) -> VectorField {
         part.iter_mut().enumerate().for_each(|(pair, value)| *value *= weight.at(pair));
     }
     VectorField { t1, t2, n }
-}
-
-/// The inverse of a small matrix given by its columns; zeros where it has none, as where all pairs slip
-/// along a force that is given: no slip changes it then.
-fn inverse_of_columns(columns: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let count = columns.len();
-    let row = |row: usize| -> Vec<f64> {
-        let unit = (0..count).map(|column| f64::from(column == row));
-        columns.iter().map(|column| column[row]).chain(unit).collect()
-    };
-    let mut matrix: Vec<Vec<f64>> = (0..count).map(row).collect();
-    for pivot in 0..count {
-        let largest = (pivot..count)
-            .max_by(|&a, &b| matrix[a][pivot].abs().total_cmp(&matrix[b][pivot].abs()))
-            .unwrap_or(pivot);
-        matrix.swap(pivot, largest);
-        let factor = matrix[pivot][pivot];
-        if factor == 0.0 || !factor.is_finite() {
-            return vec![vec![0.0; count]; count];
-        }
-        matrix[pivot].iter_mut().for_each(|value| *value /= factor);
-        let lead = matrix[pivot].clone();
-        for (_, row) in matrix.iter_mut().enumerate().filter(|(index, _)| *index != pivot) {
-            let factor = row[pivot];
-            row.iter_mut().zip(&lead).for_each(|(value, lead)| *value -= factor * lead);
-        }
-    }
-    matrix.into_iter().map(|row| row[count..].to_vec()).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::inverse_of_columns;
-
-    #[test]
-    fn small_matrices_are_inverted() {
-        // Needs a pivot: the first entry is zero.
-        let columns = vec![vec![0.0, 2.0, 1.0], vec![1.0, 0.0, 0.0], vec![3.0, 1.0, -1.0]];
-        let inverse = inverse_of_columns(&columns);
-        for (index, row) in inverse.iter().enumerate() {
-            for (other, column) in columns.iter().enumerate() {
-                let product: f64 = row.iter().zip(column).map(|(a, b)| a * b).sum();
-                assert!((product - f64::from(index == other)).abs() < 1e-14);
-            }
-        }
-        assert_eq!(inverse_of_columns(&[vec![0.0]]), [[0.0]]);
-    }
 }

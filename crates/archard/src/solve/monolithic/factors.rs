@@ -11,7 +11,7 @@ use faer::MatMut;
 use serde::{Deserialize, Serialize};
 
 use super::Mapped;
-use super::regime::{Regime, Sliding, Touch};
+use super::regime::{Regime, Sliding};
 use super::state::State;
 use crate::numerics::dense::Lu;
 use crate::numerics::large::Large;
@@ -45,9 +45,9 @@ impl Factors {
     /// or it would be too large.
     pub(super) fn of(state: &State, step: &Mapped<'_>) -> Option<Self> {
         let regime = Regime::of(state, step);
-        let augmented: Vec<f64> = (0..regime.touch.len()).map(|i| state.augmented(i)).collect();
+        let augmented: Vec<f64> = (0..regime.pairs.len()).map(|i| state.augmented(i)).collect();
         let least = -NEAR * augmented.iter().copied().fold(0.0, f64::max);
-        let near = |pair: usize| regime.touch[pair] != Touch::Open || augmented[pair] > least;
+        let near = |pair: usize| !regime.is_open(pair) || augmented[pair] > least;
         let pairs: Vec<usize> = (0..augmented.len()).filter(|&pair| near(pair)).collect();
         let count = pairs.len();
         if count == 0 || 3 * count > MOST {
@@ -77,7 +77,7 @@ impl Factors {
             let places = [index, count + index, 2 * count + index];
             if let Some(sliding) = regime.sliding(pair) {
                 sliding.put_in(system.as_mut(), places, own as f32);
-            } else if regime.touch[pair] == Touch::Open {
+            } else if regime.is_open(pair) {
                 leave_out(system.as_mut(), places, own as f32);
             }
         }

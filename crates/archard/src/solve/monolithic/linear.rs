@@ -15,19 +15,19 @@
 
 use super::border::Border;
 use super::factors::Factors;
-use super::regime::{LEAST, Regime, Touch, components};
+use super::regime::{LEAST, Regime, components};
 use super::state::State;
 use super::{Mapped, Solution};
-use crate::compliance::{Preconditioner, SlipMap};
+use crate::compliance::{PairStatus, Preconditioner, SlipMap};
 use crate::frame::VectorField;
 use crate::numerics::gmres::{self, System};
 use crate::numerics::vector::{map, update};
+use crate::solve::semismooth::Tolerance;
 
-/// Residual of the linear system, relative to its right-hand side, while more than `SETTLED` of the pairs in
-/// contact change what they do; after that what the aim needs.
-const LOOSE: f64 = 0.1;
+/// How well to solve, by the share of the pairs in contact that change what they do.
+const TOLERANCE: Tolerance =
+    Tolerance { loose: 0.1, tight: TIGHT, settled: 0.01, last: 0.01, enough: 0.4 };
 pub(super) const TIGHT: f64 = 0.02;
-const SETTLED: f64 = 0.01;
 /// Krylov iterations of one step.
 const KRYLOV: usize = 80;
 
@@ -83,43 +83,33 @@ impl<'s> Linear<'s> {
         self.fixed_displacement = Some(displacement);
     }
 
-    /// How well to solve: roughly while contact and stick still change much.
-    pub fn tolerance(&self, last: &[Touch], residual: f64, aim: f64) -> f64 {
-        let changes = self.regime.touch.iter().zip(last).filter(|(now, before)| now != before);
-        let settled = changes.count() as f64 <= (SETTLED * self.regime.touching() as f64).max(1.0);
-        let enough = 0.4 * aim / residual;
-        let tolerance = if settled { TIGHT.min(residual) } else { LOOSE };
-        tolerance.max(enough).min(LOOSE)
+    /// How well to solve where the pairs had a status before.
+    pub fn tolerance(&self, last: &[PairStatus], residual: f64, aim: f64) -> f64 {
+        TOLERANCE.of(self.regime.pairs.changed(last), self.regime.touching(), residual, aim)
     }
 
     /// The change of tractions, displacement, approach and rigid slip.
     pub fn solve(&mut self, tolerance: f64) -> Solution {
-        let pairs = self.regime.touch.len();
+        let pairs = self.regime.pairs.len();
         let right = [&self.regime.right[..], &self.border.right].concat();
         let gmres::Solution { vector, weights } = gmres::solve(self, &right, tolerance, KRYLOV);
-        let mut traction = self.regime.tractions(&self.regime.unknown(&vector));
-        add(&mut traction, &self.regime.fixed, 1.0);
-        let displacement = self.displacement(pairs, &weights);
+        let mut traction = self.regime.tractions(&self.regime.unknown(&vector[..3 * pairs]));
+        traction.add(&self.regime.fixed, 1.0);
+        let known = self.fixed_displacement.take();
+        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(pairs));
+        for (tried, &weight) in self.tried.iter().zip(&weights) {
+            displacement.add(tried, weight);
+        }
         let mut border = vector[3 * pairs..].iter().map(|value| self.border.unit * value);
         let approach = if self.border.loaded { border.next().unwrap_or_default() } else { 0.0 };
         Solution { traction, displacement, approach, rigid_slip: border.collect(), factors: None }
-    }
-
-    /// What the compliance makes of the change of the tractions, from what was tried.
-    fn displacement(&mut self, pairs: usize, weights: &[f64]) -> VectorField {
-        let known = self.fixed_displacement.take();
-        let mut displacement = known.unwrap_or_else(|| VectorField::zeros(pairs));
-        for (tried, &weight) in self.tried.iter().zip(weights) {
-            add(&mut displacement, tried, weight);
-        }
-        displacement
     }
 }
 
 impl Inverse<'_> {
     /// Nearly the unknown tractions whose rows are given, the border left out.
     fn apply(&self, rows: &[f64], regime: &Regime) -> Vec<f64> {
-        let pairs = regime.touch.len();
+        let pairs = regime.pairs.len();
         let [one, two, n] = components(rows, pairs);
         // Rows of slipping pairs were weighed by their share.
         let unweigh =
@@ -128,24 +118,26 @@ impl Inverse<'_> {
         let mut result = vec![0.0; 3 * pairs];
         let (first, rest) = result.split_at_mut(pairs);
         let (second, third) = rest.split_at_mut(pairs);
-        self.tangential.precondition([&one, &two], &regime.rub, [first, second]);
+        self.tangential.precondition([&one, &two], &regime.pairs.status, [first, second]);
         self.normal.apply(n, third);
         if let Some(factors) = self.factors {
             factors.solve([&one, &two, n], [first, second, third]);
         }
-        regime.unknown(&result).components().concat()
+        regime.keep_unknown(&mut result);
+        result
     }
 }
 
 impl System for Linear<'_> {
     fn apply(&mut self, vector: &[f64]) -> Vec<f64> {
-        let unknown = self.regime.unknown(vector);
+        let (unknown, slips) = vector.split_at(3 * self.regime.pairs.len());
+        let unknown = self.regime.unknown(unknown);
         let tractions = self.regime.tractions(&unknown);
         self.applications += 1;
         let displacement = self.step.compliance.apply(&tractions);
         let mut rows = self.regime.rows(&displacement, &unknown);
         self.tried.push(displacement);
-        for (column, value) in self.border.columns.iter().zip(&vector[rows.len()..]) {
+        for (column, value) in self.border.columns.iter().zip(slips) {
             let slip = self.border.unit * value;
             update(&mut rows, [column], |row, [column]| row + slip * column);
         }
@@ -154,19 +146,10 @@ impl System for Linear<'_> {
     }
 
     fn precondition(&mut self, image: &[f64]) -> Vec<f64> {
-        let (rows, forces) = image.split_at(3 * self.regime.touch.len());
+        let (rows, forces) = image.split_at(3 * self.regime.pairs.len());
         let mut result = self.inverse.apply(rows, &self.regime);
-        let made = self.border.forces(&self.regime.tractions(&self.regime.unknown(&result)));
-        let excess: Vec<f64> = made.iter().zip(forces).map(|(made, force)| made - force).collect();
-        let slips = self.border.relieve(&mut result, &excess);
-        result.extend(slips.iter().map(|slip| slip / self.border.unit));
+        let made = self.border.forces_of(&result, &self.regime);
+        self.border.schur.complete(&mut result, &made, forces, self.border.unit);
         result
-    }
-}
-
-fn add(field: &mut VectorField, other: &VectorField, weight: f64) {
-    let VectorField { t1, t2, n } = field;
-    for (part, other) in [t1, t2, n].into_iter().zip(other.components()) {
-        update(part, [other], |value, [other]| value + weight * other);
     }
 }

@@ -26,8 +26,7 @@ impl Mapped<'_> {
     /// Displacement of the pairs, its tangential part mapped as slip is, when body 2 moves by a vector (m) in the axes
     /// of the frame.
     pub fn moved(&self, vector: [f64; 3]) -> VectorField {
-        let moved = self.frame.moved(vector);
-        if self.map.is_identity() { moved } else { tangentially(self.map, &moved) }
+        tangentially(self.map, self.frame.moved(vector))
     }
 
     /// Force (N) of mapped tractions (Pa) in the axes of the frame.
@@ -35,7 +34,7 @@ impl Mapped<'_> {
         if self.map.is_identity() {
             return self.frame.force(tractions);
         }
-        self.frame.force(&tangentially(self.map, tractions))
+        self.frame.force(&tangentially(self.map, tractions.clone()))
     }
 }
 
@@ -55,7 +54,7 @@ pub(in crate::solve) fn solve(
     let rigid = map.images(step.rigid);
     let inner = Step { compliance: &compliance, rigid: [&rigid[0], &rigid[1]], ..*step };
     let inverse = map.inverse();
-    let inside = |solution: &Solution| solution.mapped(inverse, map);
+    let inside = |solution: &Solution| solution.clone().mapped(inverse, map);
     let foreseen = foreseen.map(inside);
     let outcome = newton(&Mapped { step: inner, map }, &inside(start), foreseen.as_ref(), settings);
     Outcome { solution: outcome.solution.mapped(map, inverse), ..outcome }
@@ -63,19 +62,17 @@ pub(in crate::solve) fn solve(
 
 impl Solution {
     /// With the tangential parts of tractions and displacements mapped; the factors are those of mapped ones always.
-    fn mapped(&self, tractions: Map, displacements: Map) -> Self {
+    fn mapped(self, tractions: Map, displacements: Map) -> Self {
         Self {
-            traction: tangentially(tractions, &self.traction),
-            displacement: tangentially(displacements, &self.displacement),
-            approach: self.approach,
-            rigid_slip: self.rigid_slip.clone(),
-            factors: self.factors.clone(),
+            traction: tangentially(tractions, self.traction),
+            displacement: tangentially(displacements, self.displacement),
+            ..self
         }
     }
 }
 
 /// The field with its tangential part mapped.
-fn tangentially(map: Map, VectorField { t1, t2, n }: &VectorField) -> VectorField {
-    let [t1, t2] = map.images([t1, t2]);
-    VectorField { t1, t2, n: n.clone() }
+fn tangentially(map: Map, mut field: VectorField) -> VectorField {
+    map.apply_to([&mut field.t1, &mut field.t2]);
+    field
 }

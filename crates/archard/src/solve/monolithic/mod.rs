@@ -17,19 +17,20 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::semismooth::shorten;
 use super::{Settings, Status};
-use crate::compliance::Compliance;
+use crate::compliance::{Compliance, PairStatus};
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::Control;
-use crate::numerics::vector::map;
+use crate::numerics::vector::update;
 use crate::solve::tangential::PrescribedForce;
 
 pub use factors::{Factors, factors_memory};
 use linear::{Linear, TIGHT};
 use mapped::Mapped;
 pub(super) use mapped::solve;
-use regime::{Regime, Touch};
+use regime::Regime;
 use state::State;
 
 /// One step of contact and friction.
@@ -71,19 +72,13 @@ pub struct Solution {
 impl Solution {
     /// With a share of a change, without what is kept for others near it.
     pub fn moved(&self, change: &Self, length: f64) -> Self {
-        let along = |from: &[f64], by: &[f64]| map([from, by], |[from, by]| from + length * by);
-        let field = |from: &VectorField, by: &VectorField| VectorField {
-            t1: along(&from.t1, &by.t1),
-            t2: along(&from.t2, &by.t2),
-            n: along(&from.n, &by.n),
-        };
-        Self {
-            traction: field(&self.traction, &change.traction),
-            displacement: field(&self.displacement, &change.displacement),
-            approach: self.approach + length * change.approach,
-            rigid_slip: along(&self.rigid_slip, &change.rigid_slip),
-            factors: None,
-        }
+        let mut moved = Self { factors: None, ..self.clone() };
+        moved.traction.add(&change.traction, length);
+        moved.displacement.add(&change.displacement, length);
+        moved.approach += length * change.approach;
+        let rigid_slip = &change.rigid_slip;
+        update(&mut moved.rigid_slip, [rigid_slip], |from, [by]| from + length * by);
+        moved
     }
 }
 
@@ -149,7 +144,7 @@ struct Newton<'s> {
     factors: Option<Arc<Factors>>,
     state: State,
     /// What the pairs did at the last step.
-    last: Vec<Touch>,
+    last: Vec<PairStatus>,
     count: usize,
     /// Applications of the compliance, and the most that one step took.
     applications: usize,
@@ -176,8 +171,13 @@ impl Newton<'_> {
     /// A step, and whether it brought anything.
     fn advance(&mut self) -> bool {
         let change = self.change(Regime::of(&self.state, self.step), None);
-        let next = shorten(&self.state, &change, self.step);
-        next.map(|next| self.state = next).is_some()
+        let moved = |length: f64| {
+            let next = self.state.moved(&change, length, self.step);
+            let residual = next.residual;
+            (next, residual)
+        };
+        let next = shorten(self.state.residual, SHORTEST, moved);
+        next.map(|(next, _)| self.state = next).is_some()
     }
 
     /// The change that the pairs ask for while they do something, to a tolerance that may be left to what they did
@@ -190,7 +190,7 @@ impl Newton<'_> {
         self.count += 1;
         self.applications += linear.applications;
         self.most = self.most.max(linear.applications);
-        self.last = linear.regime.touch;
+        self.last = linear.regime.pairs.status;
         change
     }
 
@@ -204,17 +204,4 @@ impl Newton<'_> {
         state.solution.factors = self.factors;
         state.finish(status, self.count, self.applications)
     }
-}
-
-/// The state after as much of a change as lowers the residual; `None` where hardly any does.
-fn shorten(state: &State, change: &Solution, step: &Mapped<'_>) -> Option<State> {
-    let mut length = 1.0;
-    while length >= SHORTEST {
-        let next = state.moved(change, length, step);
-        if next.residual < (1.0 - 1e-4 * length) * state.residual {
-            return Some(next);
-        }
-        length *= 0.5;
-    }
-    None
 }

@@ -4,17 +4,11 @@ use serde::{Deserialize, Serialize};
 
 use super::Mapped;
 use super::state::State;
-use crate::compliance::StickSlip;
+use crate::compliance::PairStatus;
 use crate::frame::VectorField;
-use crate::numerics::vector::map;
-
-/// What a pair does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) enum Touch {
-    Open,
-    Slips,
-    Sticks,
-}
+use crate::friction::Beyond;
+use crate::numerics::vector::{map, update};
+use crate::solve::semismooth::StickSlip;
 
 /// How a slipping pair slips.
 pub(super) struct Sliding {
@@ -29,13 +23,10 @@ pub(super) struct Sliding {
 /// What the pairs do, and how their equations read. Vectors hold values along t1, t2 and n.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Regime {
-    pub touch: Vec<Touch>,
-    pub rub: StickSlip,
-    /// Unit vectors along the augmented tractions q of slipping pairs.
-    along: [Vec<f64>; 2],
-    /// How their limits change with the pressure.
+    pub pairs: StickSlip,
+    /// How the limits of slipping pairs change with the pressure; zero elsewhere.
     slope: Vec<f64>,
-    /// limit / |q| of theirs, one elsewhere; and c (1 - limit / |q|) (m/Pa), zero elsewhere.
+    /// limit / |q| of slipping pairs, one elsewhere; and c (1 - limit / |q|) (m/Pa), zero elsewhere.
     pub share: Vec<f64>,
     diagonal: Vec<f64>,
     /// The part of the change that is known (Pa).
@@ -49,9 +40,7 @@ impl Regime {
         let pairs = step.gap.len();
         let zeros = || vec![0.0; pairs];
         let mut regime = Self {
-            touch: vec![Touch::Open; pairs],
-            rub: StickSlip { stick: zeros(), slip: zeros(), diagonal: zeros() },
-            along: [zeros(), zeros()],
+            pairs: StickSlip::open(pairs),
             slope: zeros(),
             share: vec![1.0; pairs],
             diagonal: zeros(),
@@ -69,37 +58,30 @@ impl Regime {
             return;
         }
         let limit = step.friction.limit(pressure);
-        let q = state.augmented_traction(pair);
-        let length = q[0].hypot(q[1]);
-        if length <= limit {
-            self.touch[pair] = Touch::Sticks;
-            self.rub.stick[pair] = 1.0;
-            return;
-        }
-        self.touch[pair] = Touch::Slips;
-        let share = limit / length;
-        self.rub.slip[pair] = 1.0;
-        self.rub.diagonal[pair] = state.own[1] * (1.0 - share) / share.max(LEAST);
+        let Some(beyond) = Beyond::of(state.augmented_traction(pair), limit) else {
+            return self.pairs.stick(pair);
+        };
+        let Beyond { share, .. } = beyond;
         (self.share[pair], self.diagonal[pair]) = (share, state.own[1] * (1.0 - share));
-        (self.along[0][pair], self.along[1][pair]) = (q[0] / length, q[1] / length);
+        self.pairs.slip(pair, &beyond, self.diagonal[pair] / share.max(LEAST));
         self.slope[pair] = step.friction.slope(pressure);
     }
 
     /// Sets the right-hand side for a state: the one that the rows were made from, or one near it.
     pub fn aim_at(&mut self, state: &State, step: &Mapped<'_>) {
-        let pairs = self.touch.len();
+        let pairs = self.pairs.len();
         let VectorField { t1, t2, n } = &state.solution.traction;
         for pair in 0..pairs {
             let t = [t1[pair], t2[pair]];
             let s = [state.slip[0][pair], state.slip[1][pair]];
-            let (fixed, slip) = match self.touch[pair] {
-                Touch::Open => {
+            let (fixed, slip) = match self.pairs.status[pair] {
+                PairStatus::Open => {
                     self.fixed.n[pair] = -n[pair];
                     (t.map(|t| -t), [0.0; 2])
                 }
-                Touch::Sticks => ([0.0; 2], s),
-                Touch::Slips => {
-                    let unit = [self.along[0][pair], self.along[1][pair]];
+                PairStatus::Stick => ([0.0; 2], s),
+                PairStatus::Slip { .. } => {
+                    let unit = self.pairs.along(pair);
                     let pressure = state.augmented(pair).max(0.0);
                     // On the limit of the pressure as it is; what the pressure changes by changes the limit.
                     let change = self.slope[pair] * (-n[pair] - pressure);
@@ -112,7 +94,7 @@ impl Regime {
             };
             [self.fixed.t1[pair], self.fixed.t2[pair]] = fixed;
             [self.right[pair], self.right[pairs + pair]] = slip;
-            if self.touch[pair] != Touch::Open {
+            if !self.is_open(pair) {
                 self.right[2 * pairs + pair] = state.gap[pair];
             }
         }
@@ -120,65 +102,64 @@ impl Regime {
 
     /// How a pair slips; `None` where it does not.
     pub fn sliding(&self, pair: usize) -> Option<Sliding> {
-        (self.touch[pair] == Touch::Slips).then(|| Sliding {
-            along: [self.along[0][pair], self.along[1][pair]],
-            slope: self.slope[pair],
-            diagonal: self.rub.diagonal[pair],
-        })
+        let PairStatus::Slip { diagonal } = self.pairs.status[pair] else { return None };
+        Some(Sliding { along: self.pairs.along(pair), slope: self.slope[pair], diagonal })
+    }
+
+    /// Whether a pair is not in contact.
+    pub fn is_open(&self, pair: usize) -> bool {
+        self.pairs.status[pair] == PairStatus::Open
     }
 
     /// Number of pairs in contact.
     pub fn touching(&self) -> usize {
-        self.touch.iter().filter(|&&touch| touch != Touch::Open).count()
+        (0..self.pairs.len()).filter(|&pair| !self.is_open(pair)).count()
     }
 
-    /// The part of two tangential values of a pair that is unknown: across q where it slips.
-    fn part(&self, pair: usize, [x, y]: [f64; 2]) -> [f64; 2] {
-        match self.touch[pair] {
-            Touch::Open => [0.0; 2],
-            Touch::Sticks => [x, y],
-            Touch::Slips => {
-                let across = [-self.along[1][pair], self.along[0][pair]];
-                let length = across[0] * x + across[1] * y;
-                across.map(|unit| length * unit)
-            }
-        }
+    /// Keeps the part of a vector along what is unknown.
+    pub fn keep_unknown(&self, vector: &mut [f64]) {
+        self.pairs.keep_unknown(vector);
+        let pairs = self.pairs.len();
+        (0..pairs)
+            .filter(|&pair| self.is_open(pair))
+            .for_each(|pair| vector[2 * pairs + pair] = 0.0);
     }
 
     /// The rows of the pairs under a displacement (m) and unknown tractions (Pa).
     pub fn rows(&self, displacement: &VectorField, unknown: &VectorField) -> Vec<f64> {
-        let pairs = self.touch.len();
-        let mut rows = vec![0.0; 3 * pairs];
-        for pair in (0..pairs).filter(|&pair| self.touch[pair] != Touch::Open) {
-            let (share, diagonal) = (self.share[pair], self.diagonal[pair]);
-            let x = share * displacement.t1[pair] + diagonal * unknown.t1[pair];
-            let y = share * displacement.t2[pair] + diagonal * unknown.t2[pair];
-            [rows[pair], rows[pairs + pair]] = self.part(pair, [x, y]);
-            rows[2 * pairs + pair] = displacement.n[pair];
+        let mut rows = displacement.components().concat();
+        for (row, unknown) in rows.chunks_mut(self.pairs.len()).zip([&unknown.t1, &unknown.t2]) {
+            let fields = [unknown, &self.share, &self.diagonal];
+            update(row, fields.map(Vec::as_slice), |displacement, [unknown, share, diagonal]| {
+                share * displacement + diagonal * unknown
+            });
         }
+        self.keep_unknown(&mut rows);
         rows
     }
 
     /// The unknown part of tractions.
     pub fn unknown(&self, vector: &[f64]) -> VectorField {
-        let pairs = self.touch.len();
-        let [t1, t2, n] = components(vector, pairs);
-        let mut field = VectorField::zeros(pairs);
-        for pair in (0..pairs).filter(|&pair| self.touch[pair] != Touch::Open) {
-            [field.t1[pair], field.t2[pair]] = self.part(pair, [t1[pair], t2[pair]]);
-            field.n[pair] = n[pair];
-        }
-        field
+        let mut t1 = vector.to_vec();
+        self.keep_unknown(&mut t1);
+        let n = t1.split_off(2 * self.pairs.len());
+        let t2 = t1.split_off(self.pairs.len());
+        VectorField { t1, t2, n }
     }
 
     /// The tractions that an unknown part brings along: limits follow the pressure.
     pub fn tractions(&self, unknown: &VectorField) -> VectorField {
-        let follow = |axis: usize, part: &[f64]| {
-            map([part, &self.along[axis], &self.slope, &unknown.n], |[part, along, slope, n]| {
+        let follow = |part: &[f64], along: &[f64]| {
+            map([part, along, &self.slope, &unknown.n], |[part, along, slope, n]| {
                 part - slope * n * along
             })
         };
-        VectorField { t1: follow(0, &unknown.t1), t2: follow(1, &unknown.t2), n: unknown.n.clone() }
+        let [one, two] = &self.pairs.along;
+        VectorField {
+            t1: follow(&unknown.t1, one),
+            t2: follow(&unknown.t2, two),
+            n: unknown.n.clone(),
+        }
     }
 }
 

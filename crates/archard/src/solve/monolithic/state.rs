@@ -5,7 +5,7 @@ use crate::frame::VectorField;
 use crate::friction::onto_disc;
 use crate::motion::Control;
 use crate::numerics::vector::map;
-use crate::solve::residual::worse;
+use crate::solve::residual::{Measure, norm, relative, worse};
 
 /// Where body 2 moves as the bodies approach, in the axes of the frame.
 pub(super) const APPROACH: [f64; 3] = [0.0, 0.0, -1.0];
@@ -93,17 +93,11 @@ impl State {
         let (mut off, mut pressed, mut beside, mut borne) = (0.0, 0.0, 0.0, 0.0);
         let (mut total, mut prescribed) = (0.0, 0.0);
         let VectorField { t1, t2, n } = &self.solution.traction;
-        let rounding = match step.control {
-            Control::Load(_) => 0.0,
-            Control::Approach(approach) => f64::EPSILON * approach.abs() / self.own[0],
-        };
+        let contact = Measure::new(self.own[0], step.control);
         let measure = step.frame.measure();
         for pair in 0..n.len() {
             let (pressure, weight) = (-n[pair], measure.weight.at(pair));
-            let overlap = self.gap[pair] / self.own[0];
-            // What is not a number stays so.
-            let beyond = if pressure < overlap { pressure } else { overlap }.abs() - rounding;
-            off += weight * if beyond < 0.0 { 0.0 } else { beyond.powi(2) };
+            off += weight * contact.violation(pressure, self.gap[pair], 0.0).powi(2);
             pressed += weight * (pressure * pressure);
             total += weight * pressure.abs();
             let limit = step.friction.limit(pressure.max(0.0));
@@ -114,13 +108,11 @@ impl State {
                 prescribed += weight * limit;
             }
         }
-        let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
         let area = measure.area;
         let (load, forces) = self.missing(step);
         let load = relative(load.unwrap_or(0.0).abs(), total * area);
-        let force = forces.iter().map(|force| force * force).sum::<f64>().sqrt();
-        let parts =
-            [relative(beside.sqrt(), borne.sqrt()), load, relative(force, prescribed * area)];
+        let force = relative(norm(&forces), prescribed * area);
+        let parts = [relative(beside.sqrt(), borne.sqrt()), load, force];
         parts.into_iter().fold(relative(off.sqrt(), pressed.sqrt()), worse)
     }
 

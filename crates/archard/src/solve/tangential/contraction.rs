@@ -7,7 +7,7 @@
 //! slips, which adds a skew border to the operator.
 
 use super::pairs::{Pairs, State};
-use crate::numerics::vector::sum;
+use crate::numerics::vector::{map, sum, update};
 
 /// Relaxation of the contraction, below 2.
 const RELAXATION: f64 = 1.8;
@@ -43,24 +43,17 @@ impl Contraction {
         loop {
             let Self { iterate, step, unit, .. } = &*self;
             let mut trial = iterate.clone();
-            for (traction, slip) in trial.traction.iter_mut().zip(&iterate.slip) {
-                *traction += step * slip;
-            }
-            pairs.project(&mut trial.traction);
-            for (rigid_slip, missing) in trial.rigid_slip.iter_mut().zip(&missing) {
-                *rigid_slip += step * unit * unit * missing;
-            }
-            pairs.find_slip(&mut trial);
+            let rigid_slip = map([&missing], |[missing]| step * unit * unit * missing);
+            pairs.predict(&mut trial, *step, &rigid_slip);
             let left = force(&trial.traction, pairs);
             // Changes of the unknowns, in Pa, and of the operator's values times the step.
-            let [moved, changed, product] = sum(
+            let [mut moved, mut changed, mut product] = sum(
                 [&iterate.traction, &trial.traction, &iterate.slip, &trial.slip, &pairs.weight],
                 |[before, after, slip, trial_slip, weight]| {
                     let (e, d) = (before - after, step * (trial_slip - slip));
                     [weight * (e * e), weight * (d * d), weight * (e * d)]
                 },
             );
-            let (mut moved, mut changed, mut product) = (moved, changed, product);
             for index in 0..missing.len() {
                 let e = (iterate.rigid_slip[index] - trial.rigid_slip[index]) / unit;
                 let d = step * unit * (left[index] - missing[index]);
@@ -80,16 +73,14 @@ impl Contraction {
             let length = RELAXATION * (moved - product) / (moved - 2.0 * product + changed);
             let step = *step;
             let mut next = iterate.clone();
-            for index in 0..next.traction.len() {
-                let e = iterate.traction[index] - trial.traction[index];
-                let d = step * (trial.slip[index] - iterate.slip[index]);
-                next.traction[index] -= length * (e - d);
-            }
-            for index in 0..missing.len() {
-                let e = iterate.rigid_slip[index] - trial.rigid_slip[index];
-                let d = step * unit * unit * (left[index] - missing[index]);
-                next.rigid_slip[index] -= length * (e - d);
-            }
+            let fields = [&trial.traction[..], &trial.slip, &iterate.slip];
+            update(&mut next.traction, fields, |before, [after, trial_slip, slip]| {
+                before - length * ((before - after) - step * (trial_slip - slip))
+            });
+            let fields = [&trial.rigid_slip[..], &left, &missing];
+            update(&mut next.rigid_slip, fields, |before, [after, left, missing]| {
+                before - length * ((before - after) - step * unit * unit * (left - missing))
+            });
             pairs.find_slip(&mut next);
             (self.iterate, self.state) = (next, trial);
             if ratio < RATIO.1 {

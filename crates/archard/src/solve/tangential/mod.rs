@@ -11,6 +11,7 @@
 mod blocks;
 mod contraction;
 mod crop;
+mod linear;
 mod mapped;
 mod newton;
 mod pairs;

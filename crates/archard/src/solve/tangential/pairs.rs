@@ -1,10 +1,10 @@
 //! The pairs in contact alone: what iterations of friction work on.
 
 use super::{Outcome, Start, Status, Step};
-use crate::compliance::StickSlip;
+use crate::compliance::PairStatus;
 use crate::friction::onto_disc;
-use crate::numerics::vector::sum;
-use crate::solve::residual::worse;
+use crate::numerics::vector::{map, sum, update};
+use crate::solve::residual::{norm, relative, worse};
 
 /// How near its limit a traction of an earlier solution is where pairs slip, relative to it.
 const SLIPS: f64 = 1e-3;
@@ -28,6 +28,8 @@ pub(super) struct Pairs<'a> {
     /// Fields on the whole frame: tractions there, slip back.
     fields: [Vec<f64>; 2],
     images: [Vec<f64>; 2],
+    /// What the pairs of the whole frame do.
+    status: Vec<PairStatus>,
     pub applications: usize,
 }
 
@@ -40,6 +42,18 @@ pub(super) struct State {
     pub rigid_slip: Vec<f64>,
     /// Slip (m).
     pub slip: Vec<f64>,
+}
+
+impl State {
+    /// The state after a share of a change.
+    pub fn moved(&self, change: &Self, length: f64) -> Self {
+        let along = |from: &[f64], by: &[f64]| map([from, by], |[from, by]| from + length * by);
+        Self {
+            traction: along(&self.traction, &change.traction),
+            rigid_slip: along(&self.rigid_slip, &change.rigid_slip),
+            slip: along(&self.slip, &change.slip),
+        }
+    }
 }
 
 impl<'a> Pairs<'a> {
@@ -62,6 +76,7 @@ impl<'a> Pairs<'a> {
             weight,
             fields: [zeros(), zeros()],
             images: [zeros(), zeros()],
+            status: vec![PairStatus::Open; step.limit.len()],
             applications: 0,
             places,
             limit,
@@ -89,11 +104,16 @@ impl<'a> Pairs<'a> {
         self.gather()
     }
 
-    /// Tractions (Pa) that nearly take a slip (m) away.
-    pub fn precondition(&mut self, slip: &[f64], rub: &StickSlip) -> Vec<f64> {
+    /// Sets what the pairs do.
+    pub fn put_status(&mut self, status: &[PairStatus]) {
+        self.places.iter().zip(status).for_each(|(&place, status)| self.status[place] = *status);
+    }
+
+    /// Tractions (Pa) that nearly take a slip (m) away where the pairs do what they were set to.
+    pub fn precondition(&mut self, slip: &[f64]) -> Vec<f64> {
         self.scatter(slip);
         let [one, two] = &mut self.images;
-        self.step.map.precondition([&self.fields[0], &self.fields[1]], rub, [one, two]);
+        self.step.map.precondition([&self.fields[0], &self.fields[1]], &self.status, [one, two]);
         self.gather()
     }
 
@@ -128,8 +148,16 @@ impl<'a> Pairs<'a> {
         state
     }
 
+    /// Goes along the slip by a step (Pa/m) and back within the limits, and by changes of the rigid slip (m).
+    pub fn predict(&mut self, state: &mut State, step: f64, rigid_slip: &[f64]) {
+        update(&mut state.traction, [&state.slip], |traction, [slip]| traction + step * slip);
+        self.project(&mut state.traction);
+        update(&mut state.rigid_slip, [rigid_slip], |before, [change]| before + change);
+        self.find_slip(state);
+    }
+
     /// Brings tractions within the limits.
-    pub fn project(&self, traction: &mut [f64]) {
+    fn project(&self, traction: &mut [f64]) {
         let (one, two) = traction.split_at_mut(self.len());
         for ((x, y), &limit) in one.iter_mut().zip(two).zip(&self.limit) {
             [*x, *y] = onto_disc([*x, *y], limit);
@@ -144,12 +172,16 @@ impl<'a> Pairs<'a> {
         } else {
             self.apply(&state.traction)
         };
-        state.slip = self.rigid.iter().zip(&taken).map(|(rigid, taken)| rigid - taken).collect();
-        for (rigid_slip, prescribed) in state.rigid_slip.iter().zip(self.step.prescribed) {
-            for (slip, unit) in
-                state.slip.chunks_mut(self.places.len().max(1)).zip(prescribed.direction)
-            {
-                slip.iter_mut().for_each(|slip| *slip += rigid_slip * unit);
+        state.slip = map([&self.rigid, &taken], |[rigid, taken]| rigid - taken);
+        self.add_rigid_slip(&mut state.slip, &state.rigid_slip);
+    }
+
+    /// Adds a uniform slip (m) along each direction whose force is given, on as many pairs as there are.
+    pub fn add_rigid_slip(&self, slip: &mut [f64], rigid_slip: &[f64]) {
+        let pairs = slip.len() / 2;
+        for (rigid_slip, prescribed) in rigid_slip.iter().zip(self.step.prescribed) {
+            for (slip, unit) in slip.chunks_mut(pairs.max(1)).zip(prescribed.direction) {
+                update(slip, [], |slip, []| slip + rigid_slip * unit);
             }
         }
     }
@@ -180,9 +212,7 @@ impl<'a> Pairs<'a> {
             let [x, y] = onto_disc([t1 + s1 / self.own, t2 + s2 / self.own], limit);
             [weight * ((t1 - x).powi(2) + (t2 - y).powi(2))]
         });
-        let missing = self.missing(&state.traction);
-        let missing = missing.iter().map(|force| force * force).sum::<f64>().sqrt();
-        let relative = |one: f64, other: f64| if one == 0.0 { 0.0 } else { one / other };
+        let missing = norm(&self.missing(&state.traction));
         worse(relative(squares.sqrt(), self.norm), relative(missing, self.force))
     }
 
@@ -195,28 +225,18 @@ impl<'a> Pairs<'a> {
         residual: f64,
     ) -> Outcome {
         self.find_slip(&mut state);
-        let (step, pairs) = (self.step, self.places.len());
-        let mut slip = [0, 1].map(|axis| -> Vec<f64> {
-            let prescribed = state.rigid_slip.iter().zip(step.prescribed);
-            let uniform: f64 = prescribed
-                .map(|(rigid_slip, prescribed)| rigid_slip * prescribed.direction[axis])
-                .sum();
-            let taken = self.images[axis].iter();
-            step.rigid[axis]
-                .iter()
-                .zip(taken)
-                .map(|(rigid, taken)| rigid - taken + uniform)
-                .collect()
+        let [x, y] = [0, 1].map(|axis| {
+            map([self.step.rigid[axis], &self.images[axis]], |[rigid, taken]| rigid - taken)
         });
+        let mut slip = [x, y].concat();
+        self.add_rigid_slip(&mut slip, &state.rigid_slip);
+        let second = slip.split_off(self.status.len());
         self.fields.iter_mut().for_each(|field| field.fill(0.0));
         self.scatter(&state.traction);
-        for (field, values) in slip.iter_mut().zip(state.slip.chunks(pairs.max(1))) {
-            self.places.iter().zip(values).for_each(|(&place, value)| field[place] = *value);
-        }
         Outcome {
             status,
             traction: self.fields,
-            slip,
+            slip: [slip, second],
             rigid_slip: state.rigid_slip,
             iterations,
             residual,

@@ -68,15 +68,10 @@ impl Uzawa {
                 Status::OutOfIterations
             } else {
                 count += 1;
-                let missing = pairs.missing(&state.traction);
-                for (traction, slip) in state.traction.iter_mut().zip(&state.slip) {
-                    *traction += penalty * slip;
-                }
-                pairs.project(&mut state.traction);
-                for (rigid_slip, missing) in state.rigid_slip.iter_mut().zip(missing) {
-                    *rigid_slip += compliance * missing / area;
-                }
-                pairs.find_slip(&mut state);
+                let missing = pairs.missing(&state.traction).into_iter();
+                let rigid_slip: Vec<f64> =
+                    missing.map(|missing| compliance * missing / area).collect();
+                pairs.predict(&mut state, penalty, &rigid_slip);
                 continue;
             };
             return pairs.finish(state, status, count, residual);

@@ -1,0 +1,70 @@
+//! Friction under given pressures, and its alternation with the pressures of unlike bodies.
+
+use super::evolution::Increment;
+use super::{Effort, Error, Simulation};
+use crate::friction::Friction;
+use crate::solve::Status;
+use crate::solve::tangential::{self, Outcome, Start, Step};
+
+/// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
+/// that are found in turn agree.
+const CONSISTENT: f64 = 1e-8;
+/// Turns between them.
+const TURNS: usize = 50;
+
+/// Solves a step of friction.
+pub(super) fn solve(
+    simulation: &Simulation,
+    increment: Increment,
+    friction: &dyn Friction,
+    (step, start): (&Step<'_>, Option<Start<'_>>),
+    effort: &mut Effort,
+) -> Result<Outcome, Error> {
+    let outcome = tangential::solve(&*simulation.friction_solver, step, friction.map(), start);
+    effort.iterations += outcome.iterations;
+    effort.applications += outcome.applications;
+    effort.residual = effort.residual.max(outcome.residual);
+    match outcome.status {
+        Status::Converged => Ok(outcome),
+        _ => Err(not_converged(simulation, increment, outcome.iterations, outcome.residual)),
+    }
+}
+
+pub(super) fn not_converged(
+    simulation: &Simulation,
+    increment: Increment,
+    iterations: usize,
+    residual: f64,
+) -> Error {
+    Error::FrictionNotConverged {
+        measure: simulation.problem.motion.progress(),
+        progress: increment.progress,
+        iterations,
+        residual,
+        tolerance: simulation.friction_solver.settings().tolerance,
+    }
+}
+
+/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens, and says which
+/// it opens then and what the approach (m) is.
+pub(super) fn alternate(
+    simulation: &Simulation,
+    increment: Increment,
+    mut opened: Vec<f64>,
+    mut turn: impl FnMut(&[f64]) -> Result<(Vec<f64>, f64), Error>,
+) -> Result<(), Error> {
+    for _ in 0..TURNS {
+        let (now, approach) = turn(&opened)?;
+        let changes = now.iter().zip(&opened).map(|(now, before)| (now - before).abs());
+        let change = changes.fold(0.0, f64::max);
+        opened = now;
+        if change <= CONSISTENT * approach.abs() {
+            return Ok(());
+        }
+    }
+    Err(Error::NotConsistent {
+        measure: simulation.problem.motion.progress(),
+        progress: increment.progress,
+        passes: TURNS,
+    })
+}
