@@ -35,7 +35,8 @@ pub(super) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
     let deepest = runs.iter().map(most).fold(0.0, f64::max);
     ensure!(deepest > 0.0, "nothing has worn in these runs, so there is nothing to compare");
     let column = first.progress().0;
-    let (along, unit) = (Unit::of_column(column), Unit::depth(deepest));
+    let end = runs.iter().map(|run| largest(run.progress().1)).fold(0.0, f64::max);
+    let (along, unit) = (Unit::of_column(column, end), Unit::depth(deepest));
     let quantities = quantities(&runs);
     let mut curves = Curves::new();
     for (index, (run, name)) in runs.iter().zip(names(&dirs)).enumerate() {
@@ -52,7 +53,6 @@ pub(super) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
             }
         }
     }
-    let end = runs.iter().map(|run| largest(run.progress().1)).fold(0.0, f64::max);
     let note = |(quantity, name): &(String, &str)| {
         let place = NAMED_AT * end;
         let below = value_at(first, quantity, place)? - NAMED_BELOW * deepest;

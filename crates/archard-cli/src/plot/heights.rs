@@ -24,7 +24,7 @@ pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
         }
     }
     let (across, height) = (Unit::across(window), Unit::depth(highest));
-    let progress = Unit::of_column(results.progress().0);
+    let progress = results.progress_unit();
     let mut curves = Curves::new();
     let bodies = results.bodies.len().max(1);
     for (index, (profile, line)) in lines.into_iter().enumerate() {

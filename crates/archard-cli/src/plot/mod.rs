@@ -31,7 +31,6 @@ use anyhow::Context;
 use figure::{Panel, save};
 use pressure::MOMENTS;
 use results::Results;
-use tables::Axis;
 
 /// Size (px) of a panel of the figures with few panels.
 const PANEL: [f64; 2] = [640.0, 460.0];
@@ -104,16 +103,21 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
             pictures.push(Picture::new("traction", panels));
         }
         let mut panels = Vec::new();
+        let axes = results.shown_axes();
         if results.wears() {
-            panels.push(heights::section(results, Axis::X)?);
-            panels.push(heights::section(results, Axis::Y)?);
+            for axis in &axes {
+                panels.push(heights::section(results, *axis)?);
+            }
         }
-        panels.push(pressure::section(results, Axis::X, MOMENTS)?);
-        panels.push(pressure::section(results, Axis::Y, MOMENTS)?);
+        for axis in &axes {
+            panels.push(pressure::section(results, *axis, MOMENTS)?);
+        }
         pictures.push(Picture::new("profiles", panels));
     }
     if results.image.is_some() {
-        pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        if results.shown_axes().len() > 1 {
+            pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        }
         pictures.push(Picture::new("overview", sliding_overview(results)?).sized(OVERVIEW));
     }
     Ok(pictures)
@@ -127,20 +131,29 @@ fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
         true => traction::sections(results, MOMENTS)?.into_iter().next(),
         false => None,
     };
-    let (map, pressed) = (pressure::map(results)?, pressure::section(results, along, MOMENTS)?);
+    let pressed = pressure::section(results, along, MOMENTS)?;
+    let line = results.shown_axes().len() < 2;
     if results.wears() {
+        let map = if line { wear::worn_off(results)? } else { pressure::map(results)? };
         let last = fretting.or(traction).unwrap_or(pressed);
-        return Ok(vec![wear::depth(results)?, map, heights::section(results, along)?, last]);
+        let shapes = heights::section(results, results.shape_axis())?;
+        return Ok(vec![wear::depth(results)?, map, shapes, last]);
     }
     let first = match fretting {
         Some(fretting) => fretting,
         None => load::panel(results)?,
     };
-    let last = match traction {
-        Some(traction) => traction,
-        None => pressure::section(results, across, MOMENTS)?,
-    };
-    Ok(vec![first, map, pressed, last])
+    let mut panels = vec![first];
+    if !line {
+        panels.push(pressure::map(results)?);
+    }
+    panels.push(pressed);
+    match traction {
+        Some(traction) => panels.push(traction),
+        None if line => {}
+        None => panels.push(pressure::section(results, across, MOMENTS)?),
+    }
+    Ok(panels)
 }
 
 /// The pictures of bodies that roll.
@@ -167,15 +180,20 @@ fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
     let mut panels = vec![pressure::section(results, along, 2)?];
     panels.extend(traction::sections(results, moments)?);
     pictures.push(Picture::new("traction", panels));
+    let line = results.is_one_element(across);
     let mut panels = vec![pressure::section(results, along, MOMENTS)?];
-    panels.push(pressure::section(results, across, MOMENTS)?);
+    if !line {
+        panels.push(pressure::section(results, across, MOMENTS)?);
+    }
     if results.wears() {
         panels.push(heights::section(results, across)?);
         panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
     }
     pictures.push(Picture::new("profiles", panels));
     if results.image.is_some() {
-        pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        if !line {
+            pictures.push(Picture::new("pressure_map", vec![pressure::map(results)?]).sized(MAP));
+        }
         pictures.push(Picture::new("overview", rolling_overview(results)?).sized(OVERVIEW));
     }
     Ok(pictures)
@@ -185,16 +203,19 @@ fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
 fn rolling_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
     let [along, across] = results.axes();
     let swept = results.sweeps();
+    let line = results.is_one_element(across);
     let first = match (results.wears(), swept) {
-        (true, _) => wear::depth(results)?,
-        (false, true) => creep_force::panel(results)?,
-        (false, false) => pressure::section(results, across, MOMENTS)?,
+        (true, _) => Some(wear::depth(results)?),
+        (false, true) => Some(creep_force::panel(results)?),
+        (false, false) if line => None,
+        (false, false) => Some(pressure::section(results, across, MOMENTS)?),
     };
+    let map = if line { None } else { Some(pressure::map(results)?) };
     let third = match results.worn_profile.as_ref().filter(|_| results.wears()) {
         Some(profile) => transverse::panel(results, profile)?,
         None => pressure::section(results, along, MOMENTS)?,
     };
-    let mut panels = vec![first, pressure::map(results)?, third];
+    let mut panels: Vec<Panel> = first.into_iter().chain(map).chain([third]).collect();
     panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
     Ok(panels)
 }

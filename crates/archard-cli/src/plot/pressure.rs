@@ -20,18 +20,25 @@ use super::tables::Axis;
 pub(super) const MOMENTS: usize = 6;
 /// Length over width from which a map is stretched across: to scale it would be a mere stroke.
 const SLENDER: f64 = 4.0;
+/// How far above the later pressures the first may be for all to be shown, and how far above them a picture reaches that
+/// cuts it off.
+const HIGH: f64 = 3.0;
+const ABOVE: f64 = 1.3;
 /// Points of the curve of the closed form.
 const POINTS: usize = 200;
 
 /// The pressure along an axis at that many outputs, and Hertz's for the unworn bodies.
 pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Panel> {
     let sections = results.sections(axis, count);
-    let progress = Unit::of_column(results.progress().0);
+    let progress = results.progress_unit();
     let window = results.window(axis)?;
     let (across, unit) = (Unit::across(window), Unit::pressure());
     let mut curves = Curves::new();
+    let peaks: Vec<f64> = sections.iter().map(|profile| profile.peak()).collect::<Result<_>>()?;
+    let top = top(&peaks);
     if let Some(curve) = hertz(results, axis, window)? {
-        let points = curve.into_iter().map(|(x, p)| (x * across.factor, p * unit.factor));
+        let points = below(curve, top);
+        let points = points.into_iter().map(|(x, p)| (x * across.factor, p * unit.factor));
         let name = if results.wears() { "Hertz, unworn" } else { "Hertz" };
         curves.add(points, Pen::closed_form(), Some(name));
     }
@@ -39,15 +46,35 @@ pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Pan
         let places = profile.table.column("coordinate_m")?.iter();
         let pressures = profile.table.column("pressure_Pa")?;
         let points = places.zip(pressures).filter(|(x, _)| x.abs() <= window);
-        let points = points.map(|(x, p)| (x * across.factor, p * unit.factor));
+        let points = below(points.map(|(x, p)| (*x, *p)).collect(), top);
+        let points = points.into_iter().map(|(x, p)| (x * across.factor, p * unit.factor));
         let pen = Pen::line(moment(index, sections.len()));
         curves.add(points, pen, Some(&progress.show(profile.progress)));
     }
-    let title = format!("Pressure along {}", axis.name());
+    let cut = if top.is_finite() {
+        format!(", first {} cut off", unit.show(peaks[0]))
+    } else {
+        String::new()
+    };
+    let title = format!("Pressure along {}{cut}", axis.name());
     let labels = [&*title, &across.label(axis.name()), &unit.label("Pressure")];
     Ok(curves.panel(labels, |layout| {
-        along_axis(layout, results, window * across.factor).with_y_axis_min(0.0)
+        let layout = along_axis(layout, results, window * across.factor).with_y_axis_min(0.0);
+        if top.is_finite() { layout.with_y_axis_max(top * unit.factor) } else { layout }
     }))
+}
+
+/// The highest pressure (Pa) shown: all, unless the first contact stands so high above the later ones that those would
+/// lie flat.
+fn top(peaks: &[f64]) -> f64 {
+    let later = peaks.iter().skip(1).copied().fold(0.0, f64::max);
+    let flat = later > 0.0 && peaks[0] > HIGH * later;
+    if flat { ABOVE * later } else { f64::INFINITY }
+}
+
+/// The curve as far as a height; what rises beyond is cut there.
+fn below(points: Vec<(f64, f64)>, top: f64) -> Vec<(f64, f64)> {
+    points.into_iter().map(|(x, y)| (x, y.min(top))).collect()
 }
 
 /// The layout of sections out to `window` on either side, with the outputs named beside them.
@@ -97,7 +124,7 @@ pub(super) fn map(results: &Results) -> Result<Panel> {
     let title = match results.profiles.last() {
         Some(last) => {
             let (column, _) = results.progress();
-            let progress = Unit::of_column(column).show(last.progress);
+            let progress = results.progress_unit().show(last.progress);
             format!("{name}, {} {progress}", phrase(column).to_lowercase())
         }
         None => name,

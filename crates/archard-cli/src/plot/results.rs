@@ -13,6 +13,7 @@ use archard::output::{Collection, Image};
 use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
 use serde_json::{Map, Value};
 
+use super::scale::Unit;
 use super::tables::{
     Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
 };
@@ -98,6 +99,38 @@ impl Results {
     /// The column that measures how far the motion has gone.
     pub(super) fn progress(&self) -> (&str, &[f64]) {
         self.history.first()
+    }
+
+    /// The unit to show the progress in.
+    pub(super) fn progress_unit(&self) -> Unit {
+        let (column, values) = self.progress();
+        Unit::of_column(column, largest(values))
+    }
+
+    /// Whether there is one element along an axis only, of which a section shows nothing.
+    pub(super) fn is_one_element(&self, axis: Axis) -> bool {
+        self.image.as_ref().is_some_and(|image| image.elements[axis.index()] == 1)
+    }
+
+    /// The axes of which sections show something: all of them, or that across a line of contact.
+    pub(super) fn shown_axes(&self) -> Vec<Axis> {
+        [Axis::X, Axis::Y].into_iter().filter(|axis| !self.is_one_element(*axis)).collect()
+    }
+
+    /// The axis along which a surface passes on a track.
+    fn track(&self) -> Option<Axis> {
+        let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
+        let sliding = motion.sliding().filter(|sliding| sliding.track.is_some())?;
+        Some(if sliding.direction.axis == 1 { Axis::Y } else { Axis::X })
+    }
+
+    /// The axis along which the worn shapes say most: across a track, along the motion else.
+    pub(super) fn shape_axis(&self) -> Axis {
+        match self.track() {
+            Some(Axis::X) => Axis::Y,
+            Some(Axis::Y) => Axis::X,
+            None => self.axes()[0],
+        }
     }
 
     /// Whether the bodies roll.

@@ -75,10 +75,19 @@ impl Unit {
         Self::new("%", 100.0)
     }
 
-    /// For a column whose name ends in its SI unit.
-    pub(super) fn of_column(column: &str) -> Self {
+    /// For distances slid up to `largest` (m).
+    fn distance(largest: f64) -> Self {
+        match largest {
+            far if far >= 2e3 => Self::new("km", 1e-3),
+            far if far >= 2.0 => Self::new("m", 1.0),
+            _ => Self::new("mm", 1e3),
+        }
+    }
+
+    /// For a column whose name ends in its SI unit, with values up to `largest`.
+    pub(super) fn of_column(column: &str, largest: f64) -> Self {
         if column.ends_with("_m") {
-            Self::new("mm", 1e3)
+            Self::distance(largest)
         } else if column.ends_with("_s") {
             Self::new("s", 1.0)
         } else if column == Progress::SHARE.column {
@@ -153,15 +162,17 @@ mod tests {
 
     #[test]
     fn values_are_short() {
-        let mm = Unit::of_column("distance_m");
+        let mm = Unit::of_column("distance_m", 0.5);
         assert_eq!(mm.show(0.5), "500 mm");
         assert_eq!(mm.show(0.0), "0 mm");
         assert_eq!(mm.show(0.00123456), "1.23 mm");
-        assert_eq!(Unit::of_column("share").show(0.25), "25 %");
+        assert_eq!(Unit::of_column("share", 1.0).show(0.25), "25 %");
+        assert_eq!(Unit::of_column("distance_m", 110.0).show(110.0), "110 m");
+        assert_eq!(Unit::of_column("distance_m", 5e3).show(500.0), "0.5 km");
         assert_eq!(tick(-0.00001), "0");
         assert_eq!(tick(0.5), "0.5");
         assert_eq!(phrase("share"), "Share");
         assert_eq!(phrase("distance_m"), "Distance");
-        assert_eq!(Unit::of_column("time_s").label(&phrase("time_s")), "Time (s)");
+        assert_eq!(Unit::of_column("time_s", 9.0).label(&phrase("time_s")), "Time (s)");
     }
 }

@@ -49,6 +49,13 @@ pub(super) struct Profile {
     pub(super) table: Table,
 }
 
+impl Profile {
+    /// The highest pressure (Pa).
+    pub(super) fn peak(&self) -> anyhow::Result<f64> {
+        Ok(largest(self.table.column("pressure_Pa")?))
+    }
+}
+
 impl Table {
     /// The values of a column.
     pub(super) fn column(&self, name: &str) -> anyhow::Result<&[f64]> {

@@ -44,7 +44,7 @@ fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Pa
     let [along, _] = results.axes();
     let window = results.window(along)?;
     let (across, unit) = (Unit::across(window), Unit::pressure());
-    let progress = Unit::of_column(results.progress().0);
+    let progress = results.progress_unit();
     let mut curves = Curves::new();
     let mut named = false;
     // Where the pressures of bodies that do not roll change, their limits would hide the tractions.

@@ -34,7 +34,7 @@ pub(super) fn panel(results: &Results, profile: &Profile) -> Result<Panel> {
         curves.add(points, pen, Some(&legend));
     }
     let (column, _) = results.progress();
-    let progress = Unit::of_column(column).show(profile.progress);
+    let progress = results.progress_unit().show(profile.progress);
     let after = format!("after {progress} {}", phrase(column).to_lowercase());
     let title = match &*results.bodies {
         [one, other] => format!("{one} above, {other} below, {after}"),

@@ -93,7 +93,7 @@ const NEAR_END: f64 = 0.25;
 /// Curves of a quantity, and its closed form.
 fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     let (name, progress) = results.progress();
-    let (along, unit) = (Unit::of_column(name), &quantity.unit);
+    let (along, unit) = (results.progress_unit(), &quantity.unit);
     let points = |values: &[f64]| -> Vec<(f64, f64)> {
         let pairs = progress.iter().zip(values);
         pairs.map(|(s, value)| (s * along.factor, value * unit.factor)).collect()
