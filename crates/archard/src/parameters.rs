@@ -81,9 +81,6 @@ impl Quantity {
     }
 }
 
-/// What messages say of two parameters of which only one may be given.
-pub const EXCLUSIVE: &str = "exclude each other";
-
 /// What values of a numeric parameter are allowed.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -321,9 +318,7 @@ fn only_one<T>(values: [(&'static str, Option<T>); 2]) -> Result<OneOf<T>, Inval
         (None, None) => {
             Err(Invalid::new(first, format!("one of `{first}` and `{second}` is needed")))
         }
-        (Some(_), Some(_)) => {
-            Err(Invalid::new(second, format!("`{first}` and `{second}` {EXCLUSIVE}: keep one")))
-        }
+        (Some(_), Some(_)) => Err(Invalid::exclusive(second, first, "keep one")),
         given => Ok(given),
     }
 }
@@ -337,12 +332,29 @@ pub struct Invalid {
     pub parameter: &'static str,
     /// What is wrong and what to do.
     pub message: String,
+    /// Parameters beside it that the error is about, too: any of them may be the one to change.
+    pub beside: Vec<&'static str>,
+    /// Whether only one of them and it may be given.
+    pub exclusive: bool,
 }
 
 impl Invalid {
     /// An error at that parameter.
     pub fn new(parameter: &'static str, message: impl Into<String>) -> Self {
-        Self { parameter, message: message.into() }
+        Self { parameter, message: message.into(), beside: vec![], exclusive: false }
+    }
+
+    /// The same error, about another parameter too.
+    #[must_use]
+    pub fn beside(mut self, parameter: &'static str) -> Self {
+        self.beside.push(parameter);
+        self
+    }
+
+    /// Two parameters, of which only one may be given, and what to do about it.
+    pub fn exclusive(parameter: &'static str, other: &'static str, advice: &str) -> Self {
+        let message = format!("`{other}` and `{parameter}` exclude each other: {advice}");
+        Self { exclusive: true, ..Self::new(parameter, message).beside(other) }
     }
 }
 

@@ -8,7 +8,7 @@ use super::nearest::nearest;
 use super::problem::{Problem, Source};
 use super::quantity;
 use super::tree::{Entry, Item, Node, Table};
-use crate::parameters::{Bound, Choice, EXCLUSIVE, Invalid, Parameter, Quantity, Value, Values};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Value, Values};
 
 /// Reads one case and collects what is wrong with it.
 pub(super) struct Reader<'a> {
@@ -244,12 +244,11 @@ impl Reader<'_> {
         }
     }
 
-    /// Values that do not fit together. Where the message names several keys of the table, it points
+    /// Values that do not fit together. Where they are several keys of the table, it points
     /// at the one an option set last, since that one upset the case.
     pub fn invalid(&mut self, section: &Section<'_>, invalid: Invalid) {
         let named = section.table.0.iter().filter(|entry| {
-            entry.name == invalid.parameter
-                || invalid.message.contains(&format!("`{}`", entry.name))
+            entry.name == invalid.parameter || invalid.beside.contains(&&*entry.name)
         });
         let last =
             named.clone().max_by_key(|entry| (entry.at.source, entry.name == invalid.parameter));
@@ -259,8 +258,7 @@ impl Reader<'_> {
             return self.push(Problem::error(key, invalid.message));
         };
         let problem = Problem::error(section.key.child(&last.name), &*invalid.message);
-        let exclusive = invalid.message.contains(EXCLUSIVE);
-        let other = named.clone().rfind(|entry| exclusive && entry.name != last.name);
+        let other = named.clone().rfind(|entry| invalid.exclusive && entry.name != last.name);
         self.push(match other {
             Some(other) => {
                 let key = section.key.child(&other.name);

@@ -54,7 +54,7 @@ fn swinging(values: &Values) -> Result<Planned, Invalid> {
     if let Some(other) = OTHERS.into_iter().find(|name| values.get(name).is_some()) {
         let message =
             format!("surfaces that swing slide all over by an `amplitude`, without `{other}`");
-        return Err(Invalid::new(other, message));
+        return Err(Invalid::new(other, message).beside("surfaces"));
     }
     let amplitude = values
         .pair("amplitude")
@@ -201,11 +201,11 @@ impl Fretting {
         match pressing(control)? {
             Control::Load(mean) if load >= mean => {
                 let message = "`load_amplitude` is not less than `load`: the bodies would part";
-                Err(Invalid::new("load_amplitude", message))
+                Err(Invalid::new("load_amplitude", message).beside("load"))
             }
             Control::Approach(_) if load > 0.0 => {
                 let message = "`load_amplitude` needs a `load`, not an `approach`";
-                Err(Invalid::new("load_amplitude", message))
+                Err(Invalid::new("load_amplitude", message).beside("approach"))
             }
             _ => Ok(()),
         }

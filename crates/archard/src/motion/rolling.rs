@@ -188,7 +188,8 @@ impl Rolling {
         let revolutions = REVOLUTIONS.admit(revolutions)?;
         match stepping {
             Stepping::Implicit(step) if revolutions > 0.0 && step > revolutions => {
-                return Err(Invalid::new("step", "`step` is more than all `revolutions`"));
+                let message = "`step` is more than all `revolutions`";
+                return Err(Invalid::new("step", message).beside("revolutions"));
             }
             Stepping::Explicit(_) => {
                 return Err(Invalid::new("step", "steps of rolling are implicit"));

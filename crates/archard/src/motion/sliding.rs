@@ -9,7 +9,7 @@ use super::{
     pressing,
 };
 use crate::frame::Direction;
-use crate::parameters::{Choice, EXCLUSIVE, Invalid, Parameter, Quantity, Values};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
     name: "sliding",
@@ -63,7 +63,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
                 return Err(Invalid::new(
                     "scheme",
                     "the explicit scheme takes a `step`, not a `tolerance`",
-                ));
+                )
+                .beside("tolerance"));
             }
             (None, tolerance) => Stepping::Tolerance(tolerance.unwrap_or_default()),
         };
@@ -182,7 +183,8 @@ impl Sliding {
         if let Stepping::Implicit(step) | Stepping::Explicit(step) = stepping
             && step > distance
         {
-            return Err(Invalid::new("step", "`step` is longer than `distance`"));
+            let message = "`step` is longer than `distance`";
+            return Err(Invalid::new("step", message).beside("distance"));
         }
         let stepping = few_steps(stepping, STEP, distance)?;
         Ok((Motion::Sliding(self), Schedule::steady(pressing(control)?, distance, stepping)))
@@ -195,8 +197,7 @@ fn track(values: &Values) -> Result<Option<Track>, Invalid> {
     let mut given = LENGTHS.iter().filter_map(|name| Some((*name, values.number(name)?)));
     let first = given.next();
     if let (Some((first, _)), Some((second, _))) = (first, given.next()) {
-        let message = format!("`{first}` and `{second}` {EXCLUSIVE}: keep one");
-        return Err(Invalid::new(second, message));
+        return Err(Invalid::exclusive(second, first, "keep one"));
     }
     let Some((name, value)) = first else {
         let needs = |name| {
@@ -214,8 +215,7 @@ fn track(values: &Values) -> Result<Option<Track>, Invalid> {
         };
     };
     if values.word("surfaces").is_some() {
-        let message = format!("`surfaces` and `{name}` {EXCLUSIVE}: on a track one surface passes");
-        return Err(Invalid::new("surfaces", message));
+        return Err(Invalid::exclusive("surfaces", name, "on a track one surface passes"));
     }
     let Some(body) = values.body("passes") else {
         let message = format!("`{name}` needs the body that has the track, `passes`");
@@ -242,7 +242,7 @@ fn course(values: &Values, track: Option<&Track>) -> Result<(f64, Option<f64>), 
                     rounded(distance),
                     rounded(distance / speed)
                 );
-                return Err(Invalid::new("time", message));
+                return Err(Invalid::new("time", message).beside(name));
             }
             Ok((distance, Some(speed)))
         }
@@ -271,7 +271,7 @@ fn one_of_two(
                 rounded(other),
                 rounded(one)
             );
-            Err(Invalid::new(second, message))
+            Err(Invalid::new(second, message).beside(first))
         }
         (Some(one), _) => Ok(Some((first, one))),
         (None, other) => Ok(other.map(|other| (second, other))),

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::MeshError;
 use super::axis::{Growth, Middle};
-use crate::parameters::{Bound, EXCLUSIVE, Invalid, Parameter, Quantity, Values};
+use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
 
 /// Largest number of elements of a zone; more would not fit any computer's memory.
 pub(super) const MOST_ELEMENTS: usize = 1_000_000;
@@ -88,10 +88,7 @@ impl Layout {
         match (values.section("contact"), values.get("divisions")) {
             (Some(section), None) => Ok(Self::Contact(Contact::read(section, room)?)),
             (None, _) => Divisions::read(values).map(Self::Even),
-            (Some(_), Some(_)) => Err(Invalid::new(
-                "divisions",
-                format!("`contact` and `divisions` {EXCLUSIVE}: keep one"),
-            )),
+            (Some(_), Some(_)) => Err(Invalid::exclusive("divisions", "contact", "keep one")),
         }
     }
 
