@@ -55,18 +55,19 @@ pub(super) fn digest(simulation: &Simulation) -> [u8; 32] {
     let mut hash = Sha256::new();
     for body in &problem.bodies {
         hash.update(format!(
-            "{}{:?}{:?}{:?}",
+            "{}{:?}{:?}{:?}{:?}",
             body.name,
             body.material,
             body.wear,
-            body.curvatures()
+            body.curvatures(),
+            body.depth
         ));
     }
     hash.update(format!("{:?}{:?}{schedule:?}", problem.friction, problem.motion));
     hash.update(format!("{:?}{:?}", solver.settings(), friction_solver.settings()));
     hash.update(format!("{solver:?}{friction_solver:?}"));
     let frame = &problem.frame;
-    hash.update(format!("{:?}{:?}", frame.elements(), frame.size()));
+    hash.update(format!("{:?}{:?}{}", frame.elements(), frame.size(), frame.is_line()));
     let pairs = frame.len();
     let few = [0, pairs / 2, pairs.saturating_sub(1)];
     let few = problem.compliance.matrix(&few);

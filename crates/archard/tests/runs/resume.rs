@@ -8,7 +8,7 @@ use archard::problem::ContactState;
 use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
 
 /// Cases with settings, one of each way through the engine.
-const CASES: [(&str, &[&str]); 12] = [
+const CASES: [(&str, &[&str]); 14] = [
     ("pin_on_disc", &["frame.elements=[12, 12]", "motion.sliding.step=90 mm"]),
     (
         "pin_on_disc",
@@ -63,6 +63,17 @@ const CASES: [(&str, &[&str]); 12] = [
     (
         "punch_fretting_block",
         &["body.block.mesh.box.contact.elements=[6, 6]", "motion.indentation.cycles=5"],
+    ),
+    ("pin_on_disc_track", &["frame.elements=[13, 13]", "motion.sliding.tolerance=0.1"]),
+    // Surfaces that swing forward in one step and back in the next.
+    (
+        "mccoll_fretting",
+        &[
+            "frame.elements=50",
+            "motion.fretting.cycles=300",
+            "motion.fretting.tolerance=0.1",
+            "output={}",
+        ],
     ),
 ];
 
@@ -154,6 +165,13 @@ fn other_cases_do_not_go_on() {
     ] {
         let settings = [settings, &[other]].concat();
         let refused = Run::resume(build((case, &settings)), &kept).err();
+        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+    }
+    let swings = CASES[13];
+    let kept = Run::begin(build(swings)).unwrap().checkpoint();
+    for other in ["body.flat.depth=7 mm", "motion.fretting.amplitude=[\"24 um\", \"0 um\"]"] {
+        let settings = [swings.1, &[other]].concat();
+        let refused = Run::resume(build((swings.0, &settings)), &kept).err();
         assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
     }
     let meshed = CASES[11];

@@ -26,8 +26,14 @@ fn not_a_line(key: Key) -> Problem {
     Problem::error(key, message).help("`frame.plane_strain = true` makes the frame one")
 }
 
-/// Rolling along the line, or spin, which slips differently all along it.
+/// Rolling or swinging along the line, or spin, which slips differently all along it.
 fn across(parts: &Parts<'_>) -> Option<Problem> {
+    let sliding = parts.motion.sliding().filter(|sliding| sliding.swing.is_some());
+    if sliding.is_some_and(|sliding| sliding.direction.axis == 1) {
+        let message = "the line of contact lies along y: surfaces swing along x";
+        let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
+        return Some(Problem::error(key, message));
+    }
     let rolling = parts.motion.rolling()?;
     let (name, message) = if rolling.direction.axis == 1 {
         ("direction", "the line of contact lies along y: bodies roll along x")
