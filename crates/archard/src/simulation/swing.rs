@@ -175,3 +175,65 @@ impl<'a> Course<'a> {
         if load > 0.0 { work / load } else { 0.0 }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::Course;
+    use crate::body::profile::Cylinder;
+    use crate::body::{Body, Material};
+    use crate::motion::{Control, Motion, Schedule, Sliding, Stepping};
+    use crate::simulation::Simulation;
+
+    /// Cylinders of 6 and 30 mm on a line of 1 mm in 100 elements.
+    fn cylinders() -> Simulation {
+        let steel = Material::new(210e9, 0.3).unwrap();
+        let body = |name: &str, radius: f64| {
+            Body::new(name, Cylinder::along_y(radius).unwrap()).material(steel)
+        };
+        let sliding = Sliding { swing: Some(50e-6), ..Sliding::default() };
+        let schedule = Schedule::steady(Control::Load(1e3), 10.0, Stepping::Implicit(1.0));
+        let bodies = [body("small", 6e-3), body("large", 30e-3)];
+        let builder = Simulation::builder(bodies, (Motion::Sliding(sliding), schedule));
+        builder.line(1e-3, 100, 1.0).build().unwrap()
+    }
+
+    /// What is worn off the moved body and what is round of it move the same way.
+    #[test]
+    fn shape_and_wear_move_together() {
+        let simulation = cylinders();
+        let course = Course::of(&simulation.problem);
+        assert_eq!(course.bodies, [0, 1]);
+        let mut worn = [vec![0.0; 100], vec![0.0; 100]];
+        worn[1][40] = 1e-6;
+        let gaps = course.gap(&worn, 10);
+        worn[1][40] = 0.0;
+        let smooth = course.gap(&worn, 10);
+        let opened: Vec<usize> = (0..100).filter(|&pair| gaps[pair] != smooth[pair]).collect();
+        assert_eq!(opened, [50]);
+        assert_eq!(course.opposite(50, 10), Some(40));
+        // Two parabolas of curvatures c and c', one moved by d, are nearest at d c' / (c + c').
+        let nearest = (0..100).min_by(|&one, &two| smooth[one].total_cmp(&smooth[two])).unwrap();
+        let place = simulation.problem.frame.place(nearest)[0];
+        assert_relative_eq!(place, 0.1e-3 * 6.0 / 36.0, epsilon = 0.6e-5);
+    }
+
+    /// The lengths of all positions are those of a half cycle, even to both sides.
+    #[test]
+    fn positions_share_the_way() {
+        let simulation = cylinders();
+        let course = Course::of(&simulation.problem);
+        for reach in [2e-6, 9e-6, 24.6e-6, 300e-6] {
+            let positions = course.positions(reach);
+            let sum = |power: i32| -> f64 {
+                positions
+                    .iter()
+                    .map(|&(offset, length)| length * (offset as f64 * 1e-5).powi(power))
+                    .sum()
+            };
+            assert_relative_eq!(sum(0), 2.0 * reach, max_relative = 1e-12);
+            assert!(sum(1).abs() < 1e-12 * reach * reach);
+        }
+    }
+}
