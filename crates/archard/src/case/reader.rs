@@ -218,6 +218,19 @@ impl Reader<'_> {
         }
     }
 
+    /// What `name` says in `section`, true or false, `Some(None)` where it says nothing; `None` if it is wrong.
+    pub fn boolean(&mut self, section: &Section<'_>, name: &str) -> Option<Option<bool>> {
+        match section.get(name).map(|(key, entry)| (key, &entry.node.item)) {
+            None => Some(None),
+            Some((_, Item::Boolean(said))) => Some(Some(*said)),
+            Some((key, other)) => {
+                let message = format!("expected true or false, found {}", other.kind());
+                self.push(Problem::error(key, message));
+                None
+            }
+        }
+    }
+
     /// A value of that quantity, greater than zero.
     pub fn number(&mut self, key: Key, node: &Node, quantity: Quantity) -> Option<f64> {
         let parameter = Parameter::required("", quantity, "");

@@ -20,6 +20,7 @@ mod cloud;
 mod direction;
 mod field;
 mod flow;
+mod grid;
 mod line;
 mod measure;
 mod pairs;
@@ -36,6 +37,7 @@ pub use pairs::{Pairs, PairsError};
 use rayon::prelude::*;
 
 use crate::body::Profile;
+use grid::Grid;
 use pairs::Described;
 
 /// The pairs that may touch, and their geometric gap.
@@ -51,34 +53,6 @@ pub struct ContactFrame {
 enum Shape {
     Uniform(Grid),
     Described(Box<Described>),
-}
-
-/// A uniform rectangular grid, centred at the origin.
-#[derive(Debug, Clone, Copy)]
-struct Grid {
-    /// Size along x and y (m).
-    size: [f64; 2],
-    /// Number of elements along x and y.
-    elements: [usize; 2],
-    /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
-    line: bool,
-    /// Whether all pairs may touch.
-    closed: bool,
-}
-
-impl Grid {
-    fn spacing(&self) -> [f64; 2] {
-        [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)
-    }
-
-    fn place(&self, pair: usize) -> [f64; 2] {
-        let index = [pair % self.elements[0], pair / self.elements[0]];
-        let spacing = self.spacing();
-        [0, 1].map(|axis| {
-            // Symmetric to the last bit, so that symmetric problems stay symmetric.
-            0.5 * spacing[axis] * (2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64)
-        })
-    }
 }
 
 /// The axes of the frame.

@@ -6,7 +6,7 @@ use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
-use crate::case::tree::{Entry, Item};
+use crate::case::tree::Entry;
 use crate::parameters::Quantity;
 use crate::wear::{WEAR_LAWS, WearLaw};
 
@@ -115,15 +115,7 @@ impl Reader<'_> {
 
     /// The material of an elastic body, `Some(None)` for a rigid one; `None` if it is wrong.
     fn material(&mut self, body: &Section<'_>) -> Option<Option<Material>> {
-        let rigid = match body.get("rigid").map(|(key, entry)| (key, &entry.node.item)) {
-            None => false,
-            Some((_, Item::Boolean(rigid))) => *rigid,
-            Some((key, other)) => {
-                let message = format!("expected true or false, found {}", other.kind());
-                self.push(Problem::error(key, message));
-                return None;
-            }
-        };
+        let rigid = self.boolean(body, "rigid")?.unwrap_or(false);
         if rigid {
             if let Some((key, _)) = body.get("material") {
                 let message = "a rigid body does not deform: its material has no effect";

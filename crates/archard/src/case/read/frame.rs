@@ -34,15 +34,7 @@ impl Reader<'_> {
     /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read
     /// accordingly from here on.
     fn line_of_contact(&mut self, section: &Section<'_>) -> Option<Option<f64>> {
-        let plane = match section.get("plane_strain").map(|(key, entry)| (key, &entry.node.item)) {
-            None => None,
-            Some((_, Item::Boolean(plane))) => Some(*plane),
-            Some((key, other)) => {
-                let message = format!("expected true or false, found {}", other.kind());
-                self.push(Problem::error(key, message));
-                return None;
-            }
-        };
+        let plane = self.boolean(section, "plane_strain")?;
         let length = match section.get("length") {
             None => None,
             Some((key, entry)) => Some(self.number(key, &entry.node, Quantity::Length)?),
@@ -78,7 +70,7 @@ impl Reader<'_> {
     }
 
     /// A value along x, by itself or in a list.
-    fn along_x<T: PartialEq>(
+    fn along_x<T>(
         &mut self,
         section: &Section<'_>,
         name: &str,

@@ -1,0 +1,31 @@
+//! A uniform grid of pairs.
+
+/// A uniform rectangular grid, centred at the origin.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Grid {
+    /// Size along x and y (m).
+    pub size: [f64; 2],
+    /// Number of elements along x and y.
+    pub elements: [usize; 2],
+    /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
+    pub line: bool,
+    /// Whether all pairs may touch.
+    pub closed: bool,
+}
+
+impl Grid {
+    /// Size of an element along x and y (m).
+    pub fn spacing(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)
+    }
+
+    /// Centre of a pair (m).
+    pub fn place(&self, pair: usize) -> [f64; 2] {
+        let index = [pair % self.elements[0], pair / self.elements[0]];
+        let spacing = self.spacing();
+        [0, 1].map(|axis| {
+            // Symmetric to the last bit, so that symmetric problems stay symmetric.
+            0.5 * spacing[axis] * (2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64)
+        })
+    }
+}
