@@ -36,14 +36,19 @@ fn stays(parts: &Parts<'_>) -> Option<Problem> {
     Some(Problem::warning(motion(parts), message).at_name().help(help))
 }
 
-/// A track that is shorter than the contact on it.
+/// A track that is shorter than the contact on it, or than the frame where nothing tells how long the contact gets.
 fn short(parts: &Parts<'_>, track: &Track, axis: usize, forecast: &Forecast) -> Option<Problem> {
-    let reach = forecast.estimate.reach()?[axis];
-    (reach.is_finite() && 2.0 * reach > track.length).then(|| {
+    let reach =
+        forecast.estimate.reach().map(|reach| reach[axis]).filter(|reach| reach.is_finite());
+    let (long, what) = match reach {
+        Some(reach) => (2.0 * reach, "the contact on it, which gets"),
+        None => (parts.case.frame.size[axis], "the frame on it, which is"),
+    };
+    (long > track.length).then(|| {
         let message = format!(
-            "the track is {} long, shorter than the contact on it, which gets {}",
+            "the track is {} long, shorter than {what} {}",
             length(track.length),
-            length(2.0 * reach)
+            length(long)
         );
         Problem::error(key_of_length(parts), message)
     })
