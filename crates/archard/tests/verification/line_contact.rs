@@ -105,7 +105,7 @@ fn partial_slip_is_cattaneos() {
     let known = line([STEEL; 2], load);
     let motion = format!(
         "friction.coulomb.coefficient = {friction}
-         motion.fretting = {{ load = \"200 N/mm\", force_amplitude = [\"{} N/mm\", \"0 N/mm\"], cycles = 1, increments = 20 }}
+         motion.fretting = {{ load = \"200 N/mm\", force_amplitude = [\"{} N/mm\", \"0 N/mm\"], cycles = 1, increments = 40 }}
          friction_solver.newton.tolerance = 1e-9",
         1e-3 * share * friction * load
     );
@@ -123,9 +123,32 @@ fn partial_slip_is_cattaneos() {
     };
     let shift = friction * (surface(load, known.half_width) - surface(load * (1.0 - share), stick));
     assert_relative_eq!(value(row, "shift_x_m"), shift, max_relative = 3e-3);
-    // The loop of the last three quarters encloses what was dissipated.
-    let dissipated = value(found.0.last().expect("a row"), "dissipated_J");
-    assert!(dissipated > 0.0);
+    // From one turn of the force to the next the bodies keep what is elastic: friction dissipates all that the force works.
+    let half = &found.0[quarter.expect("a quarter")..=3 * found.0.len() / 4];
+    let columns = |row: &Vec<(String, f64)>| {
+        ["force_x_N", "shift_x_m", "dissipated_J"].map(|column| value(row, column))
+    };
+    let work: f64 = half
+        .windows(2)
+        .map(|rows| {
+            let [one, two] = [&rows[0], &rows[1]].map(columns);
+            0.5 * (one[0] + two[0]) * (two[1] - one[1])
+        })
+        .sum();
+    let dissipated = columns(&half[half.len() - 1])[2] - columns(&half[0])[2];
+    assert_relative_eq!(work, dissipated, max_relative = 1e-6);
+    // Of the loop of Masing's rule over the first loading.
+    let most = share * friction * load;
+    let first = |force: f64| {
+        let sticks = 1.0 - force / (friction * load);
+        friction
+            * (surface(load, known.half_width)
+                - surface(load * sticks, known.half_width * sticks.sqrt()))
+    };
+    let integral: f64 =
+        (0..2000).map(|i| first(most * (f64::from(i) + 0.5) / 2000.0) * most / 2000.0).sum();
+    let loop_of_masing = 2.0 * most * first(most) - 4.0 * integral;
+    assert_relative_eq!(dissipated, loop_of_masing, max_relative = 3e-3);
 }
 
 fn value(row: &[(String, f64)], column: &str) -> f64 {
@@ -147,7 +170,7 @@ fn creep_forces_are_carters() {
         let width = format!("{} m", 2.2 * known.half_width);
         let found = rows(&bodies(STEELS, &width, 88, &motion)).last("force_x_N");
         let expected = friction * load * carter::relative_force(share);
-        assert_relative_eq!(found, expected, max_relative = 6e-3);
+        assert_relative_eq!(found, expected, max_relative = 5e-3);
     }
 }
 
@@ -161,7 +184,7 @@ fn unlike_bodies_creep() {
     let motion = "friction.coulomb.coefficient = 0.001
          motion.rolling = { load = \"200 N/mm\", force = \"0 N/mm\", revolutions = 0 }";
     let found = rows(&bodies(UNLIKE, "1.2 mm", 160, motion)).last("creepage");
-    assert_relative_eq!(found, expected, max_relative = 0.03);
+    assert_relative_eq!(found, expected, max_relative = 5e-3);
 }
 
 /// Bodies swapped; lengths four times as long under four times the load per length.
