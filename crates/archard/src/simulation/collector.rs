@@ -7,7 +7,7 @@
 use super::Error;
 use super::passing::{Lines, OfLines};
 use crate::motion::Passing;
-use crate::numerics::vector;
+use crate::numerics::vector::{self, Values};
 use crate::problem::{ContactProblem, ContactState, Wear};
 
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
@@ -68,15 +68,23 @@ impl<'a> Collector<'a> {
 
     /// What an advance (the motion's unit) wears under the contact as it is.
     pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
-        self.collect_sliding(state, advance, self.problem.motion.slip(advance))
+        self.collect_sliding(state, advance, Values::All(self.problem.motion.slip(advance)))
     }
 
-    /// The same where pairs of surfaces that stay slide that distance (m).
-    pub fn collect_sliding(&self, state: &ContactState, advance: f64, slip: f64) -> Collected {
+    /// The same where pairs of surfaces that stay slide those distances (m).
+    pub fn collect_sliding(
+        &self,
+        state: &ContactState,
+        advance: f64,
+        slip: Values<'_>,
+    ) -> Collected {
         let pairs = self.any_stays().then(|| {
             let slides = self.problem.motion.slides();
-            let points =
-                state.pressure.iter().map(|&pressure| self.problem.rubbing(pressure, slip, slides));
+            let points = state
+                .pressure
+                .iter()
+                .enumerate()
+                .map(|(pair, &pressure)| self.problem.rubbing(pressure, slip.at(pair), slides));
             self.problem.wear(&points.collect(), self.stays)
         });
         let lines = self.lines.map(|lines| (OfLines::of(state, lines), advance * lines.passages));

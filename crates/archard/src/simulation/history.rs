@@ -130,8 +130,8 @@ pub const COLUMNS: &[Column] = &[
         rolling(r, |own, rolling| own.creep_power(r.problem, rolling))
     }),
     column("dissipated_J", "J", "energy that friction dissipated in the cycle so far", |r, _| {
-        let swings = r.problem.motion.swing().filter(|_| r.problem.friction.is_some());
-        shifted(r).map(|_| ()).or(swings.map(|_| ())).map(|()| r.effort.dissipated[0])
+        let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();
+        (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
     }),
     column("true_cycles", "", "cycles computed so far, rejected ones included", |r, _| {
         shifted(r).map(|_| r.effort.true_cycles as f64)

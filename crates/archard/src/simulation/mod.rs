@@ -27,6 +27,7 @@ pub(crate) use compatibility::{crossed, inclined, lacks};
 pub use history::row;
 pub use march::March;
 pub use run::Run;
+pub(crate) use swing::solves_of_a_step;
 
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
@@ -211,9 +212,9 @@ pub enum Error {
     /// Surfaces that swing on a frame that is no uniform grid.
     #[error("surfaces swing on a uniform frame only, not on a mesh")]
     NotUniform,
-    /// An amplitude that the bodies follow elastically.
+    /// An amplitude that a part of the contact follows elastically.
     #[error(
-        "the bodies do not slide all over: of the amplitude of {amplitude:.3e} m their elasticity takes up {elastic:.3e} m; surfaces that stay (`surfaces = \"stay\"`) tell where they slip"
+        "the bodies do not slide all over: of the amplitude of {amplitude:.3e} m their elasticity takes up {elastic:.3e} m where they touch; surfaces that stay (`surfaces = \"stay\"`) tell where they slip"
     )]
     NoGrossSlip {
         /// The amplitude prescribed (m).
@@ -221,8 +222,8 @@ pub enum Error {
         /// What elasticity takes up (m).
         elastic: f64,
     },
-    /// Surfaces that swing carry the contact beyond the frame.
-    #[error("{} the contact swings beyond the edge of the frame; take a larger frame", .measure.at(*.progress))]
+    /// Surfaces that swing carry the contact beyond the frame, or end within it.
+    #[error("{} the contact swings beyond the edge of the frame or of a surface; take a larger one", .measure.at(*.progress))]
     SwungOut {
         /// What progress measures.
         measure: Progress,

@@ -5,7 +5,7 @@ use super::evolution::{Evolution, Increment, not_converged};
 use super::{Effort, Error, Simulation};
 use crate::compliance::WornLines;
 use crate::motion::Motion;
-use crate::numerics::vector;
+use crate::numerics::vector::{self, Values};
 use crate::problem::{ContactProblem, ContactState};
 
 /// Times a step's wear is foreseen before it counts as not converged.
@@ -23,17 +23,17 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
+        if let Some(amplitude) = problem.motion.swing() {
+            return self.swing(simulation, increment, amplitude, effort);
+        }
         if !rubs(problem, increment.advance) {
             self.press(simulation, increment, effort)?;
             self.load_distance += self.distance(simulation, increment, increment)?;
             return Ok(());
         }
-        if let Some(amplitude) = problem.motion.swing() {
-            return self.swing(simulation, increment, amplitude, effort);
-        }
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
-        let slip = problem.motion.slip(increment.advance);
+        let slip = Values::All(problem.motion.slip(increment.advance));
         let made =
             self.contact_and_wear(simulation, (increment, slip), &collector, &undeformed, effort)?;
         collector.wear(&mut self.state, &made);
@@ -41,12 +41,12 @@ impl Evolution {
         Ok(())
     }
 
-    /// The contact at the end of an increment in which pairs of surfaces that stay slide a distance (m), from an
+    /// The contact at the end of an increment in which pairs of surfaces that stay slide distances (m), from an
     /// undeformed gap (m), and the wear it makes.
     pub(super) fn contact_and_wear(
         &mut self,
         simulation: &Simulation,
-        (increment, slip): (Increment, f64),
+        (increment, slip): (Increment, Values<'_>),
         collector: &Collector<'_>,
         undeformed: &[f64],
         effort: &mut Effort,

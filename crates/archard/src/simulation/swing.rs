@@ -2,16 +2,17 @@
 //!
 //! Bodies that slide to and fro by lengths comparable with the contact do not keep the same points opposite each other. The
 //! rounder body keeps its place in the frame, and the worn surface of the other is moved over it. A step of N cycles goes
-//! once through the positions of a half cycle, in whole elements: at each of them the contact wears both surfaces by what
-//! N cycles slide there, implicitly, and the depths are laid down where the points of each surface are. The next step goes
-//! through the positions backwards.
+//! through the positions of a half cycle, in whole elements: at each of them the contact wears both surfaces by what N cycles
+//! slide there, implicitly, and the depths are laid down where the points of each surface are. It goes there with most of the
+//! cycles and back with the rest; the next step begins at the other end.
 //!
-//! The bodies slide by the amplitude less what their elasticity takes up before all of the contact slips: the tangential
-//! displacement of the tractions mu p, its mean weighted by the pressures.
+//! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
+//! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
 use super::collector::Collector;
 use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
+use crate::numerics::vector::Values;
 use crate::problem::ContactProblem;
 
 /// Positions on either side of the middle, at most: beyond, they lie several elements apart.
@@ -41,33 +42,40 @@ impl Evolution {
         let problem = &simulation.problem;
         let course = Course::of(problem);
         let elastic = course.elastic(&self.state.pressure);
-        let reach = amplitude - elastic;
-        if reach <= 0.0 {
-            return Err(Error::NoGrossSlip { amplitude, elastic });
+        let pressed = elastic.iter().zip(&self.state.pressure).filter(|(_, p)| **p > 0.0);
+        let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
+        if most >= amplitude {
+            return Err(Error::NoGrossSlip { amplitude, elastic: most });
         }
-        let positions = course.positions(reach);
+        let reach = amplitude - mean(&elastic, &self.state.pressure);
+        // Of the mean way, those of the pairs.
+        let shares: Vec<f64> =
+            elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
+        let mut positions = positions(reach, problem.frame.spacing()[course.axis]);
         self.forward = !self.forward;
-        let there = positions.iter().map(|&one| (one, 1.0 - BACK));
-        let back = positions.iter().rev().map(|&one| (one, BACK));
-        let mut course_of_step: Vec<_> = there.chain(back).collect();
         if !self.forward {
-            course_of_step.iter_mut().for_each(|((offset, _), _)| *offset = -*offset);
+            positions.reverse();
         }
+        let there = positions.iter().map(|one| (one, 1.0 - BACK));
+        let back = positions.iter().rev().map(|one| (one, BACK));
         let collector = Collector::of_pairs(problem);
         // Each half cycle goes through all positions.
         let passes = 2.0 * increment.advance;
-        for ((offset, length), share) in course_of_step {
-            let gap = course.gap(&self.state.worn, offset);
-            let slip = share * passes * length;
-            let made =
-                self.contact_and_wear(simulation, (increment, slip), &collector, &gap, effort)?;
-            self.load_distance += self.prescribed_load(increment) * slip;
+        for (&(offset, length), part) in there.chain(back) {
+            let out = || {
+                let measure = problem.motion.progress();
+                Error::SwungOut { measure, progress: increment.progress }
+            };
+            let gap = course.gap(&self.state.worn, offset).ok_or_else(out)?;
+            let distance = part * passes * length;
+            let slip: Vec<f64> = shares.iter().map(|share| share * distance).collect();
+            let rubbed = (increment, Values::Each(&slip));
+            let made = self.contact_and_wear(simulation, rubbed, &collector, &gap, effort)?;
+            self.load_distance += self.prescribed_load(increment) * distance;
             let Some(wear) = made.pairs else { continue };
-            for (index, &body) in course.bodies.iter().enumerate() {
-                let offset = if index == 0 { 0 } else { offset };
+            for (body, offset) in course.bodies.into_iter().zip([0, offset]) {
                 if !course.lay_down(&wear.depths[body], &mut self.state.worn[body], offset) {
-                    let measure = problem.motion.progress();
-                    return Err(Error::SwungOut { measure, progress: increment.progress });
+                    return Err(out());
                 }
             }
         }
@@ -77,6 +85,41 @@ impl Evolution {
             course.coefficient(&self.state.pressure) * self.state.load * 4.0 * reach;
         Ok(())
     }
+}
+
+/// The mean of a field, weighted by the pressures (Pa).
+fn mean(field: &[f64], pressure: &[f64]) -> f64 {
+    let load: f64 = pressure.iter().sum();
+    let sum: f64 = field.iter().zip(pressure).map(|(value, pressure)| value * pressure).sum();
+    if load > 0.0 { sum / load } else { 0.0 }
+}
+
+/// Positions in elements of that length (m), and the distance (m) that a half cycle slides at each, of which the reach is
+/// half the sum: hats over the way.
+fn positions(reach: f64, element: f64) -> Vec<(isize, f64)> {
+    let stride = stride(reach, element);
+    let side = stride * element;
+    let most = (reach / side).ceil() as isize;
+    // The integral of a hat of base two, from its middle on, as far as a place.
+    let half = |to: f64| {
+        let to = to.clamp(-1.0, 1.0);
+        to - 0.5 * to * to.abs()
+    };
+    let length = |position: isize| {
+        let middle = position as f64;
+        side * (half(reach / side - middle) - half(-reach / side - middle))
+    };
+    (-most..=most).map(|position| (position * stride as isize, length(position))).collect()
+}
+
+/// Elements from one position to the next.
+fn stride(reach: f64, element: f64) -> f64 {
+    (reach / element / MOST as f64).ceil().max(1.0)
+}
+
+/// Contact solves of a step over an amplitude (m) on elements of that length (m).
+pub(crate) fn solves_of_a_step(amplitude: f64, element: f64) -> u64 {
+    2 * positions(amplitude, element).len() as u64 + 1
 }
 
 impl<'a> Course<'a> {
@@ -89,25 +132,6 @@ impl<'a> Course<'a> {
         Self { problem, axis, bodies }
     }
 
-    /// Positions in elements, and the distance (m) that a half cycle slides at each, of which the reach is half the sum:
-    /// hats over the way.
-    fn positions(&self, reach: f64) -> Vec<(isize, f64)> {
-        let element = self.problem.frame.spacing()[self.axis];
-        let stride = (reach / element / MOST as f64).ceil().max(1.0);
-        let side = stride * element;
-        let most = (reach / side).ceil() as isize;
-        // The integral of a hat of base two, from its middle on, as far as a place.
-        let half = |to: f64| {
-            let to = to.clamp(-1.0, 1.0);
-            to - 0.5 * to * to.abs()
-        };
-        let length = |position: isize| {
-            let middle = position as f64;
-            side * (half(reach / side - middle) - half(-reach / side - middle))
-        };
-        (-most..=most).map(|position| (position * stride as isize, length(position))).collect()
-    }
-
     /// Where the element of the moved body is that lies opposite a pair at an offset.
     fn opposite(&self, pair: usize, offset: isize) -> Option<usize> {
         let elements = self.problem.frame.elements();
@@ -118,8 +142,8 @@ impl<'a> Course<'a> {
         inside.then(|| (pair as isize - offset * stride as isize) as usize)
     }
 
-    /// Gap (m) of the worn, undeformed surfaces at zero approach.
-    fn gap(&self, worn: &[Vec<f64>; 2], offset: isize) -> Vec<f64> {
+    /// Gap (m) of the worn, undeformed surfaces at zero approach; `None` where the moved one does not reach over the frame.
+    fn gap(&self, worn: &[Vec<f64>; 2], offset: isize) -> Option<Vec<f64>> {
         let frame = &self.problem.frame;
         let [stays, moves] = self.bodies;
         let profile = &self.problem.bodies[moves].profile;
@@ -130,7 +154,8 @@ impl<'a> Course<'a> {
             moved[self.axis] -= shift;
             let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
             let depth = self.opposite(pair, offset).map_or(0.0, |pair| worn[moves][pair]);
-            frame.gap()[pair] + rises + worn[stays][pair] + depth
+            let gap = frame.gap()[pair] + rises + worn[stays][pair] + depth;
+            gap.is_finite().then_some(gap)
         };
         (0..frame.len()).map(at).collect()
     }
@@ -158,21 +183,20 @@ impl<'a> Course<'a> {
         if load > 0.0 { friction.map().resistance(direction) * limit / load } else { 0.0 }
     }
 
-    /// What the bodies give way elastically (m) before they slide all over.
-    fn elastic(&self, pressure: &[f64]) -> f64 {
-        let Some(friction) = &self.problem.friction else { return 0.0 };
+    /// What the bodies give way elastically (m) at each pair before all of them slip.
+    fn elastic(&self, pressure: &[f64]) -> Vec<f64> {
+        let zeros = vec![0.0; pressure.len()];
+        let Some(friction) = &self.problem.friction else { return zeros };
         let frame = &self.problem.frame;
         let resistance = friction.map().resistance(self.problem.motion.slides());
         let traction: Vec<f64> =
             pressure.iter().map(|&pressure| resistance * friction.limit(pressure)).collect();
-        let zeros = vec![0.0; traction.len()];
         let tractions = if self.axis == 0 { [&traction, &zeros] } else { [&zeros, &traction] };
         let mut slip = [zeros.clone(), zeros.clone()];
         let [x, y] = &mut slip;
         self.problem.compliance.shifting(frame).apply(tractions.map(|one| &one[..]), [x, y]);
-        let load: f64 = pressure.iter().sum();
-        let work: f64 = slip[self.axis].iter().zip(pressure).map(|(slip, p)| slip * p).sum();
-        if load > 0.0 { work / load } else { 0.0 }
+        let [x, y] = slip;
+        if self.axis == 0 { x } else { y }
     }
 }
 
@@ -180,7 +204,7 @@ impl<'a> Course<'a> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::Course;
+    use super::{Course, positions};
     use crate::body::profile::Cylinder;
     use crate::body::{Body, Material};
     use crate::motion::{Control, Motion, Schedule, Sliding, Stepping};
@@ -207,9 +231,9 @@ mod tests {
         assert_eq!(course.bodies, [0, 1]);
         let mut worn = [vec![0.0; 100], vec![0.0; 100]];
         worn[1][40] = 1e-6;
-        let gaps = course.gap(&worn, 10);
+        let gaps = course.gap(&worn, 10).unwrap();
         worn[1][40] = 0.0;
-        let smooth = course.gap(&worn, 10);
+        let smooth = course.gap(&worn, 10).unwrap();
         let opened: Vec<usize> = (0..100).filter(|&pair| gaps[pair] != smooth[pair]).collect();
         assert_eq!(opened, [50]);
         assert_eq!(course.opposite(50, 10), Some(40));
@@ -222,10 +246,8 @@ mod tests {
     /// The lengths of all positions are those of a half cycle, even to both sides.
     #[test]
     fn positions_share_the_way() {
-        let simulation = cylinders();
-        let course = Course::of(&simulation.problem);
         for reach in [2e-6, 9e-6, 24.6e-6, 300e-6] {
-            let positions = course.positions(reach);
+            let positions = positions(reach, 1e-5);
             let sum = |power: i32| -> f64 {
                 positions
                     .iter()

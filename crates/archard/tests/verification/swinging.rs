@@ -1,6 +1,7 @@
 //! Surfaces that swing past each other: fretting in gross slip.
 
 use approx::assert_relative_eq;
+use archard::case::{CaseFile, Solves};
 use archard::simulation::Error;
 
 use crate::common::{Rows, case};
@@ -46,7 +47,51 @@ fn volumes_follow_from_the_work() {
     assert!((0.96..0.99).contains(&slid), "{slid}");
 }
 
-/// Without friction nothing is elastic, and without an amplitude worth an element the surfaces stay.
+/// Of amplitudes that are small beside the contact, what friction finds increment by increment on surfaces that stay is the
+/// same: each pair slides by the amplitude less its own elastic displacement.
+#[test]
+fn pairs_slide_by_what_friction_leaves_them() {
+    let ball = |amplitude: &str, other: &str, rest: &str| {
+        let text = format!(
+            "body.ball = {{ material = {{ young = \"210 GPa\", poisson = 0.3 }}, profile.sphere.radius = \"50 mm\", wear.archard.coefficient = \"1e-15 1/Pa\" }}
+             body.flat = {{ material = {{ {other} }}, profile.flat = {{}} }}
+             frame = {{ size = [\"0.45 mm\", \"0.45 mm\"], elements = [45, 45] }}
+             friction.coulomb.coefficient = 0.5
+             friction_solver.newton.tolerance = 1e-9
+             motion.fretting = {{ load = \"10.2 N\", amplitude = [\"{amplitude}\", \"0 um\"], cycles = 2, {rest} }}"
+        );
+        rows(&text, &[])
+    };
+    // Pressures of unlike bodies answer to friction too, which surfaces that swing leave out.
+    for (amplitude, other, depth, volume) in [
+        ("0.9 um", "young = \"210 GPa\", poisson = 0.3", 1e-3, 2e-3),
+        ("1.5 um", "young = \"210 GPa\", poisson = 0.3", 1e-3, 4e-3),
+        ("1.5 um", "young = \"70 GPa\", poisson = 0.3", 1e-3, 1e-2),
+    ] {
+        let swing = ball(amplitude, other, "surfaces = \"swing\"");
+        let stay = ball(amplitude, other, "surfaces = \"stay\", increments = 80");
+        // The first cycle of surfaces that stay begins in the middle.
+        let second = |rows: &Rows, column: &str| at(rows, 2.0, column) - at(rows, 1.0, column);
+        for (column, within) in [("wear_depth_ball_m", depth), ("worn_volume_ball_m3", volume)] {
+            let ratio = second(&swing, column) / second(&stay, column);
+            assert_relative_eq!(ratio, 1.0, epsilon = within);
+        }
+        let ratio = swing.last("dissipated_J") / stay.last("dissipated_J");
+        assert_relative_eq!(ratio, 1.0, epsilon = 1e-2);
+    }
+}
+
+/// Friction works without wear, too.
+#[test]
+fn what_does_not_wear_dissipates() {
+    let none = ["body.flat.wear=", "body.cylinder.wear=", "motion.fretting.cycles=2", "output={}"];
+    let work = [&none[..3], &["motion.fretting.tolerance=", "output={}"]].concat();
+    let dissipated = rows(CASE, &work).last("dissipated_J") / (0.9 * 18500.0 * 1e-4);
+    assert!((0.97..0.99).contains(&dissipated), "{dissipated}");
+}
+
+/// Without friction nothing is elastic, and without an amplitude worth an element the surfaces stay. What is left is the
+/// division of steps into nine tenths forward and one tenth back.
 #[test]
 fn short_swings_are_sliding_in_place() {
     let short = [
@@ -132,4 +177,22 @@ fn what_cannot_swing_is_refused() {
     assert!(matches!(sticks, Error::NoGrossSlip { .. }), "{sticks}");
     let out = error(&["frame.size=0.12 mm", "frame.elements=24"]);
     assert!(matches!(out, Error::SwungOut { .. } | Error::FrameFull { .. }), "{out}");
+}
+
+/// A forecast counts the positions of each step.
+#[test]
+fn solves_are_foretold() {
+    for (options, within) in [
+        (&["motion.fretting.tolerance=", "motion.fretting.cycles=40", "output={}"][..], 0.0),
+        (&["output={}"], 0.5),
+    ] {
+        let file = options
+            .iter()
+            .fold(CaseFile::from_text("case", CASE, "."), |file, option| file.set(*option));
+        let promised = match file.resolve().unwrap_or_else(|_| panic!("a case")).forecast.solves {
+            Solves::Exactly(solves) | Solves::AtLeast(solves) | Solves::About(solves) => solves,
+        };
+        let found = rows(CASE, options).last("solves");
+        assert_relative_eq!(promised as f64, found, max_relative = within);
+    }
 }

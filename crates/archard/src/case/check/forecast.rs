@@ -11,6 +11,7 @@ use super::{Parts, foreseen, size};
 use crate::body::{Elasticity, Finite};
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::Stepping;
+use crate::simulation::solves_of_a_step;
 use crate::verdict::Verdict;
 
 /// What to expect of a run.
@@ -98,15 +99,21 @@ impl Solves {
         let coupled = rolling.is_some() && parts.friction.is_some() && !parts.alike();
         match parts.schedule.stepping {
             Stepping::Implicit(step) | Stepping::Explicit(step) => {
-                let solves = first + (parts.schedule.extent / step - 1e-9).ceil() as u64;
-                if wears || coupled { Self::AtLeast(solves) } else { Self::Exactly(solves) }
+                let steps = (parts.schedule.extent / step - 1e-9).ceil() as u64;
+                let solves = first + steps * of_a_step(parts);
+                // How far surfaces swing depends on what the bodies give way.
+                match (parts.motion.swing(), wears || coupled) {
+                    (Some(_), _) => Self::About(solves),
+                    (None, true) => Self::AtLeast(solves),
+                    (None, false) => Self::Exactly(solves),
+                }
             }
             Stepping::Jumps(_) => Self::AtLeast(first),
             Stepping::Tolerance(tolerance) => {
                 let outputs = parts.case.output.places(parts.schedule.extent).len();
                 Self::About(match rolling {
                     Some(_) => Self::by_error_in_rolling(tolerance, outputs),
-                    None => Self::by_error(tolerance, outputs),
+                    None => first + (Self::by_error(tolerance, outputs) - first) * of_a_step(parts),
                 })
             }
         }
@@ -133,6 +140,14 @@ impl Solves {
         let steps_by_error = (36.0 + 1.2 / tolerance.sqrt()).ceil() as u64;
         steps_by_error.max(1 + 3 * outputs as u64)
     }
+}
+
+/// Solves of a step: one, or one a position of surfaces that swing.
+fn of_a_step(parts: &Parts<'_>) -> u64 {
+    let element = |axis: usize| parts.case.frame.spacing()[axis];
+    let sliding = parts.motion.sliding();
+    let swing = sliding.and_then(|sliding| Some((sliding.swing?, sliding.direction.axis)));
+    swing.map_or(1, |(amplitude, axis)| solves_of_a_step(amplitude, element(axis)))
 }
 
 impl fmt::Display for Solves {
