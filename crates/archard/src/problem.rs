@@ -8,7 +8,7 @@ use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Friction;
 use crate::motion::{Motion, Rolling};
 use crate::numerics::vector;
-use crate::wear::{Columns, Per, Rubbing};
+use crate::wear::{Columns, Input, Per, Rubbing};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
@@ -35,10 +35,23 @@ impl ContactProblem {
         self.bodies.iter().any(|body| body.wear.is_some())
     }
 
+    /// Whether a wear law asks for something.
+    pub fn asks(&self, input: Input) -> bool {
+        let asks =
+            |body: &Body| body.wear.as_ref().is_some_and(|law| law.inputs().contains(&input));
+        self.bodies.iter().any(asks)
+    }
+
+    /// Whether a wear law goes by what was before.
+    pub fn ages(&self) -> bool {
+        self.asks(Input::Distance) || self.asks(Input::Depth)
+    }
+
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its
     /// limit.
     pub fn rubbing(&self, pressure: f64, slip: f64, direction: [f64; 2]) -> Rubbing {
         rubbing(self.friction.as_deref(), pressure, slip, direction)
+            .at_speed(self.motion.speed().unwrap_or_default())
     }
 
     /// Which of some bodies wear by laws that take that at once.
@@ -47,18 +60,38 @@ impl ContactProblem {
         [0, 1].map(|body| bodies[body] && takes(&self.bodies[body]))
     }
 
-    /// What wears off the bodies that are meant, at many points.
-    pub fn wear(&self, points: &Columns, meant: [bool; 2]) -> Wear {
-        let mut wear = Wear { depths: [vec![], vec![]], slopes: vec![0.0; points.len()] };
+    /// What wears off the bodies that are meant, at many points; `before` says of a body and a point how far (m) it has
+    /// slid and how deep (m) it has worn so far.
+    pub fn wear(
+        &self,
+        points: impl Iterator<Item = Rubbing> + Clone,
+        meant: [bool; 2],
+        before: impl Fn(usize, usize) -> [f64; 2],
+    ) -> Wear {
+        let slips = points.clone().map(|one| if one.pressure > 0.0 { one.slip } else { 0.0 });
+        let slip = slips.collect::<Vec<_>>();
+        let none = || vec![0.0; slip.len()];
+        let mut wear = Wear { depths: [none(), none()], slopes: none(), slip: vec![] };
         for (body, depths) in wear.depths.iter_mut().enumerate() {
-            depths.resize(points.len(), 0.0);
             let Some(law) = self.bodies[body].wear.as_ref().filter(|_| meant[body]) else {
                 continue;
             };
-            let mut slopes = vec![0.0; points.len()];
-            law.depths(points, depths, &mut slopes);
+            let asked = law.inputs();
+            let aged = asked.contains(&Input::Distance) || asked.contains(&Input::Depth);
+            let columns = if aged {
+                let after = |(point, one): (usize, Rubbing)| {
+                    let [distance, depth] = before(body, point);
+                    one.after(distance, depth)
+                };
+                Columns::of(points.clone().enumerate().map(after), asked)
+            } else {
+                Columns::of(points.clone(), asked)
+            };
+            let mut slopes = none();
+            law.depths(&columns, depths, &mut slopes);
             vector::update(&mut wear.slopes, [&slopes], |sum, [slope]| sum + slope);
         }
+        wear.slip = slip;
         wear
     }
 }
@@ -71,10 +104,15 @@ pub(crate) fn rubbing(
     direction: [f64; 2],
 ) -> Rubbing {
     let rubbing = Rubbing::new(pressure, slip);
-    let Some(friction) = friction else { return rubbing };
-    let resistance = friction.map().resistance(direction);
-    let work = friction.limit(pressure) * resistance * slip;
-    rubbing.with_friction(work, friction.slope(pressure) * resistance)
+    let length = direction[0].hypot(direction[1]);
+    let slips = direction.map(|part| if length > 0.0 { slip * part / length } else { 0.0 });
+    let Some(friction) = friction else { return rubbing.with_vectors(slips, [0.0; 2]) };
+    let map = friction.map();
+    let (limit, resistance) = (friction.limit(pressure), map.resistance(direction));
+    let traction = map.against(direction).map(|part| limit * part);
+    rubbing
+        .with_friction(limit * resistance * slip, friction.slope(pressure) * resistance)
+        .with_vectors(slips, traction)
 }
 
 /// What wears off two bodies, one value a point.
@@ -84,6 +122,8 @@ pub struct Wear {
     pub depths: [Vec<f64>; 2],
     /// How the depth of both together grows with the pressure (m/Pa).
     pub slopes: Vec<f64>,
+    /// Distance slid under pressure (m).
+    pub slip: Vec<f64>,
 }
 
 impl Wear {
@@ -108,6 +148,9 @@ pub struct ContactState {
     pub gap: Vec<f64>,
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub worn: [Vec<f64>; 2],
+    /// Distance (m) that points of body 1 and body 2 slid under pressure, one value a pair; empty where no wear law asks
+    /// for it.
+    pub slid: [Vec<f64>; 2],
     /// Friction, where the motion tells slip from stick.
     pub tangential: Option<Tangential>,
 }
@@ -190,6 +233,7 @@ impl ContactState {
             pressure: vec![0.0; gap.len()],
             gap: gap.to_vec(),
             worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
+            slid: [vec![], vec![]],
             tangential: None,
         }
     }
@@ -202,6 +246,11 @@ impl ContactState {
             None => [vec![0.0; n.len()], vec![0.0; n.len()]],
         };
         VectorField { t1, t2, n }
+    }
+
+    /// How far (m) a point of a body slid and how deep (m) it wore so far.
+    pub fn before(&self, body: usize, point: usize) -> [f64; 2] {
+        [&self.slid, &self.worn].map(|field| field[body].get(point).copied().unwrap_or_default())
     }
 
     /// Total wear depth (m), one value a pair.

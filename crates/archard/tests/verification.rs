@@ -8,6 +8,7 @@ mod verification {
     mod elastic_bodies;
     mod fretting_wear;
     mod hertz;
+    mod laws_that_remember;
     mod line_contact;
     mod loading_paths;
     mod meshed_contact;

@@ -89,6 +89,7 @@ fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> 
         load,
         pressure: scaled(&bowl, load),
         worn: shares.map(|share| scaled(&cap, share * volume)),
+        slid: [vec![], vec![]],
         ..ContactState::untouched(frame.gap())
     }
 }

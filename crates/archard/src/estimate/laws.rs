@@ -2,6 +2,7 @@
 
 use super::Subject;
 use crate::problem::rubbing;
+use crate::wear::Input;
 
 /// Pressures (Pa) and slips (m) from far below to far above what contacts bear, so that no law with a
 /// threshold passes, and directions of slip.
@@ -17,6 +18,11 @@ impl Subject<'_> {
     /// by another law.
     pub fn wear_coefficient(&self, body: usize) -> Option<f64> {
         let law = self.bodies[body].wear.as_ref()?;
+        // The trials do not age.
+        let tried = |input: &Input| matches!(input, Input::Friction | Input::Vectors);
+        if !law.inputs().iter().all(tried) {
+            return None;
+        }
         let ratio = |(pressure, slip, direction): (f64, f64, [f64; 2])| {
             law.depth(rubbing(self.friction, pressure, slip, direction)) / (pressure * slip)
         };

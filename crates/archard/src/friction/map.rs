@@ -77,6 +77,14 @@ impl Map {
         if length > 0.0 { x.hypot(y) / length } else { 1.0 }
     }
 
+    /// Traction against slip in a direction (that of body 2 over body 1, which friction on body 1 follows), relative to the
+    /// limit; zero where the direction is.
+    pub fn against(self, direction: [f64; 2]) -> [f64; 2] {
+        let [x, y] = self.apply(direction);
+        let length = x.hypot(y);
+        if length > 0.0 { self.apply([x / length, y / length]) } else { [0.0; 2] }
+    }
+
     /// The largest resistance in any direction.
     pub fn largest(self) -> f64 {
         0.5 * (self.xx + self.yy) + (0.5 * (self.xx - self.yy)).hypot(self.xy)
@@ -117,6 +125,10 @@ mod tests {
         let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
         let mapped = dot(map.inverse().apply(traction), map.apply(slip));
         assert_relative_eq!(mapped, dot(traction, slip), max_relative = 1e-13);
+        let most = map.against(slip);
+        assert_relative_eq!(map.length(most), 1.0, max_relative = 1e-13);
+        let length = slip[0].hypot(slip[1]);
+        assert_relative_eq!(dot(most, slip), map.resistance(slip) * length, max_relative = 1e-13);
     }
 
     #[test]

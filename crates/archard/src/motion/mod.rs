@@ -80,6 +80,11 @@ impl Motion {
         }
     }
 
+    /// Speed at which bodies slide that slide the same distance everywhere (m/s), where it is known.
+    pub fn speed(&self) -> Option<f64> {
+        self.sliding()?.speed
+    }
+
     /// Unit vector along which bodies slide that slide the same distance everywhere.
     pub fn slides(&self) -> [f64; 2] {
         self.sliding().map_or(Direction::X, |sliding| sliding.direction).forward()

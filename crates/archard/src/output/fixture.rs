@@ -220,6 +220,7 @@ impl Run {
             }),
             pressure,
             worn,
+            slid: [vec![], vec![]],
             ..ContactState::untouched(frame.gap())
         }
     }
@@ -248,6 +249,7 @@ impl Run {
                 .map(|(b, gap)| if *b > 0.0 { 0.0 } else { *gap })
                 .collect(),
             worn: COEFFICIENTS.map(|k| scaled(k * LOAD * distance)),
+            slid: [vec![], vec![]],
             tangential: None,
         }
     }

@@ -62,8 +62,14 @@ struct Trial {
 }
 
 impl Trial {
-    /// Extrapolates both histories and estimates the error, from the pressures before the step too.
-    fn of(coarse: Evolution, fine: Evolution, before: &[f64]) -> Self {
+    /// Extrapolates both histories and estimates the error, from the pressures before the step too, and where laws age from
+    /// the fine history's depths (m) at the start and after a half.
+    fn of(
+        coarse: Evolution,
+        fine: Evolution,
+        before: &[f64],
+        aged: Option<[&[Vec<f64>; 2]; 2]>,
+    ) -> Self {
         let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
         let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
         let fine_pressure = &fine.state.pressure;
@@ -78,7 +84,13 @@ impl Trial {
             square += value * value;
         }
         let last = fine_pressure[deepest];
-        let resolved = relative_change(before[deepest], last);
+        let mut resolved = relative_change(before[deepest], last);
+        if let Some([start, half]) = aged {
+            // Of a law that changes by itself the pressure does not tell: the wear of the two halves does.
+            let [one, two] = [(start, half), (half, &fine.state.worn)]
+                .map(|(from, to)| total(to, deepest) - total(from, deepest));
+            resolved = resolved.max((2.0 * relative_change(one, two)).min(1.0));
+        }
         let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
         let lag = relative_change(coarse.state.pressure[deepest], last);
         Self { coarse, fine, worn, depth, error, lag }
@@ -183,8 +195,11 @@ impl Adaptive {
         let (mut coarse, mut fine) = (self.coarse.clone(), self.fine.clone());
         coarse.implicit(simulation, increment(length, end), effort)?;
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
+        let middle = simulation.problem.ages().then(|| fine.state.worn.clone());
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
-        let mut trial = Trial::of(coarse, fine, &self.fine.state.pressure);
+        let before = &self.fine.state;
+        let aged = middle.as_ref().map(|middle| [&before.worn, middle]);
+        let mut trial = Trial::of(coarse, fine, &before.pressure, aged);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
             // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
             trial.lag = 0.0;

@@ -26,6 +26,15 @@ pub(super) struct Collector<'a> {
     lines: Option<Lines<'a>>,
 }
 
+/// How far pairs of surfaces that stay slide, and which points lie there.
+#[derive(Clone, Copy)]
+pub(super) struct Slides<'a> {
+    /// Distances (m).
+    pub distance: Values<'a>,
+    /// The pair at which a point lay that is at a pair now, of a body; `None` for one from beyond the frame.
+    pub point: &'a dyn Fn(usize, usize) -> Option<usize>,
+}
+
 /// What a step wears.
 pub(super) struct Collected {
     /// Of surfaces that stay, one value a pair.
@@ -68,26 +77,31 @@ impl<'a> Collector<'a> {
 
     /// What an advance (the motion's unit) wears under the contact as it is.
     pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
-        self.collect_sliding(state, advance, Values::All(self.problem.motion.slip(advance)))
+        let distance = Values::All(self.problem.motion.slip(advance));
+        self.collect_sliding(state, advance, Slides { distance, point: &|_, pair| Some(pair) })
     }
 
-    /// The same where pairs of surfaces that stay slide those distances (m).
+    /// The same where pairs of surfaces that stay slide like that.
     pub fn collect_sliding(
         &self,
         state: &ContactState,
         advance: f64,
-        slip: Values<'_>,
+        Slides { distance, point }: Slides<'_>,
     ) -> Collected {
         let pairs = self.any_stays().then(|| {
             let slides = self.problem.motion.slides();
-            let points = state
-                .pressure
-                .iter()
-                .enumerate()
-                .map(|(pair, &pressure)| self.problem.rubbing(pressure, slip.at(pair), slides));
-            self.problem.wear(&points.collect(), self.stays)
+            let rubbing = |(pair, &pressure): (usize, &f64)| {
+                self.problem.rubbing(pressure, distance.at(pair), slides)
+            };
+            let points = state.pressure.iter().enumerate().map(rubbing);
+            self.problem.wear(points, self.stays, |body, pair| {
+                point(body, pair).map_or([0.0; 2], |point| state.before(body, point))
+            })
         });
-        let lines = self.lines.map(|lines| (OfLines::of(state, lines), advance * lines.passages));
+        let lines = self.lines.map(|lines| {
+            let times = advance * lines.passages;
+            (OfLines::of(state, lines, times), times)
+        });
         Collected { pairs, lines }
     }
 
@@ -119,12 +133,25 @@ impl<'a> Collector<'a> {
             for (worn, depths) in state.worn.iter_mut().zip(&wear.depths) {
                 vector::update(worn, [depths], |worn, [depth]| worn + depth);
             }
+            let stays = state
+                .slid
+                .iter_mut()
+                .zip(self.stays)
+                .filter(|(slid, stays)| *stays && !slid.is_empty());
+            for (slid, _) in stays {
+                vector::update(slid, [&wear.slip], |slid, [slip]| slid + slip);
+            }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
-        for (line, depths) in lines.flow.lines().iter().zip(&made.depths) {
+        for (index, line) in lines.flow.lines().iter().enumerate() {
             for one in &line.passages {
-                for (worn, depth) in state.worn.iter_mut().zip(depths) {
+                for (worn, depth) in state.worn.iter_mut().zip(made.depths[index]) {
                     worn[one.pair] += times * one.share * depth;
+                }
+                for (slid, passes) in state.slid.iter_mut().zip(lines.bodies) {
+                    if passes && !slid.is_empty() {
+                        slid[one.pair] += times * one.share * made.slips[index];
+                    }
                 }
             }
         }

@@ -2,7 +2,6 @@
 //! rub alike on both sides, rolling needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};
-use crate::body::Body;
 use crate::friction::Friction;
 use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
 use crate::problem::ContactProblem;
@@ -40,26 +39,29 @@ impl Simulation {
 impl ContactProblem {
     /// Whether there is all that the wear laws ask for.
     pub(super) fn check_inputs(&self) -> Result<(), Error> {
-        let lacks = |body: &&Body| {
-            body.wear.as_ref().is_some_and(|law| lacks(&**law, self.friction.is_some()))
-        };
-        if let Some(body) = self.bodies.iter().find(lacks) {
-            return Err(Error::NoFriction { body: body.name.clone() });
-        }
-        let whole = |body: &&Body| body.wear.as_ref().is_some_and(|law| law.per() == Per::Cycle);
-        match (&self.motion, self.bodies.iter().find(whole)) {
-            (Motion::Sliding(Sliding { track: None, .. }), Some(body)) => {
-                Err(Error::NoCycle { body: body.name.clone() })
+        for body in &self.bodies {
+            let Some(law) = &body.wear else { continue };
+            let body = || body.name.clone();
+            match lacks(&**law, self.friction.is_some(), &self.motion) {
+                Some(Input::Speed) => return Err(Error::NoSpeed { body: body() }),
+                Some(_) => return Err(Error::NoFriction { body: body() }),
+                None => {}
             }
-            _ => Ok(()),
+            let slides = matches!(self.motion, Motion::Sliding(Sliding { track: None, .. }));
+            if slides && law.per() == Per::Cycle {
+                return Err(Error::NoCycle { body: body() });
+            }
         }
+        Ok(())
     }
 }
 
-/// Whether a wear law asks for something that is not there.
-pub(crate) fn lacks(law: &dyn WearLaw, friction: bool) -> bool {
-    law.inputs().iter().any(|input| match input {
+/// What a wear law asks for and is not there.
+pub(crate) fn lacks(law: &dyn WearLaw, friction: bool, motion: &Motion) -> Option<Input> {
+    law.inputs().iter().copied().find(|input| match input {
         Input::Friction => !friction,
+        Input::Speed => motion.speed().is_none(),
+        Input::Vectors | Input::Distance | Input::Depth => false,
     })
 }
 

@@ -8,6 +8,7 @@ use crate::motion::{Control, Motion};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
+use crate::wear::Input;
 
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -37,12 +38,11 @@ impl Evolution {
     /// Unworn bodies, just touching.
     pub fn new(problem: &ContactProblem) -> Self {
         let gap = problem.frame.gap();
-        Self {
-            state: ContactState::untouched(gap),
-            displacement: vec![0.0; gap.len()],
-            load_distance: 0.0,
-            forward: false,
+        let mut state = ContactState::untouched(gap);
+        if problem.asks(Input::Distance) {
+            state.slid = [vec![0.0; gap.len()], vec![0.0; gap.len()]];
         }
+        Self { state, displacement: vec![0.0; gap.len()], load_distance: 0.0, forward: false }
     }
 
     /// Solves the contact with the wear as it is.
@@ -127,9 +127,11 @@ impl Evolution {
         self.displacement = displacement;
         let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
+        let slid = std::mem::take(&mut self.state.slid);
         let tangential = self.state.tangential.take();
         let progress = increment.progress;
-        self.state = ContactState { progress, approach, load, pressure, gap, worn, tangential };
+        self.state =
+            ContactState { progress, approach, load, pressure, gap, worn, slid, tangential };
     }
 
     /// Finds the pressures that close a gap (m).

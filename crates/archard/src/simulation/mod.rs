@@ -247,6 +247,14 @@ pub enum Error {
         /// The body's name.
         body: String,
     },
+    /// A wear law of the speed, which the motion does not tell.
+    #[error(
+        "the wear law of `{body}` goes by the speed of sliding, and the motion does not tell it"
+    )]
+    NoSpeed {
+        /// The body's name.
+        body: String,
+    },
     /// A wear law of whole cycles, where there are none.
     #[error(
         "the wear law of `{body}` takes a whole cycle at once, and bodies that slide on the same spot have none"

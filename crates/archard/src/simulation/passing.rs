@@ -7,11 +7,11 @@
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
-use crate::frame::{Flow, Passage, VectorField};
+use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::Friction;
 use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::wear::{Columns, Per, Rubbing};
+use crate::wear::{Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
 const MOST_LOST: f64 = 2.0;
@@ -35,10 +35,13 @@ pub(super) struct OfLines {
     pub slopes: Vec<f64>,
     /// Sum of the pressures (Pa), weighted by the areas of the pairs, one value a line.
     pub pressures: Vec<f64>,
+    /// Distance (m) that a point slides under pressure, one value a line.
+    pub slips: Vec<f64>,
 }
 
 impl OfLines {
-    pub fn of(state: &ContactState, lines: Lines<'_>) -> Self {
+    /// In the middle of so many passages.
+    pub fn of(state: &ContactState, lines: Lines<'_>, passages: f64) -> Self {
         let Lines { problem, flow, bodies, .. } = lines;
         let pressure = &state.pressure;
         let weight = problem.frame.measure().weight;
@@ -68,20 +71,48 @@ impl OfLines {
             problem.rubbing(means[pair], times * slips[pair], direction(pair))
         };
         let points = points.map(|one| rubbing(one.pair, 1.0));
-        let wear = problem.wear(&points.collect(), problem.wearing(bodies, Per::Increment));
+        let on_lines: Vec<f64> = lines
+            .iter()
+            .map(|line| {
+                let rubbed = line.passages.iter().filter(rubs);
+                rubbed.map(|one| scale * one.times * slips[one.pair]).sum()
+            })
+            .collect();
+        let ages = [0, 1].map(|body| ages(problem, state, body, (&lines, &on_lines), passages));
+        let of_points: Vec<(usize, f64)> = lines
+            .iter()
+            .enumerate()
+            .flat_map(|(index, line)| {
+                let rubbed = line.passages.iter().filter(rubs);
+                rubbed.map(|one| (index, slips[one.pair])).collect::<Vec<_>>()
+            })
+            .collect();
+        // Half of what a law takes at once is its own.
+        let before = |body: usize, line: usize, own: f64| {
+            let [distance, depth]: [f64; 2] = ages[body][line];
+            [(distance - 0.5 * own).max(0.0), depth]
+        };
+        let increments = problem.wearing(bodies, Per::Increment);
+        let wear = problem.wear(points, increments, |body, point| {
+            let (line, own) = of_points[point];
+            before(body, line, own)
+        });
         // All that a point goes through on a line.
         let whole = lines.iter().map(|line| {
             let part = |one: &Passage| rubbing(one.pair, scale * one.times);
             let parts = line.passages.iter().filter(rubs).map(part);
             parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
         });
-        let whole: Columns = whole.collect();
-        let passage = problem.wear(&whole, problem.wearing(bodies, Per::Cycle));
-        let mut collected = Self { depths: vec![], slopes: vec![], pressures: vec![] };
+        let whole: Vec<Rubbing> = whole.collect();
+        let cycles = problem.wearing(bodies, Per::Cycle);
+        let passage = problem
+            .wear(whole.iter().copied(), cycles, |body, line| before(body, line, whole[line].slip));
+        let mut collected =
+            Self { depths: vec![], slopes: vec![], pressures: vec![], slips: on_lines };
         let mut point = 0;
         for (index, line) in lines.iter().enumerate() {
             let mut depths = passage.depths.each_ref().map(|depths| depths[index]);
-            let (mut slope, mut sum) = (passage.slopes[index] * whole.pressure[index], 0.0);
+            let (mut slope, mut sum) = (passage.slopes[index] * whole[index].pressure, 0.0);
             for one in &line.passages {
                 sum += one.share * weight.at(one.pair) * pressure[one.pair];
                 if rubs(&one) {
@@ -120,6 +151,31 @@ impl OfLines {
     pub fn deepest(&self) -> f64 {
         (0..self.depths.len()).map(|line| self.total(line)).fold(0.0, f64::max)
     }
+}
+
+/// How far (m) the points of lines slid and how deep (m) they wore on a body, in the middle of so many passages with those
+/// slips (m); empty where no law asks.
+fn ages(
+    problem: &ContactProblem,
+    state: &ContactState,
+    body: usize,
+    (lines, slips): (&[Line], &[f64]),
+    passages: f64,
+) -> Vec<[f64; 2]> {
+    if !problem.ages() {
+        return vec![];
+    }
+    let age = |(line, slip): (&Line, &f64)| {
+        let mut sums = [0.0; 3];
+        for one in &line.passages {
+            let [distance, depth] = state.before(body, one.pair);
+            let parts = [one.share, distance, depth];
+            sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += one.share * part);
+        }
+        let [whole, distance, depth] = sums;
+        [distance / whole + 0.5 * passages * slip, depth / whole]
+    };
+    lines.iter().zip(slips).map(age).collect()
 }
 
 /// Distance slid under a unit limit of friction that goes with a unit of its work: one if friction is the same in all

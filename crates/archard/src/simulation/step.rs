@@ -1,6 +1,6 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
-use super::collector::{Collected, Collector, Foreseen};
+use super::collector::{Collected, Collector, Foreseen, Slides};
 use super::evolution::{Evolution, Increment, not_converged};
 use super::{Effort, Error, Simulation};
 use crate::compliance::WornLines;
@@ -33,27 +33,33 @@ impl Evolution {
         }
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
-        let slip = Values::All(problem.motion.slip(increment.advance));
-        let made =
-            self.contact_and_wear(simulation, (increment, slip), &collector, &undeformed, effort)?;
+        let distance = Values::All(problem.motion.slip(increment.advance));
+        let slides = Slides { distance, point: &|_, pair| Some(pair) };
+        let made = self.contact_and_wear(
+            simulation,
+            (increment, slides),
+            &collector,
+            &undeformed,
+            effort,
+        )?;
         collector.wear(&mut self.state, &made);
         self.load_distance += self.distance(simulation, increment, increment)?;
         Ok(())
     }
 
-    /// The contact at the end of an increment in which pairs of surfaces that stay slide distances (m), from an
-    /// undeformed gap (m), and the wear it makes.
+    /// The contact at the end of an increment in which pairs of surfaces that stay slide, from an undeformed gap (m), and the
+    /// wear it makes.
     pub(super) fn contact_and_wear(
         &mut self,
         simulation: &Simulation,
-        (increment, slip): (Increment, Values<'_>),
+        (increment, slides): (Increment, Slides<'_>),
         collector: &Collector<'_>,
         undeformed: &[f64],
         effort: &mut Effort,
     ) -> Result<Collected, Error> {
         let problem = &simulation.problem;
         let collect =
-            |state: &ContactState| collector.collect_sliding(state, increment.advance, slip);
+            |state: &ContactState| collector.collect_sliding(state, increment.advance, slides);
         let mut made = collect(&self.state);
         for _ in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);

@@ -9,7 +9,7 @@
 //! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
-use super::collector::Collector;
+use super::collector::{Collector, Slides};
 use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
 use crate::numerics::vector::Values;
@@ -69,12 +69,21 @@ impl Evolution {
             let gap = course.gap(&self.state.worn, offset).ok_or_else(out)?;
             let distance = part * passes * length;
             let slip: Vec<f64> = shares.iter().map(|share| share * distance).collect();
-            let rubbed = (increment, Values::Each(&slip));
+            let there = |body: usize, pair: usize| {
+                course.opposite(pair, if body == course.bodies[0] { 0 } else { offset })
+            };
+            let slides = Slides { distance: Values::Each(&slip), point: &there };
+            let rubbed = (increment, slides);
             let made = self.contact_and_wear(simulation, rubbed, &collector, &gap, effort)?;
             self.load_distance += self.prescribed_load(increment) * distance;
             let Some(wear) = made.pairs else { continue };
             for (body, offset) in course.bodies.into_iter().zip([0, offset]) {
-                if !course.lay_down(&wear.depths[body], &mut self.state.worn[body], offset) {
+                let state = &mut self.state;
+                let mut lies = course.lay_down(&wear.depths[body], &mut state.worn[body], offset);
+                if !state.slid[body].is_empty() {
+                    lies &= course.lay_down(&wear.slip, &mut state.slid[body], offset);
+                }
+                if !lies {
                     return Err(out());
                 }
             }

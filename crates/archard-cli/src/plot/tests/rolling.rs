@@ -68,6 +68,7 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
         }),
         pressure: scaled(peak),
         worn: [worn.clone(), worn],
+        slid: [vec![], vec![]],
         ..ContactState::untouched(frame.gap())
     }
 }

@@ -9,6 +9,7 @@ use crate::estimate::Contact;
 use crate::motion::Stepping;
 use crate::problem;
 use crate::simulation::lacks;
+use crate::wear::Input;
 
 /// Pressure (Pa) at which laws are read off where no other is known.
 const PRESSURE: f64 = 1e8;
@@ -29,7 +30,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(track::problems(parts, forecast));
     problems.extend(useless_friction(parts));
-    problems.extend(without_friction(parts));
+    problems.extend(lacking(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
@@ -70,8 +71,11 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Friction where the motion does not ask for it.
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
-    let asked =
-        parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| lacks(law, false));
+    let asked = parts
+        .bodies
+        .iter()
+        .filter_map(|body| body.wear.as_deref())
+        .any(|law| law.inputs().contains(&Input::Friction));
     let swings = parts.motion.swing().is_some();
     (parts.friction.is_some() && !asked && !swings && !parts.motion.slips_partly()).then(|| {
         let name = parts.case.motion.choice.name;
@@ -80,19 +84,20 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
     })
 }
 
-/// Wear laws of friction's work where there is no friction.
-fn without_friction(parts: &Parts<'_>) -> Vec<Problem> {
-    let friction = parts.friction.is_some();
-    let lacking = parts
-        .bodies
-        .iter()
-        .filter(|body| body.wear.as_ref().is_some_and(|law| lacks(&**law, friction)));
+/// Wear laws that ask for something that is not there.
+fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
     let problem = |body: &Body| {
-        let key = Key::of(["body", &body.name, "wear"]);
-        Problem::error(key, "goes by the work of friction, and there is none")
-            .help("give a `friction` table")
+        let missing = lacks(&**body.wear.as_ref()?, parts.friction.is_some(), &parts.motion)?;
+        let (message, help) = match missing {
+            Input::Speed => (
+                "goes by the speed of sliding, which the motion does not tell",
+                "give the `speed`, or the `time`, of a motion that takes it",
+            ),
+            _ => ("goes by the work of friction, and there is none", "give a `friction` table"),
+        };
+        Some(Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help))
     };
-    lacking.map(problem).collect()
+    parts.bodies.iter().filter_map(problem).collect()
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.

@@ -34,8 +34,10 @@ struct Line {
     slope: [Vec<f64>; 2],
     /// Gap (m) that friction opens at that instant.
     gap_by_friction: Vec<f64>,
-    /// Distance slid (m).
+    /// Work of a unit pressure: the distance slid where the pressure stays (m).
     slip: Vec<f64>,
+    /// Distance slid under pressure (m).
+    distance: Vec<f64>,
     /// Energy dissipated (J).
     dissipated: f64,
 }
@@ -45,6 +47,8 @@ struct Line {
 pub(super) struct Wear {
     /// Depths of body 1 and body 2 (m), one value a pair.
     pub worn: [Vec<f64>; 2],
+    /// Distances slid under pressure (m), one value a pair; empty where no wear law asks for them.
+    pub slid: [Vec<f64>; 2],
     /// Integral of pressure and slip (N m).
     pub load_distance: f64,
     /// Energy dissipated (J).
@@ -131,6 +135,7 @@ impl Rate {
                 slope: shifted.rubbed.slopes.each_ref().map(per_pressure),
                 gap_by_friction,
                 slip: per_pressure(&shifted.rubbed.work),
+                distance: shifted.rubbed.slip.clone(),
                 dissipated: shifted.rubbed.dissipated,
             },
             stuck,
@@ -193,6 +198,9 @@ impl Rate {
                 });
             wear.load_distance += length * work * measure.area;
             wear.dissipated += length * line.dissipated;
+            for slid in wear.slid.iter_mut().filter(|slid| !slid.is_empty()) {
+                update(slid, [&line.distance], |slid, [distance]| slid + length * distance);
+            }
         }
         wear.worn = evolution.state.worn;
         Ok(wear)
@@ -213,6 +221,7 @@ impl Line {
             slope: both(&self.slope, &other.slope),
             gap_by_friction: blend(&self.gap_by_friction, &other.gap_by_friction),
             slip: blend(&self.slip, &other.slip),
+            distance: blend(&self.distance, &other.distance),
             dissipated: (1.0 - share) * self.dissipated + share * other.dissipated,
         }
     }

@@ -107,6 +107,7 @@ impl Position {
         let evolution = &self.shifted.evolution;
         Wear {
             worn: evolution.state.worn.clone(),
+            slid: evolution.state.slid.clone(),
             load_distance: evolution.load_distance,
             dissipated: self.dissipated,
         }
@@ -115,6 +116,7 @@ impl Position {
     fn take(&mut self, wear: Wear) {
         let evolution = &mut self.shifted.evolution;
         (evolution.state.worn, evolution.load_distance) = (wear.worn, wear.load_distance);
+        evolution.state.slid = wear.slid;
         self.dissipated = wear.dissipated;
     }
 }
@@ -420,6 +422,12 @@ impl Cycles {
             for (body, worn) in state.worn.iter_mut().enumerate() {
                 let change = [&corrected.worn[body], &foreseen.worn[body]];
                 update(worn, [change[0], change[1]], |worn, [new, old]| worn + (new - old));
+            }
+            for (body, slid) in
+                state.slid.iter_mut().enumerate().filter(|(_, slid)| !slid.is_empty())
+            {
+                let change = [&corrected.slid[body], &foreseen.slid[body]];
+                update(slid, [change[0], change[1]], |slid, [new, old]| slid + (new - old));
             }
         }
         self.position.shifted.evolution.load_distance += further;

@@ -52,6 +52,9 @@ impl Rubbed {
             evolution.load_distance += work * area;
         }
         self.wear(evolution, &strokes, Per::Increment, problem);
+        for slid in evolution.state.slid.iter_mut().filter(|slid| !slid.is_empty()) {
+            strokes.iter().for_each(|&(pair, rubbing)| slid[pair] += rubbing.slip);
+        }
         if problem.wearing([true; 2], Per::Cycle) != [false; 2] {
             self.whole.resize(before.pressure.len(), None);
             for (pair, rubbing) in strokes {
@@ -77,10 +80,17 @@ impl Rubbed {
         per: Per,
         problem: &ContactProblem,
     ) {
-        let points = rubbed.iter().map(|(_, rubbing)| *rubbing).collect();
-        for (index, worn) in evolution.state.worn.iter_mut().enumerate() {
+        let points = || rubbed.iter().map(|(_, rubbing)| *rubbing);
+        for index in 0..2 {
             let one = [0, 1].map(|body| body == index);
-            let wear = problem.wear(&points, problem.wearing(one, per));
+            let state = &evolution.state;
+            let wear = problem.wear(points(), problem.wearing(one, per), |body, point| {
+                let (pair, rubbing) = rubbed[point];
+                let [slid, depth] = state.before(body, pair);
+                // What a cycle slid was added while it went on.
+                [if per == Per::Cycle { slid - rubbing.slip } else { slid }, depth]
+            });
+            let worn = &mut evolution.state.worn[index];
             for (point, &(pair, rubbing)) in rubbed.iter().enumerate() {
                 let depth = wear.depths[index][point];
                 self.depths[index][pair] += depth;
@@ -117,7 +127,8 @@ fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> 
         .friction
         .as_ref()
         .map_or(0.0, |friction| friction.slope(pressure) * friction.map().resistance(slip));
-    Some(Rubbing::new(pressure, slip[0].hypot(slip[1])).with_friction(work, friction))
+    let rubbing = Rubbing::new(pressure, slip[0].hypot(slip[1])).with_friction(work, friction);
+    Some(rubbing.with_vectors(slip, [0, 1].map(traction)))
 }
 
 /// Share of an increment during which a pair is under pressure, from its pressures (Pa) and gaps (m) before

@@ -1,0 +1,180 @@
+//! What rubbed points go through.
+
+use serde::{Deserialize, Serialize};
+
+use super::Input;
+
+/// What one point of a body went through during a step.
+#[non_exhaustive]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Rubbing {
+    /// Pressure (Pa), zero or greater.
+    pub pressure: f64,
+    /// Distance slid while the step lasted (m), zero or greater.
+    pub slip: f64,
+    /// Work of friction on that slip (J/m^2).
+    pub work: f64,
+    /// How the largest tangential traction grows with the pressure: Coulomb's mu. Zero without friction.
+    pub friction: f64,
+    /// Slip of body 2 over body 1 (m) along t1 and t2; of a whole cycle, the sum.
+    pub slip_vector: [f64; 2],
+    /// Tangential traction on body 1 (Pa) along t1 and t2.
+    pub traction: [f64; 2],
+    /// Speed of sliding (m/s); zero where it is not known.
+    pub speed: f64,
+    /// Distance (m) that the point slid before, under pressure.
+    pub distance: f64,
+    /// Depth (m) worn off this body there before.
+    pub depth: f64,
+}
+
+impl Rubbing {
+    /// Slip (m) under a pressure (Pa), without friction.
+    pub fn new(pressure: f64, slip: f64) -> Self {
+        Self { pressure, slip, ..Self::default() }
+    }
+
+    /// The same with friction: its work (J/m^2), and how its limit grows with the pressure.
+    #[must_use]
+    pub fn with_friction(self, work: f64, friction: f64) -> Self {
+        Self { work, friction, ..self }
+    }
+
+    /// The same along t1 and t2: slip of body 2 over body 1 (m), and traction on body 1 (Pa).
+    #[must_use]
+    pub fn with_vectors(self, slip_vector: [f64; 2], traction: [f64; 2]) -> Self {
+        Self { slip_vector, traction, ..self }
+    }
+
+    /// The same at a speed of sliding (m/s).
+    #[must_use]
+    pub fn at_speed(self, speed: f64) -> Self {
+        Self { speed, ..self }
+    }
+
+    /// The same of a point that has slid a distance (m) and worn to a depth (m) before.
+    #[must_use]
+    pub fn after(self, distance: f64, depth: f64) -> Self {
+        Self { distance, depth, ..self }
+    }
+
+    /// Friction over pressure; zero without pressure or slip.
+    pub fn coefficient(&self) -> f64 {
+        let rubbed = self.pressure * self.slip;
+        if rubbed > 0.0 { self.work / rubbed } else { 0.0 }
+    }
+
+    /// This and what comes after it, together: pressure, traction and speed are means over the slip.
+    #[must_use]
+    pub fn then(self, next: Self) -> Self {
+        let slip = self.slip + next.slip;
+        let mean = |one: f64, other: f64| {
+            if slip > 0.0 { (one * self.slip + other * next.slip) / slip } else { other }
+        };
+        let [x, y] = [0, 1].map(|axis| [self, next].map(|one| one.traction[axis]));
+        Self {
+            pressure: mean(self.pressure, next.pressure),
+            slip,
+            work: self.work + next.work,
+            friction: mean(self.friction, next.friction),
+            slip_vector: [0, 1].map(|axis| self.slip_vector[axis] + next.slip_vector[axis]),
+            traction: [x, y].map(|[one, other]| mean(one, other)),
+            speed: mean(self.speed, next.speed),
+            ..self
+        }
+    }
+
+    /// The same slip under another pressure (Pa); work and traction follow as the limit of friction does.
+    #[must_use]
+    pub fn under(self, pressure: f64) -> Self {
+        let more = self.friction * (pressure - self.pressure) * self.slip;
+        let work = self.work + more;
+        let ratio = if self.work > 0.0 { work / self.work } else { 1.0 };
+        Self { pressure, work, traction: self.traction.map(|traction| ratio * traction), ..self }
+    }
+}
+
+/// What many points went through: the values of [`Rubbing`], one a point. What a law does not [ask for](Input) is empty.
+#[non_exhaustive]
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Columns {
+    /// Pressure (Pa).
+    pub pressure: Vec<f64>,
+    /// Distance slid (m).
+    pub slip: Vec<f64>,
+    /// Work of friction (J/m^2).
+    pub work: Vec<f64>,
+    /// How the largest tangential traction grows with the pressure.
+    pub friction: Vec<f64>,
+    /// Slip of body 2 over body 1 (m) along t1 and t2.
+    pub slip_vector: [Vec<f64>; 2],
+    /// Tangential traction on body 1 (Pa) along t1 and t2.
+    pub traction: [Vec<f64>; 2],
+    /// Speed of sliding (m/s).
+    pub speed: Vec<f64>,
+    /// Distance slid before (m).
+    pub distance: Vec<f64>,
+    /// Depth worn off this body before (m).
+    pub depth: Vec<f64>,
+}
+
+impl Columns {
+    /// What points went through, as far as it is asked for.
+    pub fn of(points: impl IntoIterator<Item = Rubbing>, asked: &[Input]) -> Self {
+        let asks = |input| asked.contains(&input);
+        let friction = asks(Input::Friction);
+        let vectors = asks(Input::Vectors);
+        let [speed, distance, depth] = [Input::Speed, Input::Distance, Input::Depth].map(asks);
+        let mut columns = Self::default();
+        for point in points {
+            columns.pressure.push(point.pressure);
+            columns.slip.push(point.slip);
+            if friction {
+                columns.work.push(point.work);
+                columns.friction.push(point.friction);
+            }
+            if vectors {
+                for axis in 0..2 {
+                    columns.slip_vector[axis].push(point.slip_vector[axis]);
+                    columns.traction[axis].push(point.traction[axis]);
+                }
+            }
+            if speed {
+                columns.speed.push(point.speed);
+            }
+            if distance {
+                columns.distance.push(point.distance);
+            }
+            if depth {
+                columns.depth.push(point.depth);
+            }
+        }
+        columns
+    }
+
+    /// Number of points.
+    pub fn len(&self) -> usize {
+        self.pressure.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.pressure.is_empty()
+    }
+
+    /// What one of them went through; zero what is left out.
+    pub fn at(&self, point: usize) -> Rubbing {
+        let of = |column: &Vec<f64>| column.get(point).copied().unwrap_or_default();
+        Rubbing {
+            pressure: self.pressure[point],
+            slip: self.slip[point],
+            work: of(&self.work),
+            friction: of(&self.friction),
+            slip_vector: self.slip_vector.each_ref().map(of),
+            traction: self.traction.each_ref().map(of),
+            speed: of(&self.speed),
+            distance: of(&self.distance),
+            depth: of(&self.depth),
+        }
+    }
+}
