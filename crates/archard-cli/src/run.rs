@@ -68,7 +68,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
-    Resolved { case, warnings, .. }: &Resolved,
+    Resolved { case, forecast, warnings, .. }: &Resolved,
     case_toml: &str,
     watch: &Watch,
     (arguments, dir): (&Run, &Path),
@@ -84,6 +84,9 @@ fn contact(
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));
+        if let Some(surfaces) = forecast.surfaces {
+            tell(&format!("The surfaces {surfaces} (`motion.fretting.surfaces`).\n"));
+        }
     }
     let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
     let mut kept = None;

@@ -170,7 +170,7 @@ impl CaseFile {
 
     fn resolve_contact(&self, laid: Laid) -> Result<Resolved, Vec<Problem>> {
         let (case, forecast, warnings) =
-            self.examine(laid, |reader, root| reader.case(root), check::check)?;
+            self.examine(laid, |reader, root| reader.case(root).map(check::settle), check::check)?;
         Ok(Resolved { case, forecast, warnings })
     }
 

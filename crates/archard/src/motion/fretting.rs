@@ -26,7 +26,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         Parameter::optional(
             "surfaces",
             Quantity::Word(&["stay", "swing"]),
-            "whether the same points stay opposite each other (stay, the default), or the surfaces swing past each other, as in gross slip",
+            "whether the same points stay opposite each other (stay), or the surfaces swing past each other (swing); chosen by the amplitude if not given",
         ),
     ],
     build: |values| {

@@ -85,7 +85,8 @@ fn pairs_slide_by_what_friction_leaves_them() {
 #[test]
 fn what_does_not_wear_dissipates() {
     let none = ["body.flat.wear=", "body.cylinder.wear=", "motion.fretting.cycles=2", "output={}"];
-    let work = [&none[..3], &["motion.fretting.tolerance=", "output={}"]].concat();
+    let swing = ["motion.fretting.surfaces=swing", "motion.fretting.tolerance=", "output={}"];
+    let work = [&none[..3], &swing].concat();
     let dissipated = rows(CASE, &work).last("dissipated_J") / (0.9 * 18500.0 * 1e-4);
     assert!((0.97..0.99).contains(&dissipated), "{dissipated}");
 }
@@ -97,6 +98,7 @@ fn short_swings_are_sliding_in_place() {
     let short = [
         "friction=",
         "motion.fretting.amplitude=[\"1 nm\", \"0 um\"]",
+        "motion.fretting.surfaces=swing",
         "motion.fretting.cycles=1000000",
         "motion.fretting.tolerance=",
         "motion.fretting.jump=100000",
@@ -173,10 +175,34 @@ fn what_cannot_swing_is_refused() {
     let error = |options: &[&str]| {
         case(CASE, &[&["output={}"], options].concat()).run(&mut []).expect_err("an error")
     };
-    let sticks = error(&["motion.fretting.amplitude=[\"0.3 um\", \"0 um\"]"]);
+    let sticks = error(&[
+        "motion.fretting.amplitude=[\"0.3 um\", \"0 um\"]",
+        "motion.fretting.surfaces=swing",
+    ]);
     assert!(matches!(sticks, Error::NoGrossSlip { .. }), "{sticks}");
     let out = error(&["frame.size=0.12 mm", "frame.elements=24"]);
     assert!(matches!(out, Error::SwungOut { .. } | Error::FrameFull { .. }), "{out}");
+}
+
+/// Where a case does not say how its surfaces meet, the amplitude beside the contact decides: its half width is 35.9 um.
+#[test]
+fn surfaces_are_chosen_by_the_amplitude() {
+    let swings = |options: &[&str]| {
+        let file = CaseFile::from_text("case", CASE, ".");
+        let file = options.iter().fold(file, |file, option| file.set(*option));
+        let resolved = file.resolve().unwrap_or_else(|_| panic!("a case"));
+        let swing = resolved.forecast.surfaces.expect("a fretting contact").swing;
+        assert_eq!(resolved.case.to_string().contains("surfaces = \"swing\""), swing);
+        swing
+    };
+    let amplitude = |um: f64| format!("motion.fretting.amplitude=[\"{um} um\", \"0 um\"]");
+    assert!(swings(&[]) && swings(&[&amplitude(10.9)]));
+    assert!(!swings(&[&amplitude(10.6)]));
+    assert!(!swings(&["motion.fretting.surfaces=stay"]));
+    // What only surfaces that stay take, what does not wear, and what the bodies may follow.
+    assert!(!swings(&["motion.fretting.increments=40"]));
+    assert!(!swings(&["body.flat.wear=", "body.cylinder.wear="]));
+    assert!(!swings(&[&amplitude(12.0), "friction.coulomb.coefficient=20"]));
 }
 
 /// A forecast counts the positions of each step.

@@ -6,6 +6,7 @@ use super::cycles::Cycles;
 use super::expected::{write_contact, write_wear};
 use super::finite::Finiteness;
 use super::footprint::memory;
+use super::surfaces::Surfaces;
 use super::words::{length, three};
 use super::{Parts, foreseen, size};
 use crate::body::{Elasticity, Finite};
@@ -24,6 +25,8 @@ pub struct Forecast {
     pub cells_across: Option<[f64; 2]>,
     /// Cycles; `None` where the bodies are not pressed and shifted step by step.
     pub cycles: Option<Cycles>,
+    /// How the surfaces of bodies that fret meet, where closed forms tell the width of the contact.
+    pub surfaces: Option<Surfaces>,
     /// Contact solves.
     pub solves: Solves,
     /// Number of pairs.
@@ -67,6 +70,7 @@ impl Forecast {
                 [cells(0).min(nx as f64), cells(1).min(ny as f64)]
             }),
             cycles: Cycles::of(parts),
+            surfaces: Surfaces::of(parts),
             solves: Solves::of(parts),
             pairs: parts.pairs(),
             unknowns: unknowns(parts),
@@ -168,6 +172,9 @@ impl fmt::Display for Forecast {
         write_wear(f, &self.estimate)?;
         if let Some(cycles) = self.cycles.filter(|cycles| cycles.total > 1) {
             cycles.fmt(f)?;
+        }
+        if let Some(surfaces) = self.surfaces {
+            writeln!(f, "surfaces          {surfaces}")?;
         }
         writeln!(f, "contact solves    {}", self.solves)?;
         self.write_size(f)?;

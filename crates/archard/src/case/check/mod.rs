@@ -17,6 +17,7 @@ pub(super) mod memory;
 mod rolling;
 mod shift;
 pub(super) mod slender;
+mod surfaces;
 mod track;
 mod words;
 
@@ -24,6 +25,8 @@ pub use coarse::BesideHalfSpace;
 pub use cycles::Cycles;
 pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
+pub use surfaces::Surfaces;
+pub(super) use surfaces::settle;
 
 use super::chosen::Chosen;
 use super::definition::{BodyCase, BuildError, Case};

@@ -2,6 +2,7 @@
 
 use super::forecast::Forecast;
 use super::judge::{stable, wear_slope};
+use super::surfaces::FAR;
 use super::words::{length, size_list_up, three};
 use super::{Parts, Solves};
 use crate::body::Elasticity;
@@ -13,8 +14,6 @@ use crate::motion::{Control, Guide, Shift, Station, Stepping};
 
 /// Size of a comfortable frame in radii of a scar.
 const ROOM: f64 = 2.2;
-/// Share of the half width of a contact beyond which a shift is not small.
-const FAR: f64 = 0.3;
 
 /// All that is wrong or doubtful about pressing and shifting.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
