@@ -55,6 +55,8 @@ pub enum Quantity {
     OneOrThree(&'static Quantity),
     /// A name of the user's.
     Text,
+    /// True or false.
+    Truth,
     /// One of a few words.
     Word(&'static [&'static str]),
     /// The name of a file of columns, each headed `name_unit`, with their names and quantities; a
@@ -186,6 +188,8 @@ pub enum Value {
     Pair([f64; 2]),
     /// Three numbers, along x, y and z (SI).
     Triple([f64; 3]),
+    /// True or false.
+    Truth(bool),
     /// A word or a name.
     Word(String),
     /// A body: 0 for body 1, 1 for body 2; and its name.
@@ -275,6 +279,11 @@ impl Values {
             Some(Value::Word(word)) => Some(word),
             _ => None,
         }
+    }
+
+    /// Whether the value of that name was given as true.
+    pub fn is_true(&self, name: &str) -> bool {
+        self.get(name) == Some(&Value::Truth(true))
     }
 
     /// The body of that name, 0 for body 1 and 1 for body 2, if it was given.

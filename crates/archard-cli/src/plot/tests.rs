@@ -90,6 +90,7 @@ fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> 
         pressure: scaled(&bowl, load),
         worn: shares.map(|share| scaled(&cap, share * volume)),
         slid: [vec![], vec![]],
+        swung: None,
         ..ContactState::untouched(frame.gap())
     }
 }

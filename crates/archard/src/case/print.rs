@@ -175,6 +175,7 @@ impl Printed<'_> {
     fn value(&self, parameter: &Parameter, value: &Value) -> String {
         let one = |value: f64| self.number(parameter.quantity, value);
         match value {
+            Value::Truth(said) => said.to_string(),
             Value::Word(word) | Value::Body(_, word) => quoted(word),
             Value::Number(value) => one(*value),
             Value::Pair([x, y]) => format!("[{}, {}]", one(*x), one(*y)),

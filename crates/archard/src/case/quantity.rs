@@ -50,6 +50,10 @@ pub(super) fn read(
             }
             bounded(value, parameter)
         }
+        Quantity::Truth => match node.item {
+            Item::Boolean(said) => Ok((Value::Truth(said), None)),
+            ref other => Err(format!("expected true or false, found {}", other.kind()).into()),
+        },
         Quantity::Word(words) => word(node, words).map(|word| (Value::Word(word), None)),
         Quantity::Table(columns) => {
             let loads = columns.iter().any(|(_, quantity)| *quantity == Quantity::Force);
@@ -126,6 +130,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         | Quantity::Count
         | Quantity::Body
         | Quantity::Text
+        | Quantity::Truth
         | Quantity::Word(_)
         | Quantity::Table(_)
         | Quantity::File

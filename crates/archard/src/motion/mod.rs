@@ -60,6 +60,8 @@ impl Motion {
                 passages: 1.0,
                 length: None,
             }),
+            // What swings does not pass evenly.
+            Self::Sliding(Sliding { swing: Some(_), .. }) => None,
             Self::Sliding(sliding) => sliding.track.map(|track| Passing {
                 direction: sliding.direction,
                 bodies: [0, 1].map(|body| body == track.body),
@@ -70,11 +72,24 @@ impl Motion {
         }
     }
 
+    /// Along which direction the surface of a body is worn alike, at least far from the ends of a stroke, and which bodies are.
+    pub fn worn_along(&self) -> Option<(Direction, [bool; 2])> {
+        let passing = self.passing().map(|passing| (passing.direction, passing.bodies));
+        let stroke = || {
+            let sliding = self.sliding()?;
+            let track = sliding.track?;
+            Some((sliding.direction, [0, 1].map(|body| body == track.body)))
+        };
+        passing.or_else(stroke)
+    }
+
     /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
     /// much; zero where what they slide depends on the place.
     pub fn slip(&self, advance: f64) -> f64 {
         match self {
-            Self::Sliding(Sliding { swing: Some(amplitude), .. }) => 4.0 * amplitude * advance,
+            Self::Sliding(Sliding { swing: Some(amplitude), track: None, .. }) => {
+                4.0 * amplitude * advance
+            }
             Self::Sliding(_) => advance,
             Self::Rolling(_) | Self::Shift(_) => 0.0,
         }
@@ -123,7 +138,7 @@ impl Motion {
     /// What progress measures, for result columns and messages.
     pub fn progress(&self) -> Progress {
         match self {
-            Self::Sliding(Sliding { swing: Some(_), .. }) => Progress::CYCLES,
+            Self::Sliding(Sliding { swing: Some(_), track: None, .. }) => Progress::CYCLES,
             Self::Sliding(_) => Progress::DISTANCE,
             Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
             Self::Rolling(_) => Progress::REVOLUTIONS,

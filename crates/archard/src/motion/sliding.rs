@@ -22,6 +22,11 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LENGTH,
         STROKE,
         Parameter::optional(
+            "ends",
+            Quantity::Truth,
+            "whether the ends of a stroke, where it turns, are resolved; not if not given",
+        ),
+        Parameter::optional(
             "passes",
             Quantity::Body,
             "the body that has the track; the other one stays in contact",
@@ -70,7 +75,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         };
         let axis = usize::from(values.word("direction") == Some("y"));
         let direction = Direction { axis, reversed: false };
-        Sliding { direction, track, speed, swing: None }.over(distance, control(values)?, stepping)
+        let swing = ends(values, track.as_ref(), explicit)?;
+        Sliding { direction, track, speed, swing }.over(distance, control(values)?, stepping)
     },
 };
 
@@ -97,8 +103,8 @@ pub struct Sliding {
     pub track: Option<Track>,
     /// Mean speed of sliding (m/s), where it is known.
     pub speed: Option<f64>,
-    /// Amplitude (m) of bodies that slide to and fro past each other by lengths comparable with the contact, so that
-    /// their surfaces swing; progress is then cycles.
+    /// Amplitude (m) of bodies that slide to and fro past each other so that their surfaces swing: by lengths comparable
+    /// with the contact, when progress is cycles, or by half the stroke of a track whose ends are resolved.
     pub swing: Option<f64>,
 }
 
@@ -223,6 +229,19 @@ fn track(values: &Values) -> Result<Option<Track>, Invalid> {
     };
     let length = if name == "track_radius" { std::f64::consts::TAU * value } else { value };
     Ok(Some(Track { length, body, strokes: name == "stroke" }))
+}
+
+/// Half of a stroke (m) that is gone through from end to end, where its ends are to be resolved.
+fn ends(values: &Values, track: Option<&Track>, explicit: bool) -> Result<Option<f64>, Invalid> {
+    match track {
+        _ if !values.is_true("ends") => Ok(None),
+        Some(_) if explicit => {
+            let message = "the ends of a stroke are resolved by the implicit scheme only";
+            Err(Invalid::new("ends", message).beside("scheme"))
+        }
+        Some(track) if track.strokes => Ok(Some(0.5 * track.length)),
+        _ => Err(Invalid::new("ends", "only a `stroke` has ends")),
+    }
 }
 
 /// Distance (m) and mean speed (m/s), from what is given of distance, turns, time, speed and frequency.

@@ -221,6 +221,7 @@ impl Run {
             pressure,
             worn,
             slid: [vec![], vec![]],
+            swung: None,
             ..ContactState::untouched(frame.gap())
         }
     }
@@ -250,6 +251,7 @@ impl Run {
                 .collect(),
             worn: COEFFICIENTS.map(|k| scaled(k * LOAD * distance)),
             slid: [vec![], vec![]],
+            swung: None,
             tangential: None,
         }
     }

@@ -5,6 +5,7 @@
 //! - `case.toml`: the case as resolved;
 //! - `history.csv`: a row a step, units in the names of the columns;
 //! - `profiles.csv`: at each output the sections through the centre of the frame;
+//! - `length_profiles.csv`, where a surface swings: at each output its worn section and depth from end to end;
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
 //!   every one in which an output falls due, a row an increment;
@@ -31,6 +32,7 @@ mod folder;
 mod fretting_loop;
 mod image;
 mod inside;
+mod length_profiles;
 mod limit;
 mod sections;
 mod store;

@@ -16,7 +16,7 @@ pub(super) struct WornProfiles<'a> {
 impl<'a> WornProfiles<'a> {
     /// The profiles of a state; `None` unless surfaces pass and may wear while they do.
     pub(super) fn of(problem: &'a ContactProblem, state: &'a ContactState) -> Option<Self> {
-        Some(Self { problem, state, direction: problem.motion.passing()?.direction })
+        Some(Self { problem, state, direction: problem.motion.worn_along()?.0 })
     }
 
     /// Adds the profiles to a table, a row a line of rolling.

@@ -18,7 +18,7 @@ use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
 use crate::motion::Control;
 use crate::numerics::vector::Values;
-use crate::problem::ContactState;
+use crate::problem::{ContactState, Swung};
 
 /// Aim of the controller relative to the tolerance.
 const AIM: f64 = 0.9;
@@ -42,6 +42,8 @@ pub(super) struct Adaptive {
     fine: Evolution,
     /// Wear put out: the extrapolation, never falling anywhere, its volume exact (m).
     worn: [Vec<f64>; 2],
+    /// The same of the whole surface of a body that swings.
+    swung: Option<Swung>,
     /// Length of the next step (the motion's unit).
     step: f64,
     /// Error of the deepest wear (m), the largest estimate so far.
@@ -130,6 +132,7 @@ impl Adaptive {
             coarse: initial.clone(),
             fine: initial.clone(),
             worn: initial.state.worn.clone(),
+            swung: initial.state.swung.clone(),
             step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
             error: 0.0,
         })
@@ -216,8 +219,14 @@ impl Adaptive {
             raise(shown, worn, weight);
         }
         (self.coarse, self.fine) = (trial.coarse, trial.fine);
+        let histories = self.coarse.state.swung.as_ref().zip(self.fine.state.swung.as_ref());
+        if let Some((shown, (coarse, fine))) = self.swung.as_mut().zip(histories) {
+            raise(&mut shown.worn, &extrapolate(&coarse.worn, &fine.worn), Values::All(1.0));
+        }
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
-        let state = ContactState { worn: self.worn.clone(), ..self.fine.state.clone() };
+        let (worn, swung) = (self.worn.clone(), self.swung.clone());
+        let mut state = ContactState { worn, swung, ..self.fine.state.clone() };
+        state.show_swung();
         // Nothing goes on from the state shown: it needs no displacement.
         let forward = self.fine.forward;
         Evolution { state, displacement: vec![], load_distance, forward }

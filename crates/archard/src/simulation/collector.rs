@@ -31,8 +31,8 @@ pub(super) struct Collector<'a> {
 pub(super) struct Slides<'a> {
     /// Distances (m).
     pub distance: Values<'a>,
-    /// The pair at which a point lay that is at a pair now, of a body; `None` for one from beyond the frame.
-    pub point: &'a dyn Fn(usize, usize) -> Option<usize>,
+    /// The point of a body that lies at a pair now.
+    pub point: &'a dyn Fn(usize, usize) -> usize,
 }
 
 /// What a step wears.
@@ -78,7 +78,7 @@ impl<'a> Collector<'a> {
     /// What an advance (the motion's unit) wears under the contact as it is.
     pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
         let distance = Values::All(self.problem.motion.slip(advance));
-        self.collect_sliding(state, advance, Slides { distance, point: &|_, pair| Some(pair) })
+        self.collect_sliding(state, advance, Slides { distance, point: &|_, pair| pair })
     }
 
     /// The same where pairs of surfaces that stay slide like that.
@@ -94,9 +94,8 @@ impl<'a> Collector<'a> {
                 self.problem.rubbing(pressure, distance.at(pair), slides)
             };
             let points = state.pressure.iter().enumerate().map(rubbing);
-            self.problem.wear(points, self.stays, |body, pair| {
-                point(body, pair).map_or([0.0; 2], |point| state.before(body, point))
-            })
+            self.problem
+                .wear(points, self.stays, |body, pair| state.before(body, point(body, pair)))
         });
         let lines = self.lines.map(|lines| {
             let times = advance * lines.passages;

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::swing::unworn;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::motion::{Control, Motion};
@@ -42,6 +43,7 @@ impl Evolution {
         if problem.asks(Input::Distance) {
             state.slid = [vec![0.0; gap.len()], vec![0.0; gap.len()]];
         }
+        state.swung = unworn(problem);
         Self { state, displacement: vec![0.0; gap.len()], load_distance: 0.0, forward: false }
     }
 
@@ -128,10 +130,11 @@ impl Evolution {
         let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
         let slid = std::mem::take(&mut self.state.slid);
+        let swung = self.state.swung.take();
         let tangential = self.state.tangential.take();
         let progress = increment.progress;
         self.state =
-            ContactState { progress, approach, load, pressure, gap, worn, slid, tangential };
+            ContactState { progress, approach, load, pressure, gap, worn, slid, swung, tangential };
     }
 
     /// Finds the pressures that close a gap (m).

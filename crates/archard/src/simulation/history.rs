@@ -90,7 +90,12 @@ pub const COLUMNS: &[Column] = &[
         worn_volume,
     ),
     column(WORN_SECTION, "m2", "worn off the profile of each body that passes", worn_section),
-    column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| Some(maximum(&r.state.worn[i]))),
+    column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| {
+        Some(match &r.state.swung {
+            Some(swung) if swung.body == i => maximum(&swung.worn),
+            _ => maximum(&r.state.worn[i]),
+        })
+    }),
     column(WEAR_DEPTH, "m", "deepest total wear", |r, _| Some(deepest(r.state))),
     column(WEAR_RATE, "m3_per_Nm", "its volume over load and distance", wear_rate),
     column(SCAR[0], "m", "length of the scar on the body that stays, along the track", |r, _| {
@@ -182,16 +187,21 @@ fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
     match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
         (Some(length), _) => Some(length * worn_section(report, body)?),
         (None, Some(_)) => None,
-        (None, None) => Some(problem.frame.integrate(&state.worn[body])),
+        (None, None) => Some(match &state.swung {
+            Some(swung) if swung.body == body => {
+                problem.frame.area(0) * swung.worn.iter().sum::<f64>()
+            }
+            _ => problem.frame.integrate(&state.worn[body]),
+        }),
     }
 }
 
 /// Worn section (m^2) of a body that passes, across the motion; `None` of others.
 fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
     let (frame, motion) = (&report.problem.frame, &report.problem.motion);
-    let passes = motion.passing().filter(|passing| passing.bodies[body]);
+    let passes = motion.worn_along().filter(|(_, bodies)| bodies[body]);
     let rolling = motion.rolling().map(|rolling| rolling.direction);
-    let direction = passes.map(|passing| passing.direction).or(rolling)?;
+    let direction = passes.map(|(direction, _)| direction).or(rolling)?;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
     let section = |line: &Line| line.width * line.mean(&report.state.worn[body]);

@@ -23,8 +23,8 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        if let Some(amplitude) = problem.motion.swing() {
-            return self.swing(simulation, increment, amplitude, effort);
+        if let Some(swung) = self.swing(simulation, increment, effort) {
+            return swung;
         }
         if !rubs(problem, increment.advance) {
             self.press(simulation, increment, effort)?;
@@ -34,7 +34,7 @@ impl Evolution {
         let collector = Collector::of(problem)?;
         let undeformed = self.undeformed_gap(problem);
         let distance = Values::All(problem.motion.slip(increment.advance));
-        let slides = Slides { distance, point: &|_, pair| Some(pair) };
+        let slides = Slides { distance, point: &|_, pair| pair };
         let made = self.contact_and_wear(
             simulation,
             (increment, slides),

@@ -12,8 +12,10 @@
 use super::collector::{Collector, Slides};
 use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
-use crate::numerics::vector::Values;
-use crate::problem::ContactProblem;
+use crate::motion::Sliding;
+use crate::numerics::vector::{Values, update};
+use crate::problem::{ContactProblem, ContactState, Long, Swung, Wear};
+use crate::wear::Input;
 
 /// Positions on either side of the middle, at most: beyond, they lie several elements apart.
 const MOST: usize = 8;
@@ -22,25 +24,60 @@ const MOST: usize = 8;
 /// positions better than at the first.
 const BACK: f64 = 0.1;
 
+/// Positions to a contact's length, at least, where a stroke is many contacts long.
+const CLOSE: usize = 6;
+
 /// The frame, and the body that is moved over it.
 struct Course<'a> {
     problem: &'a ContactProblem,
-    axis: usize,
+    sliding: &'a Sliding,
     /// The body that keeps its place, and the one that is moved.
     bodies: [usize; 2],
+    /// The elements of the one that is moved.
+    long: Long,
+}
+
+/// The surface that is moved, unworn; `None` where none is.
+pub(super) fn unworn(problem: &ContactProblem) -> Option<Swung> {
+    let Course { bodies: [_, moves], long, .. } = Course::of(problem)?;
+    let mut swung = Swung::new(moves, long);
+    if problem.asks(Input::Distance) {
+        swung.slid = vec![0.0; swung.worn.len()];
+    }
+    Some(swung)
 }
 
 impl Evolution {
-    /// A step of `increment.advance` cycles of that amplitude (m).
+    /// A step of surfaces that swing; `None` where none do.
     pub(super) fn swing(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
-        amplitude: f64,
         effort: &mut Effort,
-    ) -> Result<(), Error> {
+    ) -> Option<Result<(), Error>> {
+        let course = Course::of(&simulation.problem)?;
+        let outcome = self.move_over(simulation, increment, &course, effort);
+        self.state.show_swung();
+        let show = |reach: f64| {
+            // What is shown is the contact in the middle.
+            self.press(simulation, increment, effort)?;
+            let friction = course.coefficient(&self.state.pressure);
+            effort.dissipated[0] = friction * self.state.load * 4.0 * reach;
+            Ok(())
+        };
+        Some(outcome.and_then(show))
+    }
+
+    /// Moves the surface over the frame and wears both; returns the mean of the way to both sides (m).
+    fn move_over(
+        &mut self,
+        simulation: &Simulation,
+        increment: Increment,
+        course: &Course<'_>,
+        effort: &mut Effort,
+    ) -> Result<f64, Error> {
         let problem = &simulation.problem;
-        let course = Course::of(problem);
+        let amplitude = course.amplitude();
         let elastic = course.elastic(&self.state.pressure);
         let pressed = elastic.iter().zip(&self.state.pressure).filter(|(_, p)| **p > 0.0);
         let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
@@ -51,48 +88,41 @@ impl Evolution {
         // Of the mean way, those of the pairs.
         let shares: Vec<f64> =
             elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
-        let mut positions = positions(reach, problem.frame.spacing()[course.axis]);
+        let stride = course.stride(&self.state.pressure);
+        let mut positions = positions(reach, problem.frame.spacing()[course.axis()], stride);
         self.forward = !self.forward;
         if !self.forward {
             positions.reverse();
         }
-        let there = positions.iter().map(|one| (one, 1.0 - BACK));
-        let back = positions.iter().rev().map(|one| (one, BACK));
+        let back = course.back();
+        let there = positions.iter().map(|one| (one, 1.0 - back));
+        let and_back = positions.iter().rev().map(|one| (one, back));
         let collector = Collector::of_pairs(problem);
         // Each half cycle goes through all positions.
-        let passes = 2.0 * increment.advance;
-        for (&(offset, length), part) in there.chain(back) {
+        let passes = problem.motion.slip(increment.advance) / (2.0 * amplitude);
+        for (position, part) in there.chain(and_back).filter(|(_, part)| *part > 0.0) {
+            let &Position { offset, length, .. } = position;
             let out = || {
                 let measure = problem.motion.progress();
                 Error::SwungOut { measure, progress: increment.progress }
             };
-            let gap = course.gap(&self.state.worn, offset).ok_or_else(out)?;
+            let gap = course.gap(&self.state, offset).ok_or_else(out)?;
             let distance = part * passes * length;
             let slip: Vec<f64> = shares.iter().map(|share| share * distance).collect();
             let there = |body: usize, pair: usize| {
-                course.opposite(pair, if body == course.bodies[0] { 0 } else { offset })
+                if body == course.bodies[1] { course.long.at(pair, offset) } else { pair }
             };
             let slides = Slides { distance: Values::Each(&slip), point: &there };
             let rubbed = (increment, slides);
             let made = self.contact_and_wear(simulation, rubbed, &collector, &gap, effort)?;
+            if course.touches_an_end(&self.state.pressure) {
+                return Err(out());
+            }
             self.load_distance += self.prescribed_load(increment) * distance;
             let Some(wear) = made.pairs else { continue };
-            for (body, offset) in course.bodies.into_iter().zip([0, offset]) {
-                let state = &mut self.state;
-                let mut lies = course.lay_down(&wear.depths[body], &mut state.worn[body], offset);
-                if !state.slid[body].is_empty() {
-                    lies &= course.lay_down(&wear.slip, &mut state.slid[body], offset);
-                }
-                if !lies {
-                    return Err(out());
-                }
-            }
+            course.lay_down(&wear, &mut self.state, position);
         }
-        // What is shown is the contact in the middle.
-        self.press(simulation, increment, effort)?;
-        effort.dissipated[0] =
-            course.coefficient(&self.state.pressure) * self.state.load * 4.0 * reach;
-        Ok(())
+        Ok(reach)
     }
 }
 
@@ -103,82 +133,161 @@ fn mean(field: &[f64], pressure: &[f64]) -> f64 {
     if load > 0.0 { sum / load } else { 0.0 }
 }
 
-/// Positions in elements of that length (m), and the distance (m) that a half cycle slides at each, of which the reach is
-/// half the sum: hats over the way.
-fn positions(reach: f64, element: f64) -> Vec<(isize, f64)> {
-    let stride = stride(reach, element);
-    let side = stride * element;
+/// A place at which the contact is solved on the way from one end to the other.
+#[derive(Debug, Clone, PartialEq)]
+struct Position {
+    /// How far (elements) the surface is moved.
+    offset: isize,
+    /// Distance (m) that a half cycle slides there: a hat over the way.
+    length: f64,
+    /// Where (elements from the offset) the moved surface is meanwhile, and for which share of that distance.
+    ways: Vec<(isize, f64)>,
+}
+
+/// Positions on elements of that length (m), so many elements apart; the reach is half the sum of their lengths.
+fn positions(reach: f64, element: f64, stride: usize) -> Vec<Position> {
+    let side = stride as f64 * element;
     let most = (reach / side).ceil() as isize;
     // The integral of a hat of base two, from its middle on, as far as a place.
     let half = |to: f64| {
         let to = to.clamp(-1.0, 1.0);
         to - 0.5 * to * to.abs()
     };
-    let length = |position: isize| {
-        let middle = position as f64;
-        side * (half(reach / side - middle) - half(-reach / side - middle))
+    let position = |number: isize| {
+        let middle = number as f64 * side;
+        // Within the reach.
+        let integral = |from: f64, to: f64| {
+            let [from, to] = [from, to].map(|place| (place.clamp(-reach, reach) - middle) / side);
+            side * (half(to) - half(from))
+        };
+        let length = integral(-reach, reach);
+        let reach = stride as isize;
+        let share = |way: isize| {
+            let place = middle + way as f64 * element;
+            (way, integral(place - 0.5 * element, place + 0.5 * element) / length)
+        };
+        let ways = if stride == 1 {
+            vec![(0, 1.0)]
+        } else {
+            (-reach..=reach).map(share).filter(|(_, share)| *share > 0.0).collect()
+        };
+        Position { offset: number * reach, length, ways }
     };
-    (-most..=most).map(|position| (position * stride as isize, length(position))).collect()
+    (-most..=most).map(position).filter(|one| one.length > 0.0).collect()
 }
 
-/// Elements from one position to the next.
-fn stride(reach: f64, element: f64) -> f64 {
-    (reach / element / MOST as f64).ceil().max(1.0)
+/// Contact solves of a step of a problem: one, or one a position of surfaces that swing, with a contact of that length (m).
+pub(crate) fn solves_of_a_step(
+    sliding: &Sliding,
+    element: f64,
+    contact: Option<f64>,
+) -> Option<u64> {
+    let amplitude = sliding.swing?;
+    let length = contact.map_or(1, |contact| (contact / element) as usize);
+    let positions = positions(amplitude, element, stride(sliding, element, length)).len() as u64;
+    Some(if sliding.track.is_some() { positions } else { 2 * positions } + 1)
 }
 
-/// Contact solves of a step over an amplitude (m) on elements of that length (m).
-pub(crate) fn solves_of_a_step(amplitude: f64, element: f64) -> u64 {
-    2 * positions(amplitude, element).len() as u64 + 1
+/// Elements from one position to the next, of a contact of so many elements.
+fn stride(sliding: &Sliding, element: f64, contact: usize) -> usize {
+    let amplitude = sliding.swing.unwrap_or_default();
+    match sliding.track {
+        Some(_) => (contact / CLOSE).max(1),
+        None => (amplitude / element / MOST as f64).ceil().max(1.0) as usize,
+    }
 }
 
 impl<'a> Course<'a> {
-    fn of(problem: &'a ContactProblem) -> Self {
-        let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);
+    fn of(problem: &'a ContactProblem) -> Option<Self> {
+        let sliding = problem.motion.sliding()?;
+        sliding.swing?;
+        let axis = sliding.direction.axis;
         let curvature = |body: usize| {
             problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
         };
-        let bodies = if curvature(1) > curvature(0) { [1, 0] } else { [0, 1] };
-        Self { problem, axis, bodies }
+        let bodies = match sliding.track {
+            Some(track) => [1 - track.body, track.body],
+            None if curvature(1) > curvature(0) => [1, 0],
+            None => [0, 1],
+        };
+        // As far as the amplitude in positions of any stride.
+        let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
+        let longest = stride(sliding, element, frame[axis]);
+        let margin = (sliding.swing? / element).ceil() as usize + longest;
+        Some(Self { problem, sliding, bodies, long: Long { axis, frame, margin } })
     }
 
-    /// Where the element of the moved body is that lies opposite a pair at an offset.
-    fn opposite(&self, pair: usize, offset: isize) -> Option<usize> {
-        let elements = self.problem.frame.elements();
-        let stride = [1, elements[0]][self.axis];
-        let index = pair / stride % elements[self.axis];
-        let moved = index as isize - offset;
-        let inside = moved >= 0 && moved < elements[self.axis] as isize;
-        inside.then(|| (pair as isize - offset * stride as isize) as usize)
+    fn axis(&self) -> usize {
+        self.sliding.direction.axis
+    }
+
+    /// The way to either side (m).
+    fn amplitude(&self) -> f64 {
+        self.sliding.swing.unwrap_or_default()
+    }
+
+    /// Share of a step that goes back: on a stroke that is many contacts long, none.
+    fn back(&self) -> f64 {
+        if self.sliding.track.is_some() { 0.0 } else { BACK }
+    }
+
+    /// Elements from one position to the next, under pressures (Pa).
+    fn stride(&self, pressure: &[f64]) -> usize {
+        let (frame, axis) = (&self.problem.frame, self.axis());
+        let along = |pair: usize| [pair % frame.elements()[0], pair / frame.elements()[0]][axis];
+        let pressed = || (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0).map(along);
+        let length = pressed().max().zip(pressed().min()).map_or(1, |(most, least)| most - least);
+        stride(self.sliding, frame.spacing()[axis], length)
+    }
+
+    /// Whether pairs at an end of the frame along the motion are pressed.
+    fn touches_an_end(&self, pressure: &[f64]) -> bool {
+        let (elements, axis) = (self.problem.frame.elements(), self.axis());
+        let end = |pair: usize| {
+            let along = [pair % elements[0], pair / elements[0]][axis];
+            along == 0 || along + 1 == elements[axis]
+        };
+        (0..pressure.len()).any(|pair| pressure[pair] > 0.0 && end(pair))
     }
 
     /// Gap (m) of the worn, undeformed surfaces at zero approach; `None` where the moved one does not reach over the frame.
-    fn gap(&self, worn: &[Vec<f64>; 2], offset: isize) -> Option<Vec<f64>> {
+    fn gap(&self, state: &ContactState, offset: isize) -> Option<Vec<f64>> {
         let frame = &self.problem.frame;
         let [stays, moves] = self.bodies;
         let profile = &self.problem.bodies[moves].profile;
-        let shift = offset as f64 * frame.spacing()[self.axis];
+        let shift = offset as f64 * frame.spacing()[self.axis()];
         let at = |pair: usize| {
             let place = frame.place(pair);
             let mut moved = place;
-            moved[self.axis] -= shift;
+            moved[self.axis()] -= shift;
             let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
-            let depth = self.opposite(pair, offset).map_or(0.0, |pair| worn[moves][pair]);
-            let gap = frame.gap()[pair] + rises + worn[stays][pair] + depth;
+            let [_, depth] = state.before(moves, self.long.at(pair, offset));
+            let gap = frame.gap()[pair] + rises + state.worn[stays][pair] + depth;
             gap.is_finite().then_some(gap)
         };
         (0..frame.len()).map(at).collect()
     }
 
-    /// Adds depths (m), one value a pair, to a surface at an offset; whether all of them lie on it.
-    fn lay_down(&self, depths: &[f64], worn: &mut [f64], offset: isize) -> bool {
-        let mut inside = true;
-        for (pair, depth) in depths.iter().enumerate() {
-            match self.opposite(pair, offset) {
-                Some(place) => worn[place] += depth,
-                None => inside &= *depth == 0.0,
+    /// Adds wear to both surfaces, the one moved to a position.
+    fn lay_down(&self, wear: &Wear, state: &mut ContactState, position: &Position) {
+        let [stays, moves] = self.bodies;
+        let lay = |there: &mut Vec<f64>, values: &[f64]| {
+            for (pair, value) in values.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+                for (way, share) in &position.ways {
+                    there[self.long.at(pair, position.offset + way)] += share * value;
+                }
             }
+        };
+        let ages = !state.slid[stays].is_empty();
+        update(&mut state.worn[stays], [&wear.depths[stays]], |worn, [depth]| worn + depth);
+        if ages {
+            update(&mut state.slid[stays], [&wear.slip], |slid, [slip]| slid + slip);
         }
-        inside
+        let Some(swung) = &mut state.swung else { return };
+        lay(&mut swung.worn, &wear.depths[moves]);
+        if ages {
+            lay(&mut swung.slid, &wear.slip);
+        }
     }
 
     /// The limit of friction over the load.
@@ -200,12 +309,12 @@ impl<'a> Course<'a> {
         let resistance = friction.map().resistance(self.problem.motion.slides());
         let traction: Vec<f64> =
             pressure.iter().map(|&pressure| resistance * friction.limit(pressure)).collect();
-        let tractions = if self.axis == 0 { [&traction, &zeros] } else { [&zeros, &traction] };
+        let tractions = if self.axis() == 0 { [&traction, &zeros] } else { [&zeros, &traction] };
         let mut slip = [zeros.clone(), zeros.clone()];
         let [x, y] = &mut slip;
         self.problem.compliance.shifting(frame).apply(tractions.map(|one| &one[..]), [x, y]);
         let [x, y] = slip;
-        if self.axis == 0 { x } else { y }
+        if self.axis() == 0 { x } else { y }
     }
 }
 
@@ -213,10 +322,11 @@ impl<'a> Course<'a> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Course, positions};
+    use super::{Course, positions, unworn};
     use crate::body::profile::Cylinder;
     use crate::body::{Body, Material};
     use crate::motion::{Control, Motion, Schedule, Sliding, Stepping};
+    use crate::problem::ContactState;
     use crate::simulation::Simulation;
 
     /// Cylinders of 6 and 30 mm on a line of 1 mm in 100 elements.
@@ -236,16 +346,18 @@ mod tests {
     #[test]
     fn shape_and_wear_move_together() {
         let simulation = cylinders();
-        let course = Course::of(&simulation.problem);
+        let course = Course::of(&simulation.problem).unwrap();
         assert_eq!(course.bodies, [0, 1]);
-        let mut worn = [vec![0.0; 100], vec![0.0; 100]];
-        worn[1][40] = 1e-6;
-        let gaps = course.gap(&worn, 10).unwrap();
-        worn[1][40] = 0.0;
-        let smooth = course.gap(&worn, 10).unwrap();
+        let mut state = ContactState::untouched(simulation.problem.frame.gap());
+        state.swung = unworn(&simulation.problem);
+        let place = course.long.at(40, 0);
+        state.swung.as_mut().unwrap().worn[place] = 1e-6;
+        let gaps = course.gap(&state, 10).unwrap();
+        state.swung.as_mut().unwrap().worn[place] = 0.0;
+        let smooth = course.gap(&state, 10).unwrap();
         let opened: Vec<usize> = (0..100).filter(|&pair| gaps[pair] != smooth[pair]).collect();
         assert_eq!(opened, [50]);
-        assert_eq!(course.opposite(50, 10), Some(40));
+        assert_eq!(course.long.at(50, 10), place);
         // Two parabolas of curvatures c and c', one moved by d, are nearest at d c' / (c + c').
         let nearest = (0..100).min_by(|&one, &two| smooth[one].total_cmp(&smooth[two])).unwrap();
         let place = simulation.problem.frame.place(nearest)[0];
@@ -255,12 +367,12 @@ mod tests {
     /// The lengths of all positions are those of a half cycle, even to both sides.
     #[test]
     fn positions_share_the_way() {
-        for reach in [2e-6, 9e-6, 24.6e-6, 300e-6] {
-            let positions = positions(reach, 1e-5);
+        for (reach, stride) in [(2e-6, 1), (9e-6, 1), (24.6e-6, 2), (300e-6, 4)] {
+            let positions = positions(reach, 1e-5, stride);
             let sum = |power: i32| -> f64 {
                 positions
                     .iter()
-                    .map(|&(offset, length)| length * (offset as f64 * 1e-5).powi(power))
+                    .map(|one| one.length * (one.offset as f64 * 1e-5).powi(power))
                     .sum()
             };
             assert_relative_eq!(sum(0), 2.0 * reach, max_relative = 1e-12);

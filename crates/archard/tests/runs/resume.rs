@@ -8,7 +8,7 @@ use archard::problem::ContactState;
 use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
 
 /// Cases with settings, one of each way through the engine.
-const CASES: [(&str, &[&str]); 14] = [
+const CASES: [(&str, &[&str]); 15] = [
     ("pin_on_disc", &["frame.elements=[12, 12]", "motion.sliding.step=90 mm"]),
     (
         "pin_on_disc",
@@ -73,6 +73,17 @@ const CASES: [(&str, &[&str]); 14] = [
             "motion.fretting.cycles=300",
             "motion.fretting.tolerance=0.1",
             "output={}",
+        ],
+    ),
+    // A stroke from end to end.
+    (
+        "reciprocating_ball",
+        &[
+            "frame.elements=[21, 21]",
+            "motion.sliding.stroke=1 mm",
+            "motion.sliding.ends=true",
+            "motion.sliding.distance=10 m",
+            "motion.sliding.tolerance=0.1",
         ],
     ),
 ];

@@ -169,6 +169,27 @@ fn a_ball_swings_along_either_axis() {
     assert!(share("flat") < share("ball"));
 }
 
+/// An amplitude of many elements, whose positions lie several apart, wears as on coarser elements.
+#[test]
+fn wide_swings_take_fewer_positions() {
+    let run = |elements: &str| {
+        let options = [
+            "motion.fretting.amplitude=[\"250 um\", \"0 um\"]",
+            "motion.fretting.cycles=500",
+            "output={}",
+            elements,
+        ];
+        rows(CASE, &options)
+    };
+    let [coarse, fine] = [run("frame.elements=80"), run("frame.elements=160")];
+    for column in ["wear_depth_flat_m", "wear_depth_cylinder_m", "worn_volume_flat_m3"] {
+        assert_relative_eq!(coarse.last(column) / fine.last(column), 1.0, epsilon = 0.02);
+    }
+    // 18500 N times 500 cycles of 1 mm, less what is elastic.
+    let slid = fine.last("worn_volume_flat_m3") / (2.9e-14 * 18500.0) / 0.5;
+    assert!((0.996..0.999).contains(&slid), "{slid}");
+}
+
 /// Bodies that stick, and a contact that is carried beyond the frame.
 #[test]
 fn what_cannot_swing_is_refused() {

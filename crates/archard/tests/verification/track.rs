@@ -216,3 +216,73 @@ fn a_track_does_not_cross_a_plane_of_symmetry() {
         assert!(matches!(error, Error::NotSymmetric { .. }), "{error}");
     }
 }
+
+/// The profile of a track from end to end: places (m) and worn sections (m^2).
+fn along(text: &str, options: &[&str]) -> (Rows, Vec<(f64, f64)>) {
+    let simulation = case(text, options);
+    let mut rows = Rows::default();
+    let mut states = crate::common::States::default();
+    simulation.run(&mut [&mut rows, &mut states]).expect("it converges");
+    let state = &states.0[states.0.len() - 1].0;
+    let swung = state.swung.as_ref().expect("a surface that swings");
+    let means = swung.along();
+    let frame = &simulation.problem.frame;
+    let middle = 0.5 * (means.len() as f64 - 1.0);
+    let place = |index: usize| (index as f64 - middle) * frame.spacing()[0];
+    let section = |(index, [mean, _]): (usize, [f64; 2])| (place(index), mean * frame.size()[1]);
+    (rows, means.into_iter().enumerate().map(section).collect())
+}
+
+/// While the wear is small beside the elastic approach, the pressures stay Hertz's: the section of a stroke L is k F s / L
+/// where all of the contact passes, half of it where the middle of the contact turns, and zero where it does not reach.
+#[test]
+fn a_stroke_ends_where_the_contact_turns() {
+    let stroke = "stroke = \"1.6 mm\"\npasses = \"disc\"\ndistance = \"0.4 m\"\nends = true";
+    let (ball, disc) = (1e-7, 5e-6);
+    for (direction, step) in [("x", "tolerance = 0.003"), ("x", "step = \"0.1 m\"")] {
+        let motion = format!("{stroke}\n{step}\ndirection = \"{direction}\"");
+        let (rows, profile) = along(&text(ball, disc, &motion), &["output={}"]);
+        let worked = 10.0 * 0.4;
+        for (body, k) in [("ball", ball), ("disc", disc)] {
+            let volume = rows.last(&format!("worn_volume_{body}_m3"));
+            assert_relative_eq!(volume / (k * 1e-9 * worked), 1.0, max_relative = 1e-9);
+        }
+        let section = disc * 1e-9 * worked / 1.6e-3;
+        assert_relative_eq!(rows.last("worn_section_disc_m2") / section, 1.0, max_relative = 2e-3);
+        // Half the width of the contact is 58 um, an element 15 um.
+        for &(place, found) in &profile {
+            let beyond = place.abs() - 0.8e-3;
+            let share = found / section;
+            match beyond {
+                _ if beyond < -90e-6 => assert_relative_eq!(share, 1.0, max_relative = 0.01),
+                _ if beyond > 90e-6 => assert!(share < 1e-3, "{share} at {place}"),
+                _ => assert!((0.0..1.01).contains(&share), "{share} at {place}"),
+            }
+        }
+        let at = |end: f64| {
+            let near = profile.windows(2).find(|pair| pair[0].0 <= end && end < pair[1].0);
+            let [(from, one), (to, two)] = near.expect("an end")[..] else { panic!("a pair") };
+            one + (two - one) * (end - from) / (to - from)
+        };
+        let halves = 0.5 * (at(-0.8e-3) + at(0.8e-3)) / section;
+        assert_relative_eq!(halves, 0.5, epsilon = 0.02);
+    }
+}
+
+/// Far from its ends a stroke wears as a surface that passes, and the ball likewise; ends that wear on reach further in.
+#[test]
+fn a_long_stroke_passes() {
+    let stroke = "stroke = \"3 mm\"\npasses = \"disc\"\ndistance = \"40 m\"\ntolerance = 0.003";
+    let text = text(1e-7, 1e-6, stroke);
+    let passes = rows(&text, &["output={}"]);
+    let ends = rows(&text, &["output={}", "motion.sliding.ends=true"]);
+    for (column, within) in [
+        ("worn_section_disc_m2", 5e-3),
+        ("wear_depth_ball_m", 1e-2),
+        ("wear_depth_disc_m", 1e-2),
+        ("scar_width_m", 1e-2),
+        ("turns", 1e-12),
+    ] {
+        assert_relative_eq!(ends.last(column) / passes.last(column), 1.0, epsilon = within);
+    }
+}

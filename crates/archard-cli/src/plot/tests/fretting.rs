@@ -55,6 +55,7 @@ fn state(problem: &ContactProblem, cycles: f64, depth: f64) -> ContactState {
         pressure: field(&|r| ball.pressure(r)),
         worn: [field(&|r| if r < 0.12e-3 { 0.0 } else { depth }), none()],
         slid: [vec![], vec![]],
+        swung: None,
         ..ContactState::untouched(frame.gap())
     }
 }

@@ -69,6 +69,7 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
         pressure: scaled(peak),
         worn: [worn.clone(), worn],
         slid: [vec![], vec![]],
+        swung: None,
         ..ContactState::untouched(frame.gap())
     }
 }

@@ -148,10 +148,12 @@ impl Solves {
 
 /// Solves of a step: one, or one a position of surfaces that swing.
 fn of_a_step(parts: &Parts<'_>) -> u64 {
-    let element = |axis: usize| parts.case.frame.spacing()[axis];
-    let sliding = parts.motion.sliding();
-    let swing = sliding.and_then(|sliding| Some((sliding.swing?, sliding.direction.axis)));
-    swing.map_or(1, |(amplitude, axis)| solves_of_a_step(amplitude, element(axis)))
+    let Some(sliding) = parts.motion.sliding() else { return 1 };
+    let axis = sliding.direction.axis;
+    let element = parts.case.frame.spacing()[axis];
+    let contact = parts.subject().contact(parts.schedule.control);
+    let length = contact.map(|contact| 2.0 * contact.semi_axes[axis]);
+    solves_of_a_step(sliding, element, length).unwrap_or(1)
 }
 
 impl fmt::Display for Solves {

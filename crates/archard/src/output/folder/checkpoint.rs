@@ -21,7 +21,7 @@ use super::super::{Error, file};
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 3\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 4\n");
 /// Bytes of a checksum.
 const SUM: usize = 32;
 /// The longest a run is not kept where it could be.
@@ -33,7 +33,7 @@ const SPARE: u32 = 50;
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Kept {
     /// The tables, in their order in the folder.
-    pub tables: [Option<KeptTable>; 4],
+    pub tables: [Option<KeptTable>; 5],
     pub fretting_loop: FrettingLoop,
     pub outputs: Vec<(f64, String)>,
     pub iterations: usize,

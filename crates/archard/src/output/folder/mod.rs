@@ -17,6 +17,7 @@ use lock::Lock;
 
 use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
+use super::length_profiles;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
@@ -32,10 +33,12 @@ const HISTORY: &str = "history.csv";
 const PROFILES: &str = "profiles.csv";
 /// The file of the profiles of bodies that roll.
 const WORN_PROFILES: &str = "worn_profiles.csv";
+/// The file of surfaces that swing, from end to end.
+const LENGTH_PROFILES: &str = "length_profiles.csv";
 /// The file of force over shift.
 const FRETTING_LOOP: &str = "fretting_loop.csv";
 /// All tables.
-const TABLES: [&str; 4] = [HISTORY, PROFILES, WORN_PROFILES, FRETTING_LOOP];
+const TABLES: [&str; 5] = [HISTORY, PROFILES, WORN_PROFILES, LENGTH_PROFILES, FRETTING_LOOP];
 
 /// Writes the results of a run into a folder as it goes; see [the module](super) for the files.
 #[derive(Debug)]
@@ -47,6 +50,8 @@ pub struct ResultFolder {
     profiles: Table,
     /// The profiles of bodies that roll, once there are any.
     worn_profiles: Option<Table>,
+    /// Surfaces that swing from end to end, once there are any.
+    length_profiles: Option<Table>,
     /// The loops of bodies that are shifted, once there are any, and the one under way.
     fretting_loops: Option<Table>,
     fretting_loop: FrettingLoop,
@@ -82,6 +87,7 @@ impl ResultFolder {
             history: Table::create(dir.join(HISTORY))?,
             profiles: Table::create(dir.join(PROFILES))?,
             worn_profiles: None,
+            length_profiles: None,
             fretting_loops: None,
             fretting_loop: FrettingLoop::default(),
             collection: Collection::default(),
@@ -112,8 +118,8 @@ impl ResultFolder {
             }
         });
         let mut next = || tables.next().unwrap_or(Ok(None));
-        let [history, profiles, worn_profiles, fretting_loops] =
-            [next()?, next()?, next()?, next()?];
+        let [history, profiles, worn_profiles, length_profiles, fretting_loops] =
+            [next()?, next()?, next()?, next()?, next()?];
         drop(tables);
         let (Some(history), Some(profiles)) = (history, profiles) else {
             let why = "its checkpoint is damaged; start the run anew";
@@ -125,6 +131,7 @@ impl ResultFolder {
             history,
             profiles,
             worn_profiles,
+            length_profiles,
             fretting_loops,
             fretting_loop,
             collection: Collection { outputs },
@@ -153,6 +160,7 @@ impl ResultFolder {
             keep(Some(&self.history))?,
             keep(Some(&self.profiles))?,
             keep(self.worn_profiles.as_ref())?,
+            keep(self.length_profiles.as_ref())?,
             keep(self.fretting_loops.as_ref())?,
         ];
         let kept = Kept {
@@ -195,7 +203,7 @@ impl ResultFolder {
     /// # Errors
     /// If a file cannot be written.
     pub fn finish(self, totals: &Totals) -> Result<(), Error> {
-        let more = [&self.worn_profiles, &self.fretting_loops];
+        let more = [&self.worn_profiles, &self.length_profiles, &self.fretting_loops];
         let mut tables =
             [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
         tables.try_for_each(Table::sync)?;
@@ -239,6 +247,10 @@ impl ResultFolder {
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
         self.collection.write(&self.dir.join(COLLECTION))?;
+        if let Some(swung) = &report.state.swung {
+            let table = begun(&mut self.length_profiles, &self.dir.join(LENGTH_PROFILES))?;
+            length_profiles::write(table, (report.problem, report.state), swung)?;
+        }
         match WornProfiles::of(report.problem, report.state) {
             Some(profiles) => {
                 profiles.write(begun(&mut self.worn_profiles, &self.dir.join(WORN_PROFILES))?)

@@ -1,5 +1,9 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod swung;
+
+pub use swung::{Long, Swung};
+
 use serde::{Deserialize, Serialize};
 
 use crate::body::Body;
@@ -151,6 +155,8 @@ pub struct ContactState {
     /// Distance (m) that points of body 1 and body 2 slid under pressure, one value a pair; empty where no wear law asks
     /// for it.
     pub slid: [Vec<f64>; 2],
+    /// The whole surface of a body that swings; in `worn` and `slid` is what lies in the frame in the middle position.
+    pub swung: Option<Swung>,
     /// Friction, where the motion tells slip from stick.
     pub tangential: Option<Tangential>,
 }
@@ -234,6 +240,7 @@ impl ContactState {
             gap: gap.to_vec(),
             worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
             slid: [vec![], vec![]],
+            swung: None,
             tangential: None,
         }
     }
@@ -248,9 +255,23 @@ impl ContactState {
         VectorField { t1, t2, n }
     }
 
-    /// How far (m) a point of a body slid and how deep (m) it wore so far.
+    /// How far (m) a point of a body slid and how deep (m) it wore so far: an element of a surface that swings, otherwise a
+    /// pair.
     pub fn before(&self, body: usize, point: usize) -> [f64; 2] {
-        [&self.slid, &self.worn].map(|field| field[body].get(point).copied().unwrap_or_default())
+        let fields = match &self.swung {
+            Some(swung) if swung.body == body => [&swung.slid, &swung.worn],
+            _ => [&self.slid[body], &self.worn[body]],
+        };
+        fields.map(|field| field.get(point).copied().unwrap_or_default())
+    }
+
+    /// Brings what lies in the frame up to date with the surface that swings.
+    pub fn show_swung(&mut self) {
+        let Some(swung) = &self.swung else { return };
+        self.worn[swung.body] = swung.in_frame(&swung.worn);
+        if !swung.slid.is_empty() {
+            self.slid[swung.body] = swung.in_frame(&swung.slid);
+        }
     }
 
     /// Total wear depth (m), one value a pair.
