@@ -22,6 +22,8 @@ pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
 pub const CONTACT_AREA: &str = "contact_area_m2";
 /// Worn volume of a body that does not roll (m^3).
 pub const WORN_VOLUME: &str = "worn_volume_BODY_m3";
+/// Mass worn off a body of known density (kg).
+pub const MASS_LOSS: &str = "mass_loss_BODY_kg";
 /// Worn section of a body that rolls, across the direction of rolling (m^2).
 pub const WORN_SECTION: &str = "worn_section_BODY_m2";
 /// Deepest wear of a body (m).
@@ -90,6 +92,12 @@ pub const COLUMNS: &[Column] = &[
         worn_volume,
     ),
     column(WORN_SECTION, "m2", "worn off the profile of each body that passes", worn_section),
+    column(
+        MASS_LOSS,
+        "kg",
+        "mass worn off each body whose density is given; not in rolling",
+        mass_loss,
+    ),
     column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| Some(maximum(&r.state.worn[i]))),
     column(WEAR_DEPTH, "m", "deepest total wear", |r, _| Some(deepest(r.state))),
     column(WEAR_RATE, "m3_per_Nm", "its volume over load and distance", wear_rate),
@@ -184,6 +192,13 @@ fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
         (None, Some(_)) => None,
         (None, None) => Some(problem.frame.integrate(&state.worn[body])),
     }
+}
+
+/// Mass (kg) of the worn volume of a body that wears and whose density is known.
+fn mass_loss(report: &Report<'_>, body: usize) -> Option<f64> {
+    let Body { density, wear, .. } = &report.problem.bodies[body];
+    wear.as_ref()?;
+    Some((*density)? * worn_volume(report, body)?)
 }
 
 /// Worn section (m^2) of a body that passes, across the motion; `None` of others.
