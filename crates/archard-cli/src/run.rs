@@ -24,6 +24,7 @@ use crate::interrupt::{self, Interrupted, Watch};
 use crate::number::{count, energy, four, mass};
 use crate::progress::Follower;
 use crate::say::{say, tell};
+use crate::standards;
 use crate::underway::Underway;
 use crate::verdict;
 
@@ -215,6 +216,7 @@ fn summarize(
                 say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
             }
         }
+        standards::say_all(&simulation.problem, &follower.last)?;
     }
     let Effort { steps, solves, .. } = effort;
     say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;
