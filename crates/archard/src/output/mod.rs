@@ -4,7 +4,7 @@
 //!
 //! - `case.toml`: the case as resolved;
 //! - `history.csv`: a row a step, units in the names of the columns;
-//! - `profiles.csv`: at each output the sections through the centre of the frame;
+//! - `profiles.csv`: at each output the sections through the contact;
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
 //!   every one in which an output falls due, a row an increment;
