@@ -17,6 +17,7 @@ mod plot;
 mod progress;
 mod run;
 mod say;
+mod standards;
 mod underway;
 mod verdict;
 

@@ -22,7 +22,16 @@ pub fn four(value: f64) -> String {
 
 /// An energy (J) in a unit that suits it: "13.85 nJ".
 pub fn energy(value: f64) -> String {
-    let units = [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")];
+    in_one_of(value, [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")])
+}
+
+/// A mass (kg) in a unit that a balance shows: "1.250 mg".
+pub fn mass(value: f64) -> String {
+    in_one_of(value, [(1e3, "g"), (1e6, "mg"), (1e9, "ug"), (1e12, "ng")])
+}
+
+/// A value (SI) in the first unit in which it is no broken part, or in the last; each with its factor from SI.
+fn in_one_of(value: f64, units: [(f64, &str); 4]) -> String {
     let suits = |(factor, _): &&(f64, &str)| value == 0.0 || (value * factor).abs() >= 1.0;
     let (factor, unit) = units.iter().find(suits).unwrap_or(&units[3]);
     format!("{} {unit}", four(value * factor))
@@ -53,12 +62,18 @@ mod tests {
     use archard::motion::Progress;
     use archard::parameters::Quantity;
 
-    use super::{energy, progress};
+    use super::{energy, mass, progress};
 
     #[test]
     fn energies_are_readable() {
         let shown = [-0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
         assert_eq!(shown, ["0 J", "13.85 nJ", "7.757 uJ", "13.40 mJ", "2.000 J"]);
+    }
+
+    #[test]
+    fn masses_are_those_of_a_balance() {
+        let shown = [0.0, 4.71e-8, 1.25e-6, 3e-3].map(mass);
+        assert_eq!(shown, ["0 g", "47.10 ug", "1.250 mg", "3.000 g"]);
     }
 
     #[test]

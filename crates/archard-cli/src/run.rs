@@ -9,7 +9,7 @@ use archard::case::{Case, Resolved, Task};
 use archard::motion::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::history::{
-    self, CREEPAGE, FORCE, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
+    self, CREEPAGE, FORCE, MASS_LOSS, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
 };
 use archard::simulation::{Effort, Error, Observer, Simulation};
 use archard::verdict::Verdict;
@@ -21,9 +21,10 @@ use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
-use crate::number::{count, energy, four};
+use crate::number::{count, energy, four, mass};
 use crate::progress::Follower;
 use crate::say::{say, tell};
+use crate::standards;
 use crate::underway::Underway;
 use crate::verdict;
 
@@ -211,10 +212,14 @@ fn summarize(
             if let Some(volume) = follower.number(&of_body(WORN_VOLUME, name)) {
                 say(&format!("worn volume       {} mm^3 off `{name}`", four(volume * 1e9)))?;
             }
+            if let Some(loss) = follower.number(&of_body(MASS_LOSS, name)) {
+                say(&format!("mass loss         {} of `{name}`", mass(loss)))?;
+            }
             if let Some(section) = follower.number(&of_body(WORN_SECTION, name)) {
                 say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
             }
         }
+        standards::say_all(&simulation.problem, &follower.last)?;
     }
     let Effort { steps, solves, .. } = effort;
     say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;

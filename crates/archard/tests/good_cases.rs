@@ -224,6 +224,7 @@ fn a_resolved_case_reads_back_to_the_same_bits() {
         &["body.pin.profile={paraboloid={radius_x=31.7 mm, radius_y=80 mm}}"],
         &["body.disc.profile={disc={radius=32.5 mm, crown=125 mm}}"],
         &["body.disc.rigid=true", "body.disc.material="],
+        &["body.pin.density=7.85 g/cm^3"],
         &["body.pin.wear={archard={k_ad=1.1e-4, hardness=2.7 GPa}}"],
         &["motion.sliding.step=", "motion.sliding.tolerance=1e-3", "output.at=[1 mm, 33.3 mm]"],
         &["motion.sliding.scheme=explicit", "motion.sliding.step=1 mm", "output.every=7 mm"],

@@ -3,6 +3,8 @@
 mod common;
 #[path = "runs/resume.rs"]
 mod resume;
+#[path = "runs/sections.rs"]
+mod sections;
 
 use std::fmt::Write;
 use std::path::Path;

@@ -27,6 +27,7 @@ mod verification {
     mod slender_bodies;
     mod sneddon;
     mod spence;
+    mod standards;
     mod step_by_error;
     mod stresses_under_contact;
     mod swinging;

@@ -13,7 +13,7 @@ use super::tables::{Axis, Profile};
 /// Body 1 is drawn above, so that a pin stands on its disc; the files have it below.
 pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
     let sections = results.sections(axis, MOMENTS);
-    let window = results.window(axis)?;
+    let window = results.worn_window(axis)?;
     let mut highest = 0.0_f64;
     let mut lines = Vec::new();
     for profile in &sections {

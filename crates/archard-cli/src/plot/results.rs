@@ -18,6 +18,9 @@ use super::tables::{
     Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
 };
 
+/// Wear relative to the deepest below which a place is outside of a scar.
+const EDGE: f64 = 1e-3;
+
 /// What a result folder holds.
 pub(super) struct Results {
     /// A value a step and column.
@@ -216,6 +219,26 @@ impl Results {
             }
         }
         Ok(if contact > 0.0 { frame.min(1.25 * contact) } else { frame })
+    }
+
+    /// How far (m) from the centre worn shapes need to be shown along an axis: as far as the contact, and a tenth beyond
+    /// the widest scar, which is wider where surfaces swing.
+    pub(super) fn worn_window(&self, axis: Axis) -> anyhow::Result<f64> {
+        let mut window = self.window(axis)?;
+        for profile in self.profiles.iter().filter(|profile| profile.axis == axis) {
+            let places = profile.table.column("coordinate_m")?;
+            for body in &self.bodies {
+                let worn = profile.table.column(&format!("wear_{body}_m"))?;
+                let least = EDGE * size(worn);
+                let scar = || places.iter().zip(worn).filter(|(_, worn)| **worn > least);
+                // What passes along the axis is worn all along it.
+                if scar().count() < places.len() {
+                    let reach = scar().fold(0.0, |most, (place, _)| place.abs().max(most));
+                    window = window.max((1.1 * reach).min(size(places)));
+                }
+            }
+        }
+        Ok(window)
     }
 
     /// The Hertz contact of the unworn bodies under a load (N), where they have one.

@@ -25,7 +25,9 @@ use archard::simulation::{Effort, Observer, Report, Simulation};
 use archard::wear::Archard;
 use tempfile::tempdir;
 
+use super::results::Results;
 use super::run;
+use super::tables::Axis;
 
 /// Bodies that do not deform.
 #[derive(Debug)]
@@ -202,6 +204,25 @@ fn a_run_that_has_only_begun_is_drawn() {
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
     write(dir.path(), "", &problem, &[ContactState::untouched(problem.frame.gap())], false);
     assert_eq!(drawn(dir.path()).len(), 8);
+}
+
+/// A scar of 0.4 mm to either side, wider than the contact, is shown with a tenth of room; a track all along x is not.
+#[test]
+fn worn_shapes_reach_over_the_scar() {
+    let dir = tempdir().unwrap();
+    let numbers = [("load", 10.2), ("distance", 0.5), ("step", 5e-3)];
+    let problem = problem([1e-13; 2], "sliding", &numbers);
+    let mut worn = state(&problem, 10.2, 0.0, [0.0; 2]);
+    worn.worn = [0.4e-3, 9.0].map(|reach| {
+        let depth = |pair: usize| f64::from(problem.frame.place(pair)[0].abs() < reach) * 1e-6;
+        (0..problem.frame.len()).map(depth).collect()
+    });
+    write(dir.path(), "", &problem, &[worn], true);
+    let results = Results::read(dir.path()).unwrap();
+    // The contact of 0.149 mm ends with the element around 0.13 mm, the scar with that around 0.39 mm.
+    let [contact, scar] = [results.window(Axis::X), results.worn_window(Axis::X)];
+    assert!((contact.unwrap() - 1.25 * 0.13e-3).abs() < 1e-9);
+    assert!((scar.unwrap() - 1.1 * 0.39e-3).abs() < 1e-9);
 }
 
 #[test]

@@ -9,6 +9,7 @@ pub use finite::{Elasticity, Finite, Interpolation, Support};
 pub use material::{Material, contact_modulus};
 pub use profile::Profile;
 
+use crate::parameters::{Parameter, Quantity};
 use crate::wear::WearLaw;
 
 /// One of the two bodies in contact.
@@ -31,6 +32,8 @@ pub struct Body {
     /// In plane strain: how far below the contact (m) its approach and shift are measured from, a length that a line of
     /// contact by itself leaves open. `None` for the [default](Body::depths).
     pub depth: Option<f64>,
+    /// Its density (kg/m^3), to weigh what is worn off; `None` where it is not known.
+    pub density: Option<f64>,
 }
 
 impl Body {
@@ -39,8 +42,23 @@ impl Body {
     /// Result columns carry the name: letters, digits, `_` and `-`.
     pub fn new(name: impl Into<String>, profile: impl Profile + 'static) -> Self {
         let profile = Box::new(profile);
-        Self { name: name.into(), profile, material: None, finite: None, wear: None, depth: None }
+        Self {
+            name: name.into(),
+            profile,
+            material: None,
+            finite: None,
+            wear: None,
+            depth: None,
+            density: None,
+        }
     }
+
+    /// What a density is; its quantity is read from cases.
+    pub(crate) const DENSITY: Parameter = Parameter::optional(
+        "density",
+        Quantity::Measured { name: "a density", unit: "kg/m^3" },
+        "density, to weigh what is worn off",
+    );
 
     /// What to write for a name that is none.
     pub(crate) const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
@@ -67,6 +85,12 @@ impl Body {
     #[must_use]
     pub fn depth(self, depth: f64) -> Self {
         Self { depth: Some(depth), ..self }
+    }
+
+    /// The same body of that density (kg/m^3), so that what is worn off it is weighed.
+    #[must_use]
+    pub fn density(self, density: f64) -> Self {
+        Self { density: Some(density), ..self }
     }
 
     /// The depths (m) of bodies that touch along a line within that width (m): where none is given the radius of the

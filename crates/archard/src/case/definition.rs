@@ -55,6 +55,8 @@ pub struct BodyCase {
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
     /// How far below a line of contact its approach and shift are measured from (m); `None` for the default.
     pub depth: Option<f64>,
+    /// Its density (kg/m^3); `None` where it is not given.
+    pub density: Option<f64>,
 }
 
 /// The mesh of a body and how it is held.
@@ -198,6 +200,7 @@ impl BodyCase {
             finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
             wear: self.wear.as_ref().map(Chosen::build).transpose()?,
             depth: self.depth,
+            density: self.density,
         })
     }
 }

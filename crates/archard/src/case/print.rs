@@ -32,6 +32,9 @@ impl Display for Case {
             if let Some(depth) = body.depth {
                 writeln!(f, "{key}.depth = {}", si(depth, "m"))?;
             }
+            if let Some(density) = body.density {
+                writeln!(f, "{key}.density = {}", si(density, "kg/m^3"))?;
+            }
             writeln!(f)?;
         }
         if !self.is_meshed() {

@@ -13,6 +13,7 @@ pub mod kalker;
 pub mod pin_on_disc;
 pub mod sneddon;
 pub mod spence;
+pub mod standards;
 pub mod strip;
 pub mod twin_discs;
 pub mod vermeulen_johnson;

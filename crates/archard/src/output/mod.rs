@@ -4,7 +4,7 @@
 //!
 //! - `case.toml`: the case as resolved;
 //! - `history.csv`: a row a step, units in the names of the columns;
-//! - `profiles.csv`: at each output the sections through the centre of the frame;
+//! - `profiles.csv`: at each output the sections through the contact;
 //! - `length_profiles.csv`, where a surface swings: at each output its worn section and depth from end to end;
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
@@ -35,6 +35,7 @@ mod inside;
 mod length_profiles;
 mod limit;
 mod sections;
+mod standards;
 mod store;
 mod summary;
 mod surface;
@@ -53,6 +54,7 @@ pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
+pub use standards::Standard;
 pub use store::Store;
 pub use summary::Totals;
 pub use surface::Surface;

@@ -1,13 +1,48 @@
-//! Sections of the fields along x and y through the centre of the frame.
+//! Sections of the fields along x and y through the contact.
+//!
+//! They run through the centre of the frame, as long as the centre of pressure is next to it; through the elements in which
+//! the centre of pressure lies otherwise.
 
 use super::table::{Table, number};
 use super::{Error, Field, Image, Surface};
+use crate::problem::{ContactProblem, ContactState};
 
-/// Adds the sections of an image to a long table: for each axis, a row an element.
-pub(super) fn write(table: &mut Table, progress: (&str, f64), image: &Image) -> Result<(), Error> {
+/// How far the centre of pressure may lie from that of the frame, relative to the radius of gyration of the pressure: the
+/// chord of a round contact is then shorter than its diameter by a hundredth at most.
+const MIDDLE: f64 = 0.25;
+
+/// The place (m) that sections run through: the centre of pressure, with zero along an axis where it is next to the centre
+/// of the frame, or nothing is pressed.
+pub(super) fn through(problem: &ContactProblem, state: &ContactState) -> [f64; 2] {
+    let (frame, pressure) = (&problem.frame, &state.pressure);
+    let moment = |axis: usize, power: i32| -> f64 {
+        let part =
+            |pair: usize| frame.area(pair) * pressure[pair] * frame.place(pair)[axis].powi(power);
+        (0..frame.len()).map(part).sum()
+    };
+    [0, 1].map(|axis| {
+        let load = moment(axis, 0);
+        if load <= 0.0 || frame.mirrored()[axis] {
+            return 0.0;
+        }
+        let centre = moment(axis, 1) / load;
+        let gyration = (moment(axis, 2) / load - centre * centre).max(0.0).sqrt();
+        let near = (0.5 * frame.spacing()[axis]).max(MIDDLE * gyration);
+        if centre.abs() > near { centre } else { 0.0 }
+    })
+}
+
+/// Adds the sections of an image through a place (m) to a long table: for each axis, a row an element.
+pub(super) fn write(
+    table: &mut Table,
+    progress: (&str, f64),
+    image: &Image,
+    through: [f64; 2],
+) -> Result<(), Error> {
     for axis in 0..2 {
+        let rows = rows(image, 1 - axis, through[1 - axis]);
         let sections: Vec<Vec<f64>> =
-            image.fields.iter().map(|field| section(image, &field.values, axis)).collect();
+            image.fields.iter().map(|field| section(image, &field.values, axis, rows)).collect();
         let point = |index: usize| {
             let values = sections.iter().map(|values| values[index]).collect();
             (image.centre(axis, index), values)
@@ -23,9 +58,11 @@ pub(super) fn write_surface(
     table: &mut Table,
     progress: (&str, f64),
     surface: &Surface,
+    through: [f64; 2],
 ) -> Result<(), Error> {
     for axis in 0..2 {
-        write_axis(table, progress, axis, &surface.fields, &surface.section(axis))?;
+        let points = surface.section(axis, through[1 - axis]);
+        write_axis(table, progress, axis, &surface.fields, &points)?;
     }
     table.flush()
 }
@@ -51,12 +88,20 @@ fn write_axis(
     Ok(())
 }
 
-/// Values along an axis on the centre line: those of the middle row or, where the line runs between
-/// two rows, their mean.
-fn section(image: &Image, values: &[f64], axis: usize) -> Vec<f64> {
+/// The rows across an axis that a section takes the mean of: that of a place (m); at the centre the middle one or, where
+/// the line runs between two rows, both.
+fn rows(image: &Image, across: usize, place: f64) -> [usize; 2] {
+    let count = image.elements[across];
+    if place == 0.0 {
+        return [(count - 1) / 2, count / 2];
+    }
+    let row = (place - image.origin[across]) / image.spacing[across];
+    [(row.max(0.0) as usize).min(count - 1); 2]
+}
+
+/// Values along an axis, the mean of two rows.
+fn section(image: &Image, values: &[f64], axis: usize, rows: [usize; 2]) -> Vec<f64> {
     let [nx, _] = image.elements;
-    let across = image.elements[1 - axis];
-    let rows = [(across - 1) / 2, across / 2];
     let value = |along: usize, row: usize| match axis {
         0 => values[along + nx * row],
         _ => values[row + nx * along],
@@ -70,8 +115,9 @@ fn section(image: &Image, values: &[f64], axis: usize) -> Vec<f64> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::section;
+    use super::{rows, section, through};
     use crate::output::Image;
+    use crate::output::fixture::Run;
 
     #[test]
     fn sections_run_through_the_centre() {
@@ -84,12 +130,36 @@ mod tests {
             let values: Vec<f64> = (0..elements[0] * elements[1])
                 .map(|i| linear(image.centre(0, i % elements[0]), image.centre(1, i / elements[0])))
                 .collect();
-            for (i, value) in section(&image, &values, 0).into_iter().enumerate() {
+            let centre = [0, 1].map(|axis| rows(&image, 1 - axis, 0.0));
+            for (i, value) in section(&image, &values, 0, centre[0]).into_iter().enumerate() {
                 assert_relative_eq!(value, linear(image.centre(0, i), middle[1]), epsilon = 1e-13);
             }
-            for (i, value) in section(&image, &values, 1).into_iter().enumerate() {
+            for (i, value) in section(&image, &values, 1, centre[1]).into_iter().enumerate() {
                 assert_relative_eq!(value, linear(middle[0], image.centre(1, i)), epsilon = 1e-13);
             }
+        }
+    }
+    /// A pressure moved by three elements along x and one along y is cut there; one moved by rounding, at the centre.
+    #[test]
+    fn sections_follow_the_pressure() {
+        for elements in [[17, 18], [18, 17]] {
+            let run = Run::pin_on_disc(elements);
+            let mut state = run.state(0.0);
+            assert_eq!(through(&run.problem, &state), [0.0; 2]);
+            let spacing = run.problem.frame.spacing();
+            let old = state.pressure.clone();
+            state.pressure.rotate_right(3 + elements[0]);
+            let place = through(&run.problem, &state);
+            assert_relative_eq!(place[0], 3.0 * spacing[0], max_relative = 1e-9);
+            assert_relative_eq!(place[1], spacing[1], max_relative = 1e-9);
+            let image = Image::of(&run.problem, &state);
+            let found = section(&image, &state.pressure, 0, rows(&image, 1, place[1]));
+            let before = section(&image, &old, 0, rows(&image, 1, 0.0));
+            for (found, before) in found[3..].iter().zip(&before) {
+                assert_relative_eq!(found, before, max_relative = 1e-9);
+            }
+            state.pressure.fill(0.0);
+            assert_eq!(through(&run.problem, &state), [0.0; 2]);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::closed_forms;
+use super::{Standard, closed_forms};
 use crate::estimate::{Estimator, Subject};
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{Effort, Report};
@@ -102,13 +102,15 @@ pub(super) fn json_of(verdict: &Verdict) -> Value {
 }
 
 /// For each body, the volume by the integral of its depth (the paper's eq. 56), in rolling the section
-/// across the direction; and, where its law says what that must be, k F s and how far the two are apart.
+/// across the direction; and, where its law says what that must be, k F s and how far the two are apart;
+/// of a test by a standard, what that says.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let Report { problem, effort, .. } = report;
     let (measure, unit, column) = match problem.motion.rolling() {
         Some(_) => ("section", "m2", WORN_SECTION),
         None => ("volume", "m3", WORN_VOLUME),
     };
+    let standards = Standard::of(problem, row);
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
         let worn = number(row, &of_body(column, &body.name)).unwrap_or(0.0);
         let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
@@ -118,6 +120,9 @@ fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
             entry["coefficient_per_Pa"] = json!(k);
             entry[format!("expected_{measure}_{unit}")] = json!(expected);
             entry["relative_difference"] = json!(difference);
+        }
+        if let Some(standard) = standards.iter().find(|standard| standard.body == index) {
+            entry["standard"] = standard.json();
         }
         (body.name.clone(), entry)
     });

@@ -124,9 +124,9 @@ impl Surface {
         all.into_iter().filter(there).collect()
     }
 
-    /// Places (m) along an axis, and the values of every field there, on the line through the centre: those of
-    /// the pairs on it, or the mean of the two between which it runs.
-    pub(super) fn section(&self, axis: usize) -> Vec<(f64, Vec<f64>)> {
+    /// Places (m) along an axis, and the values of every field there, on the line at that place (m) across, zero where
+    /// there is a plane of symmetry: those of the pairs on it, or the mean of the two between which it runs.
+    pub(super) fn section(&self, axis: usize, at: f64) -> Vec<(f64, Vec<f64>)> {
         let [size, across] = [axis, 1 - axis].map(|axis| {
             let [low, high] = self.extent(axis);
             high - low
@@ -137,7 +137,7 @@ impl Surface {
                 places.clone().fold(f64::INFINITY, f64::min),
                 places.fold(f64::NEG_INFINITY, f64::max),
             );
-            low <= SAME * across && high >= -SAME * across
+            low - at <= SAME * across && high - at >= -SAME * across
         };
         let mut points: Vec<(f64, Vec<f64>)> = vec![];
         for (pair, _) in self.outlines.iter().enumerate().filter(|(_, outline)| crosses(outline)) {
@@ -268,7 +268,7 @@ mod tests {
     #[test]
     fn sections_follow_the_pairs_on_the_line() {
         let surface = quarter();
-        let along_x = surface.section(0);
+        let along_x = surface.section(0, 0.0);
         let expected = [(-2.0, -7.0), (-0.5, -5.5), (0.5, 5.5), (2.0, 7.0)];
         assert_eq!(along_x.len(), 4);
         for ((place, values), (x, value)) in along_x.iter().zip(expected) {
@@ -281,7 +281,10 @@ mod tests {
         for outline in &mut whole.outlines {
             outline.iter_mut().for_each(|corner| corner[1] -= 1.0);
         }
-        assert_eq!(whole.section(0).len(), 2);
-        assert_relative_eq!(whole.section(0)[0].1[0], 0.5 * (5.5 + 20.5));
+        assert_eq!(whole.section(0, 0.0).len(), 2);
+        assert_relative_eq!(whole.section(0, 0.0)[0].1[0], 0.5 * (5.5 + 20.5));
+        // Beside the middle the row that lies there.
+        assert_relative_eq!(whole.section(0, -0.5)[0].1[0], 5.5);
+        assert_relative_eq!(whole.section(0, 1.5)[0].1[0], 20.5);
     }
 }

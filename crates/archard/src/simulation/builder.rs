@@ -199,6 +199,7 @@ impl Builder {
             return wrong("material", "both bodies are rigid: one has to be elastic");
         }
         for body in &self.bodies {
+            body.density.map(|density| Body::DENSITY.admit(density)).transpose()?;
             let Some(finite) = &body.finite else { continue };
             match body.material {
                 None => {

@@ -4,6 +4,7 @@
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
 use super::Report;
+use super::scar::{scar, track_width};
 use crate::body::Body;
 use crate::frame::{Line, VectorField};
 use crate::motion::{Progress, Rolling, Shift};
@@ -22,6 +23,8 @@ pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
 pub const CONTACT_AREA: &str = "contact_area_m2";
 /// Worn volume of a body that does not roll (m^3).
 pub const WORN_VOLUME: &str = "worn_volume_BODY_m3";
+/// Mass worn off a body of known density (kg).
+pub const MASS_LOSS: &str = "mass_loss_BODY_kg";
 /// Worn section of a body that rolls, across the direction of rolling (m^2).
 pub const WORN_SECTION: &str = "worn_section_BODY_m2";
 /// Deepest wear of a body (m).
@@ -40,8 +43,8 @@ pub const FORCE: [&str; 2] = ["force_x_N", "force_y_N"];
 pub const WEAR_RATE: &str = "wear_rate_BODY_m3_per_Nm";
 /// Extent of the scar on the body that stays, along the track and across (m).
 pub const SCAR: [&str; 2] = ["scar_length_m", "scar_width_m"];
-/// Wear relative to the deepest below which a place is outside of the scar.
-const EDGE: f64 = 1e-3;
+/// Width of the track on the body that passes (m).
+pub const TRACK_WIDTH: &str = "track_width_m";
 /// Area that sticks (m^2).
 pub const STICK_AREA: &str = "stick_area_m2";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
@@ -90,6 +93,12 @@ pub const COLUMNS: &[Column] = &[
         worn_volume,
     ),
     column(WORN_SECTION, "m2", "worn off the profile of each body that passes", worn_section),
+    column(
+        MASS_LOSS,
+        "kg",
+        "mass worn off each body whose density is given; not in rolling",
+        mass_loss,
+    ),
     column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| {
         Some(match &r.state.swung {
             Some(swung) if swung.body == i => maximum(&swung.worn),
@@ -104,6 +113,7 @@ pub const COLUMNS: &[Column] = &[
     column(SCAR[1], "m", "width of that scar, across the track", |r, _| {
         scar(r).map(|[_, across]| across)
     }),
+    column(TRACK_WIDTH, "m", "width of the track on the body that passes", |r, _| track_width(r)),
     column("turns", "", "turns, or strokes to and fro, so far", |r, _| {
         Some(r.state.progress / r.problem.motion.sliding()?.track?.cycle())
     }),
@@ -196,6 +206,13 @@ fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
     }
 }
 
+/// Mass (kg) of the worn volume of a body that wears and whose density is known.
+fn mass_loss(report: &Report<'_>, body: usize) -> Option<f64> {
+    let Body { density, wear, .. } = &report.problem.bodies[body];
+    wear.as_ref()?;
+    Some((*density)? * worn_volume(report, body)?)
+}
+
 /// Worn section (m^2) of a body that passes, across the motion; `None` of others.
 fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
     let (frame, motion) = (&report.problem.frame, &report.problem.motion);
@@ -214,35 +231,6 @@ fn wear_rate(report: &Report<'_>, body: usize) -> Option<f64> {
     let worked = report.effort.load_distance;
     let volume = worn_volume(report, body)?;
     Some(if worked > 0.0 { volume / worked } else { 0.0 })
-}
-
-/// Extent (m) of the scar on the body that stays, along the track and across: that of the ellipse with the second moments
-/// of the worn zone. `None` where there is no track, or the body does not wear.
-fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
-    let Report { problem, state, .. } = report;
-    let sliding = problem.motion.sliding()?;
-    let track = sliding.track?;
-    let stays = 1 - track.body;
-    problem.bodies[stays].wear.as_ref()?;
-    let (frame, worn) = (&problem.frame, &state.worn[stays]);
-    let least = EDGE * maximum(worn);
-    let zone: Vec<usize> = (0..worn.len()).filter(|&pair| worn[pair] > least).collect();
-    let all: f64 = zone.iter().map(|&pair| frame.area(pair)).sum();
-    let extent = |axis: usize| {
-        let mean = |power: i32, from: f64| {
-            let part =
-                |&pair: &usize| frame.area(pair) * (frame.place(pair)[axis] - from).powi(power);
-            zone.iter().map(part).sum::<f64>() / all
-        };
-        // Half a frame has its middle on the plane of symmetry.
-        let middle = if frame.mirrored()[axis] { 0.0 } else { mean(1, 0.0) };
-        // What an element spreads over belongs to it.
-        let own = frame.elements()[axis].max(1) as f64;
-        let element = frame.size()[axis] / own / if frame.mirrored()[axis] { 2.0 } else { 1.0 };
-        4.0 * (mean(2, middle) + element * element / 12.0).sqrt()
-    };
-    let axis = sliding.direction.axis;
-    Some(if zone.is_empty() { [0.0; 2] } else { [extent(axis), extent(1 - axis)] })
 }
 
 /// A number of bodies that roll with friction; `None` of others.

@@ -13,6 +13,7 @@ mod march;
 mod passing;
 mod rolling;
 mod run;
+mod scar;
 mod step;
 mod swing;
 

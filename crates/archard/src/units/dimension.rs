@@ -40,6 +40,7 @@ impl Dimension {
         (Self::LENGTH, "a length"),
         (Self([2.0, 0.0, 0.0, 0.0]), "an area"),
         (Self([3.0, 0.0, 0.0, 0.0]), "a volume"),
+        (Self([-3.0, 1.0, 0.0, 0.0]), "a density"),
         (Self([-1.0, 0.0, 0.0, 0.0]), "a curvature (1/length)"),
         (Self::MASS, "a mass"),
         (Self::TIME, "a time"),

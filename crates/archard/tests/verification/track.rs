@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use approx::assert_relative_eq;
 use archard::closed_form::worn_track::worn;
 use archard::simulation::Error;
+use archard::simulation::history::number;
 
 use crate::common::{Rows, case, states};
 
@@ -75,6 +76,21 @@ fn volumes_follow_from_the_load_and_shapes_from_geometry() {
         assert_relative_eq!(ratio("scar_width_m", rigid.extent[1]), 1.0, max_relative = 0.04);
         assert_relative_eq!(found.last("turns"), 600.0 / length, max_relative = 1e-12);
     }
+}
+
+/// A body of known density loses density k F s, off the whole track of one that passes; no other is weighed.
+#[test]
+fn what_is_worn_off_is_weighed_where_the_density_is_known() {
+    let disc =
+        text(1e-7, 5e-6, TRACK).replace("[body.disc]", "[body.disc]\ndensity = \"7.85 g/cm^3\"");
+    let found = rows(&disc, &["motion.sliding.step=60 m"]);
+    let loss = 7850.0 * 5e-15 * 10.0 * 600.0;
+    assert_relative_eq!(found.last("mass_loss_disc_kg") / loss, 1.0, max_relative = 1e-9);
+    assert!(number(&found.0[0], "mass_loss_ball_kg").is_none());
+    let idle =
+        text(0.0, 5e-6, TRACK).replace("[body.ball]", "[body.ball]\ndensity = \"7850 kg/m^3\"");
+    let found = rows(&idle, &["motion.sliding.step=60 m", "body.ball.wear="]);
+    assert!(number(&found.0[0], "mass_loss_ball_kg").is_none());
 }
 
 /// A disc that does not wear leaves the pin as if there were no track.

@@ -68,6 +68,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
         finite: Some(coarse),
         wear: None,
         depth: None,
+        density: None,
     };
     mean(&body).ok()
 }
@@ -82,6 +83,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         finite: None,
         wear: None,
         depth: None,
+        density: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)
         .map_err(simulation::BuildError::from)?;

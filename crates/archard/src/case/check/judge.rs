@@ -1,7 +1,7 @@
 //! What is doubtful about a case, in words.
 
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Finiteness, Forecast, Parts, Solves, rolling, shift, track};
+use super::{Finiteness, Forecast, Parts, Solves, density, rolling, shift, track};
 use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -29,6 +29,7 @@ const SMALLEST_EIGENVALUE: f64 = 0.5807;
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(track::problems(parts, forecast));
+    problems.extend(density::problems(parts));
     problems.extend(useless_friction(parts));
     problems.extend(lacking(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));

@@ -2,6 +2,7 @@
 
 mod coarse;
 mod cycles;
+mod density;
 mod expected;
 mod finite;
 pub(super) mod footprint;

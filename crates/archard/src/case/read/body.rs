@@ -22,6 +22,7 @@ const KEYS: &[&str] = &[
     "boundary_elements",
     "wear",
     "depth",
+    "density",
 ];
 
 impl Reader<'_> {
@@ -88,6 +89,10 @@ impl Reader<'_> {
             None => Some(None),
             Some((key, entry)) => self.number(key, &entry.node, Quantity::Length).map(Some),
         };
+        let density = match section.get("density") {
+            None => Some(None),
+            Some((key, entry)) => self.number(key, &entry.node, Body::DENSITY.quantity).map(Some),
+        };
         if let (Some(None), Some(Some(_))) = (&material, &finite) {
             let message = "a rigid body does not deform: give its shape as a `profile` instead";
             self.push(Problem::error(section.key.child("mesh"), message).at_name());
@@ -109,6 +114,7 @@ impl Reader<'_> {
             finite: finite?,
             wear: wear?,
             depth: depth?,
+            density: density?,
         })
         .filter(|_| named)
     }

@@ -266,15 +266,16 @@ impl ResultFolder {
         let Report { problem, state, .. } = report;
         let progress = (problem.motion.progress().column, state.progress);
         let name = format!("fields/{:04}", self.collection.outputs.len());
+        let through = sections::through(problem, state);
         let name = if problem.frame.is_uniform() {
             let (image, name) = (Image::of(problem, state), format!("{name}.vti"));
             image.write(&self.dir.join(&name))?;
-            sections::write(&mut self.profiles, progress, &image)?;
+            sections::write(&mut self.profiles, progress, &image, through)?;
             name
         } else {
             let (surface, name) = (Surface::of(problem, state), format!("{name}.vtu"));
             surface.write(&self.dir.join(&name))?;
-            sections::write_surface(&mut self.profiles, progress, &surface)?;
+            sections::write_surface(&mut self.profiles, progress, &surface, through)?;
             name
         };
         self.collection.outputs.push((state.progress, name));

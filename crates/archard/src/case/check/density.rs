@@ -1,0 +1,21 @@
+//! Densities that weigh nothing.
+
+use super::Parts;
+use crate::case::definition::BodyCase;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+
+/// A density of a body that does not wear, or that rolls, where sections are known and no volumes.
+pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
+    let rolls = parts.motion.rolling().is_some();
+    let weighed = parts.case.bodies.iter().filter(|body| body.density.is_some());
+    let doubt = |body: &BodyCase| {
+        let message = match &body.wear {
+            None => "has no effect on a body that does not wear",
+            Some(_) if rolls => "has no effect in rolling: worn sections are known, not volumes",
+            Some(_) => return None,
+        };
+        Some(Problem::warning(Key::of(["body", &body.name, "density"]), message).at_name())
+    };
+    weighed.filter_map(doubt).collect()
+}
