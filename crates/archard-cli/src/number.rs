@@ -50,6 +50,8 @@ pub fn count(value: f64) -> String {
 /// Where a motion is (its own unit): "distance 250.0 mm", "cycle 12", "time 1.500 s".
 pub fn progress(progress: Progress, value: f64) -> String {
     let value = match progress.quantity {
+        Quantity::Length if value >= 2e3 => format!("{} km", four(value * 1e-3)),
+        Quantity::Length if value >= 2.0 => format!("{} m", four(value)),
         Quantity::Length => format!("{} mm", four(value * 1e3)),
         Quantity::Time => format!("{} s", four(value)),
         _ => count(value),
@@ -85,5 +87,7 @@ mod tests {
         assert_eq!(progress(cycle, 12.05), "cycle 12.05");
         assert_eq!(progress(measured("time", Quantity::Time), 1.5), "time 1.500 s");
         assert_eq!(progress(measured("distance", Quantity::Length), 0.25), "distance 250.0 mm");
+        assert_eq!(progress(measured("distance", Quantity::Length), 12.5), "distance 12.50 m");
+        assert_eq!(progress(measured("distance", Quantity::Length), 15e3), "distance 15.00 km");
     }
 }

@@ -5,7 +5,6 @@ use std::fmt;
 use super::Parts;
 use super::words::three;
 use crate::case::definition::Case;
-use crate::motion::Motion;
 use crate::parameters::Value;
 
 /// Share of the half width of a contact beyond which an amplitude is not small: surfaces that stay then wear some percent
@@ -35,8 +34,7 @@ impl Surfaces {
         }
         let (axis, amplitude) = along(parts.case)?;
         let half_width = parts.subject().contact(parts.schedule.control)?.semi_axes[axis];
-        let swing = matches!(&parts.motion, Motion::Sliding(sliding) if sliding.swing.is_some());
-        Some(Self { swing, ratio: amplitude / half_width })
+        Some(Self { swing: parts.motion.swing().is_some(), ratio: amplitude / half_width })
     }
 }
 
