@@ -37,8 +37,12 @@ const PROFILE_EXAMPLES: Examples = &[
 /// Profiles that need more than numbers, tested beside their code.
 const OTHER_PROFILES: &[&str] = &["table"];
 
-const WEAR_EXAMPLES: Examples =
-    &[("archard", &[("coefficient", 1.33e-13)]), ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)])];
+const WEAR_EXAMPLES: Examples = &[
+    ("archard", &[("coefficient", 1.33e-13)]),
+    ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)]),
+    ("energy", &[("coefficient", 1e-13)]),
+    ("energy", &[("coefficient", 1e-13), ("threshold", 1e6)]),
+];
 
 const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
@@ -100,7 +104,7 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
         assert_eq!(depth(0.0, 1.0), 0.0, "{name}");
         assert_eq!(depth(1e8, 0.0), 0.0, "{name}");
         for pressure in [0.0, 1e6, 1e8, 3e9] {
-            let change = 1e-4 * f64::max(pressure, 1e6);
+            let change = 1e-4 * f64::max(pressure, 1.0);
             let slope = law.slope(rubbing(pressure, 0.3));
             let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
             assert!(slope >= 0.0 && rise >= 0.0, "{name}");

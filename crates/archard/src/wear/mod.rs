@@ -3,11 +3,13 @@
 //! A new law is one file here and one line in [`WEAR_LAWS`].
 
 mod archard;
+mod energy;
 mod rubbing;
 
 use std::fmt::Debug;
 
 pub use archard::Archard;
+pub use energy::Energy;
 pub use rubbing::{Columns, Rubbing};
 
 use crate::parameters::Choice;
@@ -77,4 +79,4 @@ pub trait WearLaw: Debug + Send + Sync {
 }
 
 /// The wear laws a case can name.
-pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[archard::CHOICE];
+pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[archard::CHOICE, energy::CHOICE];

@@ -2,6 +2,7 @@
 
 mod coarse;
 mod cycles;
+mod equivalent;
 mod expected;
 mod finite;
 pub(super) mod footprint;
@@ -22,6 +23,7 @@ mod words;
 
 pub use coarse::BesideHalfSpace;
 pub use cycles::Cycles;
+pub use equivalent::Equivalent;
 pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
 
