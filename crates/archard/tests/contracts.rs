@@ -42,6 +42,17 @@ const WEAR_EXAMPLES: Examples = &[
     ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)]),
     ("energy", &[("coefficient", 1e-13)]),
     ("energy", &[("coefficient", 1e-13), ("threshold", 1e6)]),
+    ("power", &[("coefficient", 1e-13), ("pressure_exponent", 1.3), ("reference_pressure", 1e8)]),
+    (
+        "power",
+        &[
+            ("coefficient", 1e-13),
+            ("pressure_exponent", 0.7),
+            ("reference_pressure", 1e8),
+            ("speed_exponent", -0.5),
+            ("reference_speed", 0.3),
+        ],
+    ),
 ];
 
 const MOTION_EXAMPLES: Examples = &[

@@ -4,12 +4,14 @@
 
 mod archard;
 mod energy;
+mod power;
 mod rubbing;
 
 use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use energy::Energy;
+pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
 
 use crate::parameters::Choice;
@@ -79,4 +81,5 @@ pub trait WearLaw: Debug + Send + Sync {
 }
 
 /// The wear laws a case can name.
-pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[archard::CHOICE, energy::CHOICE];
+pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] =
+    &[archard::CHOICE, energy::CHOICE, power::CHOICE];
