@@ -53,6 +53,7 @@ const WEAR_EXAMPLES: Examples = &[
             ("reference_speed", 0.3),
         ],
     ),
+    ("threshold", &[("coefficient", 1e-13), ("threshold", 3e7)]),
 ];
 
 const MOTION_EXAMPLES: Examples = &[
