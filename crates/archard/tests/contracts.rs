@@ -54,6 +54,14 @@ const WEAR_EXAMPLES: Examples = &[
         ],
     ),
     ("threshold", &[("coefficient", 1e-13), ("threshold", 3e7)]),
+    (
+        "running_in",
+        &[
+            ("initial_coefficient", 5e-13),
+            ("final_coefficient", 1e-13),
+            ("running_in_distance", 0.2),
+        ],
+    ),
 ];
 
 const MOTION_EXAMPLES: Examples = &[

@@ -6,6 +6,7 @@ mod archard;
 mod energy;
 mod power;
 mod rubbing;
+mod running_in;
 mod threshold;
 
 use std::fmt::Debug;
@@ -14,6 +15,7 @@ pub use archard::Archard;
 pub use energy::Energy;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
+pub use running_in::RunningIn;
 pub use threshold::Threshold;
 
 use crate::parameters::Choice;
@@ -84,4 +86,4 @@ pub trait WearLaw: Debug + Send + Sync {
 
 /// The wear laws a case can name.
 pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] =
-    &[archard::CHOICE, energy::CHOICE, power::CHOICE, threshold::CHOICE];
+    &[archard::CHOICE, energy::CHOICE, power::CHOICE, threshold::CHOICE, running_in::CHOICE];
