@@ -16,7 +16,7 @@ use archard::frame::VectorField;
 use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
-use archard::wear::{Columns, Input, Per, Rubbing, WEAR_LAWS};
+use archard::wear::{Columns, Input, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw};
 
 use common::{Ball, STEEL, at_rest, choose, solver};
 
@@ -64,6 +64,19 @@ const WEAR_EXAMPLES: Examples = &[
     ),
 ];
 
+/// Laws that need more than numbers.
+fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
+    let table = |over, places: [f64; 2]| {
+        Box::new(Table::new(over, &places, &[3e-13, 2e-13]).expect("a table")) as _
+    };
+    vec![
+        ("table", table(Over::Distance, [0.1, 0.5])),
+        ("table", table(Over::Depth, [1e-8, 1e-6])),
+        ("table", table(Over::Pressure, [3e7, 1e9])),
+        ("table", table(Over::Speed, [0.01, 1.0])),
+    ]
+}
+
 const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
     ("indentation", &[("load", 10.2), ("increments", 5.0), ("cycles", 20.0), ("jump", 4.0)]),
@@ -110,9 +123,12 @@ fn profiles_touch_at_the_centre_with_the_curvatures_they_state() {
 
 #[test]
 fn wear_laws_grow_with_pressure_and_know_their_slope() {
-    all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &[]);
-    for (name, numbers) in WEAR_EXAMPLES {
-        let law = choose(WEAR_LAWS, name, numbers);
+    let others = other_wear_laws();
+    let names: Vec<&str> = others.iter().map(|(name, _)| *name).collect();
+    all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &names);
+    let examples = WEAR_EXAMPLES.iter();
+    let examples = examples.map(|(name, numbers)| (*name, choose(WEAR_LAWS, name, numbers)));
+    for (name, law) in examples.chain(others) {
         let rubbing = |pressure: f64, slip: f64| {
             Rubbing::new(pressure, slip)
                 .with_friction(0.4 * pressure * slip, 0.4)

@@ -7,6 +7,7 @@ mod energy;
 mod power;
 mod rubbing;
 mod running_in;
+mod table;
 mod threshold;
 
 use std::fmt::Debug;
@@ -16,6 +17,7 @@ pub use energy::Energy;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
 pub use running_in::RunningIn;
+pub use table::{Over, Table};
 pub use threshold::Threshold;
 
 use crate::parameters::Choice;
@@ -85,5 +87,11 @@ pub trait WearLaw: Debug + Send + Sync {
 }
 
 /// The wear laws a case can name.
-pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] =
-    &[archard::CHOICE, energy::CHOICE, power::CHOICE, threshold::CHOICE, running_in::CHOICE];
+pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
+    archard::CHOICE,
+    energy::CHOICE,
+    power::CHOICE,
+    threshold::CHOICE,
+    running_in::CHOICE,
+    table::CHOICE,
+];
