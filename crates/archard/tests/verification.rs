@@ -32,4 +32,5 @@ mod verification {
     mod swinging;
     mod track;
     mod unequal_pairs;
+    mod wear_laws;
 }
