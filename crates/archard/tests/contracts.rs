@@ -134,6 +134,7 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
                 .with_friction(0.4 * pressure * slip, 0.4)
                 .with_vectors([0.8 * slip, 0.6 * slip], [0.32 * pressure, 0.24 * pressure])
                 .at_speed(0.1)
+                .rolling(4.0 * slip)
         };
         let depth = |pressure: f64, slip: f64| law.depth(rubbing(pressure, slip));
         assert!(depth(3e9, 0.3) > 0.0, "{name}: the example wears nothing");

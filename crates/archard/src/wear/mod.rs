@@ -26,7 +26,8 @@ use crate::parameters::Choice;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Per {
     /// Any part of a motion: what two parts wear one after the other is what they wear as one. Unless the law asks for what
-    /// was before, the depth then grows in proportion to the slip, and to the work with it.
+    /// was before, the depth then grows in proportion to the slip, the work and the distance rolled together. A law of their
+    /// ratios, as of the work per distance rolled, does too.
     Increment,
     /// What a point goes through in a cycle of the motion: a cycle of fretting, or a passage through the contact of
     /// bodies that roll. The pressure is the mean over the slip. Where surfaces that stay slide there is no cycle.
@@ -44,6 +45,8 @@ pub enum Input {
     Vectors,
     /// The speed of sliding.
     Speed,
+    /// The distance rolled.
+    Rolled,
     /// The distance slid before.
     Distance,
     /// The depth worn before.
