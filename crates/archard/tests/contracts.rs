@@ -62,6 +62,7 @@ const WEAR_EXAMPLES: Examples = &[
             ("running_in_distance", 0.2),
         ],
     ),
+    ("t_gamma", &[("density", 7850.0)]),
 ];
 
 /// Laws that need more than numbers.

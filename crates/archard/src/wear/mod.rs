@@ -7,6 +7,7 @@ mod energy;
 mod power;
 mod rubbing;
 mod running_in;
+mod t_gamma;
 mod table;
 mod threshold;
 
@@ -17,6 +18,7 @@ pub use energy::Energy;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
 pub use running_in::RunningIn;
+pub use t_gamma::TGamma;
 pub use table::{Over, Table};
 pub use threshold::Threshold;
 
@@ -97,4 +99,5 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     threshold::CHOICE,
     running_in::CHOICE,
     table::CHOICE,
+    t_gamma::CHOICE,
 ];
