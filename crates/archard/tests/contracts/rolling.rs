@@ -18,6 +18,7 @@ use crate::common::{Ball, STEEL, at_rest, choose, solver};
 const FRICTION_EXAMPLES: &[(&str, &[(&str, Value)])] = &[
     ("coulomb", &[("coefficient", Value::Number(0.6))]),
     ("coulomb", &[("coefficient", Value::Number(0.0))]),
+    ("tresca", &[("coefficient", Value::Number(0.4)), ("shear_strength", Value::Number(3e8))]),
     ("orthotropic", &[("coefficients", Value::Pair([0.1, 0.65])), ("angle", Value::Number(0.7))]),
 ];
 
