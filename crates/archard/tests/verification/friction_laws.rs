@@ -64,3 +64,20 @@ fn a_sliding_sphere_bears_what_the_strength_leaves() {
         assert_relative_eq!(force, 0.3 * 10.0 * 0.6875, max_relative = within);
     }
 }
+
+/// With mu = mu0 (1 - p / (4 p0)) a sphere bears mu0 P (1 - 3/16): the square of Hertz's pressures integrates to 3/4 p0 P.
+#[test]
+fn a_sliding_sphere_bears_the_coefficients_of_a_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (flat, motion) in [(STEEL, ROLLS), (STEEL, SHIFTS), ("rigid = true", SHIFTS)] {
+        let end = 2.0 * peak(flat);
+        let file = folder.path().join("mu.csv");
+        std::fs::write(&file, format!("pressure_Pa,coefficient\n0,0.3\n{end},0.15\n"))
+            .expect("a file");
+        let friction = format!("table]\nfile = '{}'", file.display());
+        let limit = |p: f64| 0.3 * p * (1.0 - 0.5 * p / end);
+        let force = most_force(flat, motion, &friction, limit);
+        let within = if flat == STEEL { 0.01 } else { 0.03 };
+        assert_relative_eq!(force, 0.3 * 10.0 * (1.0 - 3.0 / 16.0), max_relative = within);
+    }
+}
