@@ -11,7 +11,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "energy",
-    meaning: "by the work of friction W per area: depth = alpha W, or alpha max(W - W0, 0) a cycle",
+    meaning: "by the work of friction W per area: depth = alpha W, or alpha max(W - W0, 0) a cycle; any motion with friction, with a threshold in cycles",
     parameters: &[COEFFICIENT, THRESHOLD],
     build: |values| {
         let threshold = values.number("threshold").unwrap_or(0.0);

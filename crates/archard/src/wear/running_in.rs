@@ -10,7 +10,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "running_in",
-    meaning: "Archard with a coefficient that runs in: k = k1 + (k0 - k1) exp(-s / s0), s the point's distance",
+    meaning: "Archard with a coefficient that runs in: k = k1 + (k0 - k1) exp(-s / s0), s the point's distance; any motion",
     parameters: &[INITIAL, FINAL, DISTANCE],
     build: |values| {
         let [initial, end, distance] =

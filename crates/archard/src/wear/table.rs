@@ -13,7 +13,7 @@ use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "table",
-    meaning: "Archard with a coefficient from a table over distance, depth, pressure or speed: depth = k p s",
+    meaning: "Archard with a coefficient from a table over distance, depth, pressure or speed: depth = k p s; any motion, over the speed sliding at a known one",
     parameters: &[Parameter::required(
         "file",
         Quantity::Table(&[

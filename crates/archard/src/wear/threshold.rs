@@ -10,7 +10,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "threshold",
-    meaning: "Archard beyond a pressure: depth = k max(p - pc, 0) s",
+    meaning: "Archard beyond a pressure: depth = k max(p - pc, 0) s; any motion",
     parameters: &[COEFFICIENT, THRESHOLD],
     build: |values| {
         let [coefficient, threshold] =
