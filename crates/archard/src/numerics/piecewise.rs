@@ -17,7 +17,7 @@ pub enum NoFunction {
     #[error("places and values must be finite numbers")]
     NotFinite,
     /// Places that do not rise.
-    #[error("must rise from row to row, and {next} follows on {place}")]
+    #[error("must rise from row to row, and {next:e} follows on {place:e}")]
     NotRising {
         /// A place.
         place: f64,
@@ -25,7 +25,7 @@ pub enum NoFunction {
         next: f64,
     },
     /// A place or value below zero.
-    #[error("must not be negative, and {value} is")]
+    #[error("must not be negative, and {value:e} is")]
     Negative {
         /// The place or value.
         value: f64,

@@ -81,7 +81,7 @@ impl Table {
     /// coefficient falls faster than the pressure grows.
     pub fn new(over: Over, places: &[f64], coefficients: &[f64]) -> Result<Self, Invalid> {
         let about =
-            |error| wrong(format!("the column `{}` and `coefficient`: {error}", over.name()));
+            |error| wrong(format!("the columns `{}` and `coefficient`: {error}", over.name()));
         let coefficients = Piecewise::new(places, coefficients).map_err(about)?;
         if let Some(pressure) = coefficients.falling_product().filter(|_| over == Over::Pressure) {
             return Err(wrong(format!(
