@@ -59,7 +59,7 @@ impl Friction for Table {
     }
 
     fn slope(&self, pressure: f64) -> f64 {
-        self.coefficients.at(pressure) + self.coefficients.slope(pressure) * pressure
+        (self.coefficients.at(pressure) + self.coefficients.slope(pressure) * pressure).max(0.0)
     }
 }
 

@@ -32,6 +32,9 @@ pub enum NoFunction {
     },
 }
 
+/// How much a product may fall, relative to its values, that is rounding.
+const ROUNDING: f64 = 1e-12;
+
 impl Piecewise {
     /// The function through values at rising places, none of them negative.
     ///
@@ -87,7 +90,7 @@ impl Piecewise {
     pub fn falling_product(&self) -> Option<f64> {
         let falls = |&left: &usize| {
             let end = self.places[left + 1];
-            self.values[left + 1] + self.slope_of(left) * end < 0.0
+            self.values[left + 1] + self.slope_of(left) * end < -ROUNDING * self.values[left]
         };
         (0..self.places.len() - 1).find(falls).map(|left| self.places[left + 1])
     }

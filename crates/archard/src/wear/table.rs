@@ -124,7 +124,7 @@ impl WearLaw for Table {
             }
             _ => 0.0,
         };
-        self.of_unit_pressure(rubbing) + steeper
+        (self.of_unit_pressure(rubbing) + steeper).max(0.0)
     }
 }
 
