@@ -24,6 +24,8 @@ pub enum Command {
     Check(Case),
     /// List the built-in cases, or write one out to start from
     New(New),
+    /// List the laws of wear and friction, with their formulas, the motions they suit and what they take
+    Laws,
     /// Draw the pictures of a result folder
     Plot(Plot),
 }

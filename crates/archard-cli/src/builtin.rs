@@ -43,6 +43,12 @@ pub const CASES: &[Builtin] = &[
         "running_in_flat_punch",
         include_str!("../cases/running_in_flat_punch/case.toml"),
     ),
+    without_files("fretting_energy", include_str!("../cases/fretting_energy/case.toml")),
+    without_files("running_in_law", include_str!("../cases/running_in_law/case.toml")),
+    without_files(
+        "wheel_steel_twin_disc",
+        include_str!("../cases/wheel_steel_twin_disc/case.toml"),
+    ),
     Builtin {
         name: "patch_test",
         text: include_str!("../cases/patch_test/case.toml"),

@@ -11,6 +11,7 @@ mod elastic;
 mod failure;
 mod folder;
 mod interrupt;
+mod laws;
 mod new;
 mod number;
 mod plot;
@@ -33,6 +34,7 @@ fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
+        Command::Laws => laws::laws(),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {

@@ -69,6 +69,35 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// The unit of SI it is in; empty where it has none.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Quantity::Length => "m",
+            Quantity::Force => "N",
+            Quantity::Pressure => "Pa",
+            Quantity::Curvature => "1/m",
+            Quantity::WearCoefficient => "1/Pa",
+            Quantity::PowerFactor { .. } => "m^(1 - exponent)",
+            Quantity::Angle => "rad",
+            Quantity::Time => "s",
+            Quantity::Speed => "m/s",
+            Quantity::Frequency => "1/s",
+            Quantity::Measured { unit, .. } => unit,
+            Quantity::Pair(quantity)
+            | Quantity::Triple(quantity)
+            | Quantity::OneOrThree(quantity) => quantity.unit(),
+            Quantity::Number
+            | Quantity::Count
+            | Quantity::Body
+            | Quantity::Text
+            | Quantity::Truth
+            | Quantity::Word(_)
+            | Quantity::Table(_)
+            | Quantity::File
+            | Quantity::Section(_) => "",
+        }
+    }
+
     /// The least and the largest size (SI) of a value other than zero that can be computed with: far beyond
     /// what surfaces have, and so that products of a few values neither vanish nor overflow.
     pub fn range(self) -> [f64; 2] {

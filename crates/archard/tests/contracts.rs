@@ -16,7 +16,7 @@ use archard::frame::VectorField;
 use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
-use archard::wear::{Columns, Input, Per, Rubbing, WEAR_LAWS};
+use archard::wear::{Columns, Input, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw};
 
 use common::{Ball, STEEL, at_rest, choose, solver};
 
@@ -37,8 +37,46 @@ const PROFILE_EXAMPLES: Examples = &[
 /// Profiles that need more than numbers, tested beside their code.
 const OTHER_PROFILES: &[&str] = &["table"];
 
-const WEAR_EXAMPLES: Examples =
-    &[("archard", &[("coefficient", 1.33e-13)]), ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)])];
+const WEAR_EXAMPLES: Examples = &[
+    ("archard", &[("coefficient", 1.33e-13)]),
+    ("archard", &[("k_ad", 1e-4), ("hardness", 2e9)]),
+    ("energy", &[("coefficient", 1e-13)]),
+    ("energy", &[("coefficient", 1e-13), ("threshold", 1e6)]),
+    ("power", &[("coefficient", 1e-13), ("pressure_exponent", 1.3), ("reference_pressure", 1e8)]),
+    (
+        "power",
+        &[
+            ("coefficient", 1e-13),
+            ("pressure_exponent", 0.7),
+            ("reference_pressure", 1e8),
+            ("speed_exponent", -0.5),
+            ("reference_speed", 0.3),
+        ],
+    ),
+    ("threshold", &[("coefficient", 1e-13), ("threshold", 3e7)]),
+    (
+        "running_in",
+        &[
+            ("initial_coefficient", 5e-13),
+            ("final_coefficient", 1e-13),
+            ("running_in_distance", 0.2),
+        ],
+    ),
+    ("t_gamma", &[("density", 7850.0)]),
+];
+
+/// Laws that need more than numbers.
+fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
+    let table = |over, places: [f64; 2]| {
+        Box::new(Table::new(over, &places, &[3e-13, 2e-13]).expect("a table")) as _
+    };
+    vec![
+        ("table", table(Over::Distance, [0.1, 0.5])),
+        ("table", table(Over::Depth, [1e-8, 1e-6])),
+        ("table", table(Over::Pressure, [3e7, 1e9])),
+        ("table", table(Over::Speed, [0.01, 1.0])),
+    ]
+}
 
 const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("approach", 1e-6), ("increments", 5.0)]),
@@ -86,21 +124,25 @@ fn profiles_touch_at_the_centre_with_the_curvatures_they_state() {
 
 #[test]
 fn wear_laws_grow_with_pressure_and_know_their_slope() {
-    all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &[]);
-    for (name, numbers) in WEAR_EXAMPLES {
-        let law = choose(WEAR_LAWS, name, numbers);
+    let others = other_wear_laws();
+    let names: Vec<&str> = others.iter().map(|(name, _)| *name).collect();
+    all_have_examples(WEAR_LAWS, WEAR_EXAMPLES, &names);
+    let examples = WEAR_EXAMPLES.iter();
+    let examples = examples.map(|(name, numbers)| (*name, choose(WEAR_LAWS, name, numbers)));
+    for (name, law) in examples.chain(others) {
         let rubbing = |pressure: f64, slip: f64| {
             Rubbing::new(pressure, slip)
                 .with_friction(0.4 * pressure * slip, 0.4)
                 .with_vectors([0.8 * slip, 0.6 * slip], [0.32 * pressure, 0.24 * pressure])
                 .at_speed(0.1)
+                .rolling(4.0 * slip)
         };
         let depth = |pressure: f64, slip: f64| law.depth(rubbing(pressure, slip));
         assert!(depth(3e9, 0.3) > 0.0, "{name}: the example wears nothing");
         assert_eq!(depth(0.0, 1.0), 0.0, "{name}");
         assert_eq!(depth(1e8, 0.0), 0.0, "{name}");
         for pressure in [0.0, 1e6, 1e8, 3e9] {
-            let change = 1e-4 * f64::max(pressure, 1e6);
+            let change = 1e-4 * f64::max(pressure, 1.0);
             let slope = law.slope(rubbing(pressure, 0.3));
             let rise = depth(pressure + change, 0.3) - depth(pressure, 0.3);
             assert!(slope >= 0.0 && rise >= 0.0, "{name}");

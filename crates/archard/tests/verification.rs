@@ -7,6 +7,7 @@ mod verification {
     mod compliance;
     mod elastic_bodies;
     mod fretting_wear;
+    mod friction_laws;
     mod hertz;
     mod laws_that_remember;
     mod line_contact;
@@ -33,4 +34,5 @@ mod verification {
     mod swinging;
     mod track;
     mod unequal_pairs;
+    mod wear_laws;
 }

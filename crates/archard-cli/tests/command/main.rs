@@ -7,6 +7,8 @@ mod verdict;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use archard::friction::FRICTION;
+use archard::wear::WEAR_LAWS;
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use tempfile::TempDir;
@@ -46,6 +48,22 @@ fn a_wrong_case_exits_with_two_and_points_at_the_line() {
         assert!(said.contains("write \"50 mm\" or \"50 m\""), "{said}");
     }
     assert!(!dir.path().join("results").exists());
+}
+
+/// Whatever law is in the lists, with all it takes.
+#[test]
+fn laws_are_listed() {
+    let dir = TempDir::new().unwrap();
+    let listed = printed(&archard(&dir, &["laws"]).success());
+    let wear = WEAR_LAWS.iter().map(|law| (law.name, law.meaning, law.parameters));
+    let friction = FRICTION.iter().map(|law| (law.name, law.meaning, law.parameters));
+    for (name, meaning, parameters) in wear.chain(friction) {
+        assert!(listed.contains(&format!("{name}: {meaning}\n")), "{listed}");
+        for parameter in parameters {
+            assert!(listed.contains(parameter.meaning), "{listed}");
+        }
+    }
+    assert!(listed.contains("    threshold    J/m^2  work of friction"), "{listed}");
 }
 
 #[test]

@@ -105,8 +105,10 @@ fn heading(title: &str, path: &Path, known: &[(&str, Quantity)]) -> Result<(Stri
         None => Measure::LENGTH,
     };
     let (name, unit) = split.unwrap_or((title, ""));
-    let unit = unit.strip_prefix(['(', '[', '_']).unwrap_or(unit);
-    let unit = unit.strip_suffix([')', ']']).unwrap_or(unit);
+    let unit = match unit.strip_prefix(['(', '[']) {
+        Some(unit) => unit.strip_suffix([')', ']']).unwrap_or(unit),
+        None => unit.strip_prefix('_').unwrap_or(unit),
+    };
     if unit.is_empty() && measure != Measure::NUMBER {
         return Err(Error::NoUnit { file: path.to_owned(), column: title.to_owned() });
     }

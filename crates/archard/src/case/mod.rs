@@ -40,7 +40,7 @@ mod reader;
 mod tree;
 mod unclosed;
 
-pub use check::{BesideHalfSpace, Cycles, Finiteness, Forecast, Solves, Surfaces};
+pub use check::{BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};

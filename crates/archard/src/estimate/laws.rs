@@ -6,11 +6,16 @@ use crate::wear::Input;
 
 /// Pressures (Pa) and slips (m) from far below to far above what contacts bear, so that no law with a
 /// threshold passes, and directions of slip.
-const TRIALS: [(f64, f64, [f64; 2]); 4] = [
+const TRIALS: [(f64, f64, [f64; 2]); 9] = [
     (1e8, 1.0, [1.0, 0.0]),
     (1e4, 1.0, [0.0, 1.0]),
     (3e9, 1.0, [1.0, 1.0]),
     (1e8, 1e-6, [1.0, -1.0]),
+    (1e6, 1.0, [1.0, 0.0]),
+    (1e7, 1.0, [1.0, 0.0]),
+    (3e7, 1.0, [1.0, 0.0]),
+    (3e8, 1.0, [1.0, 0.0]),
+    (1e9, 1.0, [1.0, 0.0]),
 ];
 
 impl Subject<'_> {
@@ -29,9 +34,11 @@ impl Subject<'_> {
         shared(TRIALS.map(ratio))
     }
 
-    /// The k (1/Pa) of both bodies together; `None` where nothing wears.
+    /// The k (1/Pa) of both bodies together; `None` where nothing wears, or a body wears by another law.
     pub(super) fn total_wear_coefficient(&self) -> Option<f64> {
-        let both: f64 = [0, 1].into_iter().filter_map(|body| self.wear_coefficient(body)).sum();
+        let wears = |&body: &usize| self.bodies[body].wear.is_some();
+        let worn = [0, 1].into_iter().filter(wears);
+        let both: f64 = worn.map(|body| self.wear_coefficient(body)).sum::<Option<f64>>()?;
         (both > 0.0).then_some(both)
     }
 
@@ -58,6 +65,6 @@ impl Subject<'_> {
 }
 
 /// What all of them are.
-fn shared([first, others @ ..]: [f64; 4]) -> Option<f64> {
+fn shared([first, others @ ..]: [f64; 9]) -> Option<f64> {
     others.iter().all(|other| (other - first).abs() <= 1e-12 * first).then_some(first)
 }

@@ -7,7 +7,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "coulomb",
-    meaning: "Coulomb: the largest traction is mu times the pressure",
+    meaning: "Coulomb: the largest traction is mu times the pressure; any motion",
     parameters: &[COEFFICIENT],
     build: |values| Ok(Box::new(Coulomb::new(values.require("coefficient")?)?)),
 };

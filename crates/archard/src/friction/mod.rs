@@ -6,6 +6,8 @@ mod coulomb;
 mod disc;
 mod map;
 mod orthotropic;
+mod table;
+mod tresca;
 
 use std::fmt::Debug;
 
@@ -13,6 +15,8 @@ pub use coulomb::Coulomb;
 pub use disc::{Beyond, onto_disc};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
+pub use table::Table;
+pub use tresca::Tresca;
 
 use crate::parameters::Choice;
 
@@ -37,4 +41,5 @@ pub trait Friction: Debug + Send + Sync {
 }
 
 /// The friction laws a case can name.
-pub const FRICTION: &[Choice<Box<dyn Friction>>] = &[coulomb::CHOICE, orthotropic::CHOICE];
+pub const FRICTION: &[Choice<Box<dyn Friction>>] =
+    &[coulomb::CHOICE, orthotropic::CHOICE, tresca::CHOICE, table::CHOICE];

@@ -10,7 +10,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "orthotropic",
-    meaning: "an ellipse: the largest traction is mu1 times the pressure along one axis, mu2 times across",
+    meaning: "an ellipse: the largest traction is mu1 times the pressure along one axis, mu2 times across; any motion",
     parameters: &[COEFFICIENTS, ANGLE],
     build: |values| {
         let coefficients = values

@@ -6,6 +6,7 @@ pub mod dense;
 pub mod gmres;
 pub mod interpolate;
 pub mod large;
+pub mod piecewise;
 pub mod quadrature;
 pub mod single;
 pub mod upwind;

@@ -44,11 +44,11 @@ impl ContactProblem {
             let body = || body.name.clone();
             match lacks(&**law, self.friction.is_some(), &self.motion) {
                 Some(Input::Speed) => return Err(Error::NoSpeed { body: body() }),
+                Some(Input::Rolled) => return Err(Error::NotRolling { body: body() }),
                 Some(_) => return Err(Error::NoFriction { body: body() }),
                 None => {}
             }
-            let slides = matches!(self.motion, Motion::Sliding(Sliding { track: None, .. }));
-            if slides && law.per() == Per::Cycle {
+            if lacks_cycles(&**law, &self.motion) {
                 return Err(Error::NoCycle { body: body() });
             }
         }
@@ -61,8 +61,15 @@ pub(crate) fn lacks(law: &dyn WearLaw, friction: bool, motion: &Motion) -> Optio
     law.inputs().iter().copied().find(|input| match input {
         Input::Friction => !friction,
         Input::Speed => motion.speed().is_none(),
+        Input::Rolled => motion.rolling().is_none(),
         Input::Vectors | Input::Distance | Input::Depth => false,
     })
+}
+
+/// Whether a wear law takes whole cycles and there are none.
+pub(crate) fn lacks_cycles(law: &dyn WearLaw, motion: &Motion) -> bool {
+    let slides = matches!(motion, Motion::Sliding(Sliding { track: None, .. }));
+    slides && law.per() == Per::Cycle
 }
 
 /// Whether axes of friction lie at an angle to planes of symmetry, so that it differs on both sides.

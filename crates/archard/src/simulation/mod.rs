@@ -24,7 +24,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
-pub(crate) use compatibility::{crossed, inclined, lacks};
+pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
 pub use run::Run;
@@ -253,6 +253,12 @@ pub enum Error {
         "the wear law of `{body}` goes by the speed of sliding, and the motion does not tell it"
     )]
     NoSpeed {
+        /// The body's name.
+        body: String,
+    },
+    /// A wear law of the distance rolled, where nothing rolls.
+    #[error("the wear law of `{body}` goes by the distance rolled, and the bodies do not roll")]
+    NotRolling {
         /// The body's name.
         body: String,
     },

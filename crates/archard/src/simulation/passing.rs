@@ -67,8 +67,12 @@ impl OfLines {
             Some(tangential) => tangential.slip.each_ref().map(|slip| slip[pair]),
             None => flow.direction().forward(),
         };
+        let all = || vec![flow.advance(); means.len()];
+        let rolled = problem.motion.rolling().map(|_| flow.advances().unwrap_or_else(all));
         let rubbing = |pair: usize, times: f64| {
-            problem.rubbing(means[pair], times * slips[pair], direction(pair))
+            let slip = scale * times * slips[pair];
+            let rolled = rolled.as_ref().map_or(0.0, |rolled| times * rolled[pair]);
+            problem.rubbing(means[pair], slip, direction(pair)).rolling(rolled)
         };
         let points = points.map(|one| rubbing(one.pair, 1.0));
         let on_lines: Vec<f64> = lines
@@ -84,7 +88,7 @@ impl OfLines {
             .enumerate()
             .flat_map(|(index, line)| {
                 let rubbed = line.passages.iter().filter(rubs);
-                rubbed.map(|one| (index, slips[one.pair])).collect::<Vec<_>>()
+                rubbed.map(|one| (index, scale * slips[one.pair])).collect::<Vec<_>>()
             })
             .collect();
         // Half of what a law takes at once is its own.
@@ -99,7 +103,7 @@ impl OfLines {
         });
         // All that a point goes through on a line.
         let whole = lines.iter().map(|line| {
-            let part = |one: &Passage| rubbing(one.pair, scale * one.times);
+            let part = |one: &Passage| rubbing(one.pair, one.times);
             let parts = line.passages.iter().filter(rubs).map(part);
             parts.reduce(Rubbing::then).unwrap_or(Rubbing::new(0.0, 0.0))
         });
@@ -116,11 +120,10 @@ impl OfLines {
             for one in &line.passages {
                 sum += one.share * weight.at(one.pair) * pressure[one.pair];
                 if rubs(&one) {
-                    let times = scale * one.times;
                     for (depth, worn) in depths.iter_mut().zip(&wear.depths) {
-                        *depth += times * worn[point];
+                        *depth += one.times * worn[point];
                     }
-                    slope += times * wear.slopes[point] * means[one.pair];
+                    slope += one.times * wear.slopes[point] * means[one.pair];
                     point += 1;
                 }
             }

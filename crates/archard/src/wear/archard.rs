@@ -8,7 +8,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "archard",
-    meaning: "Holm-Archard: depth = k p s, k given or k = k_ad / hardness",
+    meaning: "Holm-Archard: depth = k p s, k given or k = k_ad / hardness; any motion",
     parameters: &[COEFFICIENT, K_AD, HARDNESS],
     build: |values| {
         Ok(Box::new(match values.one_of("coefficient", "k_ad")? {

@@ -3,12 +3,24 @@
 //! A new law is one file here and one line in [`WEAR_LAWS`].
 
 mod archard;
+mod energy;
+mod power;
 mod rubbing;
+mod running_in;
+mod t_gamma;
+mod table;
+mod threshold;
 
 use std::fmt::Debug;
 
 pub use archard::Archard;
+pub use energy::Energy;
+pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
+pub use running_in::RunningIn;
+pub use t_gamma::TGamma;
+pub use table::{Over, Table};
+pub use threshold::Threshold;
 
 use crate::parameters::Choice;
 
@@ -16,7 +28,8 @@ use crate::parameters::Choice;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Per {
     /// Any part of a motion: what two parts wear one after the other is what they wear as one. Unless the law asks for what
-    /// was before, the depth then grows in proportion to the slip, and to the work with it.
+    /// was before, the depth then grows in proportion to the slip, the work and the distance rolled together. A law of their
+    /// ratios, as of the work per distance rolled, does too.
     Increment,
     /// What a point goes through in a cycle of the motion: a cycle of fretting, or a passage through the contact of
     /// bodies that roll. The pressure is the mean over the slip. Where surfaces that stay slide there is no cycle.
@@ -34,6 +47,8 @@ pub enum Input {
     Vectors,
     /// The speed of sliding.
     Speed,
+    /// The distance rolled.
+    Rolled,
     /// The distance slid before.
     Distance,
     /// The depth worn before.
@@ -77,4 +92,12 @@ pub trait WearLaw: Debug + Send + Sync {
 }
 
 /// The wear laws a case can name.
-pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[archard::CHOICE];
+pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
+    archard::CHOICE,
+    energy::CHOICE,
+    power::CHOICE,
+    threshold::CHOICE,
+    running_in::CHOICE,
+    table::CHOICE,
+    t_gamma::CHOICE,
+];

@@ -22,6 +22,8 @@ pub struct Rubbing {
     pub traction: [f64; 2],
     /// Speed of sliding (m/s); zero where it is not known.
     pub speed: f64,
+    /// Distance (m) that the bodies rolled meanwhile; zero where they do not roll.
+    pub rolled: f64,
     /// Distance (m) that the point slid before, under pressure.
     pub distance: f64,
     /// Depth (m) worn off this body there before.
@@ -52,6 +54,12 @@ impl Rubbing {
         Self { speed, ..self }
     }
 
+    /// The same while the bodies rolled a distance (m).
+    #[must_use]
+    pub fn rolling(self, rolled: f64) -> Self {
+        Self { rolled, ..self }
+    }
+
     /// The same of a point that has slid a distance (m) and worn to a depth (m) before.
     #[must_use]
     pub fn after(self, distance: f64, depth: f64) -> Self {
@@ -80,6 +88,7 @@ impl Rubbing {
             slip_vector: [0, 1].map(|axis| self.slip_vector[axis] + next.slip_vector[axis]),
             traction: [x, y].map(|[one, other]| mean(one, other)),
             speed: mean(self.speed, next.speed),
+            rolled: self.rolled + next.rolled,
             ..self
         }
     }
@@ -112,6 +121,8 @@ pub struct Columns {
     pub traction: [Vec<f64>; 2],
     /// Speed of sliding (m/s).
     pub speed: Vec<f64>,
+    /// Distance rolled (m).
+    pub rolled: Vec<f64>,
     /// Distance slid before (m).
     pub distance: Vec<f64>,
     /// Depth worn off this body before (m).
@@ -124,7 +135,8 @@ impl Columns {
         let asks = |input| asked.contains(&input);
         let friction = asks(Input::Friction);
         let vectors = asks(Input::Vectors);
-        let [speed, distance, depth] = [Input::Speed, Input::Distance, Input::Depth].map(asks);
+        let [speed, rolled] = [Input::Speed, Input::Rolled].map(asks);
+        let [distance, depth] = [Input::Distance, Input::Depth].map(asks);
         let mut columns = Self::default();
         for point in points {
             columns.pressure.push(point.pressure);
@@ -141,6 +153,9 @@ impl Columns {
             }
             if speed {
                 columns.speed.push(point.speed);
+            }
+            if rolled {
+                columns.rolled.push(point.rolled);
             }
             if distance {
                 columns.distance.push(point.distance);
@@ -173,6 +188,7 @@ impl Columns {
             slip_vector: self.slip_vector.each_ref().map(of),
             traction: self.traction.each_ref().map(of),
             speed: of(&self.speed),
+            rolled: of(&self.rolled),
             distance: of(&self.distance),
             depth: of(&self.depth),
         }

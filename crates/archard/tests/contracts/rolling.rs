@@ -5,7 +5,7 @@ use archard::body::Material;
 use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornLines};
 use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
-use archard::friction::{FRICTION, Friction, onto_disc};
+use archard::friction::{FRICTION, Friction, Table, onto_disc};
 use archard::motion::Control;
 use archard::parameters::{Value, Values};
 use archard::solve::tangential::{self, FRICTION_SOLVERS, PrescribedForce};
@@ -18,13 +18,22 @@ use crate::common::{Ball, STEEL, at_rest, choose, solver};
 const FRICTION_EXAMPLES: &[(&str, &[(&str, Value)])] = &[
     ("coulomb", &[("coefficient", Value::Number(0.6))]),
     ("coulomb", &[("coefficient", Value::Number(0.0))]),
+    ("tresca", &[("coefficient", Value::Number(0.4)), ("shear_strength", Value::Number(3e8))]),
     ("orthotropic", &[("coefficients", Value::Pair([0.1, 0.65])), ("angle", Value::Number(0.7))]),
 ];
 
+/// Laws that need more than values.
+fn other_friction_laws() -> Vec<(&'static str, Box<dyn Friction>)> {
+    let table = Table::new(&[2e8, 1e9], &[0.5, 0.3]).expect("a table");
+    vec![("table", Box::new(table))]
+}
+
 /// Every friction law by its name; each in the list has an example.
 pub fn friction_laws() -> Vec<(&'static str, Box<dyn Friction>)> {
+    let others = other_friction_laws();
     for choice in FRICTION {
-        let known = FRICTION_EXAMPLES.iter().any(|example| example.0 == choice.name);
+        let known = FRICTION_EXAMPLES.iter().any(|example| example.0 == choice.name)
+            || others.iter().any(|example| example.0 == choice.name);
         assert!(known, "`{}` needs a line in the contract list", choice.name);
     }
     let build = |(name, given): &(&'static str, &[(&'static str, Value)])| {
@@ -33,7 +42,7 @@ pub fn friction_laws() -> Vec<(&'static str, Box<dyn Friction>)> {
         let choice = FRICTION.iter().find(|choice| choice.name == *name).expect("a listed name");
         (*name, (choice.build)(&values).expect("valid values"))
     };
-    FRICTION_EXAMPLES.iter().map(build).collect()
+    FRICTION_EXAMPLES.iter().map(build).chain(others).collect()
 }
 
 const DIRECTIONS: [Direction; 4] = [

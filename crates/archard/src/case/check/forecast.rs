@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::cycles::Cycles;
+use super::equivalent::Equivalent;
 use super::expected::{write_contact, write_wear};
 use super::finite::Finiteness;
 use super::footprint::memory;
@@ -23,6 +24,8 @@ pub struct Forecast {
     pub estimate: Estimate,
     /// Elements across the unworn contact along x and y; `None` where there is no closed form.
     pub cells_across: Option<[f64; 2]>,
+    /// Wear coefficients by pressure and by work, of bodies for which one follows from the other.
+    pub equivalents: Vec<Equivalent>,
     /// Cycles; `None` where the bodies are not pressed and shifted step by step.
     pub cycles: Option<Cycles>,
     /// How the surfaces of bodies that fret meet, where closed forms tell the width of the contact.
@@ -69,6 +72,7 @@ impl Forecast {
                 let cells = |axis: usize| 2.0 * contact.semi_axes[axis] / spacing[axis];
                 [cells(0).min(nx as f64), cells(1).min(ny as f64)]
             }),
+            equivalents: Equivalent::of(parts),
             cycles: Cycles::of(parts),
             surfaces: Surfaces::of(parts),
             solves: Solves::of(parts),
@@ -172,6 +176,7 @@ impl fmt::Display for Forecast {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write_contact(f, &self.estimate, self.cells_across)?;
         write_wear(f, &self.estimate)?;
+        self.equivalents.iter().try_for_each(|equivalent| equivalent.fmt(f))?;
         if let Some(cycles) = self.cycles.filter(|cycles| cycles.total > 1) {
             cycles.fmt(f)?;
         }

@@ -8,7 +8,7 @@ use crate::case::problem::Problem;
 use crate::estimate::Contact;
 use crate::motion::Stepping;
 use crate::problem;
-use crate::simulation::lacks;
+use crate::simulation::{lacks, lacks_cycles};
 use crate::wear::Input;
 
 /// Pressure (Pa) at which laws are read off where no other is known.
@@ -88,15 +88,30 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
 /// Wear laws that ask for something that is not there.
 fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
     let problem = |body: &Body| {
-        let missing = lacks(&**body.wear.as_ref()?, parts.friction.is_some(), &parts.motion)?;
+        let law = &**body.wear.as_ref()?;
+        let at = |message: &str, help: &str| {
+            Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help)
+        };
+        let Some(missing) = lacks(law, parts.friction.is_some(), &parts.motion) else {
+            return lacks_cycles(law, &parts.motion).then(|| {
+                at(
+                    "takes a whole cycle at once, and bodies that slide on the same spot have none",
+                    "give the motion a track or a stroke, or take a law of every increment",
+                )
+            });
+        };
         let (message, help) = match missing {
             Input::Speed => (
                 "goes by the speed of sliding, which the motion does not tell",
                 "give the `speed`, or the `time`, of a motion that takes it",
             ),
+            Input::Rolled => (
+                "goes by the distance rolled, and the bodies do not roll",
+                "this law is one of `motion.rolling`",
+            ),
             _ => ("goes by the work of friction, and there is none", "give a `friction` table"),
         };
-        Some(Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help))
+        Some(at(message, help))
     };
     parts.bodies.iter().filter_map(problem).collect()
 }

@@ -3,6 +3,7 @@
 mod coarse;
 mod cycles;
 mod density;
+mod equivalent;
 mod expected;
 mod finite;
 pub(super) mod footprint;
@@ -24,6 +25,7 @@ mod words;
 
 pub use coarse::BesideHalfSpace;
 pub use cycles::Cycles;
+pub use equivalent::Equivalent;
 pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
 pub use surfaces::Surfaces;

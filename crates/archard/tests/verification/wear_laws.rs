@@ -1,0 +1,255 @@
+//! Listed wear laws through whole runs: depths that wear hardly changes the contact by, against what a law says of its
+//! pressures and slips.
+
+use approx::assert_relative_eq;
+use archard::simulation::Simulation;
+
+use crate::common::{Rows, case, peak, states};
+
+const BODIES: &str = r#"
+    [body.ball]
+    material = { young = "210 GPa", poisson = 0.3 }
+    profile.sphere = { radius = "50 mm" }
+    [body.flat]
+    material = { young = "210 GPa", poisson = 0.3 }
+    profile.flat = {}
+    [frame]
+    size = ["0.6 mm", "0.6 mm"]
+    elements = [20, 20]
+    [friction.coulomb]
+    coefficient = 0.3
+"#;
+const SLIDES: &str = "[motion.sliding]\nload = \"10 N\"\ndistance = \"30 mm\"\nstep = \"10 mm\"\nsurfaces = \"stay\"\nspeed = \"0.2 m/s\"";
+const TRACK: &str = "[motion.sliding]\nload = \"10 N\"\ntrack = \"3 mm\"\ndistance = \"30 mm\"\nstep = \"1.5 mm\"\npasses = \"flat\"";
+const ROLLS: &str = "[motion.rolling]\nload = \"10 N\"\ncreepage = 1\nrevolutions = 30\nstep = 5";
+const FRETS: &str = "[motion.fretting]\nload = \"10 N\"\namplitude = [\"8 um\", \"0 um\"]\ncycles = 4\nincrements = 80";
+
+/// A case whose ball, or flat, wears by that law.
+fn worn_by(law: &str, body: &str, motion: &str) -> Simulation {
+    let bodies = BODIES.replace(&format!("[body.{body}]"), &format!("[body.{body}]\nwear.{law}"));
+    case(&format!("{bodies}{motion}"), &[])
+}
+
+/// Pressures at the end (Pa) and depths worn off both bodies (m).
+fn run(law: &str, body: &str, motion: &str) -> (Vec<f64>, [Vec<f64>; 2]) {
+    let mut states = states(&worn_by(law, body, motion)).expect("it converges");
+    let state = states.pop().expect("a state").0;
+    (state.pressure, state.worn)
+}
+
+/// Both depths agree, relative to the deepest.
+fn agree(one: &[f64], other: &[f64], within: f64) {
+    let most = peak(one);
+    assert!(most > 0.0);
+    for (one, other) in one.iter().zip(other) {
+        assert!((one - other).abs() <= within * most, "{one:e} {other:e} of {most:e}");
+    }
+}
+
+/// alpha mu p s: Archard's law with k = alpha mu where all slides, by tracks, wheels and a pin as well.
+#[test]
+fn by_work_is_archards_where_all_slides() {
+    for (body, motion) in [("ball", SLIDES), ("flat", TRACK), ("flat", ROLLS), ("ball", FRETS)] {
+        let (_, archard) = run("archard.coefficient = \"3e-20 1/Pa\"", body, motion);
+        let (_, energy) = run("energy.coefficient = \"1e-10 mm^3/J\"", body, motion);
+        let body = usize::from(body == "flat");
+        // Where fretting turns round, the mean traction of an increment is less than the limit.
+        agree(&archard[body], &energy[body], if motion == FRETS { 0.01 } else { 1e-9 });
+    }
+}
+
+/// In the first cycle of fretting all tractions are those of unworn bodies: the threshold takes alpha W0 off each depth.
+#[test]
+fn a_threshold_of_work_is_taken_off_each_cycle() {
+    let motion = FRETS.replace("8 um", "0.3 um").replace("cycles = 4", "cycles = 1");
+    let law = |threshold: f64| {
+        format!("energy = {{ coefficient = \"1e-10 mm^3/J\", threshold = \"{threshold} J/m^2\" }}")
+    };
+    let [all, beyond] = [0.0, 10.0].map(|threshold| run(&law(threshold), "ball", &motion).1);
+    let most = peak(&all[0]);
+    assert!(most > 2.0 * 10.0 * 1e-19, "{most:e}");
+    let expected: Vec<f64> = all[0].iter().map(|all| (all - 10.0 * 1e-19).max(0.0)).collect();
+    agree(&expected, &beyond[0], 1e-6);
+}
+
+/// Under Hertz's pressures p0 (1 - r^2)^(1/2) the volume of k p0 (p / p0)^m s is 2 pi a^2 k p0 s / (m + 2). At m = 0.7 the
+/// depth of the last pairs of the contact depends on where the grid cuts its edge.
+#[test]
+fn powers_of_hertz_have_volumes_in_closed_form() {
+    // E* = 115.385 GPa, R = 50 mm, P = 10 N.
+    let modulus: f64 = 0.5 * 210e9 / (1.0 - 0.09);
+    let radius = (0.75 * 10.0 * 0.05 / modulus).cbrt();
+    let peak = 1.5 * 10.0 / (std::f64::consts::PI * radius * radius);
+    for (exponent, within) in [(0.7, 0.01), (1.0, 1e-6), (1.6, 0.01), (3.0, 0.02)] {
+        let law = format!(
+            "power = {{ coefficient = \"1e-20 1/Pa\", pressure_exponent = {exponent}, reference_pressure = \"{peak} Pa\", speed_exponent = 0.5, reference_speed = \"0.8 m/s\" }}"
+        );
+        let mut rows = Rows::default();
+        worn_by(&law, "ball", SLIDES).run(&mut [&mut rows]).expect("it converges");
+        let area = 2.0 * std::f64::consts::PI * radius * radius;
+        // A quarter of the reference speed: half of k.
+        let volume = 0.5 * area * 1e-20 * peak * 0.03 / (exponent + 2.0);
+        let found = rows.last("worn_volume_ball_m3");
+        assert_relative_eq!(found / volume, 1.0, max_relative = within);
+    }
+}
+
+/// Where bodies wear in earnest, the implicit step meets the law at the pressures of its end, m below and above one.
+#[test]
+fn implicit_steps_of_powers_obey_the_law() {
+    for exponent in [0.6, 0.9, 1.4, 2.5] {
+        let law = format!(
+            "power = {{ coefficient = \"1e-13 1/Pa\", pressure_exponent = {exponent}, reference_pressure = \"100 MPa\" }}"
+        );
+        let motion =
+            SLIDES.replace("30 mm", "60 mm").replace("step = \"10 mm\"", "step = \"20 mm\"");
+        let states = states(&worn_by(&law, "ball", &motion)).expect("it converges");
+        for pair in states.windows(2) {
+            let (before, after) = (&pair[0].0, &pair[1].0);
+            let worn: Vec<f64> =
+                after.worn[0].iter().zip(&before.worn[0]).map(|(a, b)| a - b).collect();
+            let law = |p: &f64| 1e-13 * 1e8 * (p / 1e8).powf(exponent) * 0.02;
+            let linear = exponent < 1.0;
+            let expected: Vec<f64> = after
+                .pressure
+                .iter()
+                .zip(&worn)
+                .map(|(p, worn)| if linear && *p < 1e5 { *worn } else { law(p) })
+                .collect();
+            agree(&expected, &worn, 1e-8);
+        }
+    }
+}
+
+/// k (p - pc) s beyond the threshold.
+#[test]
+fn pressures_below_a_threshold_do_not_wear() {
+    let law = "threshold = { coefficient = \"1e-20 1/Pa\", threshold = \"80 MPa\" }";
+    let (pressure, worn) = run(law, "ball", SLIDES);
+    let expected: Vec<f64> = pressure.iter().map(|p| 1e-20 * (p - 80e6).max(0.0) * 0.03).collect();
+    agree(&expected, &worn[0], 1e-6);
+    assert!(pressure.iter().any(|&p| p > 0.0 && p < 80e6));
+}
+
+/// After 30 mm k1 s + (k0 - k1) s0 (1 - exp(-s / s0)), in one step or many, and by a table that follows k(s).
+#[test]
+fn coefficients_run_in_with_the_distance() {
+    let (pressure, ..) = run("archard.coefficient = \"1e-20 1/Pa\"", "ball", SLIDES);
+    let coefficient = 1e-20 * 0.03 + 4e-20 * 0.01 * (1.0 - (-3.0f64).exp());
+    let expected: Vec<f64> = pressure.iter().map(|p| coefficient * p).collect();
+    let law = "running_in = { initial_coefficient = \"5e-20 1/Pa\", final_coefficient = \"1e-20 1/Pa\", running_in_distance = \"10 mm\" }";
+    for step in ["10 mm", "30 mm", "1 mm"] {
+        let motion = SLIDES.replace("step = \"10 mm\"", &format!("step = \"{step}\""));
+        agree(&expected, &run(law, "ball", &motion).1[0], 1e-6);
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("k.csv");
+    let k = |s: f64| 1e-20 + 4e-20 * (-s / 10.0).exp();
+    let lines = (0..=120).map(|i| 0.25 * f64::from(i)).map(|s| format!("{s},{:e}\n", k(s)));
+    let text = format!("distance_mm,coefficient_1/Pa\n{}", lines.collect::<String>());
+    std::fs::write(&file, text).expect("a file");
+    let law = format!("table.file = '{}'", file.display());
+    // Straight lines over 0.25 mm: (0.25 / 10)^2 / 12.
+    agree(&expected, &run(&law, "ball", SLIDES).1[0], 1e-4);
+}
+
+/// In rolling and on a track the distance is that of the points: where all slips, Archard's depth with the k of the middle
+/// of what they slide, to the second order of the passages.
+#[test]
+fn points_that_pass_run_in_by_their_own_distance() {
+    for (body, motion) in [("flat", TRACK), ("flat", ROLLS)] {
+        let (_, plain) = run("archard.coefficient = \"1e-20 1/Pa\"", body, motion);
+        let law = "running_in = { initial_coefficient = \"1e-20 1/Pa\", final_coefficient = \"0 1/Pa\", running_in_distance = \"10 m\" }";
+        let (_, run_in) = run(law, body, motion);
+        // A line of the contact is 0.27 mm long, so that all 30 turns slide 9 mm, or 10 turns 3 mm: k falls by half of that.
+        let (most, less) = (peak(&plain[1]), peak(&run_in[1]));
+        let fallen = 1.0 - less / most;
+        let passages = if motion == TRACK { 10.0 } else { 30.0 };
+        assert!(fallen > 0.5 * passages * 0.2e-3 / 10.0, "{fallen:e}");
+        assert!(fallen < 0.5 * passages * 0.36e-3 / 10.0, "{fallen:e}");
+    }
+}
+
+/// Wear of an element by T gamma / A (m per m rolled), x in Pa.
+fn t_gamma(x: f64) -> f64 {
+    let x = 1e-6 * x;
+    1e-3 / 7850.0 * ((5.3 * x).min(55.0) + 61.9 * (x - 77.2).max(0.0))
+}
+
+/// A line contact that slips all over wears by x = mu p times the slip over the distance rolled, integrated over Hertz's
+/// pressures. That slip is the creepage and, under the tractions mu p, mu a / R times the place from the middle over a.
+#[test]
+fn t_gamma_wears_a_line_contact_by_its_local_work() {
+    let discs = |elements: usize, creepage: f64| {
+        let text = format!(
+            r#"
+            [body.wheel]
+            material = {{ young = "210 GPa", poisson = 0.3 }}
+            profile.cylinder = {{ radius = "23.5 mm", axis = "y" }}
+            wear.t_gamma.density = "7850 kg/m^3"
+            [body.rail]
+            material = {{ young = "210 GPa", poisson = 0.3 }}
+            profile.cylinder = {{ radius = "23.5 mm", axis = "y" }}
+            [frame]
+            size = "0.8 mm"
+            elements = {elements}
+            length = "10 mm"
+            [friction.coulomb]
+            coefficient = 0.4
+            [motion.rolling]
+            load = "7338 N"
+            creepage = {creepage}
+            revolutions = 1e-3
+            step = 1e-3
+            "#
+        );
+        let mut rows = Rows::default();
+        case(&text, &[]).run(&mut [&mut rows]).expect("it converges");
+        1e3 * rows.last("wear_depth_wheel_m")
+    };
+    // Hertz: E* = 115.385 GPa, R = 11.75 mm, F / L = 733.8 N/mm.
+    let (modulus, radius, load) = (0.5 * 210e9 / (1.0 - 0.09), 11.75e-3, 733.8e3);
+    let half = (4.0 * load * radius / (std::f64::consts::PI * modulus)).sqrt();
+    let peak = 2.0 * load / (std::f64::consts::PI * half);
+    for creepage in [0.015, 0.03, 0.05, 0.2] {
+        let parts = 20000;
+        let place = |part: i32| (f64::from(part) + 0.5) / f64::from(parts) * 2.0 - 1.0;
+        let pressure = |part: i32| peak * (1.0 - place(part).powi(2)).sqrt();
+        let slip = |part: i32| creepage + 0.4 * half / radius * place(part);
+        let depths = (0..parts).map(|part| t_gamma(0.4 * pressure(part) * slip(part)));
+        let expected = depths.sum::<f64>() * 2.0 * half / f64::from(parts);
+        let [coarse, fine] = [100, 200].map(|elements| discs(elements, creepage));
+        assert_relative_eq!(coarse / expected, 1.0, max_relative = 1e-3);
+        assert_relative_eq!(fine / expected, 1.0, max_relative = 3e-4);
+    }
+}
+
+/// Where a part of the contact sticks, the law sees the work of the elements that slip: while all of it is mild, the worn
+/// section is alpha times the work of the creepage.
+#[test]
+fn t_gamma_in_the_mild_regime_wears_by_the_work_of_the_creepage() {
+    let motion = ROLLS.replace("creepage = 1", "creepage = 0.0005");
+    let (_, energy) = run("energy.coefficient = \"6.751592357e-4 mm^3/J\"", "flat", &motion);
+    let (_, local) = run("t_gamma.density = \"7850 kg/m^3\"", "flat", &motion);
+    agree(&energy[1], &local[1], 1e-6);
+}
+
+/// The worn section converges as passages are divided into more elements, all of which slip by their own work.
+#[test]
+fn t_gamma_does_not_depend_on_how_passages_are_divided() {
+    let depth = |elements: usize| {
+        let motion = ROLLS.replace("creepage = 1", "creepage = 0.3");
+        let frame = format!("elements = [{elements}, 20]");
+        let bodies = BODIES.replace("elements = [20, 20]", &frame);
+        let bodies =
+            bodies.replace("[body.ball]", "[body.ball]\nwear.t_gamma.density = \"7850 kg/m^3\"");
+        let mut rows = Rows::default();
+        let motion =
+            motion.replace("revolutions = 30\nstep = 5", "revolutions = 1e-3\nstep = 1e-3");
+        case(&format!("{bodies}{motion}"), &[]).run(&mut [&mut rows]).expect("it converges");
+        rows.last("worn_section_ball_m2")
+    };
+    let finest = depth(160);
+    assert_relative_eq!(depth(40) / finest, 1.0, max_relative = 0.02);
+    assert_relative_eq!(depth(80) / finest, 1.0, max_relative = 0.01);
+}
