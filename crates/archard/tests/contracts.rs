@@ -16,7 +16,7 @@ use archard::frame::VectorField;
 use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
-use archard::wear::{Columns, Input, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw};
+use archard::wear::{Columns, Input, Orthotropic, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw};
 
 use common::{Ball, STEEL, at_rest, choose, solver};
 
@@ -70,7 +70,9 @@ fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
     let table = |over, places: [f64; 2]| {
         Box::new(Table::new(over, &places, &[3e-13, 2e-13]).expect("a table")) as _
     };
+    let orthotropic = Orthotropic::new([3e-13, 1e-13], 0.4).expect("coefficients");
     vec![
+        ("orthotropic", Box::new(orthotropic)),
         ("table", table(Over::Distance, [0.1, 0.5])),
         ("table", table(Over::Depth, [1e-8, 1e-6])),
         ("table", table(Over::Pressure, [3e7, 1e9])),

@@ -4,6 +4,7 @@
 
 mod archard;
 mod energy;
+mod orthotropic;
 mod power;
 mod rubbing;
 mod running_in;
@@ -15,6 +16,7 @@ use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use energy::Energy;
+pub use orthotropic::Orthotropic;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
 pub use running_in::RunningIn;
@@ -95,6 +97,7 @@ pub trait WearLaw: Debug + Send + Sync {
 pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     archard::CHOICE,
     energy::CHOICE,
+    orthotropic::CHOICE,
     power::CHOICE,
     threshold::CHOICE,
     running_in::CHOICE,
