@@ -4,6 +4,7 @@
 
 mod archard;
 mod energy;
+mod expression;
 mod power;
 mod rubbing;
 mod running_in;
@@ -15,6 +16,7 @@ use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use energy::Energy;
+pub use expression::Expression;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
 pub use running_in::RunningIn;
@@ -58,7 +60,7 @@ pub enum Input {
 /// Depth of wear from rubbing.
 pub trait WearLaw: Debug + Send + Sync {
     /// What it asks for beside pressure and slip; a problem without is refused.
-    fn inputs(&self) -> &'static [Input] {
+    fn inputs(&self) -> &[Input] {
         &[]
     }
 
@@ -100,4 +102,5 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     running_in::CHOICE,
     table::CHOICE,
     t_gamma::CHOICE,
+    expression::CHOICE,
 ];
