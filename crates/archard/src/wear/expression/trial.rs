@@ -81,22 +81,23 @@ fn grows_with_pressure(law: &Expression, surroundings: &Rubbing, slip: f64) -> R
     let (depths, slopes) = worn(law, &points);
     let mut least = 0.0;
     for (at, ((point, &depth), &slope)) in points.iter().zip(&depths).zip(&slopes).enumerate() {
-        let place = place(law, point);
+        let place = || place(law, point);
         if !depth.is_finite() {
-            return refuse(format!("is no finite number, {depth} at {place}"));
+            return refuse(format!("is no finite number, {depth} at {}", place()));
         }
         if depth < 0.0 {
-            return refuse(format!("is negative: {} m at {place}", digits(depth)));
+            return refuse(format!("is negative: {} m at {}", digits(depth), place()));
         }
         if depth > 0.0 && (point.pressure == 0.0 || slip == 0.0) {
             let lacking = if slip == 0.0 { "slip" } else { "pressure" };
             return refuse(format!(
-                "grows from nothing: {} m without {lacking}, at {place}",
-                digits(depth)
+                "grows from nothing: {} m without {lacking}, at {}",
+                digits(depth),
+                place()
             ));
         }
         if !slope.is_finite() {
-            let message = format!("rises infinitely steep with the pressure, at {place}");
+            let message = format!("rises infinitely steep with the pressure, at {}", place());
             let help = "write `p*max(p, p1)^(n - 1)` for `p^n`: it is a straight line below p1";
             return Err(refused(message).help(help));
         }
@@ -108,7 +109,7 @@ fn grows_with_pressure(law: &Expression, surroundings: &Rubbing, slip: f64) -> R
                 format!(", with a slope of {} m/Pa", digits(slope))
             };
             let depth = digits(depth);
-            return refuse(format!("falls as the pressure grows: {depth} m at {place}{less}"));
+            return refuse(format!("falls as the pressure grows: {depth} m at {}{less}", place()));
         }
         least = depth;
     }
