@@ -45,6 +45,7 @@ pub const CASES: &[Builtin] = &[
     ),
     without_files("fretting_energy", include_str!("../cases/fretting_energy/case.toml")),
     without_files("running_in_law", include_str!("../cases/running_in_law/case.toml")),
+    without_files("custom_expression", include_str!("../cases/custom_expression/case.toml")),
     without_files(
         "wheel_steel_twin_disc",
         include_str!("../cases/wheel_steel_twin_disc/case.toml"),

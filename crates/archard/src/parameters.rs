@@ -5,7 +5,9 @@
 //! case files, help pages and error messages all work from that declaration, so a new choice needs
 //! no reader of its own.
 
+use std::borrow::Cow;
 use std::fmt;
+use std::ops::Range;
 
 /// The physical quantity of a parameter; decides which units a reader accepts.
 #[non_exhaustive]
@@ -57,6 +59,11 @@ pub enum Quantity {
     Text,
     /// True or false.
     Truth,
+    /// A formula.
+    Formula,
+    /// All keys of the table that are not declared, each a number or text with a unit; the name of the parameter itself
+    /// stands for them.
+    Constants,
     /// One of a few words.
     Word(&'static [&'static str]),
     /// The name of a file of columns, each headed `name_unit`, with their names and quantities; a
@@ -91,6 +98,8 @@ impl Quantity {
             | Quantity::Body
             | Quantity::Text
             | Quantity::Truth
+            | Quantity::Formula
+            | Quantity::Constants
             | Quantity::Word(_)
             | Quantity::Table(_)
             | Quantity::File
@@ -219,8 +228,10 @@ pub enum Value {
     Triple([f64; 3]),
     /// True or false.
     Truth(bool),
-    /// A word or a name.
+    /// A word, a name or a formula.
     Word(String),
+    /// Keys that are not declared, each with a number or with text that has a unit.
+    Constants(Vec<(String, String)>),
     /// A body: 0 for body 1, 1 for body 2; and its name.
     Body(usize, String),
     /// Columns of numbers (SI), each with its name, all of one length.
@@ -315,6 +326,14 @@ impl Values {
         self.get(name) == Some(&Value::Truth(true))
     }
 
+    /// The keys, with their values as text, that the parameter of that name stands for.
+    pub fn constants(&self, name: &str) -> &[(String, String)] {
+        match self.get(name) {
+            Some(Value::Constants(constants)) => constants,
+            _ => &[],
+        }
+    }
+
     /// The body of that name, 0 for body 1 and 1 for body 2, if it was given.
     pub fn body(&self, name: &str) -> Option<usize> {
         match self.get(name) {
@@ -367,9 +386,13 @@ fn only_one<T>(values: [(&'static str, Option<T>); 2]) -> Result<OneOf<T>, Inval
 #[error("`{parameter}`: {message}")]
 pub struct Invalid {
     /// The parameter to point at; one of a table inside the table is written `table.parameter`.
-    pub parameter: &'static str,
+    pub parameter: Cow<'static, str>,
+    /// The bytes of the text of that parameter that it is about; `None` for all of it.
+    pub within: Option<Range<usize>>,
     /// What is wrong and what to do.
     pub message: String,
+    /// What to do, where the message leaves it open.
+    pub help: Option<Box<str>>,
     /// Parameters beside it that the error is about, too: any of them may be the one to change.
     pub beside: Vec<&'static str>,
     /// Whether only one of them and it may be given.
@@ -378,8 +401,27 @@ pub struct Invalid {
 
 impl Invalid {
     /// An error at that parameter.
-    pub fn new(parameter: &'static str, message: impl Into<String>) -> Self {
-        Self { parameter, message: message.into(), beside: vec![], exclusive: false }
+    pub fn new(parameter: impl Into<Cow<'static, str>>, message: impl Into<String>) -> Self {
+        Self {
+            parameter: parameter.into(),
+            within: None,
+            message: message.into(),
+            help: None,
+            beside: vec![],
+            exclusive: false,
+        }
+    }
+
+    /// The same error, about some bytes of the text of the parameter.
+    #[must_use]
+    pub fn within(self, bytes: Range<usize>) -> Self {
+        Self { within: Some(bytes), ..self }
+    }
+
+    /// The same error with what to do about it.
+    #[must_use]
+    pub fn help(self, help: impl Into<Box<str>>) -> Self {
+        Self { help: Some(help.into()), ..self }
     }
 
     /// The same error, about another parameter too.

@@ -16,7 +16,9 @@ use archard::frame::VectorField;
 use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
-use archard::wear::{Columns, Input, Orthotropic, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw};
+use archard::wear::{
+    Columns, Expression, Input, Orthotropic, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw,
+};
 
 use common::{Ball, STEEL, at_rest, choose, solver};
 
@@ -71,8 +73,30 @@ fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
         Box::new(Table::new(over, &places, &[3e-13, 2e-13]).expect("a table")) as _
     };
     let orthotropic = Orthotropic::new([3e-13, 1e-13], 0.4).expect("coefficients");
+    let expression = |formula, constants: &[(&str, &str)], per| {
+        Box::new(Expression::new(formula, constants, per).expect("a law")) as _
+    };
+    let k = ("k", "1e-13 1/Pa");
+    let cycle = [k, ("p0", "30 MPa"), ("v0", "1 m/s"), ("w0", "1e5 J/m^2"), ("r0", "2 m")];
     vec![
         ("orthotropic", Box::new(orthotropic)),
+        ("expression", expression("k*p*s", &[k], Per::Increment)),
+        (
+            "expression",
+            expression(
+                "k*p*s0*(1 - exp(-s/s0))*exp(-distance/s0)",
+                &[k, ("s0", "0.2 m")],
+                Per::Increment,
+            ),
+        ),
+        (
+            "expression",
+            expression(
+                "k*max(work - w0, 0)*mu*(p/p0)^0.3*(v/v0)^0.1*(1 + worn/r0 + rolled/r0)",
+                &cycle,
+                Per::Cycle,
+            ),
+        ),
         ("table", table(Over::Distance, [0.1, 0.5])),
         ("table", table(Over::Depth, [1e-8, 1e-6])),
         ("table", table(Over::Pressure, [3e7, 1e9])),

@@ -5,6 +5,7 @@ mod common;
 mod good_cases {
     mod curvatures;
     mod estimate;
+    mod expression;
     mod extremes;
     pub mod fretting;
     mod meshed;

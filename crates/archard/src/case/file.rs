@@ -1,6 +1,7 @@
 //! A case as written: the file and the options laid over it.
 
 use std::io;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
@@ -231,18 +232,30 @@ impl CaseFile {
         (Table::from_toml(table.get_ref(), &origin), syntax)
     }
 
+    /// The bytes within the text of a value that are meant, or all of it where they cannot be told.
+    fn narrowed(&self, at: Location, within: Option<&Range<usize>>) -> Location {
+        let text = self.text(at.source);
+        let span = within.and_then(|within| {
+            let start = at.span.start + beginning(text.get(at.span.clone())?)?;
+            let span = start + within.start..start + within.end;
+            (span.end <= at.span.end && text.get(span.clone()).is_some()).then_some(span)
+        });
+        span.map_or(at.clone(), |span| Location { span, ..at })
+    }
+
     /// Looks up where each problem stands, in the order of the file. Beside broken TOML, keys are
     /// missing and values garbled only because of it: such problems are left out.
     fn locate(&self, found: Vec<Problem>, syntax: Syntax, table: &Table) -> Vec<Problem> {
         let Syntax { problems: mut syntax, unclosed } = syntax;
         let line = |problem: &Problem| problem.location.as_ref().map(|at| self.line(at));
         let broken: Vec<usize> = syntax.iter().filter_map(line).collect();
-        let located = found.into_iter().map(|problem| Problem {
-            location: problem
-                .location
-                .clone()
-                .or_else(|| table.locate(&problem.key, problem.target)),
-            ..problem
+        let located = found.into_iter().map(|problem| {
+            let at = problem.location.clone();
+            let at = at.or_else(|| table.locate(&problem.key, problem.target));
+            Problem {
+                location: at.map(|at| self.narrowed(at, problem.within.as_deref())),
+                ..problem
+            }
         });
         let independent = |problem: &Problem| {
             syntax.is_empty()
@@ -259,6 +272,17 @@ impl CaseFile {
         });
         problems
     }
+}
+
+/// Where the text of a value begins behind its quotes; `None` where what is written is not what is meant.
+fn beginning(written: &str) -> Option<usize> {
+    let quotes = ["\"\"\"", "'''", "\"", "'"];
+    let quote = quotes.into_iter().find(|quote| written.starts_with(quote)).unwrap_or_default();
+    let inside = &written[quote.len()..];
+    let break_left_out =
+        (quote.len() == 3).then(|| inside.len() - inside.trim_start_matches(['\r', '\n']).len());
+    let escaped = quote.starts_with('"') && inside.contains('\\');
+    (!escaped).then_some(quote.len() + break_left_out.unwrap_or(0))
 }
 
 /// A tree with what is wrong with it so far.

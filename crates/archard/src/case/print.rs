@@ -162,12 +162,19 @@ impl Printed<'_> {
         if self.values.iter().next().is_none() {
             return writeln!(f, "{key} = {{}}");
         }
+        let table = key;
         for parameter in parameters {
-            let key = format!("{key}.{}", parameter.name);
+            let key = format!("{table}.{}", parameter.name);
             match (self.values.get(parameter.name), parameter.quantity) {
                 (None, _) => {}
                 (Some(Value::Section(values)), Quantity::Section(inner)) => {
                     Printed { values, ..*self }.print(f, &key, inner)?;
+                }
+                (Some(Value::Constants(constants)), _) => {
+                    for (name, text) in constants {
+                        let value = text.parse().map_or_else(|_| quoted(text), number);
+                        writeln!(f, "{table}.{name} = {value}")?;
+                    }
                 }
                 (Some(value), _) => writeln!(f, "{key} = {}", self.value(parameter, value))?,
             }
@@ -188,7 +195,7 @@ impl Printed<'_> {
                 quoted(&file.map(|(_, file)| file.display().to_string()).unwrap_or_default())
             }
             // Printed by itself, line by line.
-            Value::Section(_) => String::new(),
+            Value::Section(_) | Value::Constants(_) => String::new(),
         }
     }
 

@@ -55,6 +55,8 @@ pub struct Problem {
     pub help: Option<String>,
     /// Where it stands; `None` where nothing is written that one could point at.
     pub location: Option<Location>,
+    /// The bytes of the text at the key that it is about; `None` for all of it.
+    pub(super) within: Option<Box<Range<usize>>>,
     /// What the location should show.
     pub(super) target: Target,
 }
@@ -78,6 +80,7 @@ impl Problem {
             message: message.into(),
             help: None,
             location: None,
+            within: None,
             target: Target::Value,
         }
     }

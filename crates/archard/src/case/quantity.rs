@@ -68,6 +68,10 @@ pub(super) fn read(
         }
         Quantity::File => file(node, surroundings.folder),
         Quantity::Text => text(node).map(|text| (Value::Word(text), None)),
+        Quantity::Formula => match &node.item {
+            Item::Text(text) => Ok((Value::Word(text.clone()), None)),
+            other => Err(format!("expected a formula in quotes, found {}", other.kind()).into()),
+        },
         Quantity::Pair(quantity) => {
             let along = "two values, along x and y";
             let parameter = Parameter { quantity: *quantity, ..*parameter };
@@ -85,8 +89,10 @@ pub(super) fn read(
             };
             read(node, &Parameter { quantity, ..*parameter }, before, surroundings)
         }
-        // The reader of tables has gone into it.
-        Quantity::Section(_) => Err(format!("expected a table, found {}", node.item.kind()).into()),
+        // The reader of tables has gone into them.
+        Quantity::Section(_) | Quantity::Constants => {
+            Err(format!("expected a table, found {}", node.item.kind()).into())
+        }
         quantity => {
             let measure = measure(quantity, before).ok_or_else(|| {
                 Wrong::from(
@@ -131,6 +137,8 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         | Quantity::Body
         | Quantity::Text
         | Quantity::Truth
+        | Quantity::Formula
+        | Quantity::Constants
         | Quantity::Word(_)
         | Quantity::Table(_)
         | Quantity::File
@@ -254,6 +262,21 @@ fn text(node: &Node) -> Result<String, Wrong> {
         Item::Text(text) if !text.is_empty() => Ok(text.clone()),
         Item::Text(_) => Err("expected a name, found nothing between the quotes".to_owned().into()),
         other => Err(format!("expected a name in quotes, found {}", other.kind()).into()),
+    }
+}
+
+/// A number, or text with a unit, as text; alike numbers give the same text however they are written.
+pub(super) fn constant(node: &Node) -> Result<String, Wrong> {
+    let value = plain(node).filter(|value| value.is_finite());
+    match (value, &node.item) {
+        (Some(value), _) => Ok(format!("{value:e}")),
+        (None, Item::Number { text, .. }) => {
+            Err(format!("must be a finite number, not {text}").into())
+        }
+        (None, Item::Text(text)) => Ok(text.clone()),
+        (None, other) => {
+            Err(format!("expected a number, or text with a unit, found {}", other.kind()).into())
+        }
     }
 }
 

@@ -155,14 +155,23 @@ impl Reader<'_> {
         section: &Section<'_>,
         parameters: &'static [Parameter],
     ) -> (Values, Vec<(&'static str, std::path::PathBuf)>) {
-        let names: Vec<&str> = parameters.iter().map(|parameter| parameter.name).collect();
-        self.unknown(section, "key", &names);
+        let open = |parameter: &&Parameter| parameter.quantity == Quantity::Constants;
+        let declared = parameters.iter().filter(|parameter| !open(parameter));
+        let names: Vec<&str> = declared.map(|parameter| parameter.name).collect();
+        let constants = parameters.iter().find(open);
+        if constants.is_none() {
+            self.unknown(section, "key", &names);
+        }
         let (mut values, mut files) = (Values::default(), vec![]);
         // Factors of powers come last: their unit follows from an exponent read before.
         let (last, first): (Vec<&Parameter>, Vec<_>) = parameters
             .iter()
             .partition(|parameter| matches!(parameter.quantity, Quantity::PowerFactor { .. }));
-        for parameter in first.into_iter().chain(last) {
+        if let Some(parameter) = constants {
+            let constants = self.constants(section, &names);
+            values.insert(parameter.name, Value::Constants(constants));
+        }
+        for parameter in first.into_iter().chain(last).filter(|parameter| !open(parameter)) {
             match section.get(parameter.name) {
                 None if parameter.required => {
                     self.missing(section.key.child(parameter.name), parameter.meaning);
@@ -203,6 +212,21 @@ impl Reader<'_> {
             }
         }
         (values, files)
+    }
+
+    /// The entries of a table that are not declared, each a number or text with a unit.
+    fn constants(&mut self, section: &Section<'_>, declared: &[&str]) -> Vec<(String, String)> {
+        let mut constants = vec![];
+        for entry in section.table.0.iter().filter(|entry| !declared.contains(&&*entry.name)) {
+            match quantity::constant(&entry.node) {
+                Ok(text) => constants.push((entry.name.clone(), text)),
+                Err(quantity::Wrong { message, help }) => {
+                    let key = section.key.child(&entry.name);
+                    self.push(Problem { help, ..Problem::error(key, message) });
+                }
+            }
+        }
+        constants
     }
 
     /// A number without unit that is zero or greater and whole.
@@ -268,9 +292,14 @@ impl Reader<'_> {
         let Some(last) = last.filter(|entry| entry.at.source != Source::File) else {
             let key =
                 invalid.parameter.split('.').fold(section.key.clone(), |key, name| key.child(name));
-            return self.push(Problem::error(key, invalid.message));
+            let Invalid { message, help, within, .. } = invalid;
+            let (help, within) = (help.map(String::from), within.map(Box::new));
+            return self.push(Problem { help, within, ..Problem::error(key, message) });
         };
+        let within =
+            invalid.within.clone().map(Box::new).filter(|_| last.name == invalid.parameter);
         let problem = Problem::error(section.key.child(&last.name), &*invalid.message);
+        let problem = Problem { help: invalid.help.clone().map(String::from), within, ..problem };
         let other = named.clone().rfind(|entry| invalid.exclusive && entry.name != last.name);
         self.push(match other {
             Some(other) => {

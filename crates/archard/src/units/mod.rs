@@ -69,6 +69,10 @@ impl Measure {
         "1/Pa",
     );
 
+    /// Whatever a unit measures: how to speak about it.
+    const ANY: Self =
+        Self::of(Dimension::NUMBER, "a number, or one with its unit", "30 MPa", ["MPa", "Pa"], "1");
+
     /// A measure with names known beforehand.
     const fn of(
         dimension: Dimension,
@@ -197,6 +201,25 @@ pub fn read(text: &str, expected: &Measure) -> Result<f64, Error> {
     scale(number, &read_unit(unit, expected)?)
 }
 
+/// The value in SI of a text like "30 MPa", and what it measures; without a unit, a pure number.
+///
+/// # Errors
+/// If the text is not a number, or has a unit that is not known.
+pub fn measured(text: &str) -> Result<(f64, Dimension), Error> {
+    let text = text.trim();
+    let (number, unit) = text.split_at(number_length(text));
+    let expected = || Box::new(Measure::ANY);
+    if number.is_empty() {
+        return Err(Error::NoNumber { text: text.to_owned(), expected: expected() });
+    }
+    if unit.starts_with(',') {
+        return Err(Error::DecimalComma { text: text.to_owned() });
+    }
+    let unit = if unit.trim().is_empty() { "1" } else { unit };
+    let unit = parse_unit(unit, &Measure::ANY)?;
+    Ok((scale(number, &unit)?, unit.dimension))
+}
+
 /// A unit of a measure, to read many numbers in.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scale(Unit);
@@ -219,14 +242,19 @@ impl Scale {
     }
 }
 
-/// Reads a unit and checks its dimension.
-fn read_unit(text: &str, expected: &Measure) -> Result<Unit, Error> {
-    let unit = unit::parse(text.trim()).map_err(|error| match error {
+/// Reads a unit, whatever it measures; messages speak of what is expected.
+fn parse_unit(text: &str, expected: &Measure) -> Result<Unit, Error> {
+    unit::parse(text.trim()).map_err(|error| match error {
         unit::Error::Unknown(symbol) => {
             Error::UnknownSymbol { symbol, expected: Box::new(expected.clone()) }
         }
         unit::Error::Malformed(reason) => Error::Malformed { unit: text.trim().to_owned(), reason },
-    })?;
+    })
+}
+
+/// Reads a unit and checks its dimension.
+fn read_unit(text: &str, expected: &Measure) -> Result<Unit, Error> {
+    let unit = parse_unit(text, expected)?;
     if !unit.dimension.agrees_with(expected.dimension) {
         if meant_in_parentheses(text, expected) {
             let reason =

@@ -1,7 +1,7 @@
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
-use super::{Dimension, Error, Measure, Scale, read};
+use super::{Dimension, Error, Measure, Scale, measured, read};
 
 #[test]
 fn every_notation_of_a_length_is_the_same_number() {
@@ -101,6 +101,24 @@ fn anything_with_a_unit_of_si_can_be_read() {
     for unit in ["mJ/mm^2", "rpm", "J/m^", "widgets"] {
         assert_eq!(Measure::in_si("anything", unit), None, "{unit}");
     }
+}
+
+#[test]
+fn values_may_say_themselves_what_they_measure() {
+    assert_eq!(measured("30 MPa"), Ok((3e7, Dimension::PRESSURE)));
+    assert_eq!(measured(" 2e-4 mm^3/(N m)"), Ok((2e-13, Dimension::WEAR_COEFFICIENT)));
+    assert_eq!(measured("4"), Ok((4.0, Dimension::NUMBER)));
+    let message = |text| measured(text).unwrap_err().to_string();
+    assert_eq!(
+        message("5 furlong"),
+        "`furlong` is not a known unit; a number, or one with its unit is written like \"30 MPa\""
+    );
+    assert_eq!(
+        message("wide"),
+        "expected a number, or one with its unit (for example \"30 MPa\"), found `wide`"
+    );
+    assert_eq!(message("1,5 m"), "`1,5 m`: write a decimal point, not a comma");
+    assert_eq!(message("1e999 m"), "`1e999` is not a finite number");
 }
 
 #[test]

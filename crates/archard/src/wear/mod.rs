@@ -4,6 +4,7 @@
 
 mod archard;
 mod energy;
+mod expression;
 mod orthotropic;
 mod power;
 mod rubbing;
@@ -16,6 +17,7 @@ use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use energy::Energy;
+pub use expression::Expression;
 pub use orthotropic::Orthotropic;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
@@ -60,7 +62,7 @@ pub enum Input {
 /// Depth of wear from rubbing.
 pub trait WearLaw: Debug + Send + Sync {
     /// What it asks for beside pressure and slip; a problem without is refused.
-    fn inputs(&self) -> &'static [Input] {
+    fn inputs(&self) -> &[Input] {
         &[]
     }
 
@@ -103,4 +105,5 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     running_in::CHOICE,
     table::CHOICE,
     t_gamma::CHOICE,
+    expression::CHOICE,
 ];

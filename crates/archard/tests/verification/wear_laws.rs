@@ -282,3 +282,41 @@ fn two_axes_wear_by_the_direction_of_the_slip() {
         agree(&archard[0], &found[0], 1e-9);
     }
 }
+
+/// Formulas of listed laws through whole runs, in implicit steps and by error, on all motions: the same bits where the
+/// operations are the same.
+#[test]
+fn formulas_run_as_the_listed_laws_do() {
+    let by_error = SLIDES.replace("step = \"10 mm\"", "tolerance = 1e-3");
+    let archard = "archard.coefficient = \"1e-13 1/Pa\"";
+    let formula = "expression = { depth = \"k*p*s\", k = \"1e-13 1/Pa\" }";
+    let motions = [("ball", SLIDES), ("ball", &*by_error), ("flat", TRACK), ("flat", ROLLS)];
+    for (body, motion) in motions.into_iter().chain([("ball", FRETS)]) {
+        assert_eq!(run(archard, body, motion), run(formula, body, motion), "{motion}");
+    }
+    let threshold = "threshold = { coefficient = \"1e-13 1/Pa\", threshold = \"80 MPa\" }";
+    let formula =
+        "expression = { depth = \"k*max(p - p0, 0)*s\", k = \"1e-13 1/Pa\", p0 = \"80 MPa\" }";
+    for motion in [SLIDES, &by_error] {
+        assert_eq!(run(threshold, "ball", motion), run(formula, "ball", motion), "{motion}");
+    }
+    let running_in = "running_in = { initial_coefficient = \"5e-13 1/Pa\", final_coefficient = \"1e-13 1/Pa\", running_in_distance = \"10 mm\" }";
+    let formula = "expression = { depth = \"p*(k1*s + (k0 - k1)*s0*(1 - exp(-s/s0))*exp(-distance/s0))\", k0 = \"5e-13 1/Pa\", k1 = \"1e-13 1/Pa\", s0 = \"10 mm\" }";
+    for (body, motion) in [("ball", SLIDES), ("ball", &*by_error), ("flat", TRACK)] {
+        let (listed, written) = (run(running_in, body, motion), run(formula, body, motion));
+        let body = usize::from(body == "flat");
+        agree(&listed.1[body], &written.1[body], 1e-9);
+    }
+}
+
+/// A formula of the work beyond a threshold of each cycle is the listed law.
+#[test]
+fn a_formula_may_take_a_whole_cycle() {
+    let motion = FRETS.replace("8 um", "0.3 um");
+    let energy = "energy = { coefficient = \"1e-10 mm^3/J\", threshold = \"10 J/m^2\" }";
+    let formula = "expression = { depth = \"alpha*max(work - w0, 0)\", alpha = \"1e-10 mm^3/J\", w0 = \"10 J/m^2\", per = \"cycle\" }";
+    assert_eq!(run(energy, "ball", &motion), run(formula, "ball", &motion));
+    let formula = formula.replace("work", "mu*p*s");
+    let [one, other] = [energy, &*formula].map(|law| run(law, "ball", &motion).1);
+    agree(&one[0], &other[0], 1e-9);
+}

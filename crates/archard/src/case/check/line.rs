@@ -16,7 +16,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let width = parts.case.frame.size[0];
     let wrong = (0..2).filter_map(|body| {
         let invalid = line_of_contact(&parts.bodies[body], width).err()?;
-        Some(Problem::error(body_key(body, invalid.parameter), invalid.message))
+        Some(Problem::error(body_key(body, &invalid.parameter), invalid.message))
     });
     wrong.chain(across(parts)).collect()
 }

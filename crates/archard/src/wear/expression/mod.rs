@@ -1,0 +1,239 @@
+//! A law written as a formula.
+//!
+//! The depth is a formula of what a point goes through, with constants that carry their units. It is read into a tree
+//! (`parser`), held against the dimensions (`dimension`) and computed on columns with its derivative (`tape`). What a law
+//! owes is tried at many points before it is taken (`trial`).
+//!
+//! Limits: a formula that keeps to all that at the points tried may break it elsewhere.
+
+mod dimension;
+mod parser;
+mod tape;
+#[cfg(test)]
+mod tests;
+mod trial;
+
+use std::ops::Range;
+
+use super::{Columns, Input, Per, Rubbing, WearLaw};
+use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::units::{self, Dimension};
+use parser::Mistake;
+use tape::{Inputs, Tape, Variable};
+
+pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
+    name: "expression",
+    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, distance, worn and rolled; any motion that supplies what it names",
+    parameters: &[
+        Parameter::required("depth", Quantity::Formula, "formula of the depth, a length"),
+        Parameter::optional(
+            "per",
+            Quantity::Word(&["increment", "cycle"]),
+            "what it takes at once: \"increment\", any part of a motion, if not given, or \"cycle\", a whole cycle",
+        ),
+        Parameter::optional(
+            "NAME",
+            Quantity::Constants,
+            "any other key is a constant of the formula: a number, or text with a unit",
+        ),
+    ],
+    build: |values| {
+        let formula = values.word("depth").unwrap_or_default();
+        let per = match values.word("per") {
+            Some("cycle") => Per::Cycle,
+            _ => Per::Increment,
+        };
+        let constants = values.constants("NAME").iter().map(|(name, text)| (&**name, &**text));
+        Ok(Box::new(Expression::new(formula, &constants.collect::<Vec<_>>(), per)?))
+    },
+};
+
+/// What a formula may name: how it is called, what it is, its dimension and its unit.
+const VARIABLES: &[(&str, Variable, Dimension, &str)] = &[
+    ("p", Variable::Pressure, Dimension::PRESSURE, "Pa"),
+    ("s", Variable::Slip, Dimension::LENGTH, "m"),
+    ("work", Variable::Work, Dimension::LOAD_PER_LENGTH, "J/m^2"),
+    ("mu", Variable::Coefficient, Dimension::NUMBER, ""),
+    ("v", Variable::Speed, Dimension::SPEED, "m/s"),
+    ("distance", Variable::Distance, Dimension::LENGTH, "m"),
+    ("worn", Variable::Depth, Dimension::LENGTH, "m"),
+    ("rolled", Variable::Rolled, Dimension::LENGTH, "m"),
+];
+
+/// A depth by a formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    formula: String,
+    tape: Tape,
+    inputs: Vec<Input>,
+    per: Per,
+}
+
+impl Expression {
+    /// The law of a formula and its constants, each a name with a number or a value with its unit as text: `("k", "1e-13
+    /// 1/Pa")`.
+    ///
+    /// The formula gives the depth (m) from the pressure `p` (Pa), the distance slid `s` (m), the `work` of friction
+    /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `distance` slid
+    /// before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
+    /// Where nothing presses or slides, `mu` is the slope of the friction limit.
+    ///
+    /// # Errors
+    /// If the formula cannot be read, its dimensions do not agree or its value is no length; if a constant cannot be read,
+    /// is not used or is named like a variable or function; and if the depth at one of many points tried is not finite,
+    /// negative, not zero without pressure or slip, or falls as the pressure grows. [Per increment](Per::Increment), if two
+    /// halves of a slip do not wear what the whole does.
+    pub fn new(formula: &str, constants: &[(&str, &str)], per: Per) -> Result<Self, Invalid> {
+        let mut scope = Scope::default();
+        for (name, text) in constants {
+            scope.add(name, text)?;
+        }
+        let wrong = |Mistake { at, message, help }| Invalid {
+            help: help.map(Into::into),
+            ..Invalid::new("depth", message).within(at)
+        };
+        let node = parser::parse(formula).map_err(wrong)?;
+        dimension::check(&node, &scope).map_err(wrong)?;
+        if let Some(surplus) = scope.constants.iter().find(|constant| !node.names(&constant.name)) {
+            let message = "is no key of the law and no constant that the formula names";
+            return Err(Invalid::new(surplus.name.clone(), message));
+        }
+        let tape = Tape::new(&node, &scope);
+        let inputs = inputs(&tape);
+        let law = Self { formula: formula.to_owned(), tape, inputs, per };
+        trial::hold(&law)?;
+        Ok(law)
+    }
+
+    /// What the formula names, in the order of [`VARIABLES`].
+    fn variables(&self) -> impl Iterator<Item = (&'static str, Variable, &'static str)> {
+        let named = |variable| self.tape.variables().any(|known| known == variable);
+        let known = VARIABLES.iter().filter(move |(_, variable, ..)| named(*variable));
+        known.map(|&(name, variable, _, unit)| (name, variable, unit))
+    }
+}
+
+/// What a formula asks for.
+fn inputs(tape: &Tape) -> Vec<Input> {
+    let mut inputs = vec![];
+    for variable in tape.variables() {
+        let input = match variable {
+            Variable::Pressure | Variable::Slip => continue,
+            Variable::Work | Variable::Coefficient => Input::Friction,
+            Variable::Speed => Input::Speed,
+            Variable::Distance => Input::Distance,
+            Variable::Depth => Input::Depth,
+            Variable::Rolled => Input::Rolled,
+        };
+        if !inputs.contains(&input) {
+            inputs.push(input);
+        }
+    }
+    inputs
+}
+
+/// The constants a formula may name beside the variables.
+#[derive(Debug, Default)]
+struct Scope {
+    constants: Vec<Constant>,
+}
+
+#[derive(Debug)]
+struct Constant {
+    name: String,
+    /// In SI.
+    value: f64,
+    dimension: Dimension,
+}
+
+impl Scope {
+    /// Adds a constant, a number or a value with its unit.
+    fn add(&mut self, name: &str, text: &str) -> Result<(), Invalid> {
+        let wrong = |message: String| Err(Invalid::new(name.to_owned(), message));
+        if self.variable(name).is_some() || parser::is_reserved(name) {
+            return wrong(
+                "has a meaning in formulas already: name the constant otherwise".to_owned(),
+            );
+        }
+        match units::measured(text) {
+            Ok((value, dimension)) => {
+                self.constants.push(Constant { name: name.to_owned(), value, dimension });
+                Ok(())
+            }
+            Err(error) => wrong(error.to_string()),
+        }
+    }
+
+    fn variable(&self, name: &str) -> Option<Variable> {
+        VARIABLES.iter().find(|known| known.0 == name).map(|known| known.1)
+    }
+
+    /// The value (SI) of a constant.
+    fn constant(&self, name: &str) -> Option<f64> {
+        self.constants.iter().find(|known| known.name == name).map(|known| known.value)
+    }
+
+    fn dimension(&self, name: &str) -> Option<Dimension> {
+        let variable = VARIABLES.iter().find(|known| known.0 == name).map(|known| known.2);
+        let constant = self.constants.iter().find(|known| known.name == name);
+        variable.or(constant.map(|known| known.dimension))
+    }
+
+    /// A name that is neither.
+    fn unknown(&self, name: &str, at: Range<usize>) -> Mistake {
+        let names = |names: Vec<&str>| names.join(", ");
+        let variables = names(VARIABLES.iter().map(|known| known.0).collect());
+        let constants = names(self.constants.iter().map(|known| &*known.name).collect());
+        let constants = if constants.is_empty() { "none".to_owned() } else { constants };
+        let message = format!("`{name}` is neither a variable nor a constant of the law");
+        let help = format!("variables: {variables}; constants: {constants}");
+        Mistake::new(at, message).help(help)
+    }
+}
+
+impl WearLaw for Expression {
+    fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    fn per(&self) -> Per {
+        self.per
+    }
+
+    fn depth(&self, rubbing: Rubbing) -> f64 {
+        self.tape.at(&one(&rubbing)).0
+    }
+
+    fn slope(&self, rubbing: Rubbing) -> f64 {
+        self.tape.at(&one(&rubbing)).1
+    }
+
+    fn depths(&self, points: &Columns, depths: &mut [f64], slopes: &mut [f64]) {
+        let inputs = Inputs {
+            pressure: &points.pressure,
+            slip: &points.slip,
+            work: &points.work,
+            friction: &points.friction,
+            speed: &points.speed,
+            distance: &points.distance,
+            depth: &points.depth,
+            rolled: &points.rolled,
+        };
+        self.tape.over(&inputs, depths, slopes);
+    }
+}
+
+/// Columns of one point.
+fn one(rubbing: &Rubbing) -> Inputs<'_> {
+    let column = std::slice::from_ref;
+    Inputs {
+        pressure: column(&rubbing.pressure),
+        slip: column(&rubbing.slip),
+        work: column(&rubbing.work),
+        friction: column(&rubbing.friction),
+        speed: column(&rubbing.speed),
+        distance: column(&rubbing.distance),
+        depth: column(&rubbing.depth),
+        rolled: column(&rubbing.rolled),
+    }
+}

@@ -1,0 +1,488 @@
+//! Formulas as a list of operations, each done on a chunk of points before the next one.
+//!
+//! Every value is a dual number: it carries its derivative with respect to the pressure (R. E. Wengert, *Comm. ACM* 7
+//! (1964) 463). The friction follows the pressure as its limit does, the work by d work / d p = friction s, all that was
+//! before stays. Where a derivative jumps it is the one towards more pressure.
+
+use super::Scope;
+use super::parser::{Function, Node, Sign, Term};
+
+/// What a point goes through, as formulas may name it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Variable {
+    Pressure,
+    Slip,
+    Work,
+    Coefficient,
+    Speed,
+    Distance,
+    Depth,
+    Rolled,
+}
+
+impl Variable {
+    /// Whether it changes with the pressure.
+    fn varies(self) -> bool {
+        matches!(self, Self::Pressure | Self::Work | Self::Coefficient)
+    }
+}
+
+/// Columns of what points go through (SI); those that the formula does not name may be empty.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Inputs<'a> {
+    pub pressure: &'a [f64],
+    pub slip: &'a [f64],
+    pub work: &'a [f64],
+    /// How the limit of friction grows with the pressure.
+    pub friction: &'a [f64],
+    pub speed: &'a [f64],
+    pub distance: &'a [f64],
+    pub depth: &'a [f64],
+    pub rolled: &'a [f64],
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Unary {
+    Negative,
+    Not,
+    Exp,
+    Ln,
+    Sqrt,
+    Abs,
+    Sin,
+    Cos,
+    Tanh,
+    /// To a constant power.
+    Power(f64),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Binary {
+    Plus,
+    Minus,
+    Times,
+    Over,
+    Power,
+    Min,
+    Max,
+    Less,
+    LessOrEqual,
+    And,
+    Or,
+}
+
+/// Operands are places of earlier operations.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Operation {
+    Constant(f64),
+    Variable(Variable),
+    Unary(Unary, usize),
+    Binary(Binary, usize, usize),
+    /// The second where the first is not zero, else the third.
+    Select(usize, usize, usize),
+}
+
+/// A value and its derivative with respect to the pressure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Dual {
+    value: f64,
+    slope: f64,
+}
+
+/// A formula as a list of operations; the last is its value.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tape {
+    operations: Vec<Operation>,
+    /// Whether each changes with the pressure.
+    varies: Vec<bool>,
+    result: usize,
+}
+
+/// Points that an operation goes through at once.
+const CHUNK: usize = 64;
+
+impl Tape {
+    /// The operations of a formula. What does not depend on any variable is computed here, what stands twice is computed
+    /// once.
+    pub fn new(node: &Node, scope: &Scope) -> Self {
+        let mut tape = Self { operations: vec![], varies: vec![], result: 0 };
+        tape.result = tape.lay(node, scope);
+        tape
+    }
+
+    /// The variables it names.
+    pub fn variables(&self) -> impl Iterator<Item = Variable> {
+        self.operations.iter().filter_map(|operation| match operation {
+            Operation::Variable(variable) => Some(*variable),
+            _ => None,
+        })
+    }
+
+    /// The value of a formula without variables.
+    pub fn constant(&self) -> Option<f64> {
+        self.constant_at(self.result)
+    }
+
+    fn constant_at(&self, place: usize) -> Option<f64> {
+        match self.operations[place] {
+            Operation::Constant(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    fn lay(&mut self, node: &Node, scope: &Scope) -> usize {
+        match &node.term {
+            Term::Number(number) => self.push(Operation::Constant(*number)),
+            Term::Name(name) => match (scope.variable(name), scope.constant(name)) {
+                (Some(variable), _) => self.push(Operation::Variable(variable)),
+                (None, value) => self.push(Operation::Constant(value.unwrap_or(f64::NAN))),
+            },
+            Term::Negative(of) => self.unary(Unary::Negative, of, scope),
+            Term::Not(of) => self.unary(Unary::Not, of, scope),
+            Term::Pair(sign, parts) => {
+                let [a, b] = parts.each_ref().map(|part| self.lay(part, scope));
+                match (sign, self.constant_at(b)) {
+                    (Sign::Power, Some(exponent)) => {
+                        self.push(Operation::Unary(Unary::Power(exponent), a))
+                    }
+                    _ => self.pair(*sign, a, b),
+                }
+            }
+            Term::Call(function, arguments) => self.call(*function, arguments, scope),
+        }
+    }
+
+    fn unary(&mut self, unary: Unary, of: &Node, scope: &Scope) -> usize {
+        let of = self.lay(of, scope);
+        self.push(Operation::Unary(unary, of))
+    }
+
+    fn pair(&mut self, sign: Sign, a: usize, b: usize) -> usize {
+        let (binary, a, b) = match sign {
+            Sign::Or => (Binary::Or, a, b),
+            Sign::And => (Binary::And, a, b),
+            Sign::Less => (Binary::Less, a, b),
+            Sign::LessOrEqual => (Binary::LessOrEqual, a, b),
+            Sign::Greater => (Binary::Less, b, a),
+            Sign::GreaterOrEqual => (Binary::LessOrEqual, b, a),
+            Sign::Plus => (Binary::Plus, a, b),
+            Sign::Minus => (Binary::Minus, a, b),
+            Sign::Times => (Binary::Times, a, b),
+            Sign::Over => (Binary::Over, a, b),
+            Sign::Power => (Binary::Power, a, b),
+        };
+        self.push(Operation::Binary(binary, a, b))
+    }
+
+    fn call(&mut self, function: Function, arguments: &[Node], scope: &Scope) -> usize {
+        let places: Vec<usize> = arguments.iter().map(|part| self.lay(part, scope)).collect();
+        let first = places[0];
+        let mut all = |binary| {
+            let rest = places[1..].iter();
+            rest.fold(first, |so_far, &next| self.push(Operation::Binary(binary, so_far, next)))
+        };
+        let unary = match function {
+            Function::Min => return all(Binary::Min),
+            Function::Max => return all(Binary::Max),
+            Function::If => return self.push(Operation::Select(first, places[1], places[2])),
+            Function::Exp => Unary::Exp,
+            Function::Ln => Unary::Ln,
+            Function::Sqrt => Unary::Sqrt,
+            Function::Abs => Unary::Abs,
+            Function::Sin => Unary::Sin,
+            Function::Cos => Unary::Cos,
+            Function::Tanh => Unary::Tanh,
+        };
+        self.push(Operation::Unary(unary, first))
+    }
+
+    /// The place of an operation: where it already stands, or a new one at the end.
+    fn push(&mut self, operation: Operation) -> usize {
+        let operation = self.folded(operation);
+        if let Some(place) = self.operations.iter().position(|known| *known == operation) {
+            return place;
+        }
+        self.varies.push(match operation {
+            Operation::Constant(_) => false,
+            Operation::Variable(variable) => variable.varies(),
+            Operation::Unary(_, a) => self.varies[a],
+            Operation::Binary(_, a, b) => self.varies[a] || self.varies[b],
+            Operation::Select(_, a, b) => self.varies[a] || self.varies[b],
+        });
+        self.operations.push(operation);
+        self.operations.len() - 1
+    }
+
+    /// An operation on constants as its value.
+    fn folded(&self, operation: Operation) -> Operation {
+        let dual = |place| self.constant_at(place).map(|value| Dual { value, slope: 0.0 });
+        let value = match operation {
+            Operation::Unary(unary, a) => dual(a).map(|a| one(unary, a)),
+            Operation::Binary(binary, a, b) => dual(a).zip(dual(b)).map(|(a, b)| two(binary, a, b)),
+            Operation::Select(condition, a, b) => {
+                dual(condition).and_then(|c| dual(if c.value != 0.0 { a } else { b }))
+            }
+            _ => None,
+        };
+        value.map_or(operation, |dual| Operation::Constant(dual.value))
+    }
+
+    /// Value and slope at a point.
+    pub fn at(&self, inputs: &Inputs) -> (f64, f64) {
+        let (mut value, mut slope) = ([0.0], [0.0]);
+        self.run::<1>(inputs, &mut value, &mut slope);
+        (value[0], slope[0])
+    }
+
+    /// Values and slopes at many points, one value each.
+    pub fn over(&self, inputs: &Inputs, values: &mut [f64], slopes: &mut [f64]) {
+        self.run::<CHUNK>(inputs, values, slopes);
+    }
+
+    fn run<const N: usize>(&self, inputs: &Inputs, values: &mut [f64], slopes: &mut [f64]) {
+        let mut lanes = vec![Lane::<N> { value: [0.0; N], slope: [0.0; N] }; self.operations.len()];
+        for (lane, operation) in lanes.iter_mut().zip(&self.operations) {
+            if let Operation::Constant(value) = operation {
+                lane.value.fill(*value);
+            }
+        }
+        let chunks = values.chunks_mut(N).zip(slopes.chunks_mut(N));
+        for (chunk, (values, slopes)) in chunks.enumerate() {
+            let (first, count) = (chunk * N, values.len());
+            for place in 0..self.operations.len() {
+                let (before, rest) = lanes.split_at_mut(place);
+                rest[0].set(
+                    self.operations[place],
+                    self.varies[place],
+                    before,
+                    inputs,
+                    first,
+                    count,
+                );
+            }
+            let result = &lanes[self.result];
+            values.copy_from_slice(&result.value[..count]);
+            slopes.copy_from_slice(&result.slope[..count]);
+        }
+    }
+}
+
+/// Values of one operation at a chunk of points; slopes of what does not change with the pressure stay zero.
+#[derive(Debug, Clone)]
+struct Lane<const N: usize> {
+    value: [f64; N],
+    slope: [f64; N],
+}
+
+impl<const N: usize> Lane<N> {
+    /// Does an operation on `count` points from `first` on.
+    #[inline]
+    fn set(
+        &mut self,
+        operation: Operation,
+        varies: bool,
+        before: &[Self],
+        inputs: &Inputs,
+        first: usize,
+        count: usize,
+    ) {
+        match operation {
+            Operation::Constant(_) => {}
+            Operation::Variable(variable) => self.load(variable, inputs, first, count),
+            Operation::Unary(unary, a) => {
+                let a = &before[a];
+                // The operation is known inside each loop.
+                macro_rules! each {
+                    ($($known:pat => $unary:expr),*) => {
+                        match unary {
+                            $($known => for i in 0..count.min(N) {
+                                let dual = one($unary, a.at(i));
+                                self.value[i] = dual.value;
+                                if varies {
+                                    self.slope[i] = dual.slope;
+                                }
+                            }),*
+                        }
+                    };
+                }
+                each!(
+                    Unary::Negative => Unary::Negative, Unary::Not => Unary::Not,
+                    Unary::Exp => Unary::Exp, Unary::Ln => Unary::Ln, Unary::Sqrt => Unary::Sqrt,
+                    Unary::Abs => Unary::Abs, Unary::Sin => Unary::Sin, Unary::Cos => Unary::Cos,
+                    Unary::Tanh => Unary::Tanh, Unary::Power(n) => Unary::Power(n)
+                );
+            }
+            Operation::Binary(binary, a, b) => {
+                let (a, b) = (&before[a], &before[b]);
+                macro_rules! each {
+                    ($($known:ident),*) => {
+                        match binary {
+                            $(Binary::$known => for i in 0..count.min(N) {
+                                let dual = two(Binary::$known, a.at(i), b.at(i));
+                                self.value[i] = dual.value;
+                                if varies {
+                                    self.slope[i] = dual.slope;
+                                }
+                            }),*
+                        }
+                    };
+                }
+                each!(Plus, Minus, Times, Over, Power, Min, Max, Less, LessOrEqual, And, Or);
+            }
+            Operation::Select(condition, a, b) => {
+                let (condition, a, b) = (&before[condition], &before[a], &before[b]);
+                for i in 0..count.min(N) {
+                    let dual = if condition.value[i] != 0.0 { a.at(i) } else { b.at(i) };
+                    (self.value[i], self.slope[i]) = (dual.value, dual.slope);
+                }
+            }
+        }
+    }
+
+    #[inline]
+    fn at(&self, i: usize) -> Dual {
+        Dual { value: self.value[i], slope: self.slope[i] }
+    }
+
+    /// A variable at `count` points from `first` on.
+    fn load(&mut self, variable: Variable, inputs: &Inputs, first: usize, count: usize) {
+        let part = |column: &[f64]| -> [f64; N] {
+            let mut part = [0.0; N];
+            part[..count].copy_from_slice(&column[first..first + count]);
+            part
+        };
+        match variable {
+            Variable::Pressure => {
+                self.value = part(inputs.pressure);
+                self.slope = [1.0; N];
+            }
+            Variable::Work => {
+                self.value = part(inputs.work);
+                let (friction, slip) = (part(inputs.friction), part(inputs.slip));
+                self.slope = std::array::from_fn(|i| friction[i] * slip[i]);
+            }
+            Variable::Coefficient => {
+                let (pressure, slip) = (part(inputs.pressure), part(inputs.slip));
+                let (work, friction) = (part(inputs.work), part(inputs.friction));
+                for i in 0..count {
+                    let rubbed = pressure[i] * slip[i];
+                    (self.value[i], self.slope[i]) = if rubbed > 0.0 {
+                        let coefficient = work[i] / rubbed;
+                        (coefficient, (friction[i] - coefficient) / pressure[i])
+                    } else {
+                        (friction[i], 0.0)
+                    };
+                }
+            }
+            Variable::Slip => self.value = part(inputs.slip),
+            Variable::Speed => self.value = part(inputs.speed),
+            Variable::Distance => self.value = part(inputs.distance),
+            Variable::Depth => self.value = part(inputs.depth),
+            Variable::Rolled => self.value = part(inputs.rolled),
+        }
+    }
+}
+
+/// An outer derivative times an inner one; what does not change stays as it is, however steep the function.
+#[inline]
+fn chain(outer: f64, inner: f64) -> f64 {
+    if inner == 0.0 { 0.0 } else { outer * inner }
+}
+
+/// A part of the derivative of a product; where the other factor is zero none, however steep the one: p * p^0.3 is level at
+/// p = 0.
+#[inline]
+fn part(slope: f64, other: f64) -> f64 {
+    if other == 0.0 { 0.0 } else { slope * other }
+}
+
+#[inline]
+fn one(unary: Unary, a: Dual) -> Dual {
+    let (value, outer) = match unary {
+        Unary::Negative => (-a.value, -1.0),
+        Unary::Not => (f64::from(a.value == 0.0), 0.0),
+        Unary::Exp => {
+            let value = a.value.exp();
+            (value, value)
+        }
+        Unary::Ln => (a.value.ln(), 1.0 / a.value),
+        Unary::Sqrt => {
+            let value = a.value.sqrt();
+            (value, 0.5 / value)
+        }
+        Unary::Abs => {
+            let falls = a.value < 0.0 || a.value == 0.0 && a.slope < 0.0;
+            (a.value.abs(), if falls { -1.0 } else { 1.0 })
+        }
+        Unary::Sin => (a.value.sin(), a.value.cos()),
+        Unary::Cos => (a.value.cos(), -a.value.sin()),
+        Unary::Tanh => {
+            let value = a.value.tanh();
+            (value, 1.0 - value * value)
+        }
+        Unary::Power(exponent) => {
+            let value = raised(a.value, exponent);
+            (value, raised_slope(a.value, exponent, value))
+        }
+    };
+    Dual { value, slope: chain(outer, a.slope) }
+}
+
+/// A power; small whole exponents by products.
+#[inline]
+fn raised(base: f64, exponent: f64) -> f64 {
+    match exponent {
+        1.0 => base,
+        2.0 => base * base,
+        3.0 => base * base * base,
+        0.5 => base.sqrt(),
+        -1.0 => 1.0 / base,
+        _ => base.powf(exponent),
+    }
+}
+
+/// The derivative of a power with respect to its base.
+#[inline]
+fn raised_slope(base: f64, exponent: f64, value: f64) -> f64 {
+    match (base, exponent) {
+        (_, 0.0) => 0.0,
+        (0.0, _) => exponent * raised(base, exponent - 1.0),
+        _ => exponent * value / base,
+    }
+}
+
+#[inline]
+fn two(binary: Binary, a: Dual, b: Dual) -> Dual {
+    let truth = |truth: bool| Dual { value: f64::from(truth), slope: 0.0 };
+    match binary {
+        Binary::Plus => Dual { value: a.value + b.value, slope: a.slope + b.slope },
+        Binary::Minus => Dual { value: a.value - b.value, slope: a.slope - b.slope },
+        Binary::Times => {
+            let slope = part(a.slope, b.value) + part(b.slope, a.value);
+            Dual { value: a.value * b.value, slope }
+        }
+        Binary::Over => {
+            let value = a.value / b.value;
+            Dual { value, slope: (a.slope - value * b.slope) / b.value }
+        }
+        Binary::Power => {
+            let value = a.value.powf(b.value);
+            let by_base = chain(raised_slope(a.value, b.value, value), a.slope);
+            Dual { value, slope: by_base + chain(value * a.value.ln(), b.slope) }
+        }
+        Binary::Min => if_else(a.value < b.value || a.value.is_nan(), a, b, f64::min),
+        Binary::Max => if_else(a.value > b.value || a.value.is_nan(), a, b, f64::max),
+        Binary::Less => truth(a.value < b.value),
+        Binary::LessOrEqual => truth(a.value <= b.value),
+        Binary::And => truth(a.value != 0.0 && b.value != 0.0),
+        Binary::Or => truth(a.value != 0.0 || b.value != 0.0),
+    }
+}
+
+/// The one or the other; where both are the same, the slope that is further on that side.
+#[inline]
+fn if_else(one: bool, a: Dual, b: Dual, further: fn(f64, f64) -> f64) -> Dual {
+    let chosen = if one { a } else { b };
+    let slope = if a.value == b.value { further(a.slope, b.slope) } else { chosen.slope };
+    Dual { slope, ..chosen }
+}
