@@ -184,7 +184,8 @@ pub(crate) fn solves_of_a_step(
 ) -> Option<u64> {
     let amplitude = sliding.swing?;
     let length = contact.map_or(1, |contact| (contact / element) as usize);
-    let positions = positions(amplitude, element, stride(sliding, element, length)).len() as u64;
+    let side = stride(sliding, element, length) as f64 * element;
+    let positions = 2 * (amplitude / side).ceil() as u64 + 1;
     Some(if sliding.track.is_some() { positions } else { 2 * positions } + 1)
 }
 

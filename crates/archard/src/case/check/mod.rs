@@ -197,6 +197,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         problems.extend(inside::problems(parts));
         problems.extend(slender::problems(parts));
     }
+    problems.extend(surfaces::too_long(parts));
     // The gaps of a frame that does not fit are not made.
     if !sound(&problems) {
         return problems;

@@ -5,6 +5,8 @@ use std::fmt;
 use super::Parts;
 use super::words::three;
 use crate::case::definition::Case;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
 use crate::parameters::Value;
 
 /// Share of the half width of a contact beyond which an amplitude is not small: surfaces that stay then wear some percent
@@ -44,6 +46,21 @@ impl fmt::Display for Surfaces {
         let ratio = three(self.ratio);
         write!(f, "{how} each other: the amplitude is {ratio} of the half width of the contact")
     }
+}
+
+/// A surface that swings so far that its elements are more than a machine holds.
+pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
+    const MOST: f64 = 4096.0 * 4096.0;
+    let sliding = parts.motion.sliding()?;
+    let (amplitude, axis) = (sliding.swing?, sliding.direction.axis);
+    let frame = &parts.case.frame;
+    let along = 2.0 * amplitude / frame.spacing()[axis] + frame.elements[axis] as f64;
+    let elements = along * frame.elements[1 - axis] as f64;
+    let name = if sliding.track.is_some() { "stroke" } else { "amplitude" };
+    (elements > MOST).then(|| {
+        let message = format!("the surface that swings would take {elements:.1e} elements of the frame's size: {MOST:.1e} are the most");
+        Problem::error(Key::of(["motion", parts.case.motion.choice.name, name]), message)
+    })
 }
 
 /// The axis and the size (m) of an amplitude along one axis.
