@@ -279,10 +279,13 @@ fn beginning(written: &str) -> Option<usize> {
     let quotes = ["\"\"\"", "'''", "\"", "'"];
     let quote = quotes.into_iter().find(|quote| written.starts_with(quote)).unwrap_or_default();
     let inside = &written[quote.len()..];
-    let break_left_out =
-        (quote.len() == 3).then(|| inside.len() - inside.trim_start_matches(['\r', '\n']).len());
+    // TOML leaves out a line break behind three quotes.
+    let breaks = ["\r\n", "\n"].into_iter().filter(|_| quote.len() == 3);
+    let left_out = breaks.into_iter().find(|first| inside.starts_with(first)).map_or(0, str::len);
     let escaped = quote.starts_with('"') && inside.contains('\\');
-    (!escaped).then_some(quote.len() + break_left_out.unwrap_or(0))
+    // A list or table of an option that lost its quotes.
+    let whole = quote.is_empty() && written.starts_with(['[', '{']);
+    (!escaped && !whole).then_some(quote.len() + left_out)
 }
 
 /// A tree with what is wrong with it so far.

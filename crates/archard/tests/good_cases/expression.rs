@@ -58,6 +58,7 @@ fn errors_point_at_the_characters_of_the_formula() {
         (r#""k*q*s""#, "q"),
         ("'k*q*s'", "q"),
         ("\"\"\"\nk*p*\n  (s + p)\"\"\"", "(s + p)"),
+        ("\"\"\"\n\n  k*p*(s + p)\"\"\"", "(s + p)"),
         ("'''k*(s + p)'''", "(s + p)"),
         // What is written is not what is meant: all of it.
         (r#""k*\u0071*s""#, r#""k*\u0071*s""#),
