@@ -51,15 +51,16 @@ impl fmt::Display for Surfaces {
 /// A surface that swings so far that its elements are more than a machine holds.
 pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
     const MOST: f64 = 4096.0 * 4096.0;
-    let sliding = parts.motion.sliding()?;
-    let (amplitude, axis) = (sliding.swing?, sliding.direction.axis);
+    let amplitude = parts.motion.swing()?;
+    let axis = usize::from(parts.motion.slides()[1] != 0.0);
     let frame = &parts.case.frame;
     let along = 2.0 * amplitude / frame.spacing()[axis] + frame.elements[axis] as f64;
     let elements = along * frame.elements[1 - axis] as f64;
-    let name = if sliding.track.is_some() { "stroke" } else { "amplitude" };
+    let motion = parts.case.motion.choice.name;
+    let name = if motion == "fretting" { "amplitude" } else { "stroke" };
     (elements > MOST).then(|| {
         let message = format!("the surface that swings would take {elements:.1e} elements of the frame's size: {MOST:.1e} are the most");
-        Problem::error(Key::of(["motion", parts.case.motion.choice.name, name]), message)
+        Problem::error(Key::of(["motion", motion, name]), message)
     })
 }
 
