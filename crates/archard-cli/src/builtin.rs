@@ -50,6 +50,12 @@ pub const CASES: &[Builtin] = &[
         "wheel_steel_twin_disc",
         include_str!("../cases/wheel_steel_twin_disc/case.toml"),
     ),
+    without_files("orthotropic_pin", include_str!("../cases/orthotropic_pin/case.toml")),
+    without_files("orthotropic_fretting", include_str!("../cases/orthotropic_fretting/case.toml")),
+    without_files(
+        "orthotropic_twin_disc",
+        include_str!("../cases/orthotropic_twin_disc/case.toml"),
+    ),
     Builtin {
         name: "patch_test",
         text: include_str!("../cases/patch_test/case.toml"),
