@@ -65,6 +65,14 @@ const WEAR_EXAMPLES: Examples = &[
         ],
     ),
     ("t_gamma", &[("density", 7850.0)]),
+    (
+        "cross_shear",
+        &[
+            ("unidirectional_coefficient", 1e-16),
+            ("multidirectional_coefficient", 5e-16),
+            ("exponent", 0.2),
+        ],
+    ),
 ];
 
 /// Laws that need more than numbers.

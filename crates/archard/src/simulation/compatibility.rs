@@ -62,7 +62,7 @@ pub(crate) fn lacks(law: &dyn WearLaw, friction: bool, motion: &Motion) -> Optio
         Input::Friction => !friction,
         Input::Speed => motion.speed().is_none(),
         Input::Rolled => motion.rolling().is_none(),
-        Input::Vectors | Input::Distance | Input::Depth => false,
+        Input::Vectors | Input::CrossShear | Input::Distance | Input::Depth => false,
     })
 }
 

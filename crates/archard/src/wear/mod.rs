@@ -3,6 +3,7 @@
 //! A new law is one file here and one line in [`WEAR_LAWS`].
 
 mod archard;
+mod cross_shear;
 mod energy;
 mod expression;
 mod orthotropic;
@@ -16,6 +17,7 @@ mod threshold;
 use std::fmt::Debug;
 
 pub use archard::Archard;
+pub use cross_shear::CrossShear;
 pub use energy::Energy;
 pub use expression::Expression;
 pub use orthotropic::Orthotropic;
@@ -49,6 +51,8 @@ pub enum Input {
     Friction,
     /// Slip and traction as vectors. There is no traction without friction.
     Vectors,
+    /// How much the directions of slip cross each other.
+    CrossShear,
     /// The speed of sliding.
     Speed,
     /// The distance rolled.
@@ -100,6 +104,7 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     archard::CHOICE,
     energy::CHOICE,
     orthotropic::CHOICE,
+    cross_shear::CHOICE,
     power::CHOICE,
     threshold::CHOICE,
     running_in::CHOICE,

@@ -60,10 +60,6 @@ impl Orthotropic {
     fn rate(&self, rubbing: &Rubbing) -> f64 {
         let ([x, y], [cos, sin]) = (rubbing.slip_vector, self.axis);
         let [first, second] = self.coefficients;
-        if first == second {
-            // Archard's, to the last bit.
-            return first * rubbing.slip;
-        }
         (first * (cos * x + sin * y)).hypot(second * (cos * y - sin * x))
     }
 }
@@ -74,11 +70,18 @@ impl WearLaw for Orthotropic {
     }
 
     fn depth(&self, rubbing: Rubbing) -> f64 {
-        self.rate(&rubbing) * rubbing.pressure
+        match self.coefficients {
+            // Archard's, to the last bit.
+            [first, second] if first == second => first * rubbing.pressure * rubbing.slip,
+            _ => self.rate(&rubbing) * rubbing.pressure,
+        }
     }
 
     fn slope(&self, rubbing: Rubbing) -> f64 {
-        self.rate(&rubbing)
+        match self.coefficients {
+            [first, second] if first == second => first * rubbing.slip,
+            _ => self.rate(&rubbing),
+        }
     }
 }
 

@@ -20,6 +20,8 @@ pub struct Rubbing {
     pub slip_vector: [f64; 2],
     /// Tangential traction on body 1 (Pa) along t1 and t2.
     pub traction: [f64; 2],
+    /// Integral of p e e^T over the slip (Pa m), e the direction of slip along t1 and t2: its components 11, 22 and 12.
+    pub directions: [f64; 3],
     /// Speed of sliding (m/s); zero where it is not known.
     pub speed: f64,
     /// Distance (m) that the bodies rolled meanwhile; zero where they do not roll.
@@ -45,7 +47,11 @@ impl Rubbing {
     /// The same along t1 and t2: slip of body 2 over body 1 (m), and traction on body 1 (Pa).
     #[must_use]
     pub fn with_vectors(self, slip_vector: [f64; 2], traction: [f64; 2]) -> Self {
-        Self { slip_vector, traction, ..self }
+        let [x, y] = slip_vector;
+        let length = x.hypot(y);
+        let scale = if length > 0.0 { self.pressure * self.slip / (length * length) } else { 0.0 };
+        let directions = [x * x, y * y, x * y].map(|product| scale * product);
+        Self { slip_vector, traction, directions, ..self }
     }
 
     /// The same at a speed of sliding (m/s).
@@ -72,6 +78,16 @@ impl Rubbing {
         if rubbed > 0.0 { self.work / rubbed } else { 0.0 }
     }
 
+    /// How much the directions of slip cross each other: the smaller eigenvalue of the [integral](Self::directions) over
+    /// its trace, from zero of slip along one line to a half of slip in all directions alike.
+    pub fn cross_shear(&self) -> f64 {
+        let [x, y, both] = self.directions;
+        let trace = x + y;
+        let smaller = 0.5 * (trace - (x - y).hypot(2.0 * both));
+        // What rounding leaves of slip along a line is none.
+        if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
+    }
+
     /// This and what comes after it, together: pressure, traction and speed are means over the slip.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
@@ -87,6 +103,7 @@ impl Rubbing {
             friction: mean(self.friction, next.friction),
             slip_vector: [0, 1].map(|axis| self.slip_vector[axis] + next.slip_vector[axis]),
             traction: [x, y].map(|[one, other]| mean(one, other)),
+            directions: [0, 1, 2].map(|part| self.directions[part] + next.directions[part]),
             speed: mean(self.speed, next.speed),
             rolled: self.rolled + next.rolled,
             ..self
@@ -99,7 +116,14 @@ impl Rubbing {
         let more = self.friction * (pressure - self.pressure) * self.slip;
         let work = self.work + more;
         let ratio = if self.work > 0.0 { work / self.work } else { 1.0 };
-        Self { pressure, work, traction: self.traction.map(|traction| ratio * traction), ..self }
+        let share = if self.pressure > 0.0 { pressure / self.pressure } else { 1.0 };
+        Self {
+            pressure,
+            work,
+            traction: self.traction.map(|traction| ratio * traction),
+            directions: self.directions.map(|part| share * part),
+            ..self
+        }
     }
 }
 
@@ -119,6 +143,8 @@ pub struct Columns {
     pub slip_vector: [Vec<f64>; 2],
     /// Tangential traction on body 1 (Pa) along t1 and t2.
     pub traction: [Vec<f64>; 2],
+    /// How much the directions of slip [cross](Rubbing::cross_shear) each other.
+    pub cross_shear: Vec<f64>,
     /// Speed of sliding (m/s).
     pub speed: Vec<f64>,
     /// Distance rolled (m).
@@ -135,6 +161,7 @@ impl Columns {
         let asks = |input| asked.contains(&input);
         let friction = asks(Input::Friction);
         let vectors = asks(Input::Vectors);
+        let crossing = asks(Input::CrossShear);
         let [speed, rolled] = [Input::Speed, Input::Rolled].map(asks);
         let [distance, depth] = [Input::Distance, Input::Depth].map(asks);
         let mut columns = Self::default();
@@ -150,6 +177,9 @@ impl Columns {
                     columns.slip_vector[axis].push(point.slip_vector[axis]);
                     columns.traction[axis].push(point.traction[axis]);
                 }
+            }
+            if crossing {
+                columns.cross_shear.push(point.cross_shear());
             }
             if speed {
                 columns.speed.push(point.speed);
@@ -177,9 +207,11 @@ impl Columns {
         self.pressure.is_empty()
     }
 
-    /// What one of them went through; zero what is left out.
+    /// What one of them went through; zero what is left out. The directions of slip that cross are those of t1 and t2.
     pub fn at(&self, point: usize) -> Rubbing {
         let of = |column: &Vec<f64>| column.get(point).copied().unwrap_or_default();
+        let across = of(&self.cross_shear);
+        let crossing = [1.0 - across, across, 0.0];
         Rubbing {
             pressure: self.pressure[point],
             slip: self.slip[point],
@@ -187,6 +219,7 @@ impl Columns {
             friction: of(&self.friction),
             slip_vector: self.slip_vector.each_ref().map(of),
             traction: self.traction.each_ref().map(of),
+            directions: crossing.map(|part| part * self.pressure[point] * self.slip[point]),
             speed: of(&self.speed),
             rolled: of(&self.rolled),
             distance: of(&self.distance),
