@@ -17,7 +17,7 @@ use archard::motion::{Control, MOTIONS};
 use archard::parameters::{Choice, Values};
 use archard::solve::{SOLVERS, Status, Step};
 use archard::wear::{
-    Columns, Expression, Input, Orthotropic, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw,
+    Columns, Expression, Input, Map, Orthotropic, Over, Per, Rubbing, Table, WEAR_LAWS, WearLaw,
 };
 
 use common::{Ball, STEEL, at_rest, choose, solver};
@@ -109,6 +109,7 @@ fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
         ("table", table(Over::Depth, [1e-8, 1e-6])),
         ("table", table(Over::Pressure, [3e7, 1e9])),
         ("table", table(Over::Speed, [0.01, 1.0])),
+        ("map", Box::new(Map::new(2.5e9, &[[0.0, 0.0, 1e-4], [0.8, 0.0, 3e-4]]).expect("a map"))),
     ]
 }
 

@@ -178,7 +178,7 @@ impl Evolution {
     }
 }
 
-pub(super) fn not_converged(
+fn not_converged(
     simulation: &Simulation,
     increment: Increment,
     iterations: usize,

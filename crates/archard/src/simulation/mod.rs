@@ -156,7 +156,7 @@ pub enum Error {
     },
     /// Pressure, friction and wear did not agree with each other.
     #[error(
-        "at {} pressure, friction and wear did not solve in {passes} passes; take shorter steps",
+        "at {} pressure, friction and wear did not agree in {passes} passes; take shorter steps",
         .measure.at(*.progress)
     )]
     NotConsistent {

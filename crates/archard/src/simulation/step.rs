@@ -1,15 +1,18 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
 use super::collector::{Collected, Collector, Foreseen, Slides};
-use super::evolution::{Evolution, Increment, not_converged};
+use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
 use crate::compliance::WornLines;
-use crate::motion::Motion;
+use crate::motion::{Control, Motion};
 use crate::numerics::vector::{self, Values};
 use crate::problem::{ContactProblem, ContactState};
 
 /// Times a step's wear is foreseen before it counts as not converged.
 const PASSES: usize = 50;
+/// How steep the energy may end, beside how it began, on a way that is gone to its end.
+const STEEPER: f64 = 0.5;
+const HALVINGS: usize = 16;
 
 impl Evolution {
     /// An implicit step: the contact at its end does the wear.
@@ -61,23 +64,81 @@ impl Evolution {
         let collect =
             |state: &ContactState| collector.collect_sliding(state, increment.advance, slides);
         let mut made = collect(&self.state);
-        for _ in 0..PASSES {
+        for pass in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);
+            let from = (self.state.pressure.clone(), self.displacement.clone());
             let gap = foreseen.gap_by_friction(undeformed, collector.lines());
             self.contact_wearing(simulation, increment, &gap, (collector, &foreseen), effort)?;
             made = collect(&self.state);
             if collector.agrees(&foreseen, &self.state, &made) {
                 return Ok(made);
             }
+            if collector.lines().is_none() && pass > 0 {
+                made = self.shorten(problem, increment, undeformed, from, made, &collect);
+            }
         }
-        Err(match problem.motion {
-            Motion::Rolling(_) => Error::NotConsistent {
-                measure: problem.motion.progress(),
-                progress: increment.progress,
-                passes: PASSES,
-            },
-            _ => not_converged(simulation, increment, PASSES, f64::NAN),
+        Err(Error::NotConsistent {
+            measure: problem.motion.progress(),
+            progress: increment.progress,
+            passes: PASSES,
         })
+    }
+
+    /// Goes back on the way of pressures from earlier ones, as far as wear that rises more steeply than foreseen asks: to
+    /// the least of the energy whose minimum the pressures at the end of the step are.
+    ///
+    /// Its derivative along the way, the gaps times the change of the forces, rises all the way.
+    fn shorten(
+        &mut self,
+        problem: &ContactProblem,
+        increment: Increment,
+        undeformed: &[f64],
+        (pressure, displacement): (Vec<f64>, Vec<f64>),
+        made: Collected,
+        collect: &dyn Fn(&ContactState) -> Collected,
+    ) -> Collected {
+        let measure = problem.frame.measure();
+        let approach = match increment.control {
+            Control::Load(_) => 0.0,
+            Control::Approach(approach) => approach,
+        };
+        let ends = [pressure, self.state.pressure.clone()];
+        let moved = [displacement, self.displacement.clone()];
+        let at = |[one, other]: &[Vec<f64>; 2], way: f64| {
+            vector::map([one, other], |[one, other]| one + way * (other - one))
+        };
+        let slope = |way: f64, made: &Collected| {
+            let displacement = at(&moved, way);
+            let pairs = made.pairs.as_ref();
+            let term = |pair: usize| {
+                let depth = pairs.map_or(0.0, |wear| wear.depth(pair));
+                let closing = measure.closing.at(pair) * approach;
+                let gap = undeformed[pair] + depth + displacement[pair] - closing;
+                measure.weight.at(pair) * (ends[1][pair] - ends[0][pair]) * gap
+            };
+            (0..undeformed.len()).map(term).sum::<f64>()
+        };
+        let mut state = self.state.clone();
+        let mut there = |way: f64| {
+            state.pressure = at(&ends, way);
+            let made = collect(&state);
+            (slope(way, &made), made)
+        };
+        let before = there(0.0).0;
+        if slope(1.0, &made) <= STEEPER * before.abs() {
+            return made;
+        }
+        let (mut low, mut high, mut way) = (0.0, 1.0, 1.0);
+        let mut found = made;
+        for _ in 0..HALVINGS {
+            way = 0.5 * (low + high);
+            let (slope, made) = there(way);
+            *(if slope > 0.0 { &mut high } else { &mut low }) = way;
+            found = made;
+        }
+        self.state.pressure = at(&ends, way);
+        self.displacement = at(&moved, way);
+        found
     }
 
     /// An explicit step: the contact at its start does the wear.

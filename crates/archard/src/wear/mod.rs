@@ -6,6 +6,7 @@ mod archard;
 mod cross_shear;
 mod energy;
 mod expression;
+mod map;
 mod orthotropic;
 mod power;
 mod rubbing;
@@ -20,6 +21,7 @@ pub use archard::Archard;
 pub use cross_shear::CrossShear;
 pub use energy::Energy;
 pub use expression::Expression;
+pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};
@@ -110,5 +112,6 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     running_in::CHOICE,
     table::CHOICE,
     t_gamma::CHOICE,
+    map::CHOICE,
     expression::CHOICE,
 ];

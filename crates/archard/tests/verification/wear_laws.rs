@@ -351,3 +351,55 @@ fn a_formula_may_take_a_whole_cycle() {
     let [one, other] = [energy, &*formula].map(|law| run(law, "ball", &motion).1);
     agree(&one[0], &other[0], 1e-9);
 }
+
+/// Each pair wears by the coefficient of its region: over the edge at 100 MPa ten times more, and above 0.2 m/s twice as much;
+/// a law strong enough to flatten the contact is met by the implicit step on both sides of the edge.
+#[test]
+fn maps_wear_by_regions() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("map.csv");
+    let regions = "pressure,speed_m/s,coefficient\n0,0,1\n0.5,0,10\n0,0.2,2\n0.5,0.2,20\n";
+    std::fs::write(&file, regions).expect("a file");
+    for (speed, faster) in [("0.1 m/s", 1.0), ("0.3 m/s", 2.0)] {
+        // A coefficient of the order of one that hardly wears: the hardness is in the file's scale alone.
+        let law = format!("map = {{ hardness = \"200 MPa\", file = '{}' }}", file.display());
+        let motion = SLIDES
+            .replace("0.2 m/s", speed)
+            .replace("30 mm", "3e-9 mm")
+            .replace("10 mm", "1e-9 mm");
+        let (pressure, worn) = run(&law, "ball", &motion);
+        let expected = |p: &f64| if *p < 99e6 { 1.0 } else { 10.0 } * faster * p / 2e8 * 3e-12;
+        let clear = |p: &&f64| (**p - 1e8).abs() > 1e6;
+        let most = peak(&worn[0]);
+        for (p, worn) in pressure.iter().zip(&worn[0]).filter(|(p, _)| clear(p)) {
+            assert!((worn - expected(p)).abs() < 1e-4 * most, "{worn:e} under {p:e}");
+        }
+        assert!(
+            pressure.iter().any(|&p| p > 1.1e8) && pressure.iter().any(|&p| p > 0.0 && p < 0.9e8)
+        );
+    }
+    std::fs::write(&file, regions.replace("1\n", "1e-5\n").replace("10\n", "1e-4\n"))
+        .expect("a file");
+    let law = format!("map = {{ hardness = \"200 MPa\", file = '{}' }}", file.display());
+    let motion = SLIDES.replace("0.2 m/s", "0.1 m/s");
+    let (pressure, worn) = run(&law, "ball", &motion);
+    assert!(peak(&worn[0]) > 1e-7 && peak(&pressure) < 1.5e8, "{:e}", peak(&worn[0]));
+    // A long step over an edge with a hundred times the wear behind it: between k p s / H on its two sides.
+    let steep = "pressure,speed_m/s,coefficient\n0,0,3e-5\n0.5,0,3e-3\n";
+    std::fs::write(&file, steep).expect("a file");
+    let motion = motion.replace("30 mm", "5 mm").replace("10 mm", "5 mm");
+    let (pressure, worn) = run(&law, "ball", &motion);
+    let depth = |k: f64, p: f64| k * p / 2e8 * 5e-3;
+    let mut held = 0;
+    for (&p, &worn) in pressure.iter().zip(&worn[0]) {
+        let (mild, severe) = (depth(3e-5, p), depth(3e-3, p));
+        if (p - 1e8).abs() < 1e6 {
+            held += 1;
+            assert!(worn >= mild && worn <= severe, "{worn:e} under {p:e}");
+        } else {
+            let expected = if p < 1e8 { mild } else { severe };
+            assert_relative_eq!(1e6 * worn, 1e6 * expected, max_relative = 1e-6);
+        }
+    }
+    assert!(held > 10, "{held}");
+}
