@@ -5,11 +5,12 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::body::Body;
-use archard::case::{Case, Resolved, Task};
+use archard::case::{Case, Forecast, Resolved, Task};
 use archard::motion::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::history::{
-    self, CREEPAGE, FORCE, MASS_LOSS, STICK_AREA, WORN_SECTION, WORN_VOLUME, of_body,
+    self, CREEPAGE, FORCE, FRICTIONAL_POWER, MASS_LOSS, STICK_AREA, WORN_SECTION, WORN_VOLUME,
+    of_body,
 };
 use archard::simulation::{Effort, Error, Observer, Simulation};
 use archard::verdict::Verdict;
@@ -117,7 +118,7 @@ fn contact(
     });
     let (totals, judged, effort) = finish(watch, outcome)?;
     if !arguments.quiet {
-        summarize(&simulation, &follower, &totals, effort, dir)?;
+        summarize((&simulation, forecast), &follower, &totals, effort, dir)?;
         verdict::say_all(&judged)?;
     }
     verdict::judge(&judged, dir)
@@ -190,7 +191,7 @@ fn is_no_number(cause: &(dyn std::error::Error + 'static)) -> bool {
 
 /// Says what came out and where it is.
 fn summarize(
-    simulation: &Simulation,
+    (simulation, forecast): (&Simulation, &Forecast),
     follower: &Follower,
     totals: &Totals,
     effort: Effort,
@@ -219,6 +220,9 @@ fn summarize(
                 say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
             }
         }
+        for equivalent in &forecast.equivalents {
+            say(equivalent.to_string().trim_end())?;
+        }
         standards::say_all(&simulation.problem, &follower.last)?;
     }
     let Effort { steps, solves, .. } = effort;
@@ -242,6 +246,8 @@ fn summarize_rolling(
     let units = [rolling.direction.forward(), rolling.direction.lateral()];
     let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
     say(&format!("creep force       {force}, on `{}`", simulation.problem.bodies[0].name))?;
+    let intensity = number(FRICTIONAL_POWER) / number(history::CONTACT_AREA);
+    say(&format!("T gamma / A       {} N/mm^2, over the contact", four(intensity * 1e-6)))?;
     say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))
 }
 

@@ -47,6 +47,8 @@ pub const SCAR: [&str; 2] = ["scar_length_m", "scar_width_m"];
 pub const TRACK_WIDTH: &str = "track_width_m";
 /// Area that sticks (m^2).
 pub const STICK_AREA: &str = "stick_area_m2";
+/// Column of the power of friction over the speed of rolling (N): T gamma.
+pub const FRICTIONAL_POWER: &str = "frictional_power_per_speed_N";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
 pub const TIME_ERROR: &str = "time_error";
 
@@ -141,7 +143,7 @@ pub const COLUMNS: &[Column] = &[
     column(STICK_AREA, "m2", "area of the elements under pressure that stick", |r, _| {
         friction(r, |own| own.stick_area(r.problem, &r.state.pressure))
     }),
-    column("frictional_power_per_speed_N", "N", "power of friction over rolling speed", |r, _| {
+    column(FRICTIONAL_POWER, "N", "power of friction over rolling speed", |r, _| {
         rolling(r, |own, rolling| own.creep_power(r.problem, rolling))
     }),
     column("dissipated_J", "J", "energy that friction dissipated in the cycle so far", |r, _| {
