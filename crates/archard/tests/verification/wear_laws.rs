@@ -254,6 +254,45 @@ fn t_gamma_does_not_depend_on_how_passages_are_divided() {
     assert_relative_eq!(depth(80) / finest, 1.0, max_relative = 0.01);
 }
 
+/// The depth of laws that are not straight does not depend on how a motion is divided into steps: bodies that slide, a track,
+/// wheels, and fretting with jumps over cycles.
+#[test]
+fn depths_do_not_depend_on_the_division() {
+    const LAWS: [&str; 6] = [
+        "power = { coefficient = \"1e-20 1/Pa\", pressure_exponent = 1.6, reference_pressure = \"100 MPa\" }",
+        "threshold = { coefficient = \"1e-20 1/Pa\", threshold = \"80 MPa\" }",
+        "running_in = { initial_coefficient = \"5e-20 1/Pa\", final_coefficient = \"1e-20 1/Pa\", running_in_distance = \"10 mm\" }",
+        "energy = { coefficient = \"1e-11 mm^3/J\" }",
+        "orthotropic = { coefficients = [\"4e-20 1/Pa\", \"1e-20 1/Pa\"], angle = \"30 deg\" }",
+        "expression = { depth = \"k*work*(1 + (p/p0)^2)\", k = \"1e-20 1/Pa\", p0 = \"50 MPa\" }",
+    ];
+    // What takes a whole cycle; what slides on the same spot has none.
+    const OF_CYCLES: [&str; 2] = [
+        "energy = { coefficient = \"1e-11 mm^3/J\", threshold = \"1 J/m^2\" }",
+        "cross_shear = { unidirectional_coefficient = \"1e-20 1/Pa\", multidirectional_coefficient = \"5e-20 1/Pa\" }",
+    ];
+    let frets = FRETS.replace("cycles = 4", "cycles = 40").replace("80", "20");
+    let divided = [
+        ("ball", SLIDES.to_owned(), SLIDES.replace("10 mm", "3 mm"), 1e-6),
+        // What runs in does so by the middle of the passages of a step.
+        ("flat", TRACK.to_owned(), TRACK.replace("1.5 mm", "0.5 mm"), 2e-5),
+        ("flat", ROLLS.to_owned(), ROLLS.replace("step = 5", "step = 1"), 1e-3),
+        // The cycles that are jumped over are like those computed, but for the first.
+        ("ball", frets.clone(), frets + "\njump = 8", 2e-3),
+    ];
+    for (body, whole, parts, within) in divided {
+        let cycles = OF_CYCLES.iter().filter(|_| whole != SLIDES);
+        for law in LAWS.iter().chain(cycles) {
+            let worn = [&whole, &parts].map(|motion| run(law, body, motion).1);
+            let body = usize::from(body == "flat");
+            let most = peak(&worn[0][body]);
+            let off = worn[0][body].iter().zip(&worn[1][body]).map(|(one, other)| one - other);
+            let off = off.fold(0.0, |off: f64, one| off.max(one.abs())) / most;
+            assert!(most > 0.0 && off <= within, "{off:e} under {law} in {parts}");
+        }
+    }
+}
+
 /// Slip along x wears by p sqrt((i1 cos)^2 + (i2 sin)^2) with axes at 30 degrees, slip along y the other way round; equal
 /// coefficients are Archard's, however the slip turns.
 #[test]
