@@ -43,6 +43,12 @@ impl Station {
         [pressed, x, y].into_iter().all(f64::is_finite)
     }
 
+    /// Whether the bodies are pressed and neither shifted nor pushed.
+    fn is_still(&self) -> bool {
+        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
+        self.guides.into_iter().all(still)
+    }
+
     /// Whether the other gives what this one does: a load or an approach, displacements or forces.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         discriminant(&self.control) == discriminant(&other.control)
@@ -85,8 +91,13 @@ impl Shift {
 
     /// Whether the bodies are guided anywhere.
     pub fn moves(&self) -> bool {
-        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
-        self.lead.iter().chain(&self.cycle).any(|station| !station.guides.into_iter().all(still))
+        self.lead.iter().chain(&self.cycle).any(|station| !station.is_still())
+    }
+
+    /// The way to the first cycle where pressing alone leaves no friction: bodies are pressed together at once.
+    pub fn lead(&self, pressing_rubs: bool) -> &[Station] {
+        let pressing = self.lead.iter().take_while(|station| station.is_still()).count();
+        &self.lead[if pressing_rubs { 0 } else { pressing.saturating_sub(1) }..]
     }
 
     /// The station at which the bodies are pressed together most.

@@ -47,7 +47,10 @@ impl Cycles {
         let under_load = |stations: &[Station]| {
             stations.iter().filter(|station| station.control != Control::Load(0.0)).count() as u64
         };
-        let (lead, cycle) = (under_load(&shift.lead), under_load(&shift.cycle));
+        // The pressures and friction of unlike bodies may have to be found in turn.
+        let coupled = parts.friction.is_some() && !parts.alike();
+        let pressing_rubs = coupled || parts.friction.is_some() && parts.case.is_meshed();
+        let (lead, cycle) = (under_load(shift.lead(pressing_rubs)), under_load(&shift.cycle));
         match (self.computed, parts.schedule.stepping) {
             (Solves::Exactly(cycles) | Solves::AtLeast(cycles), Stepping::Jumps(_)) => {
                 Solves::AtLeast(lead + cycles * cycle + (cycles - 1) * SOLVES_A_JUMP)
@@ -57,8 +60,6 @@ impl Cycles {
             }
             (Solves::Exactly(cycles) | Solves::AtLeast(cycles), _) => {
                 let solves = lead + cycles * cycle;
-                // The pressures and friction of unlike bodies may have to be found in turn.
-                let coupled = parts.friction.is_some() && !parts.alike();
                 if coupled { Solves::AtLeast(solves) } else { Solves::Exactly(solves) }
             }
         }

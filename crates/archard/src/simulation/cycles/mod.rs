@@ -165,7 +165,10 @@ impl Cycles {
             done: 0,
             dissipated: 0.0,
         };
-        for station in &shift.lead {
+        let problem = &simulation.problem;
+        let pressing_rubs = problem.friction.is_some()
+            && (problem.compliance.couples() || !problem.frame.is_plane());
+        for station in shift.lead(pressing_rubs) {
             let at = (setting.symmetric(*station), 0.0);
             position.shifted.increment(simulation, at, None, &mut effort)?;
         }
