@@ -40,6 +40,8 @@ pub enum Quantity {
     Speed,
     /// How often something happens in a time (1/s).
     Frequency,
+    /// An absolute temperature (K).
+    Temperature,
     /// Anything else with a unit.
     Measured {
         /// What it is called, with its article: "a work per area".
@@ -89,6 +91,7 @@ impl Quantity {
             Quantity::Time => "s",
             Quantity::Speed => "m/s",
             Quantity::Frequency => "1/s",
+            Quantity::Temperature => "K",
             Quantity::Measured { unit, .. } => unit,
             Quantity::Pair(quantity)
             | Quantity::Triple(quantity)
@@ -203,6 +206,8 @@ impl Parameter {
         let [least, most] = self.quantity.range();
         let message = if !value.is_finite() {
             format!("must be a finite number, not {value}")
+        } else if self.quantity == Quantity::Temperature && value <= 0.0 {
+            "must be above absolute zero, -273.15 degC".to_owned()
         } else if !self.bound.admits(value) {
             format!("must be {}", self.bound)
         } else if value != 0.0 && value.abs() > most {

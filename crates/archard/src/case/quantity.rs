@@ -124,6 +124,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Time => Some(Measure::TIME),
         Quantity::Speed => Some(Measure::SPEED),
         Quantity::Frequency => Some(Measure::FREQUENCY),
+        Quantity::Temperature => Some(Measure::TEMPERATURE),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
         Quantity::Measured { name, unit } => Measure::in_si(name, unit),
         Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
