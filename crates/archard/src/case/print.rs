@@ -9,7 +9,7 @@ use super::chosen::Chosen;
 use super::definition::{BodyCase, Case, FiniteCase, FrameCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
-use crate::body::{Elasticity, Interpolation, Support};
+use crate::body::{Elasticity, Interpolation, Support, Thermal};
 use crate::elastic::Point;
 use crate::parameters::{Parameter, Quantity, Value, Values};
 use crate::units::Measure;
@@ -34,6 +34,9 @@ impl Display for Case {
             }
             if let Some(density) = body.density {
                 writeln!(f, "{key}.density = {}", si(density, "kg/m^3"))?;
+            }
+            if let Some(thermal) = &body.thermal {
+                print_thermal(f, &format!("{key}.thermal"), thermal)?;
             }
             writeln!(f)?;
         }
@@ -110,6 +113,17 @@ fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Res
     let Some(material) = &body.material else { return writeln!(f, "{key}.rigid = true") };
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
+}
+
+fn print_thermal(f: &mut Formatter<'_>, key: &str, thermal: &Thermal) -> fmt::Result {
+    for (parameter, value) in thermal.values() {
+        let value = match parameter.quantity.unit() {
+            "" => number(value),
+            unit => si(value, unit),
+        };
+        writeln!(f, "{key}.{} = {value}", parameter.name)?;
+    }
+    Ok(())
 }
 
 fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::Result {

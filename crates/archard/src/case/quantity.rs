@@ -322,6 +322,7 @@ fn table(
 #[cfg(test)]
 mod tests {
     use super::measure;
+    use crate::body::Thermal;
     use crate::body::mesh::MESHES;
     use crate::body::profile::PROFILES;
     use crate::friction::FRICTION;
@@ -350,7 +351,8 @@ mod tests {
             Quantity::Measured { name: "a work per area", unit: "J/m^2" },
             "an example",
         );
-        for parameter in parameters.chain([example]) {
+        let thermal = Thermal::PARAMETERS.iter().copied();
+        for parameter in parameters.chain([example]).chain(thermal) {
             if let Quantity::Measured { .. } = parameter.quantity {
                 let known = measure(parameter.quantity, &Values::default());
                 assert!(known.is_some(), "{parameter:?}");

@@ -51,6 +51,8 @@ pub enum Input {
     Vectors,
     /// The speed of sliding.
     Speed,
+    /// The temperature of the surfaces.
+    Temperature,
     /// The distance rolled.
     Rolled,
     /// The distance slid before.

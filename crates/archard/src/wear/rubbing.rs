@@ -22,6 +22,8 @@ pub struct Rubbing {
     pub traction: [f64; 2],
     /// Speed of sliding (m/s); zero where it is not known.
     pub speed: f64,
+    /// Temperature of the surfaces (K); zero where it is not known.
+    pub temperature: f64,
     /// Distance (m) that the bodies rolled meanwhile; zero where they do not roll.
     pub rolled: f64,
     /// Distance (m) that the point slid before, under pressure.
@@ -54,6 +56,12 @@ impl Rubbing {
         Self { speed, ..self }
     }
 
+    /// The same at a temperature of the surfaces (K).
+    #[must_use]
+    pub fn at_temperature(self, temperature: f64) -> Self {
+        Self { temperature, ..self }
+    }
+
     /// The same while the bodies rolled a distance (m).
     #[must_use]
     pub fn rolling(self, rolled: f64) -> Self {
@@ -72,7 +80,8 @@ impl Rubbing {
         if rubbed > 0.0 { self.work / rubbed } else { 0.0 }
     }
 
-    /// This and what comes after it, together: pressure, traction and speed are means over the slip.
+    /// This and what comes after it, together: pressure, traction, speed and temperature are means over the
+    /// slip.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         let slip = self.slip + next.slip;
@@ -88,6 +97,7 @@ impl Rubbing {
             slip_vector: [0, 1].map(|axis| self.slip_vector[axis] + next.slip_vector[axis]),
             traction: [x, y].map(|[one, other]| mean(one, other)),
             speed: mean(self.speed, next.speed),
+            temperature: mean(self.temperature, next.temperature),
             rolled: self.rolled + next.rolled,
             ..self
         }
@@ -121,6 +131,8 @@ pub struct Columns {
     pub traction: [Vec<f64>; 2],
     /// Speed of sliding (m/s).
     pub speed: Vec<f64>,
+    /// Temperature of the surfaces (K).
+    pub temperature: Vec<f64>,
     /// Distance rolled (m).
     pub rolled: Vec<f64>,
     /// Distance slid before (m).
@@ -135,7 +147,8 @@ impl Columns {
         let asks = |input| asked.contains(&input);
         let friction = asks(Input::Friction);
         let vectors = asks(Input::Vectors);
-        let [speed, rolled] = [Input::Speed, Input::Rolled].map(asks);
+        let [speed, temperature, rolled] =
+            [Input::Speed, Input::Temperature, Input::Rolled].map(asks);
         let [distance, depth] = [Input::Distance, Input::Depth].map(asks);
         let mut columns = Self::default();
         for point in points {
@@ -153,6 +166,9 @@ impl Columns {
             }
             if speed {
                 columns.speed.push(point.speed);
+            }
+            if temperature {
+                columns.temperature.push(point.temperature);
             }
             if rolled {
                 columns.rolled.push(point.rolled);
@@ -188,6 +204,7 @@ impl Columns {
             slip_vector: self.slip_vector.each_ref().map(of),
             traction: self.traction.each_ref().map(of),
             speed: of(&self.speed),
+            temperature: of(&self.temperature),
             rolled: of(&self.rolled),
             distance: of(&self.distance),
             depth: of(&self.depth),

@@ -23,7 +23,7 @@ use tape::{Inputs, Tape, Variable};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
-    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, distance, worn and rolled; any motion that supplies what it names",
+    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, temperature, distance, worn and rolled; any motion that supplies what it names",
     parameters: &[
         Parameter::required("depth", Quantity::Formula, "formula of the depth, a length"),
         Parameter::optional(
@@ -55,6 +55,7 @@ const VARIABLES: &[(&str, Variable, Dimension, &str)] = &[
     ("work", Variable::Work, Dimension::LOAD_PER_LENGTH, "J/m^2"),
     ("mu", Variable::Coefficient, Dimension::NUMBER, ""),
     ("v", Variable::Speed, Dimension::SPEED, "m/s"),
+    ("temperature", Variable::Temperature, Dimension::TEMPERATURE, "K"),
     ("distance", Variable::Distance, Dimension::LENGTH, "m"),
     ("worn", Variable::Depth, Dimension::LENGTH, "m"),
     ("rolled", Variable::Rolled, Dimension::LENGTH, "m"),
@@ -74,8 +75,8 @@ impl Expression {
     /// 1/Pa")`.
     ///
     /// The formula gives the depth (m) from the pressure `p` (Pa), the distance slid `s` (m), the `work` of friction
-    /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `distance` slid
-    /// before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
+    /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `temperature` of the
+    /// surfaces (K), the `distance` slid before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
     /// Where nothing presses or slides, `mu` is the slope of the friction limit.
     ///
     /// # Errors
@@ -121,6 +122,7 @@ fn inputs(tape: &Tape) -> Vec<Input> {
             Variable::Pressure | Variable::Slip => continue,
             Variable::Work | Variable::Coefficient => Input::Friction,
             Variable::Speed => Input::Speed,
+            Variable::Temperature => Input::Temperature,
             Variable::Distance => Input::Distance,
             Variable::Depth => Input::Depth,
             Variable::Rolled => Input::Rolled,
@@ -215,6 +217,7 @@ impl WearLaw for Expression {
             work: &points.work,
             friction: &points.friction,
             speed: &points.speed,
+            temperature: &points.temperature,
             distance: &points.distance,
             depth: &points.depth,
             rolled: &points.rolled,
@@ -232,6 +235,7 @@ fn one(rubbing: &Rubbing) -> Inputs<'_> {
         work: column(&rubbing.work),
         friction: column(&rubbing.friction),
         speed: column(&rubbing.speed),
+        temperature: column(&rubbing.temperature),
         distance: column(&rubbing.distance),
         depth: column(&rubbing.depth),
         rolled: column(&rubbing.rolled),

@@ -15,6 +15,7 @@ pub(super) enum Variable {
     Work,
     Coefficient,
     Speed,
+    Temperature,
     Distance,
     Depth,
     Rolled,
@@ -36,6 +37,7 @@ pub(super) struct Inputs<'a> {
     /// How the limit of friction grows with the pressure.
     pub friction: &'a [f64],
     pub speed: &'a [f64],
+    pub temperature: &'a [f64],
     pub distance: &'a [f64],
     pub depth: &'a [f64],
     pub rolled: &'a [f64],
@@ -376,6 +378,7 @@ impl<const N: usize> Lane<N> {
             }
             Variable::Slip => self.value = part(inputs.slip),
             Variable::Speed => self.value = part(inputs.speed),
+            Variable::Temperature => self.value = part(inputs.temperature),
             Variable::Distance => self.value = part(inputs.distance),
             Variable::Depth => self.value = part(inputs.depth),
             Variable::Rolled => self.value = part(inputs.rolled),
