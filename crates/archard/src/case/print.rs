@@ -11,7 +11,7 @@ use super::elastic::ElasticCase;
 use super::quantity::measure;
 use crate::body::{Elasticity, Interpolation, Support, Thermal};
 use crate::elastic::Point;
-use crate::parameters::{Parameter, Quantity, Value, Values};
+use crate::parameters::{Columns, Parameter, Quantity, Value, Values};
 use crate::units::Measure;
 
 impl Display for Case {
@@ -201,6 +201,7 @@ impl Printed<'_> {
         match value {
             Value::Truth(said) => said.to_string(),
             Value::Word(word) | Value::Body(_, word) => quoted(word),
+            Value::Formula { text, files } => quoted(&formula(text, files)),
             Value::Number(value) => one(*value),
             Value::Pair([x, y]) => format!("[{}, {}]", one(*x), one(*y)),
             Value::Triple([x, y, z]) => format!("[{}, {}, {}]", one(*x), one(*y), one(*z)),
@@ -225,6 +226,15 @@ impl Printed<'_> {
             _ => number(value),
         }
     }
+}
+
+/// A formula whose files are named by their places.
+fn formula(text: &str, files: &[Columns]) -> String {
+    files.iter().fold(text.to_owned(), |text, Columns { file, path, .. }| {
+        let quote = if path.contains('\'') { '"' } else { '\'' };
+        let place = format!("{quote}{path}{quote}");
+        text.replace(&format!("'{file}'"), &place).replace(&format!("\"{file}\""), &place)
+    })
 }
 
 /// A value with its SI unit, in quotes.

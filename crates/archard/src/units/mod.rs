@@ -247,6 +247,20 @@ impl Scale {
         read_unit(unit, expected).map(Self)
     }
 
+    /// Reads any unit, and what it measures.
+    ///
+    /// # Errors
+    /// If the text is not a unit.
+    pub fn read_any(unit: &str) -> Result<(Self, Dimension), Error> {
+        let unit = parse_unit(unit, &Measure::ANY)?;
+        Ok((Self(unit), unit.dimension))
+    }
+
+    /// Whether it is one of absolute temperatures, as degrees Celsius are.
+    pub fn is_absolute(&self) -> bool {
+        self.0.zero != 0.0
+    }
+
     /// The value in SI of a number written in that unit; `None` where it is not a finite number.
     pub fn apply(&self, number: &str) -> Option<f64> {
         let number = number.trim();

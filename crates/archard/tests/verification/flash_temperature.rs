@@ -257,7 +257,8 @@ fn wear_goes_by_the_temperature() {
         };
         let most = peak(&expected);
         // Spheres that roll have lateral slip, too, which turns their friction a little.
-        let within = if motion == "rolls" { 1e-3 } else { 1e-9 };
+        // What slides wears 2e-5 of its approach, which changes the pressures by as much.
+        let within = if motion == "rolls" { 1e-3 } else { 1e-4 };
         for pair in 0..expected.len() {
             assert_relative_eq!(table[body][pair], expected[pair], epsilon = within * most);
             assert_relative_eq!(formula[body][pair], expected[pair], epsilon = within * most);
@@ -278,7 +279,7 @@ fn rolling_tells_the_speed_of_slip() {
         // A creepage of one at 5 m/s, less what is elastic.
         let most = peak(&archard[1]);
         assert_relative_eq!(other[1][pair], archard[1][pair], epsilon = 0.02 * most);
-        assert_relative_eq!(one[1][pair], 10.0 * other[1][pair], epsilon = 1e-6 * most);
+        assert_relative_eq!(one[1][pair], 10.0 * other[1][pair], epsilon = 1e-5 * most);
     }
 }
 

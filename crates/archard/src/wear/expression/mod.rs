@@ -7,6 +7,7 @@
 //! Limits: a formula that keeps to all that at the points tried may break it elsewhere.
 
 mod dimension;
+mod look_up;
 mod parser;
 mod tape;
 #[cfg(test)]
@@ -18,7 +19,8 @@ use std::ops::Range;
 use super::{Columns, Input, Per, Rubbing, WearLaw};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
-use parser::Mistake;
+pub use look_up::LookUp;
+use parser::{File, Mistake};
 use tape::{Inputs, Tape, Variable};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
@@ -38,13 +40,14 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         ),
     ],
     build: |values| {
-        let formula = values.word("depth").unwrap_or_default();
+        let (formula, files) = values.formula("depth").unwrap_or_default();
         let per = match values.word("per") {
             Some("cycle") => Per::Cycle,
             _ => Per::Increment,
         };
         let constants = values.constants("NAME").iter().map(|(name, text)| (&**name, &**text));
-        Ok(Box::new(Expression::new(formula, &constants.collect::<Vec<_>>(), per)?))
+        let tables = files.iter().map(|file| (&*file.file, LookUp::of(file))).collect();
+        Ok(Box::new(Expression::built(formula, &constants.collect::<Vec<_>>(), tables, per)?))
     },
 };
 
@@ -85,7 +88,33 @@ impl Expression {
     /// negative, not zero without pressure or slip, or falls as the pressure grows. [Per increment](Per::Increment), if two
     /// halves of a slip do not wear what the whole does.
     pub fn new(formula: &str, constants: &[(&str, &str)], per: Per) -> Result<Self, Invalid> {
-        let mut scope = Scope::default();
+        Self::built(formula, constants, vec![], per)
+    }
+
+    /// The same with tables, each with the name that `table('NAME', x)` calls it by in the formula: the value at x.
+    ///
+    /// # Errors
+    /// As [`Expression::new`], and if the formula names a table that is not there, or looks up something of another
+    /// dimension.
+    pub fn with_tables(
+        formula: &str,
+        constants: &[(&str, &str)],
+        tables: &[(&str, LookUp)],
+        per: Per,
+    ) -> Result<Self, Invalid> {
+        let tables = tables.iter().map(|(name, table)| (*name, Ok(table.clone()))).collect();
+        Self::built(formula, constants, tables, per)
+    }
+
+    /// The law, of tables that may be none.
+    fn built(
+        formula: &str,
+        constants: &[(&str, &str)],
+        tables: Vec<(&str, Result<LookUp, String>)>,
+        per: Per,
+    ) -> Result<Self, Invalid> {
+        let tables = tables.into_iter().map(|(name, table)| (name.to_owned(), table)).collect();
+        let mut scope = Scope { constants: vec![], tables };
         for (name, text) in constants {
             scope.add(name, text)?;
         }
@@ -138,6 +167,8 @@ fn inputs(tape: &Tape) -> Vec<Input> {
 #[derive(Debug, Default)]
 struct Scope {
     constants: Vec<Constant>,
+    /// Tables by the names of their files; what is wrong with one counts where the formula names it.
+    tables: Vec<(String, Result<LookUp, String>)>,
 }
 
 #[derive(Debug)]
@@ -179,6 +210,20 @@ impl Scope {
         let variable = VARIABLES.iter().find(|known| known.0 == name).map(|known| known.2);
         let constant = self.constants.iter().find(|known| known.name == name);
         variable.or(constant.map(|known| known.dimension))
+    }
+
+    /// The table of a file.
+    fn table(&self, file: &File) -> Result<&LookUp, Mistake> {
+        let known = self.tables.iter().find(|(name, _)| *name == file.name);
+        match known {
+            Some((_, Ok(table))) => Ok(table),
+            Some((_, Err(message))) => {
+                Err(Mistake::new(file.at.clone(), format!("`{}`: {message}", file.name)))
+            }
+            None => {
+                Err(Mistake::new(file.at.clone(), format!("there is no table `{}`", file.name)))
+            }
+        }
     }
 
     /// A name that is neither.
