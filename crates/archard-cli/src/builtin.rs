@@ -75,6 +75,11 @@ pub const CASES: &[Builtin] = &[
             ("pin_of_5_degrees.msh", include_bytes!("../cases/pin_in_bush/pin_of_5_degrees.msh")),
         ],
     },
+    Builtin {
+        name: "warm_twin_disc",
+        text: include_str!("../cases/warm_twin_disc/case.toml"),
+        files: &[("wear.csv", include_bytes!("../cases/warm_twin_disc/wear.csv"))],
+    },
 ];
 
 const fn without_files(name: &'static str, text: &'static str) -> Builtin {

@@ -207,6 +207,10 @@ fn summarize(
     if let Some(shift) = simulation.problem.motion.shift() {
         summarize_shift(simulation, shift, follower, effort)?;
     }
+    if let Some(largest) = follower.number(history::FLASH_TEMPERATURE) {
+        let mean = number(history::MEAN_FLASH_TEMPERATURE, 1.0);
+        say(&format!("flash temperature {} K at most, {mean} K in the mean", four(largest)))?;
+    }
     if simulation.problem.wears() {
         say(&format!("wear depth        {} um", number(history::WEAR_DEPTH, 1e6)))?;
         for Body { name, .. } in &simulation.problem.bodies {

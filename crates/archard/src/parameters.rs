@@ -40,6 +40,8 @@ pub enum Quantity {
     Speed,
     /// How often something happens in a time (1/s).
     Frequency,
+    /// An absolute temperature (K).
+    Temperature,
     /// Anything else with a unit.
     Measured {
         /// What it is called, with its article: "a work per area".
@@ -59,7 +61,7 @@ pub enum Quantity {
     Text,
     /// True or false.
     Truth,
-    /// A formula.
+    /// A formula; names in quotes within it are those of CSV files.
     Formula,
     /// All keys of the table that are not declared, each a number or text with a unit; the name of the parameter itself
     /// stands for them.
@@ -89,6 +91,7 @@ impl Quantity {
             Quantity::Time => "s",
             Quantity::Speed => "m/s",
             Quantity::Frequency => "1/s",
+            Quantity::Temperature => "K",
             Quantity::Measured { unit, .. } => unit,
             Quantity::Pair(quantity)
             | Quantity::Triple(quantity)
@@ -203,6 +206,8 @@ impl Parameter {
         let [least, most] = self.quantity.range();
         let message = if !value.is_finite() {
             format!("must be a finite number, not {value}")
+        } else if self.quantity == Quantity::Temperature && value <= 0.0 {
+            "must be above absolute zero, -273.15 degC".to_owned()
         } else if !self.bound.admits(value) {
             format!("must be {}", self.bound)
         } else if value != 0.0 && value.abs() > most {
@@ -228,8 +233,15 @@ pub enum Value {
     Triple([f64; 3]),
     /// True or false.
     Truth(bool),
-    /// A word, a name or a formula.
+    /// A word or a name.
     Word(String),
+    /// A formula, and the files that it names in quotes.
+    Formula {
+        /// The formula, as written.
+        text: String,
+        /// What the files hold, each file once.
+        files: Vec<Columns>,
+    },
     /// Keys that are not declared, each with a number or with text that has a unit.
     Constants(Vec<(String, String)>),
     /// A body: 0 for body 1, 1 for body 2; and its name.
@@ -245,6 +257,28 @@ pub enum Value {
     },
     /// The values of a table inside the table.
     Section(Values),
+}
+
+/// The columns of a file that a formula names.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Columns {
+    /// The name of the file, as written.
+    pub file: String,
+    /// Where it is, wherever the case is kept.
+    pub path: String,
+    /// What it holds, all columns of one length.
+    pub columns: Vec<Column>,
+}
+
+/// A column of numbers that says itself what it measures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Column {
+    /// Its name, without the unit.
+    pub name: String,
+    /// The unit it is written in; "1" of pure numbers.
+    pub unit: String,
+    /// The numbers (SI).
+    pub values: Vec<f64>,
 }
 
 /// The values given for one choice, checked against its declaration.
@@ -317,6 +351,14 @@ impl Values {
     pub fn word(&self, name: &str) -> Option<&str> {
         match self.get(name) {
             Some(Value::Word(word)) => Some(word),
+            _ => None,
+        }
+    }
+
+    /// The formula of that name and the files that it names, if it was given.
+    pub fn formula(&self, name: &str) -> Option<(&str, &[Columns])> {
+        match self.get(name) {
+            Some(Value::Formula { text, files }) => Some((text, files)),
             _ => None,
         }
     }

@@ -110,6 +110,11 @@ fn other_wear_laws() -> Vec<(&'static str, Box<dyn WearLaw>)> {
         ("table", table(Over::Pressure, [3e7, 1e9])),
         ("table", table(Over::Speed, [0.01, 1.0])),
         ("map", Box::new(Map::new(2.5e9, &[[0.0, 0.0, 1e-4], [0.8, 0.0, 3e-4]]).expect("a map"))),
+        ("table", table(Over::Temperature, [300.0, 600.0])),
+        (
+            "expression",
+            expression("k*p*s*exp(-t0/temperature)", &[k, ("t0", "500 K")], Per::Increment),
+        ),
     ]
 }
 
@@ -170,6 +175,7 @@ fn wear_laws_grow_with_pressure_and_know_their_slope() {
                 .with_friction(0.4 * pressure * slip, 0.4)
                 .with_vectors([0.8 * slip, 0.6 * slip], [0.32 * pressure, 0.24 * pressure])
                 .at_speed(0.1)
+                .at_temperature(400.0)
                 .rolling(4.0 * slip)
         };
         let depth = |pressure: f64, slip: f64| law.depth(rubbing(pressure, slip));

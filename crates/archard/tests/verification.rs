@@ -6,6 +6,7 @@ mod verification {
     mod cattaneo_mindlin;
     mod compliance;
     mod elastic_bodies;
+    mod flash_temperature;
     mod fretting_wear;
     mod friction_laws;
     mod hertz;

@@ -4,10 +4,12 @@ mod finite;
 mod material;
 pub mod mesh;
 pub mod profile;
+mod thermal;
 
 pub use finite::{Elasticity, Finite, Interpolation, Support};
 pub use material::{Material, contact_modulus};
 pub use profile::Profile;
+pub use thermal::Thermal;
 
 use crate::parameters::{Parameter, Quantity};
 use crate::wear::WearLaw;
@@ -34,6 +36,8 @@ pub struct Body {
     pub depth: Option<f64>,
     /// Its density (kg/m^3), to weigh what is worn off; `None` where it is not known.
     pub density: Option<f64>,
+    /// How it conducts heat; `None` where that is not known.
+    pub thermal: Option<Thermal>,
 }
 
 impl Body {
@@ -50,6 +54,7 @@ impl Body {
             wear: None,
             depth: None,
             density: None,
+            thermal: None,
         }
     }
 
@@ -91,6 +96,12 @@ impl Body {
     #[must_use]
     pub fn density(self, density: f64) -> Self {
         Self { density: Some(density), ..self }
+    }
+
+    /// The same body, conducting heat like that.
+    #[must_use]
+    pub fn thermal(self, thermal: Thermal) -> Self {
+        Self { thermal: Some(thermal), ..self }
     }
 
     /// The depths (m) of bodies that touch along a line within that width (m): where none is given the radius of the

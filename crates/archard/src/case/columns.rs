@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::quantity::measure;
-use crate::parameters::{Quantity, Values};
+use crate::parameters::{Column, Quantity, Values};
 use crate::units::{self, Measure, Scale};
 
 /// Why a file of columns cannot be read.
@@ -36,22 +36,41 @@ type Columns = Vec<(String, Vec<f64>)>;
 /// Reads the columns of a file (SI): those of known names as what they are, others as lengths.
 pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, Error> {
     let file = || path.to_owned();
+    let mut reader = reader(path)?;
     let unreadable = |cause| Error::Unreadable { file: file(), cause };
-    let mut reader = csv::ReaderBuilder::new()
+    let titles = reader.headers().map_err(unreadable)?.clone();
+    let headings = titles.iter().map(|title| heading(title, path, known));
+    rows(path, headings.collect::<Result<_, _>>()?, &|name| quantity(name, known))
+}
+
+/// A reader of tables.
+fn reader(path: &Path) -> Result<csv::Reader<std::fs::File>, Error> {
+    let unreadable = |cause| Error::Unreadable { file: path.to_owned(), cause };
+    csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
         .from_path(path)
-        .map_err(unreadable)?;
+        .map_err(unreadable)
+}
+
+/// The numbers below headings, each a name and its unit; what a column of a name holds bounds its size.
+fn rows(
+    path: &Path,
+    headings: Vec<(String, Scale)>,
+    quantity: &dyn Fn(&str) -> Quantity,
+) -> Result<Columns, Error> {
+    let file = || path.to_owned();
+    let mut reader = reader(path)?;
     let (mut columns, mut scales): (Columns, Vec<Scale>) = (vec![], vec![]);
-    for title in reader.headers().map_err(unreadable)? {
-        let (name, scale) = heading(title, path, known)?;
+    for (name, scale) in headings {
         if columns.iter().any(|(known, _)| *known == name) {
             return Err(Error::Twice { file: file(), column: name });
         }
         columns.push((name, vec![]));
         scales.push(scale);
     }
+    let unreadable = |cause| Error::Unreadable { file: file(), cause };
     for record in reader.records() {
         let record = record.map_err(unreadable)?;
         let line = record.position().map_or(0, csv::Position::line);
@@ -66,7 +85,7 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
                 column: name.clone(),
                 text: text.to_owned(),
             })?;
-            if value.abs() > quantity(name, known).range()[1] {
+            if value.abs() > quantity(name).range()[1] {
                 return Err(Error::TooLarge { file: file(), line, column: name.clone(), value });
             }
             values.push(value);
@@ -76,6 +95,38 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
         Some((_, values)) if !values.is_empty() => Ok(columns),
         _ => Err(Error::Empty { file: file() }),
     }
+}
+
+/// Reads the columns of a file (SI), whatever their units measure.
+pub(super) fn read_any(path: &Path) -> Result<Vec<Column>, Error> {
+    let titles = {
+        let mut reader = reader(path)?;
+        let headers = reader.headers();
+        headers.map_err(|cause| Error::Unreadable { file: path.to_owned(), cause })?.clone()
+    };
+    let headings: Vec<(String, Scale, String)> =
+        titles.iter().map(|title| any_heading(title, path)).collect::<Result<_, _>>()?;
+    let scales = headings.iter().map(|(name, scale, _)| (name.clone(), scale.clone())).collect();
+    let columns = rows(path, scales, &|_| Quantity::Number)?;
+    let units = headings.into_iter().map(|(_, _, unit)| unit);
+    let column = |((name, values), unit)| Column { name, unit, values };
+    Ok(columns.into_iter().zip(units).map(column).collect())
+}
+
+/// The name and the unit of a column titled `p_MPa`, `p (MPa)` or `p [MPa]`; without a unit it is a pure number.
+fn any_heading(title: &str, path: &Path) -> Result<(String, Scale, String), Error> {
+    let title = title.trim_start_matches('\u{feff}').trim();
+    let at = title.find(['(', '[']).or_else(|| title.rfind('_')).unwrap_or(title.len());
+    let unit = title[at..].trim_start_matches(['_', '(', '[']).trim_end_matches(']');
+    let unit =
+        if title[at..].starts_with('(') { unit.strip_suffix(')').unwrap_or(unit) } else { unit };
+    let unit = if unit.is_empty() { "1" } else { unit };
+    let (scale, _) = Scale::read_any(unit).map_err(|cause| Error::WrongUnit {
+        file: path.to_owned(),
+        column: title.to_owned(),
+        cause: Box::new(cause),
+    })?;
+    Ok((title[..at].trim().to_lowercase(), scale, unit.to_owned()))
 }
 
 /// What a column of that name holds.

@@ -3,7 +3,7 @@
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
-use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support};
+use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support, Thermal};
 use crate::compliance::bem::contact::{self, Condense};
 use crate::elastic::Point;
 use crate::friction::Friction;
@@ -57,6 +57,8 @@ pub struct BodyCase {
     pub depth: Option<f64>,
     /// Its density (kg/m^3); `None` where it is not given.
     pub density: Option<f64>,
+    /// How it conducts heat; `None` where that is not given.
+    pub thermal: Option<Thermal>,
 }
 
 /// The mesh of a body and how it is held.
@@ -201,6 +203,7 @@ impl BodyCase {
             wear: self.wear.as_ref().map(Chosen::build).transpose()?,
             depth: self.depth,
             density: self.density,
+            thermal: self.thermal,
         })
     }
 }

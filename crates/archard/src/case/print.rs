@@ -9,9 +9,9 @@ use super::chosen::Chosen;
 use super::definition::{BodyCase, Case, FiniteCase, FrameCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
-use crate::body::{Elasticity, Interpolation, Support};
+use crate::body::{Elasticity, Interpolation, Support, Thermal};
 use crate::elastic::Point;
-use crate::parameters::{Parameter, Quantity, Value, Values};
+use crate::parameters::{Columns, Parameter, Quantity, Value, Values};
 use crate::units::Measure;
 
 impl Display for Case {
@@ -34,6 +34,9 @@ impl Display for Case {
             }
             if let Some(density) = body.density {
                 writeln!(f, "{key}.density = {}", si(density, "kg/m^3"))?;
+            }
+            if let Some(thermal) = &body.thermal {
+                print_thermal(f, &format!("{key}.thermal"), thermal)?;
             }
             writeln!(f)?;
         }
@@ -112,6 +115,17 @@ fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Res
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
 }
 
+fn print_thermal(f: &mut Formatter<'_>, key: &str, thermal: &Thermal) -> fmt::Result {
+    for (parameter, value) in thermal.values() {
+        let value = match parameter.quantity.unit() {
+            "" => number(value),
+            unit => si(value, unit),
+        };
+        writeln!(f, "{key}.{} = {value}", parameter.name)?;
+    }
+    Ok(())
+}
+
 fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::Result {
     print_chosen(f, &format!("{key}.mesh"), &finite.mesh)?;
     let planes = ["x", "y"].into_iter().zip(finite.mirrored).filter(|(_, mirrored)| *mirrored);
@@ -187,6 +201,7 @@ impl Printed<'_> {
         match value {
             Value::Truth(said) => said.to_string(),
             Value::Word(word) | Value::Body(_, word) => quoted(word),
+            Value::Formula { text, files } => quoted(&formula(text, files)),
             Value::Number(value) => one(*value),
             Value::Pair([x, y]) => format!("[{}, {}]", one(*x), one(*y)),
             Value::Triple([x, y, z]) => format!("[{}, {}, {}]", one(*x), one(*y), one(*z)),
@@ -211,6 +226,15 @@ impl Printed<'_> {
             _ => number(value),
         }
     }
+}
+
+/// A formula whose files are named by their places.
+fn formula(text: &str, files: &[Columns]) -> String {
+    files.iter().fold(text.to_owned(), |text, Columns { file, path, .. }| {
+        let quote = if path.contains('\'') { '"' } else { '\'' };
+        let place = format!("{quote}{path}{quote}");
+        text.replace(&format!("'{file}'"), &place).replace(&format!("\"{file}\""), &place)
+    })
 }
 
 /// A value with its SI unit, in quotes.

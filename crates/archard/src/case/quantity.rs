@@ -1,22 +1,25 @@
 //! Reads one value as the quantity its declaration asks for.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::columns;
 use super::reader::Line;
 use super::tree::{Item, Node};
-use crate::parameters::{Parameter, Quantity, Value, Values};
+use crate::parameters::{Columns, Parameter, Quantity, Value, Values};
 use crate::units::{self, Measure};
 
 /// Why a value cannot be read.
 pub(super) struct Wrong {
     pub message: String,
     pub help: Option<String>,
+    /// The bytes of the text that it is about; `None` for all of it.
+    pub within: Option<Box<Range<usize>>>,
 }
 
 impl From<String> for Wrong {
     fn from(message: String) -> Self {
-        Self { message, help: None }
+        Self { message, help: None, within: None }
     }
 }
 
@@ -69,7 +72,7 @@ pub(super) fn read(
         Quantity::File => file(node, surroundings.folder),
         Quantity::Text => text(node).map(|text| (Value::Word(text), None)),
         Quantity::Formula => match &node.item {
-            Item::Text(text) => Ok((Value::Word(text.clone()), None)),
+            Item::Text(text) => formula(text, surroundings.folder).map(|value| (value, None)),
             other => Err(format!("expected a formula in quotes, found {}", other.kind()).into()),
         },
         Quantity::Pair(quantity) => {
@@ -124,6 +127,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         Quantity::Time => Some(Measure::TIME),
         Quantity::Speed => Some(Measure::SPEED),
         Quantity::Frequency => Some(Measure::FREQUENCY),
+        Quantity::Temperature => Some(Measure::TEMPERATURE),
         Quantity::WearCoefficient => Some(Measure::WEAR_COEFFICIENT),
         Quantity::Measured { name, unit } => Measure::in_si(name, unit),
         Quantity::PowerFactor { exponent } => values.number(exponent).map(|exponent| {
@@ -156,6 +160,7 @@ fn on_a_line(node: &Node, line: Line) -> Result<f64, Wrong> {
         (None, Ok(_)) => Err(Wrong {
             message: "a line of contact has loads per length, like \"18.5 N/mm\"".to_owned(),
             help: Some("or give `frame.length`, which loads in N are shared over".to_owned()),
+            within: None,
         }),
         (None, Err(_)) => dimensional(node, &Measure::LOAD_PER_LENGTH),
     }
@@ -169,6 +174,7 @@ fn off_a_line(node: &Node) -> Result<f64, Wrong> {
             message: "a load per length is one of a line of contact; here loads are in N"
                 .to_owned(),
             help: Some("`frame.plane_strain = true` makes the frame a line of contact".to_owned()),
+            within: None,
         });
     }
     force
@@ -192,6 +198,7 @@ fn dimensional(node: &Node, measure: &Measure) -> Result<f64, Wrong> {
         help: (!quoted && matches!(error, units::Error::NoUnit { .. }))
             .then(|| "a value with a dimension is written with its unit, in quotes".to_owned()),
         message: error.to_string(),
+        within: None,
     })
 }
 
@@ -295,10 +302,36 @@ fn file(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
     let bytes = std::fs::read(&path).map_err(|cause| Wrong {
         help: help(&path),
         message: format!("cannot read {}: {cause}", path.display()),
+        within: None,
     })?;
     // A resolved case is stored elsewhere and must still find the file.
     let path = std::path::absolute(&path).unwrap_or(path);
     Ok((Value::File { name: name.clone(), bytes }, Some(path)))
+}
+
+/// A formula with the columns of the files that it names in quotes.
+fn formula(text: &str, folder: &Path) -> Result<Value, Wrong> {
+    let mut files: Vec<Columns> = vec![];
+    let mut rest = 0;
+    while let Some(open) = text[rest..].find(['"', '\'']).map(|at| rest + at) {
+        let quote = if text[open..].starts_with('"') { '"' } else { '\'' };
+        // What is not closed the reader of formulas says.
+        let Some(length) = text[open + 1..].find(quote) else { break };
+        let name = &text[open + 1..open + 1 + length];
+        rest = open + length + 2;
+        if files.iter().any(|known| known.file == name) {
+            continue;
+        }
+        let path = folder.join(name);
+        let columns = columns::read_any(&path).map_err(|error| Wrong {
+            help: help(&path),
+            message: error.to_string(),
+            within: Some(Box::new(open..rest)),
+        })?;
+        let path = std::path::absolute(&path).unwrap_or(path).display().to_string();
+        files.push(Columns { file: name.to_owned(), path, columns });
+    }
+    Ok(Value::Formula { text: text.to_owned(), files })
 }
 
 /// The columns of the file a node names.
@@ -311,8 +344,11 @@ fn table(
         return Err(format!("expected the name of a CSV file, found {}", node.item.kind()).into());
     };
     let path = folder.join(name);
-    let columns = columns::read(&path, known)
-        .map_err(|error| Wrong { help: help(&path), message: error.to_string() })?;
+    let columns = columns::read(&path, known).map_err(|error| Wrong {
+        help: help(&path),
+        message: error.to_string(),
+        within: None,
+    })?;
     // A resolved case is stored elsewhere and must still find the file.
     let path = std::path::absolute(&path).unwrap_or(path);
     Ok((Value::Table(columns), Some(path)))
@@ -321,6 +357,7 @@ fn table(
 #[cfg(test)]
 mod tests {
     use super::measure;
+    use crate::body::Thermal;
     use crate::body::mesh::MESHES;
     use crate::body::profile::PROFILES;
     use crate::friction::FRICTION;
@@ -349,7 +386,8 @@ mod tests {
             Quantity::Measured { name: "a work per area", unit: "J/m^2" },
             "an example",
         );
-        for parameter in parameters.chain([example]) {
+        let thermal = Thermal::PARAMETERS.iter().copied();
+        for parameter in parameters.chain([example]).chain(thermal) {
             if let Quantity::Measured { .. } = parameter.quantity {
                 let known = measure(parameter.quantity, &Values::default());
                 assert!(known.is_some(), "{parameter:?}");

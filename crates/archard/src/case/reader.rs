@@ -204,8 +204,8 @@ impl Reader<'_> {
                             values.insert(parameter.name, value);
                             files.extend(file.map(|file| (parameter.name, file)));
                         }
-                        Err(quantity::Wrong { message, help }) => {
-                            self.push(Problem { help, ..Problem::error(key, message) });
+                        Err(quantity::Wrong { message, help, within }) => {
+                            self.push(Problem { help, within, ..Problem::error(key, message) });
                         }
                     }
                 }
@@ -220,7 +220,7 @@ impl Reader<'_> {
         for entry in section.table.0.iter().filter(|entry| !declared.contains(&&*entry.name)) {
             match quantity::constant(&entry.node) {
                 Ok(text) => constants.push((entry.name.clone(), text)),
-                Err(quantity::Wrong { message, help }) => {
+                Err(quantity::Wrong { message, help, .. }) => {
                     let key = section.key.child(&entry.name);
                     self.push(Problem { help, ..Problem::error(key, message) });
                 }

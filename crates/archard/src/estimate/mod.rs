@@ -4,6 +4,7 @@
 //! what is prescribed (a [`Course`]). It does not look at pressures that were computed, so that it can be told before a
 //! run and be held against its result. All of it is about smooth bodies with known curvatures ([`Body::curvatures`]).
 
+mod heat;
 mod laws;
 mod rolling;
 mod shifted;
@@ -12,6 +13,7 @@ mod track;
 
 use std::cell::OnceCell;
 
+pub use heat::Warmth;
 pub use rolling::{Rolled, Saturation, Track};
 pub use shifted::{Fretting, FrettingWear, Pressed};
 pub use sliding::WornCap;
@@ -72,6 +74,8 @@ pub struct Estimate {
     pub track: Option<OnTrack>,
     /// Creep forces, stick and wear of bodies that roll.
     pub rolled: Option<Rolled>,
+    /// How warm the contact of surfaces that stream through it gets.
+    pub warmth: Option<Warmth>,
     /// Partial slip of a sphere that is shifted to and fro, and its wear.
     pub fretting: Option<Fretting>,
     /// The stick zone of a sphere that is pressed on a body of other elasticity.
@@ -103,13 +107,15 @@ impl Estimator {
     /// What closed forms say of a subject at some moment.
     pub fn of(&self, subject: &Subject<'_>, course: &Course) -> Estimate {
         let contact = subject.contact(course.control);
+        let rolled = contact.and_then(|contact| Rolled::of(subject, course, contact));
         Estimate {
             curvatures: subject.curvatures(),
             contact_modulus: subject.contact_modulus(),
             contact,
             cap: WornCap::of(subject, course),
             track: OnTrack::of(subject, course),
-            rolled: contact.and_then(|contact| Rolled::of(subject, course, contact)),
+            rolled,
+            warmth: contact.and_then(|contact| Warmth::of(subject, course, (contact, rolled))),
             fretting: Fretting::of(subject, course),
             pressed: Pressed::of(subject, course.control, &self.spence),
         }

@@ -1,6 +1,8 @@
 //! Steady rolling at creepages raised step by step: the curve of forces over creepages.
 
-use super::rolling::{CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPIN};
+use super::rolling::{
+    CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPEED, SPIN,
+};
 use super::{
     APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Schedule, Stepping, control, counted,
     pressing,
@@ -19,6 +21,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LATERAL_FORCE,
         SPIN,
         DIRECTION,
+        SPEED,
         COUNT,
     ],
     build: |values| {

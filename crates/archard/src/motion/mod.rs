@@ -50,7 +50,34 @@ pub struct Passing {
     pub length: Option<f64>,
 }
 
+/// Surfaces whose points come through the contact one after the other, at one speed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stream {
+    /// Where the contact moves over these surfaces.
+    pub direction: Direction,
+    /// Which bodies they belong to; the contact stays where it is on the other one.
+    pub bodies: [bool; 2],
+    /// The speed (m/s): of rolling the mean of both bodies. `None` where it is not known.
+    pub speed: Option<f64>,
+}
+
 impl Motion {
+    /// The surfaces that stream through the contact; `None` where none does, or not at one speed as on a stroke.
+    pub fn stream(&self) -> Option<Stream> {
+        match self {
+            Self::Rolling(Rolling { direction, speed, .. }) => {
+                Some(Stream { direction: *direction, bodies: [true; 2], speed: *speed })
+            }
+            Self::Sliding(Sliding { swing: None, track: Some(track), direction, speed }) => {
+                // Body 2 slides along the direction over body 1: over body 2 the contact moves back.
+                let direction = if track.body == 1 { direction.back() } else { *direction };
+                let bodies = [0, 1].map(|body| body == track.body);
+                (!track.strokes).then_some(Stream { direction, bodies, speed: *speed })
+            }
+            Self::Sliding(_) | Self::Shift(_) => None,
+        }
+    }
+
     /// The surfaces that pass, if any do and may wear.
     pub fn passing(&self) -> Option<Passing> {
         match self {
@@ -98,6 +125,11 @@ impl Motion {
     /// Speed at which bodies slide that slide the same distance everywhere (m/s), where it is known.
     pub fn speed(&self) -> Option<f64> {
         self.sliding()?.speed
+    }
+
+    /// Whether the speed of slip is known where pairs slip.
+    pub fn tells_speed(&self) -> bool {
+        self.speed().is_some() || self.rolling().is_some_and(|rolling| rolling.speed.is_some())
     }
 
     /// Unit vector along which bodies slide that slide the same distance everywhere.

@@ -24,6 +24,7 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         LATERAL_FORCE,
         SPIN,
         DIRECTION,
+        SPEED,
         REVOLUTIONS,
         STEP,
         TOLERANCE,
@@ -81,6 +82,13 @@ pub(super) const DIRECTION: Parameter = Parameter::optional(
     "axis of the frame along which the contact rolls; x if not given",
 );
 
+/// Speed of rolling.
+pub(super) const SPEED: Parameter = Parameter::optional(
+    "speed",
+    Quantity::Speed,
+    "speed of rolling, the mean of both surfaces; only for what goes by the speed or the temperature",
+);
+
 fn direction(values: &Values) -> Direction {
     let word = values.word("direction").unwrap_or("x");
     Direction { axis: usize::from(word.ends_with('y')), reversed: word.starts_with('-') }
@@ -129,6 +137,8 @@ pub struct Rolling {
     pub lateral: Drive,
     /// Spin about n (1/m), positive where the surface of body 2 turns from t1 to t2 beneath body 1.
     pub spin: f64,
+    /// Speed of rolling (m/s), the mean of both surfaces, where it is known.
+    pub speed: Option<f64>,
     /// Whether the longitudinal creepage follows the worn radii of the bodies.
     pub worn_radius: bool,
     /// Whether the drives grow in proportion to the progress, from nothing to what they are here,
@@ -144,6 +154,7 @@ impl Rolling {
             longitudinal: Drive::Creepage(0.0),
             lateral: Drive::Creepage(0.0),
             spin: 0.0,
+            speed: None,
             worn_radius: false,
             swept: false,
         }
@@ -165,6 +176,12 @@ impl Rolling {
     #[must_use]
     pub fn spin(self, spin: f64) -> Self {
         Self { spin, ..self }
+    }
+
+    /// The same at that speed of rolling (m/s).
+    #[must_use]
+    pub fn at_speed(self, speed: f64) -> Self {
+        Self { speed: Some(speed), ..self }
     }
 
     /// The same, its longitudinal creepage following the worn radii.
@@ -214,15 +231,17 @@ impl Rolling {
             };
         }
         SPIN.admit(self.spin)?;
+        self.speed.map(|speed| SPEED.admit(speed)).transpose()?;
         Ok(self)
     }
 
     /// What most rolling motions take.
     pub(super) fn read(values: &Values) -> Result<Self, Invalid> {
-        Ok(Self::along(direction(values))
+        let rolling = Self::along(direction(values))
             .longitudinal(drive(values, "creepage", "force")?)
             .lateral(drive(values, "lateral_creepage", "lateral_force")?)
-            .spin(values.number("spin").unwrap_or(0.0)))
+            .spin(values.number("spin").unwrap_or(0.0));
+        Ok(Self { speed: values.number("speed"), ..rolling })
     }
 
     /// The motion at some progress.

@@ -70,6 +70,14 @@ impl Piecewise {
         self.interval(place).map_or(0.0, |left| self.slope_of(left))
     }
 
+    /// The derivative at a place, from the left; zero beyond the points.
+    pub fn slope_before(&self, place: f64) -> f64 {
+        match self.places.partition_point(|&known| known < place) {
+            next if next == 0 || next == self.places.len() => 0.0,
+            next => self.slope_of(next - 1),
+        }
+    }
+
     /// The integral from a place over a length.
     pub fn integral(&self, from: f64, length: f64) -> f64 {
         // Measured from the place on: a small length far out keeps its digits.
@@ -127,6 +135,8 @@ mod tests {
         let places = [0.0, 1.0, 1.5, 2.0, 3.0, 4.0, 9.0];
         assert_eq!(places.map(|place| tent().at(place)), [0.0, 0.0, 1.0, 2.0, 1.5, 1.0, 1.0]);
         assert_eq!(places.map(|place| tent().slope(place)), [0.0, 2.0, 2.0, -0.5, -0.5, 0.0, 0.0]);
+        let before = places.map(|place| tent().slope_before(place));
+        assert_eq!(before, [0.0, 0.0, 2.0, 2.0, -0.5, -0.5, 0.0]);
     }
 
     /// Areas of triangles and trapezoids: 1 up to 2, 3 up to 4, then 1 a unit.

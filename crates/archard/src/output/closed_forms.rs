@@ -24,6 +24,7 @@ fn blocks(estimate: &Estimate) -> Value {
         ("hertz", hertz(estimate)),
         ("pin_on_disc", pin_on_disc(estimate)),
         ("worn_track", worn_track(estimate)),
+        ("flash_temperature", flash_temperature(estimate)),
     ];
     let rolled = estimate.rolled.map(rolled).into_iter().flatten();
     let shifted = [
@@ -65,6 +66,16 @@ fn worn_track(estimate: &Estimate) -> Option<Value> {
         "contact_length_m": track.worn.extent[0],
         "contact_width_m": track.worn.extent[1],
         "volumes_m3": track.volumes,
+    }))
+}
+
+fn flash_temperature(estimate: &Estimate) -> Option<Value> {
+    let warmth = estimate.warmth?;
+    let [largest, mean] = warmth.rise.map_or([None; 2], |rise| rise.map(Some));
+    Some(json!({
+        "peclet_number": warmth.peclet,
+        "largest_K": largest,
+        "mean_K": mean,
     }))
 }
 

@@ -1,6 +1,7 @@
 //! The fields of a state as a user sees them.
 
 use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::simulation::history::FLASH_TEMPERATURE;
 
 /// A field on the pairs of the frame.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +20,8 @@ impl Field {
 }
 
 /// Pressure, gap, wear of each body and of both, and the worn height of each body; where slip is told from
-/// stick also the tangential traction on body 1, the slip and where the contact sticks.
+/// stick also the tangential traction on body 1, the slip and where the contact sticks; the rise of the temperature by
+/// friction where it is known.
 ///
 /// Heights are measured from the plane of contact along the outward normal of body 1, without
 /// elastic deformation. Body 1 lies below that plane and body 2 above it, so wear lowers the height
@@ -40,6 +42,9 @@ pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     fields.push(Field::new("wear_m", state.total_worn()));
     for (index, body) in problem.bodies.iter().enumerate() {
         fields.push(Field::new(format!("height_{}_m", body.name), heights(problem, state, index)));
+    }
+    if let Some(flash) = problem.flash(state) {
+        fields.push(Field::new(FLASH_TEMPERATURE, flash.rise));
     }
     if let Some(tangential) = &state.tangential {
         fields.extend(friction(problem, state, tangential));

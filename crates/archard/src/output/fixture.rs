@@ -63,6 +63,7 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
         depth: None,
         density: None,
+        thermal: None,
     }
 }
 
@@ -124,6 +125,7 @@ impl Run {
             longitudinal: Drive::Creepage(CREEPAGE),
             lateral: Drive::Creepage(0.0),
             spin: 0.0,
+            speed: None,
             worn_radius: false,
             swept: false,
         };

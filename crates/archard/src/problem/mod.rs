@@ -1,7 +1,9 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod heat;
 mod swung;
 
+pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};
 
 use serde::{Deserialize, Serialize};

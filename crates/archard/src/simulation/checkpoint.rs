@@ -62,6 +62,9 @@ pub(super) fn digest(simulation: &Simulation) -> [u8; 32] {
             body.curvatures(),
             body.depth
         ));
+        if let Some(thermal) = &body.thermal {
+            hash.update(format!("{thermal:?}"));
+        }
     }
     hash.update(format!("{:?}{:?}{schedule:?}", problem.friction, problem.motion));
     hash.update(format!("{:?}{:?}", solver.settings(), friction_solver.settings()));

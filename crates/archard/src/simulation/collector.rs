@@ -8,7 +8,7 @@ use super::Error;
 use super::passing::{Lines, OfLines};
 use crate::motion::Passing;
 use crate::numerics::vector::{self, Values};
-use crate::problem::{ContactProblem, ContactState, Wear};
+use crate::problem::{ContactProblem, ContactState, Flash, Wear};
 
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
 /// linearised, and where friction is too, which in rolling changes with the wear.
@@ -90,8 +90,12 @@ impl<'a> Collector<'a> {
     ) -> Collected {
         let pairs = self.any_stays().then(|| {
             let slides = self.problem.motion.slides();
+            let flash = self.problem.flash_for_laws(state);
+            let warm = flash.as_ref().and_then(Flash::temperatures);
             let rubbing = |(pair, &pressure): (usize, &f64)| {
-                self.problem.rubbing(pressure, distance.at(pair), slides)
+                self.problem
+                    .rubbing(pressure, distance.at(pair), slides)
+                    .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
             };
             let points = state.pressure.iter().enumerate().map(rubbing);
             self.problem

@@ -2,9 +2,10 @@
 //! rub alike on both sides, rolling needs a plane of pairs that particles pass, and a wear law what it asks for.
 
 use super::{Error, Simulation};
+use crate::body::Body;
 use crate::friction::Friction;
 use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Heating};
 use crate::wear::{Input, Per, WearLaw};
 
 /// The axes of the frame.
@@ -42,7 +43,12 @@ impl ContactProblem {
         for body in &self.bodies {
             let Some(law) = &body.wear else { continue };
             let body = || body.name.clone();
-            match lacks(&**law, self.friction.is_some(), &self.motion) {
+            if law.inputs().contains(&Input::Temperature)
+                && let Err(reason) = self.tells_temperature()
+            {
+                return Err(Error::NoTemperature { body: body(), reason });
+            }
+            match lacks(&**law, &self.bodies, self.friction.is_some(), &self.motion) {
                 Some(Input::Speed) => return Err(Error::NoSpeed { body: body() }),
                 Some(Input::Rolled) => return Err(Error::NotRolling { body: body() }),
                 Some(_) => return Err(Error::NoFriction { body: body() }),
@@ -57,10 +63,16 @@ impl ContactProblem {
 }
 
 /// What a wear law asks for and is not there.
-pub(crate) fn lacks(law: &dyn WearLaw, friction: bool, motion: &Motion) -> Option<Input> {
+pub(crate) fn lacks(
+    law: &dyn WearLaw,
+    bodies: &[Body; 2],
+    friction: bool,
+    motion: &Motion,
+) -> Option<Input> {
     law.inputs().iter().copied().find(|input| match input {
         Input::Friction => !friction,
-        Input::Speed => motion.speed().is_none(),
+        Input::Speed => !motion.tells_speed(),
+        Input::Temperature => Heating::for_laws(bodies, motion, friction).is_err(),
         Input::Rolled => motion.rolling().is_none(),
         Input::Vectors | Input::CrossShear | Input::Distance | Input::Depth => false,
     })

@@ -49,6 +49,10 @@ pub const TRACK_WIDTH: &str = "track_width_m";
 pub const STICK_AREA: &str = "stick_area_m2";
 /// Column of the power of friction over the speed of rolling (N): T gamma.
 pub const FRICTIONAL_POWER: &str = "frictional_power_per_speed_N";
+/// Largest rise of the temperature by friction (K).
+pub const FLASH_TEMPERATURE: &str = "flash_temperature_K";
+/// Mean of that rise over the contact (K).
+pub const MEAN_FLASH_TEMPERATURE: &str = "mean_flash_temperature_K";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
 pub const TIME_ERROR: &str = "time_error";
 
@@ -145,6 +149,20 @@ pub const COLUMNS: &[Column] = &[
     }),
     column(FRICTIONAL_POWER, "N", "power of friction over rolling speed", |r, _| {
         rolling(r, |own, rolling| own.creep_power(r.problem, rolling))
+    }),
+    column(
+        FLASH_TEMPERATURE,
+        "K",
+        "largest rise of the surfaces' temperature by friction, where the bodies have `thermal` data",
+        |r, _| Some(maximum(&r.problem.flash(r.state)?.rise)),
+    ),
+    column(MEAN_FLASH_TEMPERATURE, "K", "mean of that rise over the contact", |r, _| {
+        let rise = r.problem.flash(r.state)?.rise;
+        let touching = |pair: &usize| r.state.pressure[*pair] > 0.0;
+        let area = |pair: usize| r.problem.frame.area(pair);
+        let whole: f64 = (0..rise.len()).filter(touching).map(area).sum();
+        let sum: f64 = (0..rise.len()).filter(touching).map(|pair| area(pair) * rise[pair]).sum();
+        Some(if whole > 0.0 { sum / whole } else { 0.0 })
     }),
     column("dissipated_J", "J", "energy that friction dissipated in the cycle so far", |r, _| {
         let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();

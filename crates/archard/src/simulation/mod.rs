@@ -30,9 +30,10 @@ pub use march::March;
 pub use run::Run;
 pub(crate) use swing::solves_of_a_step;
 
+use crate::closed_form::flash_temperature::FAST;
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, NoTemperature};
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 
@@ -255,6 +256,27 @@ pub enum Error {
     NoSpeed {
         /// The body's name.
         body: String,
+    },
+    /// A wear law of the temperature, which is not known.
+    #[error("the wear law of `{body}` goes by the temperature: {reason}")]
+    NoTemperature {
+        /// The body's name.
+        body: String,
+        /// Why it is not known.
+        reason: NoTemperature,
+    },
+    /// A wear law of the temperature, in a contact that is passed too slowly for it to be known.
+    #[error(
+        "at {} the Peclet number of the contact is {peclet:.3}: laws that go by the temperature need {FAST} at least, since the flash temperature of fast surfaces does not hold below",
+        .measure.at(*.progress)
+    )]
+    TooSlow {
+        /// What progress measures.
+        measure: Progress,
+        /// Where (the motion's unit).
+        progress: f64,
+        /// The Peclet number.
+        peclet: f64,
     },
     /// A wear law of the distance rolled, where nothing rolls.
     #[error("the wear law of `{body}` goes by the distance rolled, and the bodies do not roll")]

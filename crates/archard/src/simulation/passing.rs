@@ -10,7 +10,7 @@
 use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::Friction;
 use crate::motion::Motion;
-use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::problem::{ContactProblem, ContactState, Flash, Tangential};
 use crate::wear::{Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
@@ -69,10 +69,20 @@ impl OfLines {
         };
         let all = || vec![flow.advance(); means.len()];
         let rolled = problem.motion.rolling().map(|_| flow.advances().unwrap_or_else(all));
+        let flash = problem.flash_for_laws(state);
+        let warm = flash.as_ref().and_then(|flash| temperatures(flash, problem, flow));
+        // The slip of a passage that was slid only in part was as fast there.
+        let speed = |pair: usize| {
+            let rolling = problem.motion.rolling()?;
+            let [x, y] = direction(pair);
+            Some(rolling.speed? * x.hypot(y) / rolled.as_ref()?[pair])
+        };
         let rubbing = |pair: usize, times: f64| {
             let slip = scale * times * slips[pair];
-            let rolled = rolled.as_ref().map_or(0.0, |rolled| times * rolled[pair]);
-            problem.rubbing(means[pair], slip, direction(pair)).rolling(rolled)
+            let distance = rolled.as_ref().map_or(0.0, |rolled| times * rolled[pair]);
+            let rubbing = problem.rubbing(means[pair], slip, direction(pair)).rolling(distance);
+            let rubbing = speed(pair).map_or(rubbing, |speed| rubbing.at_speed(speed));
+            rubbing.at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
         };
         let points = points.map(|one| rubbing(one.pair, 1.0));
         let on_lines: Vec<f64> = lines
@@ -154,6 +164,15 @@ impl OfLines {
     pub fn deepest(&self) -> f64 {
         (0..self.depths.len()).map(|line| self.total(line)).fold(0.0, f64::max)
     }
+}
+
+/// Temperatures (K) of the surfaces while they are rubbed at each pair, in rolling on the way there.
+fn temperatures(flash: &Flash, problem: &ContactProblem, flow: Flow<'_>) -> Option<Vec<f64>> {
+    if problem.motion.rolling().is_none() {
+        return flash.temperatures();
+    }
+    let bulk = flash.bulk?;
+    Some(flow.on_the_way(&flash.rise).iter().map(|rise| bulk + rise).collect())
 }
 
 /// How far (m) the points of lines slid and how deep (m) they wore on a body, in the middle of so many passages with those

@@ -3,6 +3,7 @@
 use super::collector::{Collected, Collector, Foreseen, Slides};
 use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
+use crate::closed_form::flash_temperature::FAST;
 use crate::compliance::WornLines;
 use crate::motion::{Control, Motion};
 use crate::numerics::vector::{self, Values};
@@ -71,6 +72,7 @@ impl Evolution {
             self.contact_wearing(simulation, increment, &gap, (collector, &foreseen), effort)?;
             made = collect(&self.state);
             if collector.agrees(&foreseen, &self.state, &made) {
+                self.is_fast(problem)?;
                 return Ok(made);
             }
             if collector.lines().is_none() && pass > 0 {
@@ -150,11 +152,25 @@ impl Evolution {
     ) -> Result<(), Error> {
         let collector = Collector::of(&simulation.problem)?;
         let before = simulation.schedule.control_at(self.state.progress);
+        self.is_fast(&simulation.problem)?;
         let made = collector.collect(&self.state, increment.advance);
         collector.wear(&mut self.state, &made);
         self.load_distance +=
             self.distance(simulation, increment, Increment { control: before, ..increment })?;
         self.press(simulation, increment, effort)
+    }
+
+    /// Whether the contact is passed fast enough for laws that go by the temperature, if there are any.
+    fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
+        let peclet = problem.flash_for_laws(&self.state).and_then(|flash| flash.peclet);
+        match peclet.filter(|peclet| *peclet < FAST) {
+            None => Ok(()),
+            Some(peclet) => Err(Error::TooSlow {
+                measure: problem.motion.progress(),
+                progress: self.state.progress,
+                peclet,
+            }),
+        }
     }
 
     /// Deepest wear (m) that an advance under the present contact makes.

@@ -5,6 +5,9 @@
 //! Symbols may carry a prefix ("mm", "GPa"); a symbol that is one by itself is never taken for a
 //! prefixed one ("min" is a minute).
 //!
+//! Degrees Celsius, "20 degC" or "20 °C", are an absolute temperature where they stand alone. In a product, as in
+//! "W/(m degC)", they are a difference, the same as K.
+//!
 //! Powers of ten are applied to the decimal text before it becomes a binary number, so that
 //! "0.45 mm" and "0.00045 m" are the same number to the last bit.
 
@@ -60,6 +63,9 @@ impl Measure {
     /// A frequency (1/s).
     pub const FREQUENCY: Self =
         Self::of(Dimension::FREQUENCY, "a frequency", "5 Hz", ["Hz", "rpm"], "Hz");
+    /// An absolute temperature (K).
+    pub const TEMPERATURE: Self =
+        Self::of(Dimension::TEMPERATURE, "a temperature", "20 degC", ["degC", "K"], "K");
     /// A dimensional wear coefficient (1/Pa).
     pub const WEAR_COEFFICIENT: Self = Self::of(
         Dimension::WEAR_COEFFICIENT,
@@ -104,9 +110,9 @@ impl Measure {
 
     /// Anything of that name, with its article, and SI unit; `None` where that is no unit, or none of SI.
     pub fn in_si(name: &'static str, unit: &'static str) -> Option<Self> {
-        let Unit { dimension, tens, factor } = unit::parse(unit).ok()?;
+        let Unit { dimension, tens, factor, zero } = unit::parse(unit).ok()?;
         let example = Cow::Owned(format!("1 {unit}"));
-        let si = (tens, factor) == (0.0, 1.0);
+        let si = (tens, factor, zero) == (0.0, 1.0, 0.0);
         si.then(|| Self { example, ..Self::of(dimension, name, "", [unit, unit], unit) })
     }
 
@@ -166,6 +172,11 @@ pub enum Error {
         /// What is wrong with it.
         reason: &'static str,
     },
+    /// Degrees Celsius where it is not known to be an absolute temperature.
+    #[error(
+        "degrees Celsius may be a temperature or a difference here: write it in K, 20 degC being 293.15 K"
+    )]
+    NoAbsolute,
     /// A unit of something else.
     #[error("expected {} (for example \"{}\"), found {found}", .expected.name, .expected.example)]
     WrongDimension {
@@ -204,7 +215,7 @@ pub fn read(text: &str, expected: &Measure) -> Result<f64, Error> {
 /// The value in SI of a text like "30 MPa", and what it measures; without a unit, a pure number.
 ///
 /// # Errors
-/// If the text is not a number, or has a unit that is not known.
+/// If the text is not a number, or has a unit that is not known, or degrees Celsius alone.
 pub fn measured(text: &str) -> Result<(f64, Dimension), Error> {
     let text = text.trim();
     let (number, unit) = text.split_at(number_length(text));
@@ -217,6 +228,9 @@ pub fn measured(text: &str) -> Result<(f64, Dimension), Error> {
     }
     let unit = if unit.trim().is_empty() { "1" } else { unit };
     let unit = parse_unit(unit, &Measure::ANY)?;
+    if unit.zero != 0.0 {
+        return Err(Error::NoAbsolute);
+    }
     Ok((scale(number, &unit)?, unit.dimension))
 }
 
@@ -231,6 +245,20 @@ impl Scale {
     /// If the text is not a unit of that measure.
     pub fn read(unit: &str, expected: &Measure) -> Result<Self, Error> {
         read_unit(unit, expected).map(Self)
+    }
+
+    /// Reads any unit, and what it measures.
+    ///
+    /// # Errors
+    /// If the text is not a unit.
+    pub fn read_any(unit: &str) -> Result<(Self, Dimension), Error> {
+        let unit = parse_unit(unit, &Measure::ANY)?;
+        Ok((Self(unit), unit.dimension))
+    }
+
+    /// Whether it is one of absolute temperatures, as degrees Celsius are.
+    pub fn is_absolute(&self) -> bool {
+        self.0.zero != 0.0
     }
 
     /// The value in SI of a number written in that unit; `None` where it is not a finite number.
@@ -265,6 +293,9 @@ fn read_unit(text: &str, expected: &Measure) -> Result<Unit, Error> {
             expected: Box::new(expected.clone()),
             found: unit.dimension,
         });
+    }
+    if unit.zero != 0.0 && *expected != Measure::TEMPERATURE {
+        return Err(Error::NoAbsolute);
     }
     Ok(unit)
 }
@@ -316,6 +347,8 @@ fn scale(number: &str, unit: &Unit) -> Result<f64, Error> {
         1.0 => value,
         factor => value * factor,
     };
+    // Of any other unit the zero is zero, and its values keep their sign.
+    let value = if unit.zero == 0.0 { value } else { value + unit.zero };
     if value.is_finite() { Ok(value) } else { Err(not_finite()) }
 }
 

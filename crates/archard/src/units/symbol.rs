@@ -22,7 +22,12 @@ const SYMBOLS: &[(&str, Dimension, i8, f64)] = &[
     ("W", Dimension::POWER, 0, 1.0),
     ("Hz", Dimension::FREQUENCY, 0, 1.0),
     ("rpm", Dimension::FREQUENCY, 0, 1.0 / 60.0),
+    ("K", Dimension::TEMPERATURE, 0, 1.0),
 ];
+
+/// Degrees Celsius, and their zero (K).
+const CELSIUS: [&str; 2] = ["degC", "°C"];
+const ICE: f64 = 273.15;
 
 /// Prefixes and their powers of ten; the micro sign is there as the Latin and as the Greek letter.
 const PREFIXES: &[(&str, i8)] = &[
@@ -45,8 +50,11 @@ const PREFIXES: &[(&str, i8)] = &[
 pub(super) fn find(text: &str) -> Option<Unit> {
     let whole = |text: &str| {
         let &(_, dimension, tens, factor) = SYMBOLS.iter().find(|symbol| symbol.0 == text)?;
-        Some(Unit { dimension, tens: f64::from(tens), factor })
+        Some(Unit { dimension, tens: f64::from(tens), factor, zero: 0.0 })
     };
+    if CELSIUS.contains(&text) {
+        return Some(Unit { zero: ICE, ..whole("K")? });
+    }
     whole(text).or_else(|| {
         PREFIXES.iter().find_map(|(prefix, tens)| {
             let unit = whole(text.strip_prefix(prefix)?)?;

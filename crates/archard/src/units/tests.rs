@@ -150,3 +150,34 @@ proptest! {
         let _ = read(&format!("1 {unit}"), &Measure::LENGTH);
     }
 }
+
+/// Degrees Celsius alone are absolute, in a product a difference.
+#[test]
+fn temperatures_in_kelvin_and_celsius() {
+    for text in ["20 degC", "20 °C", "20degC", "293.15 K", "293150 mK", "0.29315e3 K", "20 1 degC"]
+    {
+        assert_eq!(read(text, &Measure::TEMPERATURE), Ok(293.15), "{text}");
+    }
+    assert_eq!(read("-273.15 degC", &Measure::TEMPERATURE), Ok(0.0));
+    let conductivity = Measure::in_si("a thermal conductivity", "W/(m K)").unwrap();
+    for text in ["50 W/(m K)", "50 W/(m degC)", "50 W/m/°C", "0.05 kW/(m K)", "0.5 W/(cm K)"] {
+        assert_relative_eq!(read(text, &conductivity).unwrap(), 50.0, max_relative = 1e-15);
+    }
+    let known = read("50 W/(m K)", &Measure::SPEED).unwrap_err().to_string();
+    assert!(known.ends_with("found a thermal conductivity"), "{known}");
+    let column = Scale::read("°C", &Measure::TEMPERATURE).unwrap();
+    assert_eq!(column.apply("-20"), Some(253.14999999999998));
+}
+
+/// A difference, and a constant that may be one, has to be in K.
+#[test]
+fn celsius_is_refused_where_a_difference_may_be_meant() {
+    let difference = Measure::in_si("a difference of temperatures", "K").unwrap();
+    assert_eq!(read("50 K", &difference), Ok(50.0));
+    assert_eq!(read("50 degC", &difference), Err(Error::NoAbsolute));
+    assert_eq!(measured("50 degC"), Err(Error::NoAbsolute));
+    assert_eq!(measured("50 K").map(|one| one.1), Ok(Dimension::TEMPERATURE));
+    let per_degree = measured("0.002 1/degC").unwrap();
+    assert_eq!(per_degree, (0.002, Dimension::TEMPERATURE.to_the(-1.0)));
+    assert!(Measure::in_si("a temperature", "degC").is_none());
+}

@@ -6,7 +6,7 @@ use std::str::Chars;
 use super::dimension::Dimension;
 use super::symbol;
 
-/// A unit: its dimension, and its size in SI as a power of ten times a factor.
+/// A unit: its dimension, its size in SI as a power of ten times a factor, and where it begins to count.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unit {
     /// What it measures.
@@ -15,17 +15,28 @@ pub(super) struct Unit {
     pub tens: f64,
     /// The rest, one for decimal units.
     pub factor: f64,
+    /// The value in SI of its zero: of degrees Celsius by themselves, which count from the melting point of ice. In a product
+    /// they measure differences, which count from zero.
+    pub zero: f64,
 }
 
 impl Unit {
     /// The unit of pure numbers.
-    const ONE: Self = Self { dimension: Dimension::NUMBER, tens: 0.0, factor: 1.0 };
+    const ONE: Self = Self { dimension: Dimension::NUMBER, tens: 0.0, factor: 1.0, zero: 0.0 };
 
     fn times(self, other: Self) -> Self {
+        // A one beside a unit makes no product of it.
+        if other == Self::ONE {
+            return self;
+        }
+        if self == Self::ONE {
+            return other;
+        }
         Self {
             dimension: self.dimension.times(other.dimension),
             tens: self.tens + other.tens,
             factor: self.factor * other.factor,
+            zero: 0.0,
         }
     }
 
@@ -34,6 +45,7 @@ impl Unit {
             dimension: self.dimension.to_the(power),
             tens: self.tens * power,
             factor: self.factor.powf(power),
+            zero: if power == 1.0 { self.zero } else { 0.0 },
         }
     }
 }

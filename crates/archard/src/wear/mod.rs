@@ -20,7 +20,7 @@ use std::fmt::Debug;
 pub use archard::Archard;
 pub use cross_shear::CrossShear;
 pub use energy::Energy;
-pub use expression::Expression;
+pub use expression::{Expression, LookUp};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use power::Power;
@@ -57,6 +57,8 @@ pub enum Input {
     CrossShear,
     /// The speed of sliding.
     Speed,
+    /// The temperature of the surfaces.
+    Temperature,
     /// The distance rolled.
     Rolled,
     /// The distance slid before.

@@ -12,7 +12,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "power",
-    meaning: "powers of pressure and speed: depth = k p0 (p / p0)^m (v / v0)^n s, Archard's with m = 1 and n = 0; any motion, with a speed exponent sliding at a known speed",
+    meaning: "powers of pressure and speed: depth = k p0 (p / p0)^m (v / v0)^n s, Archard's with m = 1 and n = 0; any motion, with a speed exponent one at a known speed",
     parameters: &[
         COEFFICIENT,
         PRESSURE_EXPONENT,

@@ -24,6 +24,8 @@ pub struct Rubbing {
     pub directions: [f64; 3],
     /// Speed of sliding (m/s); zero where it is not known.
     pub speed: f64,
+    /// Temperature of the surfaces (K); zero where it is not known.
+    pub temperature: f64,
     /// Distance (m) that the bodies rolled meanwhile; zero where they do not roll.
     pub rolled: f64,
     /// Distance (m) that the point slid before, under pressure.
@@ -60,6 +62,12 @@ impl Rubbing {
         Self { speed, ..self }
     }
 
+    /// The same at a temperature of the surfaces (K).
+    #[must_use]
+    pub fn at_temperature(self, temperature: f64) -> Self {
+        Self { temperature, ..self }
+    }
+
     /// The same while the bodies rolled a distance (m).
     #[must_use]
     pub fn rolling(self, rolled: f64) -> Self {
@@ -88,7 +96,8 @@ impl Rubbing {
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 
-    /// This and what comes after it, together: pressure, traction and speed are means over the slip.
+    /// This and what comes after it, together: pressure, traction, speed and temperature are means over the
+    /// slip.
     #[must_use]
     pub fn then(self, next: Self) -> Self {
         let slip = self.slip + next.slip;
@@ -105,6 +114,7 @@ impl Rubbing {
             traction: [x, y].map(|[one, other]| mean(one, other)),
             directions: [0, 1, 2].map(|part| self.directions[part] + next.directions[part]),
             speed: mean(self.speed, next.speed),
+            temperature: mean(self.temperature, next.temperature),
             rolled: self.rolled + next.rolled,
             ..self
         }
@@ -147,6 +157,8 @@ pub struct Columns {
     pub cross_shear: Vec<f64>,
     /// Speed of sliding (m/s).
     pub speed: Vec<f64>,
+    /// Temperature of the surfaces (K).
+    pub temperature: Vec<f64>,
     /// Distance rolled (m).
     pub rolled: Vec<f64>,
     /// Distance slid before (m).
@@ -162,7 +174,8 @@ impl Columns {
         let friction = asks(Input::Friction);
         let vectors = asks(Input::Vectors);
         let crossing = asks(Input::CrossShear);
-        let [speed, rolled] = [Input::Speed, Input::Rolled].map(asks);
+        let [speed, temperature, rolled] =
+            [Input::Speed, Input::Temperature, Input::Rolled].map(asks);
         let [distance, depth] = [Input::Distance, Input::Depth].map(asks);
         let mut columns = Self::default();
         for point in points {
@@ -183,6 +196,9 @@ impl Columns {
             }
             if speed {
                 columns.speed.push(point.speed);
+            }
+            if temperature {
+                columns.temperature.push(point.temperature);
             }
             if rolled {
                 columns.rolled.push(point.rolled);
@@ -221,6 +237,7 @@ impl Columns {
             traction: self.traction.each_ref().map(of),
             directions: crossing.map(|part| part * self.pressure[point] * self.slip[point]),
             speed: of(&self.speed),
+            temperature: of(&self.temperature),
             rolled: of(&self.rolled),
             distance: of(&self.distance),
             depth: of(&self.depth),

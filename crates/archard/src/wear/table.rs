@@ -1,7 +1,7 @@
 //! Archard's law with a coefficient from a table.
 //!
-//! k is known at points of one quantity: the distance that a point has slid, the depth it has worn, the pressure or the
-//! speed. It is straight between them and held beyond the first and the last. Over the distance it is integrated exactly;
+//! k is known at points of one quantity: the distance that a point has slid, the depth it has worn, the pressure, the
+//! speed or the temperature. It is straight between them and held beyond the first and the last. Over the distance it is integrated exactly;
 //! over the depth it is that before the step. Finite element programs tabulate it in the same way (Abaqus, *surface wear*).
 //!
 //! Limits: over the depth a step has to be short beside the depths of the table. Over the pressure the depth must not fall
@@ -13,7 +13,7 @@ use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "table",
-    meaning: "Archard with a coefficient from a table over distance, depth, pressure or speed: depth = k p s; any motion, over the speed sliding at a known one",
+    meaning: "Archard with a coefficient from a table over distance, depth, pressure, speed or temperature: depth = k p s; any motion that supplies it",
     parameters: &[Parameter::required(
         "file",
         Quantity::Table(&[
@@ -22,20 +22,20 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
             ("depth", Quantity::Length),
             ("pressure", Quantity::Pressure),
             ("speed", Quantity::Speed),
+            ("temperature", Quantity::Temperature),
         ]),
-        "CSV with a column `coefficient` and one of `distance`, `depth`, `pressure` and `speed`, units in the header",
+        "CSV with a column `coefficient` and one of `distance`, `depth`, `pressure`, `speed` and `temperature`, units in the header",
     )],
     build: |values| {
         let columns = values.table("file").unwrap_or_default();
         let column = |name: &str| columns.iter().find(|known| known.0 == name);
-        let over = [Over::Distance, Over::Depth, Over::Pressure, Over::Speed];
-        let mut given = over.into_iter().filter_map(|over| Some((over, column(over.name())?)));
+        let mut given = Over::ALL.into_iter().filter_map(|over| Some((over, column(over.name())?)));
         match (columns.len(), column("coefficient"), given.next()) {
             (2, Some((_, coefficients)), Some((over, (_, places)))) => {
                 Ok(Box::new(Table::new(over, places, coefficients)?))
             }
             _ => Err(wrong(
-                "the columns must be `coefficient` and one of `distance`, `depth`, `pressure` and `speed`",
+                "the columns must be `coefficient` and one of `distance`, `depth`, `pressure`, `speed` and `temperature`",
             )),
         }
     },
@@ -52,9 +52,15 @@ pub enum Over {
     Pressure,
     /// The speed of sliding (m/s).
     Speed,
+    /// The temperature of the surfaces (K).
+    Temperature,
 }
 
 impl Over {
+    /// All of them.
+    const ALL: [Self; 5] =
+        [Self::Distance, Self::Depth, Self::Pressure, Self::Speed, Self::Temperature];
+
     /// The name of its column.
     fn name(self) -> &'static str {
         match self {
@@ -62,6 +68,7 @@ impl Over {
             Self::Depth => "depth",
             Self::Pressure => "pressure",
             Self::Speed => "speed",
+            Self::Temperature => "temperature",
         }
     }
 }
@@ -74,7 +81,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The law with wear coefficients (1/Pa) at rising places (m, Pa or m/s).
+    /// The law with wear coefficients (1/Pa) at rising places (m, Pa, m/s or K).
     ///
     /// # Errors
     /// If the lists differ in length or are empty, a number is not finite or negative, places do not rise, or the
@@ -93,12 +100,13 @@ impl Table {
 
     /// Depth under a unit pressure (m/Pa).
     fn of_unit_pressure(&self, rubbing: Rubbing) -> f64 {
-        let Rubbing { pressure, slip, speed, distance, depth, .. } = rubbing;
+        let Rubbing { pressure, slip, speed, temperature, distance, depth, .. } = rubbing;
         match self.over {
             Over::Distance => self.coefficients.integral(distance, slip),
             Over::Depth => self.coefficients.at(depth) * slip,
             Over::Pressure => self.coefficients.at(pressure) * slip,
             Over::Speed => self.coefficients.at(speed) * slip,
+            Over::Temperature => self.coefficients.at(temperature) * slip,
         }
     }
 }
@@ -110,6 +118,7 @@ impl WearLaw for Table {
             Over::Depth => &[Input::Depth],
             Over::Pressure => &[],
             Over::Speed => &[Input::Speed],
+            Over::Temperature => &[Input::Temperature],
         }
     }
 
@@ -146,11 +155,12 @@ mod tests {
     /// k = 2 x between 1 and 3: held at 2 before and at 6 beyond.
     #[test]
     fn the_coefficient_is_that_of_the_table() {
-        let rubbing = Rubbing::new(2.0, 4.0).at_speed(1.5).after(0.0, 9.0);
+        let rubbing = Rubbing::new(2.0, 4.0).at_speed(1.5).at_temperature(2.5).after(0.0, 9.0);
         // 2 over the first metre, 4 in the mean over two, 6 over the last.
         assert_relative_eq!(law(Over::Distance).depth(rubbing), 2.0 * (2.0 + 8.0 + 6.0));
         assert_relative_eq!(law(Over::Depth).depth(rubbing), 2.0 * 4.0 * 6.0);
         assert_relative_eq!(law(Over::Speed).depth(rubbing), 2.0 * 4.0 * 3.0);
+        assert_relative_eq!(law(Over::Temperature).depth(rubbing), 2.0 * 4.0 * 5.0);
         assert_relative_eq!(law(Over::Pressure).depth(rubbing), 2.0 * 4.0 * 4.0);
         // (2 p^2)' = 4 p
         assert_relative_eq!(law(Over::Pressure).slope(rubbing), 4.0 * 2.0 * 4.0);

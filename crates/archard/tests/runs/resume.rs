@@ -8,7 +8,7 @@ use archard::problem::ContactState;
 use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
 
 /// Cases with settings, one of each way through the engine.
-const CASES: [(&str, &[&str]); 15] = [
+const CASES: [(&str, &[&str]); 16] = [
     ("pin_on_disc", &["frame.elements=[12, 12]", "motion.sliding.step=90 mm"]),
     (
         "pin_on_disc",
@@ -86,6 +86,8 @@ const CASES: [(&str, &[&str]); 15] = [
             "motion.sliding.tolerance=0.1",
         ],
     ),
+    // A law that goes by the temperature of the contact.
+    ("warm_twin_disc", &["frame.elements=40", "motion.rolling.step=30"]),
 ];
 
 fn build((case, settings): (&str, &[&str])) -> Simulation {

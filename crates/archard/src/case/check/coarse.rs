@@ -69,6 +69,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
         wear: None,
         depth: None,
         density: None,
+        thermal: None,
     };
     mean(&body).ok()
 }
@@ -84,6 +85,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         wear: None,
         depth: None,
         density: None,
+        thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)
         .map_err(simulation::BuildError::from)?;

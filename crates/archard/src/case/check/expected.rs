@@ -5,7 +5,7 @@ use std::fmt::{self, Formatter};
 use super::words::{length, pressure, three};
 use crate::closed_form::worn_track::WornTrack;
 use crate::estimate::{
-    Contact, Estimate, Fretting, FrettingWear, OnTrack, Pressed, Rolled, Track, WornCap,
+    Contact, Estimate, Fretting, FrettingWear, OnTrack, Pressed, Rolled, Track, Warmth, WornCap,
 };
 
 /// The contact and its friction, with the elements across it along x and y.
@@ -28,6 +28,9 @@ pub(super) fn write_contact(
     }
     if let Some(rolled) = &estimate.rolled {
         rolled_in_words(f, rolled)?;
+    }
+    if let Some(warmth) = &estimate.warmth {
+        warmth_in_words(f, warmth)?;
     }
     if let Some(fretting) = &estimate.fretting {
         fretting_in_words(f, fretting)?;
@@ -100,6 +103,17 @@ fn rolled_in_words(f: &mut Formatter<'_>, rolled: &Rolled) -> fmt::Result {
         writeln!(f, "free rolling      creepage {} (cylinders, mu to 0)", three(creepage))?;
     }
     Ok(())
+}
+
+fn warmth_in_words(f: &mut Formatter<'_>, warmth: &Warmth) -> fmt::Result {
+    let peclet = three(warmth.peclet);
+    match warmth.rise.map(|rise| rise.map(three)) {
+        Some([largest, mean]) => writeln!(
+            f,
+            "flash temperature {largest} K at most, {mean} K in the mean (unworn, Peclet number {peclet})"
+        ),
+        None => writeln!(f, "Peclet number     {peclet}"),
+    }
 }
 
 fn track_in_words(f: &mut Formatter<'_>, track: &Track) -> fmt::Result {

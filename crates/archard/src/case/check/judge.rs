@@ -1,7 +1,7 @@
 //! What is doubtful about a case, in words.
 
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Finiteness, Forecast, Parts, Solves, density, rolling, shift, track};
+use super::{Finiteness, Forecast, Parts, Solves, density, heat, rolling, shift, track};
 use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -30,6 +30,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let mut problems = rubbing(parts);
     problems.extend(track::problems(parts, forecast));
     problems.extend(density::problems(parts));
+    problems.extend(heat::problems(parts, forecast));
     problems.extend(useless_friction(parts));
     problems.extend(lacking(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
@@ -72,17 +73,19 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
 
 /// Friction where the motion does not ask for it.
 fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
-    let asked = parts
-        .bodies
-        .iter()
-        .filter_map(|body| body.wear.as_deref())
-        .any(|law| law.inputs().contains(&Input::Friction));
+    let asked = parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| {
+        law.inputs().iter().any(|one| matches!(one, Input::Friction | Input::Temperature))
+    });
     let swings = parts.motion.swing().is_some();
-    (parts.friction.is_some() && !asked && !swings && !parts.motion.slips_partly()).then(|| {
-        let name = parts.case.motion.choice.name;
-        let message = format!("has no effect in `motion.{name}`: all of the contact slides");
-        Problem::warning(Key::of(["friction"]), message).at_name()
-    })
+    // What their own warnings or errors speak of, where it has no effect.
+    let warms = parts.bodies.iter().any(|body| body.thermal.is_some());
+    (parts.friction.is_some() && !asked && !swings && !warms && !parts.motion.slips_partly()).then(
+        || {
+            let name = parts.case.motion.choice.name;
+            let message = format!("has no effect in `motion.{name}`: all of the contact slides");
+            Problem::warning(Key::of(["friction"]), message).at_name()
+        },
+    )
 }
 
 /// Wear laws that ask for something that is not there.
@@ -92,7 +95,8 @@ fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
         let at = |message: &str, help: &str| {
             Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help)
         };
-        let Some(missing) = lacks(law, parts.friction.is_some(), &parts.motion) else {
+        let friction = parts.friction.is_some();
+        let Some(missing) = lacks(law, &parts.bodies, friction, &parts.motion) else {
             return lacks_cycles(law, &parts.motion).then(|| {
                 at(
                     "takes a whole cycle at once, and bodies that slide on the same spot have none",
@@ -105,6 +109,7 @@ fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
                 "goes by the speed of sliding, which the motion does not tell",
                 "give the `speed`, or the `time`, of a motion that takes it",
             ),
+            Input::Temperature => return heat::unknown(parts, body),
             Input::Rolled => (
                 "goes by the distance rolled, and the bodies do not roll",
                 "this law is one of `motion.rolling`",

@@ -11,6 +11,7 @@ mod forecast;
 mod foreseen;
 mod free;
 mod geometry;
+mod heat;
 mod inside;
 mod judge;
 mod line;

@@ -1,6 +1,6 @@
 //! The bodies of a case.
 
-use crate::body::{Body, Elasticity, Material, profile::PROFILES};
+use crate::body::{Body, Elasticity, Material, Thermal, profile::PROFILES};
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
@@ -23,6 +23,7 @@ const KEYS: &[&str] = &[
     "wear",
     "depth",
     "density",
+    "thermal",
 ];
 
 impl Reader<'_> {
@@ -93,6 +94,7 @@ impl Reader<'_> {
             None => Some(None),
             Some((key, entry)) => self.number(key, &entry.node, Body::DENSITY.quantity).map(Some),
         };
+        let thermal = self.thermal(&section);
         if let (Some(None), Some(Some(_))) = (&material, &finite) {
             let message = "a rigid body does not deform: give its shape as a `profile` instead";
             self.push(Problem::error(section.key.child("mesh"), message).at_name());
@@ -115,6 +117,7 @@ impl Reader<'_> {
             wear: wear?,
             depth: depth?,
             density: density?,
+            thermal: thermal?,
         })
         .filter(|_| named)
     }
@@ -134,6 +137,24 @@ impl Reader<'_> {
         let (values, _) = self.values(&section, Material::PARAMETERS);
         let (young, poisson) = (values.number("young")?, values.number("poisson")?);
         Some(Some(Material { young, poisson }))
+    }
+
+    /// How a body conducts heat, `Some(None)` where nothing is said; `None` if it is wrong.
+    fn thermal(&mut self, body: &Section<'_>) -> Option<Option<Thermal>> {
+        let Some((key, entry)) = body.get("thermal") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        let before = self.problems.len();
+        let (values, _) = self.values(&section, Thermal::PARAMETERS);
+        if self.problems.len() > before {
+            return None;
+        }
+        match Thermal::read(&values) {
+            Ok(thermal) => Some(Some(thermal)),
+            Err(invalid) => {
+                self.invalid(&section, invalid);
+                None
+            }
+        }
     }
 
     /// The wear law, `Some(None)` where there is none; `None` if it is wrong.

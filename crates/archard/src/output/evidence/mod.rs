@@ -46,6 +46,8 @@ pub(super) struct Evidence {
     volume: Option<f64>,
     /// Alternation and spikes of the pressures at outputs, relative to the largest.
     roughness: Option<f64>,
+    /// The smallest Peclet number of a contact that is warmed.
+    peclet: Option<f64>,
 }
 
 impl Evidence {
@@ -84,6 +86,9 @@ impl Evidence {
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
         worst(&mut self.energy, self.cycle.take(report, row));
         self.volume = volume(report, row);
+        if let Some(peclet) = problem.flash(state).and_then(|flash| flash.peclet) {
+            self.peclet = Some(self.peclet.map_or(peclet, |known| known.min(peclet)));
+        }
         if report.output {
             worst(&mut self.roughness, roughness::of(problem, &state.pressure));
         }
@@ -103,6 +108,7 @@ impl Evidence {
             self.energy.map(verdict::energy),
             self.volume.map(verdict::volume),
             self.roughness.map(verdict::roughness),
+            self.peclet.map(verdict::heat),
         ];
         let balance = balance.into_iter().flatten();
         Verdict { lines: lines.into_iter().flatten().chain(balance).collect() }

@@ -1,7 +1,7 @@
 //! What the parts of a formula measure.
 
 use super::Scope;
-use super::parser::{Function, Mistake, Node, Sign, Term};
+use super::parser::{File, Function, Mistake, Node, Sign, Term};
 use super::tape::Tape;
 use crate::units::Dimension;
 
@@ -56,6 +56,7 @@ fn kind(node: &Node, scope: &Scope) -> Result<Kind, Mistake> {
         Term::Not(of) => condition(of, scope),
         Term::Pair(sign, parts) => pair(node, *sign, parts, scope),
         Term::Call(function, arguments) => call(node, *function, arguments, scope),
+        Term::LookUp(file, of) => look_up(file, of, scope),
     }
 }
 
@@ -128,6 +129,28 @@ fn call(
             Ok(NUMBER)
         }
     }
+}
+
+/// What is looked up in a file, where the place is one of its own.
+fn look_up(file: &File, of: &Node, scope: &Scope) -> Result<Kind, Mistake> {
+    let table = scope.table(file)?;
+    let [places, values] = table.dimensions;
+    let found = value(of, scope)?;
+    if !found.agrees_with(places) {
+        let message = format!("`{}` is over {places}, and this is {found}", file.name);
+        return Err(Mistake::new(of.at.clone(), message));
+    }
+    let temperature = |name: &str| scope.dimension(name) == Some(Dimension::TEMPERATURE);
+    let itself = matches!(&of.term, Term::Name(name) if temperature(name));
+    if table.absolute && !itself {
+        let message = format!(
+            "`{}` is over temperatures in degrees Celsius, and this may be a difference",
+            file.name
+        );
+        return Err(Mistake::new(of.at.clone(), message)
+            .help("look up `temperature` itself, or write the column in K"));
+    }
+    Ok(Kind::Value(values))
 }
 
 /// What parts are that must be of one dimension.

@@ -7,6 +7,7 @@
 //! Limits: a formula that keeps to all that at the points tried may break it elsewhere.
 
 mod dimension;
+mod look_up;
 mod parser;
 mod tape;
 #[cfg(test)]
@@ -18,12 +19,13 @@ use std::ops::Range;
 use super::{Columns, Input, Per, Rubbing, WearLaw};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
-use parser::Mistake;
+pub use look_up::LookUp;
+use parser::{File, Mistake};
 use tape::{Inputs, Tape, Variable};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
-    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, distance, worn and rolled; any motion that supplies what it names",
+    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, temperature, distance, worn and rolled; any motion that supplies what it names",
     parameters: &[
         Parameter::required("depth", Quantity::Formula, "formula of the depth, a length"),
         Parameter::optional(
@@ -38,13 +40,14 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         ),
     ],
     build: |values| {
-        let formula = values.word("depth").unwrap_or_default();
+        let (formula, files) = values.formula("depth").unwrap_or_default();
         let per = match values.word("per") {
             Some("cycle") => Per::Cycle,
             _ => Per::Increment,
         };
         let constants = values.constants("NAME").iter().map(|(name, text)| (&**name, &**text));
-        Ok(Box::new(Expression::new(formula, &constants.collect::<Vec<_>>(), per)?))
+        let tables = files.iter().map(|file| (&*file.file, LookUp::of(file))).collect();
+        Ok(Box::new(Expression::built(formula, &constants.collect::<Vec<_>>(), tables, per)?))
     },
 };
 
@@ -55,6 +58,7 @@ const VARIABLES: &[(&str, Variable, Dimension, &str)] = &[
     ("work", Variable::Work, Dimension::LOAD_PER_LENGTH, "J/m^2"),
     ("mu", Variable::Coefficient, Dimension::NUMBER, ""),
     ("v", Variable::Speed, Dimension::SPEED, "m/s"),
+    ("temperature", Variable::Temperature, Dimension::TEMPERATURE, "K"),
     ("distance", Variable::Distance, Dimension::LENGTH, "m"),
     ("worn", Variable::Depth, Dimension::LENGTH, "m"),
     ("rolled", Variable::Rolled, Dimension::LENGTH, "m"),
@@ -74,8 +78,8 @@ impl Expression {
     /// 1/Pa")`.
     ///
     /// The formula gives the depth (m) from the pressure `p` (Pa), the distance slid `s` (m), the `work` of friction
-    /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `distance` slid
-    /// before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
+    /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `temperature` of the
+    /// surfaces (K), the `distance` slid before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
     /// Where nothing presses or slides, `mu` is the slope of the friction limit.
     ///
     /// # Errors
@@ -84,7 +88,33 @@ impl Expression {
     /// negative, not zero without pressure or slip, or falls as the pressure grows. [Per increment](Per::Increment), if two
     /// halves of a slip do not wear what the whole does.
     pub fn new(formula: &str, constants: &[(&str, &str)], per: Per) -> Result<Self, Invalid> {
-        let mut scope = Scope::default();
+        Self::built(formula, constants, vec![], per)
+    }
+
+    /// The same with tables, each with the name that `table('NAME', x)` calls it by in the formula: the value at x.
+    ///
+    /// # Errors
+    /// As [`Expression::new`], and if the formula names a table that is not there, or looks up something of another
+    /// dimension.
+    pub fn with_tables(
+        formula: &str,
+        constants: &[(&str, &str)],
+        tables: &[(&str, LookUp)],
+        per: Per,
+    ) -> Result<Self, Invalid> {
+        let tables = tables.iter().map(|(name, table)| (*name, Ok(table.clone()))).collect();
+        Self::built(formula, constants, tables, per)
+    }
+
+    /// The law, of tables that may be none.
+    fn built(
+        formula: &str,
+        constants: &[(&str, &str)],
+        tables: Vec<(&str, Result<LookUp, String>)>,
+        per: Per,
+    ) -> Result<Self, Invalid> {
+        let tables = tables.into_iter().map(|(name, table)| (name.to_owned(), table)).collect();
+        let mut scope = Scope { constants: vec![], tables };
         for (name, text) in constants {
             scope.add(name, text)?;
         }
@@ -121,6 +151,7 @@ fn inputs(tape: &Tape) -> Vec<Input> {
             Variable::Pressure | Variable::Slip => continue,
             Variable::Work | Variable::Coefficient => Input::Friction,
             Variable::Speed => Input::Speed,
+            Variable::Temperature => Input::Temperature,
             Variable::Distance => Input::Distance,
             Variable::Depth => Input::Depth,
             Variable::Rolled => Input::Rolled,
@@ -136,6 +167,8 @@ fn inputs(tape: &Tape) -> Vec<Input> {
 #[derive(Debug, Default)]
 struct Scope {
     constants: Vec<Constant>,
+    /// Tables by the names of their files; what is wrong with one counts where the formula names it.
+    tables: Vec<(String, Result<LookUp, String>)>,
 }
 
 #[derive(Debug)]
@@ -179,6 +212,20 @@ impl Scope {
         variable.or(constant.map(|known| known.dimension))
     }
 
+    /// The table of a file.
+    fn table(&self, file: &File) -> Result<&LookUp, Mistake> {
+        let known = self.tables.iter().find(|(name, _)| *name == file.name);
+        match known {
+            Some((_, Ok(table))) => Ok(table),
+            Some((_, Err(message))) => {
+                Err(Mistake::new(file.at.clone(), format!("`{}`: {message}", file.name)))
+            }
+            None => {
+                Err(Mistake::new(file.at.clone(), format!("there is no table `{}`", file.name)))
+            }
+        }
+    }
+
     /// A name that is neither.
     fn unknown(&self, name: &str, at: Range<usize>) -> Mistake {
         let names = |names: Vec<&str>| names.join(", ");
@@ -215,6 +262,7 @@ impl WearLaw for Expression {
             work: &points.work,
             friction: &points.friction,
             speed: &points.speed,
+            temperature: &points.temperature,
             distance: &points.distance,
             depth: &points.depth,
             rolled: &points.rolled,
@@ -232,6 +280,7 @@ fn one(rubbing: &Rubbing) -> Inputs<'_> {
         work: column(&rubbing.work),
         friction: column(&rubbing.friction),
         speed: column(&rubbing.speed),
+        temperature: column(&rubbing.temperature),
         distance: column(&rubbing.distance),
         depth: column(&rubbing.depth),
         rolled: column(&rubbing.rolled),

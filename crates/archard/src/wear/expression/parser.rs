@@ -43,6 +43,7 @@ impl Node {
             Term::Negative(of) | Term::Not(of) => of.names(name),
             Term::Pair(_, parts) => parts.iter().any(|part| part.names(name)),
             Term::Call(_, arguments) => arguments.iter().any(|part| part.names(name)),
+            Term::LookUp(_, of) => of.names(name),
         }
     }
 }
@@ -56,6 +57,15 @@ pub(super) enum Term {
     Not(Box<Node>),
     Pair(Sign, Box<[Node; 2]>),
     Call(Function, Vec<Node>),
+    /// A value looked up in a file at that place.
+    LookUp(File, Box<Node>),
+}
+
+/// The name of a file in quotes, and where it stands with them.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct File {
+    pub name: String,
+    pub at: Range<usize>,
 }
 
 /// An operator between two parts.
@@ -154,9 +164,14 @@ impl Function {
     }
 }
 
+/// The function that looks values up in a file.
+const TABLE: &str = "table";
+const TABLE_HELP: &str = "write `table(\'k.csv\', p)`: the file in quotes, and what to look up";
+
 /// Whether a name means something in every formula, variables apart.
 pub(super) fn is_reserved(name: &str) -> bool {
-    matches!(name, "and" | "or" | "not") || Function::ALL.iter().any(|(known, _)| *known == name)
+    matches!(name, "and" | "or" | "not" | TABLE)
+        || Function::ALL.iter().any(|(known, _)| *known == name)
 }
 
 /// Bytes of the longest formula, and parts within parts that are still read.
@@ -184,6 +199,7 @@ pub(super) fn parse(text: &str) -> Result<Node, Mistake> {
 enum Token {
     Number(f64),
     Name(String),
+    File(String),
     Sign(Sign),
     Open,
     Close,
@@ -205,6 +221,13 @@ fn tokens(text: &str) -> Result<Vec<(Range<usize>, Token)>, Mistake> {
             '(' => (1, Token::Open),
             ')' => (1, Token::Close),
             ',' => (1, Token::Comma),
+            quote @ ('"' | '\'') => {
+                let Some(length) = rest[1..].find(quote) else {
+                    let message = "this name of a file is not closed";
+                    return Err(Mistake::new(start..text.len(), message));
+                };
+                (length + 2, Token::File(rest[1..=length].to_owned()))
+            }
             '0'..='9' | '.' => {
                 let length = number_length(rest);
                 let at = start..start + length;
@@ -326,12 +349,19 @@ impl Parser<'_> {
                 let close = self.close(&at)?;
                 Ok(Node { at: at.start..close.end, ..inside })
             }
+            Token::File(_) => {
+                let message = "the name of a file stands in `table` only";
+                Err(Mistake::new(at, message).help(TABLE_HELP))
+            }
             Token::Sign(_) | Token::Close | Token::Comma => Err(Mistake::new(at, expected)),
         }
     }
 
     /// A name, or a call of the function of that name.
     fn named(&mut self, name: String, at: Range<usize>) -> Result<Node, Mistake> {
+        if name == TABLE {
+            return self.look_up(at);
+        }
         let function = Function::ALL.iter().find(|(known, _)| *known == name);
         let open = self.take_if(&Token::Open);
         match (function, open) {
@@ -341,7 +371,8 @@ impl Parser<'_> {
                 Err(Mistake::new(at, message))
             }
             (None, Some(_)) => {
-                let names: Vec<&str> = Function::ALL.iter().map(|(name, _)| *name).collect();
+                let functions = Function::ALL.iter().map(|(name, _)| *name);
+                let names: Vec<&str> = functions.chain([TABLE]).collect();
                 Err(Mistake::new(at, format!("`{name}` is not a known function"))
                     .help(format!("known here: {}", names.join(", "))))
             }
@@ -359,6 +390,19 @@ impl Parser<'_> {
         }
     }
 
+    /// `table`, the name of a file and what to look up there.
+    fn look_up(&mut self, at: Range<usize>) -> Result<Node, Mistake> {
+        let wrong = |at| Err(Mistake::new(at, "`table` takes a file and a value").help(TABLE_HELP));
+        let Some(open) = self.take_if(&Token::Open) else { return wrong(at) };
+        let Some((name_at, Token::File(name))) = self.take() else { return wrong(at) };
+        if self.take_if(&Token::Comma).is_none() {
+            return wrong(at);
+        }
+        let of = self.part(0)?;
+        let at = at.start..self.close(&open)?.end;
+        Ok(Node { at, term: Term::LookUp(File { name, at: name_at }, Box::new(of)) })
+    }
+
     /// The end of what was opened there.
     fn close(&mut self, open: &Range<usize>) -> Result<Range<usize>, Mistake> {
         match self.peek() {
@@ -366,7 +410,7 @@ impl Parser<'_> {
                 self.next += 1;
                 Ok(at)
             }
-            Some((at, Token::Number(_) | Token::Name(_) | Token::Open)) => {
+            Some((at, Token::Number(_) | Token::Name(_) | Token::File(_) | Token::Open)) => {
                 Err(Mistake::new(at, "an operator like + or * should stand before this"))
             }
             _ => Err(Mistake::new(open.clone(), "this parenthesis is not closed")),

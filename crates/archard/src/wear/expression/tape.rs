@@ -6,6 +6,7 @@
 
 use super::Scope;
 use super::parser::{Function, Node, Sign, Term};
+use crate::numerics::piecewise::Piecewise;
 
 /// What a point goes through, as formulas may name it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +16,7 @@ pub(super) enum Variable {
     Work,
     Coefficient,
     Speed,
+    Temperature,
     Distance,
     Depth,
     Rolled,
@@ -36,6 +38,7 @@ pub(super) struct Inputs<'a> {
     /// How the limit of friction grows with the pressure.
     pub friction: &'a [f64],
     pub speed: &'a [f64],
+    pub temperature: &'a [f64],
     pub distance: &'a [f64],
     pub depth: &'a [f64],
     pub rolled: &'a [f64],
@@ -78,6 +81,8 @@ enum Operation {
     Variable(Variable),
     Unary(Unary, usize),
     Binary(Binary, usize, usize),
+    /// The value of a table at a place.
+    LookUp(usize, usize),
     /// The second where the first is not zero, else the third.
     Select(usize, usize, usize),
 }
@@ -95,6 +100,7 @@ pub(super) struct Tape {
     operations: Vec<Operation>,
     /// Whether each changes with the pressure.
     varies: Vec<bool>,
+    tables: Vec<Piecewise>,
     result: usize,
 }
 
@@ -105,7 +111,7 @@ impl Tape {
     /// The operations of a formula. What does not depend on any variable is computed here, what stands twice is computed
     /// once.
     pub fn new(node: &Node, scope: &Scope) -> Self {
-        let mut tape = Self { operations: vec![], varies: vec![], result: 0 };
+        let mut tape = Self { operations: vec![], varies: vec![], tables: vec![], result: 0 };
         tape.result = tape.lay(node, scope);
         tape
     }
@@ -149,6 +155,19 @@ impl Tape {
                 }
             }
             Term::Call(function, arguments) => self.call(*function, arguments, scope),
+            Term::LookUp(file, of) => {
+                let place = self.lay(of, scope);
+                // One that is not there was refused before.
+                let Ok(table) = scope.table(file) else {
+                    return self.push(Operation::Constant(f64::NAN));
+                };
+                let known = self.tables.iter().position(|known| *known == table.function);
+                let table = known.unwrap_or_else(|| {
+                    self.tables.push(table.function.clone());
+                    self.tables.len() - 1
+                });
+                self.push(Operation::LookUp(table, place))
+            }
         }
     }
 
@@ -205,7 +224,7 @@ impl Tape {
         self.varies.push(match operation {
             Operation::Constant(_) => false,
             Operation::Variable(variable) => variable.varies(),
-            Operation::Unary(_, a) => self.varies[a],
+            Operation::Unary(_, a) | Operation::LookUp(_, a) => self.varies[a],
             Operation::Binary(_, a, b) => self.varies[a] || self.varies[b],
             Operation::Select(_, a, b) => self.varies[a] || self.varies[b],
         });
@@ -219,6 +238,7 @@ impl Tape {
         let value = match operation {
             Operation::Unary(unary, a) => dual(a).map(|a| one(unary, a)),
             Operation::Binary(binary, a, b) => dual(a).zip(dual(b)).map(|(a, b)| two(binary, a, b)),
+            Operation::LookUp(table, a) => dual(a).map(|a| looked_up(&self.tables[table], a)),
             Operation::Select(condition, a, b) => {
                 dual(condition).and_then(|c| dual(if c.value != 0.0 { a } else { b }))
             }
@@ -252,12 +272,12 @@ impl Tape {
             for place in 0..self.operations.len() {
                 let (before, rest) = lanes.split_at_mut(place);
                 rest[0].set(
+                    &self.tables,
                     self.operations[place],
                     self.varies[place],
                     before,
                     inputs,
-                    first,
-                    count,
+                    (first, count),
                 );
             }
             let result = &lanes[self.result];
@@ -279,12 +299,12 @@ impl<const N: usize> Lane<N> {
     #[inline]
     fn set(
         &mut self,
+        tables: &[Piecewise],
         operation: Operation,
         varies: bool,
         before: &[Self],
         inputs: &Inputs,
-        first: usize,
-        count: usize,
+        (first, count): (usize, usize),
     ) {
         match operation {
             Operation::Constant(_) => {}
@@ -328,6 +348,12 @@ impl<const N: usize> Lane<N> {
                     };
                 }
                 each!(Plus, Minus, Times, Over, Power, Min, Max, Less, LessOrEqual, And, Or);
+            }
+            Operation::LookUp(table, a) => {
+                for i in 0..count.min(N) {
+                    let dual = looked_up(&tables[table], before[a].at(i));
+                    (self.value[i], self.slope[i]) = (dual.value, dual.slope);
+                }
             }
             Operation::Select(condition, a, b) => {
                 let (condition, a, b) = (&before[condition], &before[a], &before[b]);
@@ -376,6 +402,7 @@ impl<const N: usize> Lane<N> {
             }
             Variable::Slip => self.value = part(inputs.slip),
             Variable::Speed => self.value = part(inputs.speed),
+            Variable::Temperature => self.value = part(inputs.temperature),
             Variable::Distance => self.value = part(inputs.distance),
             Variable::Depth => self.value = part(inputs.depth),
             Variable::Rolled => self.value = part(inputs.rolled),
@@ -394,6 +421,12 @@ fn chain(outer: f64, inner: f64) -> f64 {
 #[inline]
 fn part(slope: f64, other: f64) -> f64 {
     if other == 0.0 { 0.0 } else { slope * other }
+}
+
+/// The value of a table; at its points the slope on the side towards more pressure.
+fn looked_up(table: &Piecewise, a: Dual) -> Dual {
+    let outer = if a.slope < 0.0 { table.slope_before(a.value) } else { table.slope(a.value) };
+    Dual { value: table.at(a.value), slope: chain(outer, a.slope) }
 }
 
 #[inline]

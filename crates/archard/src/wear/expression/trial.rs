@@ -12,9 +12,11 @@ use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 const SLIPS: [f64; 7] = [0.0, 1e-9, 1e-6, 1e-3, 0.1, 10.0, 100.0];
 const HALVED: [f64; 4] = [1e-6, 1e-3, 0.1, 10.0];
 
-/// Coefficients of friction, speeds (m/s), distances slid and depths worn before (m), distances rolled (m).
+/// Coefficients of friction, speeds (m/s), temperatures (K), distances slid and depths worn before (m), distances rolled
+/// (m).
 const COEFFICIENTS: [f64; 2] = [0.05, 0.8];
 const SPEEDS: [f64; 3] = [1e-3, 0.1, 10.0];
+const TEMPERATURES: [f64; 4] = [290.0, 400.0, 700.0, 1100.0];
 const DISTANCES: [f64; 3] = [0.0, 0.1, 1e3];
 const DEPTHS: [f64; 3] = [0.0, 1e-6, 1e-4];
 const ROLLED: [f64; 2] = [1e-3, 1.0];
@@ -51,6 +53,7 @@ fn surroundings(inputs: &[Input]) -> Vec<Rubbing> {
     };
     vary(Input::Friction, &COEFFICIENTS, |one, friction| one.with_friction(0.0, friction));
     vary(Input::Speed, &SPEEDS, Rubbing::at_speed);
+    vary(Input::Temperature, &TEMPERATURES, Rubbing::at_temperature);
     vary(Input::Distance, &DISTANCES, |one, distance| one.after(distance, one.depth));
     vary(Input::Depth, &DEPTHS, |one, depth| one.after(one.distance, depth));
     vary(Input::Rolled, &ROLLED, Rubbing::rolling);
@@ -172,6 +175,7 @@ fn place(law: &Expression, point: &Rubbing) -> String {
         Variable::Work => point.work,
         Variable::Coefficient => point.friction,
         Variable::Speed => point.speed,
+        Variable::Temperature => point.temperature,
         Variable::Distance => point.distance,
         Variable::Depth => point.depth,
         Variable::Rolled => point.rolled,
