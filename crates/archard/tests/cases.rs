@@ -104,6 +104,7 @@ fn measure(column: &str) -> Option<Measure> {
         Some("m3") => Measure::length_to_the(3.0),
         Some("Pa") => Measure::PRESSURE,
         Some("N") => Measure::FORCE,
+        Some("K") => Measure::in_si("a difference of temperatures", "K").expect("a unit"),
         Some("Nm" | "J") => Measure { dimension: Dimension::ENERGY, ..Measure::FORCE },
         _ => panic!("the column `{column}` has no unit known here"),
     };

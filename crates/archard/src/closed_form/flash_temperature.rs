@@ -3,7 +3,7 @@
 //! Where a surface passes through the contact faster than heat spreads ahead of it, heat flows into depth alone, and
 //! at a distance x behind the leading edge the surface is warmer than the body by
 //!
-//!     dT(x) = 1 / (e sqrt(pi V)) * integral over x' from 0 to x of q(x') / sqrt(x - x'),
+//! dT(x) = 1 / (e sqrt(pi V)) times the integral of q(x') / sqrt(x - x') over x' from 0 to x,
 //!
 //! with V the speed of passage, q the heat that flows into the surface and e = k / sqrt(chi) its effusivity. J. C. Jaeger,
 //! *J. Proc. R. Soc. N. S. W.* 76 (1942) 203; H. Blok, *Proc. Inst. Mech. Eng. Gen. Disc. Lubr.* 2 (1937) 222.

@@ -94,24 +94,24 @@ fn the_forecast_of_pressing_with_friction_is_spences() {
     assert_eq!(forecast.estimate.fretting, None);
 }
 
-/// One solve an increment, those of the first loading included; those that jumps compute by their length.
+/// One solve an increment and one for the first loading of like bodies; those that jumps compute by their length.
 #[test]
 fn the_forecast_counts_cycles_and_their_solves() {
     let counted = |options: &[&str]| {
         let forecast = fretting(options).forecast;
         (forecast.cycles.unwrap().computed, forecast.solves)
     };
-    assert_eq!(counted(&[]), (Solves::Exactly(1), Solves::Exactly(40)));
+    assert_eq!(counted(&[]), (Solves::Exactly(1), Solves::Exactly(21)));
     let ten = ["motion.fretting.cycles=10", "motion.fretting.increments=8"];
-    assert_eq!(counted(&ten), (Solves::Exactly(10), Solves::Exactly(88)));
-    // Measured with ten outputs: 620 solves in 21 cycles.
+    assert_eq!(counted(&ten), (Solves::Exactly(10), Solves::Exactly(81)));
+    // Measured with ten outputs: 612 solves in 21 cycles.
     let many = ["motion.fretting.cycles=200000", "motion.fretting.jump=10000"];
-    assert_eq!(counted(&many), (Solves::Exactly(21), Solves::AtLeast(600)));
+    assert_eq!(counted(&many), (Solves::Exactly(21), Solves::AtLeast(581)));
     // Measured with ten outputs: 33 cycles.
     let by_error = ["motion.fretting.cycles=200000", "motion.fretting.tolerance=0.01"];
     assert_eq!(counted(&by_error).0, Solves::About(32));
     // Lines without load are not solved.
-    assert_eq!(counted(&[PATH]), (Solves::Exactly(1), Solves::Exactly(22)));
+    assert_eq!(counted(&[PATH]), (Solves::Exactly(1), Solves::Exactly(3)));
 }
 
 #[test]
