@@ -17,7 +17,7 @@ use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use energy::Energy;
-pub use expression::Expression;
+pub use expression::{Expression, try_out};
 pub use orthotropic::Orthotropic;
 pub use power::Power;
 pub use rubbing::{Columns, Rubbing};

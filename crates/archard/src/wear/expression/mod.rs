@@ -20,6 +20,7 @@ use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
 use parser::Mistake;
 use tape::{Inputs, Tape, Variable};
+pub use trial::try_out;
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
@@ -101,7 +102,7 @@ impl Expression {
         let tape = Tape::new(&node, &scope);
         let inputs = inputs(&tape);
         let law = Self { formula: formula.to_owned(), tape, inputs, per };
-        trial::hold(&law)?;
+        trial::hold_formula(&law)?;
         Ok(law)
     }
 

@@ -3,7 +3,7 @@ use exmex::Express;
 
 use super::parser::{self, Mistake};
 use super::tape::Tape;
-use super::{Expression, Scope, dimension, one};
+use super::{Expression, Scope, dimension, one, try_out};
 use crate::wear::{Archard, Columns, Input, Per, Rubbing, RunningIn, Threshold, WearLaw};
 
 /// Constants of all kinds.
@@ -389,4 +389,20 @@ fn another_program_computes_the_same() {
         let found = tape(&formula).at(&one(&rubbing)).0;
         assert_relative_eq!(found, expected, max_relative = 1e-12);
     }
+}
+
+/// All laws that go by what the trial has keep to it; one that does not is told where.
+#[test]
+fn laws_of_any_kind_are_tried() {
+    #[derive(Debug)]
+    struct Sinking;
+    impl WearLaw for Sinking {
+        fn depth(&self, rubbing: Rubbing) -> f64 {
+            1e-13 * (rubbing.pressure - 1e6) * rubbing.slip
+        }
+    }
+    try_out(&Archard::new(1e-13).unwrap()).unwrap();
+    try_out(&RunningIn::new([1e-12, 1e-13], 10.0).unwrap()).unwrap();
+    let refused = try_out(&Sinking).unwrap_err();
+    assert_eq!(refused.message, "is negative: -1e-16 m at p = 0 Pa, s = 1e-9 m");
 }
