@@ -23,7 +23,8 @@ from archard._errors import (
 )
 from archard._law import Law
 from archard.case import Case, Forecast, cases
-from archard.result import Profile, Result, Snapshot, Table, Verdict, open
+from archard.result import Profile, Result, Snapshot, Table, Verdict
+from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
 from archard.run import Run, State
 
 __all__ = [
@@ -47,5 +48,4 @@ __all__ = [
     "WrongResult",
     "__version__",
     "cases",
-    "open",
 ]

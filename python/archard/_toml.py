@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Iterator, Mapping
@@ -28,6 +29,8 @@ def value(given: object) -> str:
     """A value: text, number, truth, list or table, or a quantity with ``magnitude`` and ``units``."""
     if hasattr(given, "magnitude") and hasattr(given, "units"):
         return _quantity(given)
+    if isinstance(given, os.PathLike):
+        given = os.fspath(given)
     if hasattr(given, "tolist"):  # NumPy's scalars and arrays
         given = given.tolist()
     if isinstance(given, bool):

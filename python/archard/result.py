@@ -274,6 +274,8 @@ class Result:
         """Draw history, pressure and worn depth; return the matplotlib figure."""
         from matplotlib import pyplot
 
+        if not self.fields:
+            raise ValueError("the result has no fields")
         figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(13, 4), layout="constrained")
         history, last = self.history, self.fields[-1]
         progress = next(iter(history))

@@ -63,10 +63,13 @@ def test_values_are_set_read_and_removed():
         del case["friction"]
     with pytest.raises(TypeError):
         case["motion"]["sliding"] = {}
+    case["motion.path.file"] = Path("path.csv")
+    assert case["motion.path.file"] == "path.csv"
     with pytest.raises(TypeError, match="not set"):
         case["frame.elements"] = {3, 4}
     with pytest.raises(KeyError, match="nothing can be set inside"):
         case["title.word"] = "a"
+    del case["motion.path"]
     assert archard.Case("pin_on_disc")["motion.sliding.load"] == "10.2 N"
     assert 'load = "20 N"' in case.check().toml
 
