@@ -32,6 +32,16 @@ lint:
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps
 
+# install the Python package into target/python and test it
+python:
+    python3 -m venv target/python
+    target/python/bin/pip install "./python[test]"
+    target/python/bin/pytest python
+
+# build the wheel of the Python package, one for all versions of Python
+wheel:
+    maturin build --release --locked --manifest-path python/Cargo.toml
+
 # time whole solves, in padded round trips
 bench:
     cargo bench -p archard

@@ -82,14 +82,7 @@ impl Run {
 
     /// The folder of compliances, if there is any place for one.
     pub fn store(&self) -> Option<Store> {
-        let cache = || {
-            let home = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
-            home("XDG_CACHE_HOME")
-                .map(PathBuf::from)
-                .or_else(|| Some(PathBuf::from(home("HOME")?).join(".cache")))
-                .map(|folder| folder.join("archard"))
-        };
-        self.cache.clone().or_else(cache).map(Store::new)
+        self.cache.clone().map(Store::new).or_else(Store::of_user)
     }
 }
 

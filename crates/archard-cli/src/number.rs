@@ -2,23 +2,7 @@
 
 use archard::motion::Progress;
 use archard::parameters::Quantity;
-
-/// A number with four significant digits.
-pub fn four(value: f64) -> String {
-    if value == 0.0 {
-        // Not "-0", which sums of nothing are.
-        return "0".to_owned();
-    }
-    if !value.is_finite() {
-        return value.to_string();
-    }
-    let digits = 3 - value.abs().log10().floor() as i32;
-    if (-3..=6).contains(&digits) {
-        format!("{value:.*}", digits.max(0) as usize)
-    } else {
-        format!("{value:.3e}")
-    }
-}
+pub use archard::verdict::four;
 
 /// An energy (J) in a unit that suits it: "13.85 nJ".
 pub fn energy(value: f64) -> String {

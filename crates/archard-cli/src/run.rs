@@ -5,7 +5,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::body::Body;
-use archard::case::{Case, Forecast, Resolved, Task};
+use archard::case::{Forecast, Resolved, Task};
 use archard::motion::{Rolling, Shift};
 use archard::output::{self, Inside, Totals};
 use archard::simulation::history::{
@@ -29,9 +29,6 @@ use crate::standards;
 use crate::underway::Underway;
 use crate::verdict;
 
-/// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
-/// takes far more of the processors' time.
-const FEW_ELEMENTS: usize = 60 * 60;
 /// Threads a processor may be given at most.
 const MOST_THREADS: usize = 8;
 
@@ -41,17 +38,14 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
-    let case_toml = match &task {
-        Task::Contact(resolved) => resolved.case.to_string(),
-        Task::Elastic(resolved) => resolved.case.to_string(),
-    };
+    let case_toml = task.case_toml();
     let claim = folder::claim(arguments, &case_toml)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = match &task {
         Task::Contact(resolved) => {
             let contact = || contact(resolved, &case_toml, &watch, (arguments, &dir));
-            match arguments.threads.is_none() && is_small(&resolved.case) {
+            match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
                 false => contact(),
             }
@@ -152,12 +146,6 @@ fn set_threads(arguments: &Run) -> Result<(), Failure> {
         .num_threads(threads.get())
         .build_global()
         .map_err(|error| Failure::wrong(format!("cannot start {threads} threads: {error}")))
-}
-
-/// Whether a second thread would cost more than it saves: half-spaces on a frame of few elements.
-fn is_small(case: &Case) -> bool {
-    let [nx, ny] = case.frame.elements;
-    !case.is_meshed() && nx * ny <= FEW_ELEMENTS
 }
 
 fn one_thread() -> Result<ThreadPool, Failure> {

@@ -15,6 +15,10 @@ use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 use crate::wear::WearLaw;
 
+/// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
+/// takes far more of the processors' time.
+const FEW_ELEMENTS: usize = 60 * 60;
+
 /// A checked case in SI. It prints as a case file that reads back to the same bits.
 #[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
@@ -212,6 +216,12 @@ impl Case {
     /// Whether a body is meshed.
     pub fn is_meshed(&self) -> bool {
         self.bodies.iter().any(|body| body.finite.is_some())
+    }
+
+    /// Whether a second thread would cost more than it saves: half-spaces on a frame of few elements.
+    pub fn is_small(&self) -> bool {
+        let [nx, ny] = self.frame.elements;
+        !self.is_meshed() && nx * ny <= FEW_ELEMENTS
     }
 
     /// The parts, if the memory that is free holds the run. What meshed bodies take follows from what is kept of them.

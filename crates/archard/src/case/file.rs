@@ -70,7 +70,39 @@ pub enum Task {
     Elastic(Box<ResolvedElastic>),
 }
 
+impl Resolved {
+    /// What to expect of the run, and what of its verdict can be foreseen. Bodies with meshes are meshed coarsely for
+    /// it, to be compared with half-spaces.
+    pub fn expectations(&self) -> String {
+        let beside: String =
+            self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
+        let mut text = format!("# What to expect\n\n{}{beside}", self.forecast);
+        let lines = &self.forecast.verdict.lines;
+        if !lines.is_empty() {
+            text += "\n# Verdict foreseen\n\n";
+            lines.iter().for_each(|line| text += &format!("  {}\n", line.in_words()));
+        }
+        text
+    }
+}
+
 impl Task {
+    /// What to expect of the run, in lines.
+    pub fn expectations(&self) -> String {
+        match self {
+            Task::Contact(resolved) => resolved.expectations(),
+            Task::Elastic(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
+        }
+    }
+
+    /// The case in SI, as a case file.
+    pub fn case_toml(&self) -> String {
+        match self {
+            Task::Contact(resolved) => resolved.case.to_string(),
+            Task::Elastic(resolved) => resolved.case.to_string(),
+        }
+    }
+
     /// What may not be as it was meant.
     pub fn warnings(&self) -> &[Problem] {
         match self {

@@ -56,6 +56,14 @@ impl Image {
         vtk::read(path)
     }
 
+    /// The image in the bytes of a `.vti` file that [`Image::write`] wrote.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
+        vtk::decode(bytes)
+    }
+
     /// Reads an output of either kind: a `.vti` file, or a `.vtu` file as its surface looks along z.
     ///
     /// # Errors

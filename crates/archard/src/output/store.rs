@@ -36,6 +36,14 @@ impl Store {
         Self { folder: folder.into(), doubts: Mutex::default() }
     }
 
+    /// The store in the user's folder of caches; `None` where there is no such folder.
+    pub fn of_user() -> Option<Self> {
+        let home = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
+        let caches = home("XDG_CACHE_HOME").map(PathBuf::from);
+        let caches = caches.or_else(|| Some(PathBuf::from(home("HOME")?).join(".cache")));
+        caches.map(|folder| Self::new(folder.join("archard")))
+    }
+
     /// The compliance of a body: kept from an earlier run, or computed and kept. A folder that cannot be
     /// written to only costs the time of computing it again.
     ///

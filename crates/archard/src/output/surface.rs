@@ -167,6 +167,14 @@ impl Surface {
     pub fn read(path: &Path) -> Result<Self, Error> {
         vtk::read(path)
     }
+
+    /// The surface in the bytes of a `.vtu` file that [`Surface::write`] wrote.
+    ///
+    /// # Errors
+    /// What is wrong with them.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
+        vtk::decode(bytes)
+    }
 }
 
 /// Distances below this, relative to the size of the frame, are none.

@@ -67,6 +67,38 @@ impl Line {
     }
 }
 
+impl Line {
+    /// The line with its number, its bound and its word; what to do about it where it is not good.
+    pub fn in_words(&self) -> String {
+        let Self { subject, value, .. } = self;
+        let (side, [doubtful, wrong]) = match self.bound {
+            Bound::AtMost(bounds) => ("at most", bounds),
+            Bound::AtLeast(bounds) => ("at least", bounds),
+        };
+        let word = self.word();
+        let bound = if word == Word::Wrong { wrong } else { doubtful };
+        let text = if word == Word::Good { String::new() } else { format!(": {}", self.text) };
+        format!("{subject:<16}{} ({side} {}) {}{text}", four(*value), four(bound), word.text())
+    }
+}
+
+/// A number with four significant digits.
+pub fn four(value: f64) -> String {
+    if value == 0.0 {
+        // Not "-0", which sums of nothing are.
+        return "0".to_owned();
+    }
+    if !value.is_finite() {
+        return value.to_string();
+    }
+    let digits = 3 - value.abs().log10().floor() as i32;
+    if (-3..=6).contains(&digits) {
+        format!("{value:.*}", digits.max(0) as usize)
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
 impl fmt::Display for Line {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { subject, value, text, .. } = self;

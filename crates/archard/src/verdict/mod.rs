@@ -11,7 +11,7 @@ pub use bounds::{
     balance, contact, edges, energy, first_contact, heat, load, roughness, slenderness, stick_zone,
     time, touch, volume,
 };
-pub use line::{Bound, Line, Word};
+pub use line::{Bound, Line, Word, four};
 
 /// The lines of a run, in the order in which they are read.
 #[non_exhaustive]

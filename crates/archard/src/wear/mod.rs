@@ -20,7 +20,7 @@ use std::fmt::Debug;
 pub use archard::Archard;
 pub use cross_shear::CrossShear;
 pub use energy::Energy;
-pub use expression::{Expression, LookUp};
+pub use expression::{Expression, LookUp, try_out};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use power::Power;

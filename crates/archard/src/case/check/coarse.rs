@@ -3,6 +3,8 @@
 //! A body and a half-space under the same tractions differ by a smooth displacement, which a coarse mesh is
 //! enough for. Here the tractions are a uniform pressure on the zone, and the mean over the zone is taken.
 
+use std::fmt::{self, Display, Formatter};
+
 use super::Parts;
 use crate::body::mesh::Shape;
 use crate::body::profile::PROFILES;
@@ -30,6 +32,15 @@ pub struct BesideHalfSpace {
     /// By how much more a half-space approaches under the load, relative to its approach after Hertz; negative
     /// where the body gives way more.
     pub share: f64,
+}
+
+impl Display for BesideHalfSpace {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let more = if self.share < 0.0 { "less" } else { "more" };
+        let share = 100.0 * self.share.abs();
+        let body = &self.body;
+        writeln!(f, "half-space        in place of `{body}`: about {share:.1} % {more} approach")
+    }
 }
 
 impl Case {

@@ -36,6 +36,11 @@ pub(super) fn write(kept: &impl Kept, path: &Path) -> Result<(), Error> {
     file::write_whole(path, &bytes)
 }
 
+/// What the bytes of a file that [`write`] wrote hold, or what is wrong with them.
+pub(super) fn decode<T: Kept>(bytes: &[u8]) -> Result<T, String> {
+    T::decode(bytes)
+}
+
 /// Reads a file that [`write`] wrote.
 pub(super) fn read<T: Kept>(path: &Path) -> Result<T, Error> {
     let bytes = fs::read(path).map_err(|source| Error::Read { path: path.to_owned(), source })?;

@@ -22,6 +22,7 @@ use crate::units::{self, Dimension};
 pub use look_up::LookUp;
 use parser::{File, Mistake};
 use tape::{Inputs, Tape, Variable};
+pub use trial::try_out;
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
@@ -131,7 +132,7 @@ impl Expression {
         let tape = Tape::new(&node, &scope);
         let inputs = inputs(&tape);
         let law = Self { formula: formula.to_owned(), tape, inputs, per };
-        trial::hold(&law)?;
+        trial::hold_formula(&law)?;
         Ok(law)
     }
 

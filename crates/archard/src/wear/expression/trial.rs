@@ -31,15 +31,35 @@ fn pressures() -> Vec<f64> {
     [0.0].into_iter().chain(decades).chain([1e10]).collect()
 }
 
-/// Refuses a law that does not keep to them, with the point where it does not.
-pub(super) fn hold(law: &Expression) -> Result<(), Invalid> {
-    let all = surroundings(&law.inputs);
+/// Tries a law at many points: its depth has to be finite, not negative, zero without pressure or slip, must not fall as
+/// the pressure grows and, [per increment](Per::Increment), two halves of a slip have to wear what the whole does.
+///
+/// # Errors
+/// If it is not so, with the point.
+pub fn try_out(law: &dyn WearLaw) -> Result<(), Invalid> {
+    hold(Tried { law, place: &|point| place_by_inputs(law, point) })
+}
+
+/// Refuses a formula that does not keep to them, with the point where it does not.
+pub(super) fn hold_formula(law: &Expression) -> Result<(), Invalid> {
+    hold(Tried { law, place: &|point| place(law, point) })
+}
+
+/// A law, and how a point is told where it goes wrong.
+#[derive(Clone, Copy)]
+struct Tried<'a> {
+    law: &'a dyn WearLaw,
+    place: &'a dyn Fn(&Rubbing) -> String,
+}
+
+fn hold(tried: Tried<'_>) -> Result<(), Invalid> {
+    let all = surroundings(tried.law.inputs());
     for surroundings in &all {
         for slip in SLIPS {
-            grows_with_pressure(law, surroundings, slip)?;
+            grows_with_pressure(tried, surroundings, slip)?;
         }
     }
-    if law.per == Per::Increment { adds_up(law, &all) } else { Ok(()) }
+    if tried.law.per() == Per::Increment { adds_up(tried, &all) } else { Ok(()) }
 }
 
 /// All that a law asks for beside pressure and slip, in all combinations; the work is that of slip.
@@ -66,25 +86,31 @@ fn points(surroundings: &Rubbing, slip: f64) -> Vec<Rubbing> {
         pressure,
         slip,
         work: surroundings.friction * pressure * slip,
+        slip_vector: [slip, 0.0],
+        traction: [surroundings.friction * pressure, 0.0],
         ..*surroundings
     };
     pressures().into_iter().map(point).collect()
 }
 
 /// Depths (m) and slopes (m/Pa) at points.
-fn worn(law: &Expression, points: &[Rubbing]) -> (Vec<f64>, Vec<f64>) {
+fn worn(law: &dyn WearLaw, points: &[Rubbing]) -> (Vec<f64>, Vec<f64>) {
     let (mut depths, mut slopes) = (vec![0.0; points.len()], vec![0.0; points.len()]);
-    let columns = Columns::of(points.iter().copied(), &law.inputs);
+    let columns = Columns::of(points.iter().copied(), law.inputs());
     law.depths(&columns, &mut depths, &mut slopes);
     (depths, slopes)
 }
 
-fn grows_with_pressure(law: &Expression, surroundings: &Rubbing, slip: f64) -> Result<(), Invalid> {
+fn grows_with_pressure(
+    Tried { law, place }: Tried<'_>,
+    surroundings: &Rubbing,
+    slip: f64,
+) -> Result<(), Invalid> {
     let points = points(surroundings, slip);
     let (depths, slopes) = worn(law, &points);
     let mut least = 0.0;
     for (at, ((point, &depth), &slope)) in points.iter().zip(&depths).zip(&slopes).enumerate() {
-        let place = || place(law, point);
+        let place = || place(point);
         if !depth.is_finite() {
             return refuse(format!("is no finite number, {depth} at {}", place()));
         }
@@ -121,7 +147,7 @@ fn grows_with_pressure(law: &Expression, surroundings: &Rubbing, slip: f64) -> R
 
 /// Two halves of a slip wear what the whole does: the second after the first, or both as if at the start, as laws do that
 /// take what was before a step for the whole of it.
-fn adds_up(law: &Expression, all: &[Rubbing]) -> Result<(), Invalid> {
+fn adds_up(Tried { law, place }: Tried<'_>, all: &[Rubbing]) -> Result<(), Invalid> {
     let (mut in_turn, mut at_start) = (Ok(()), Ok(()));
     for (surroundings, slip) in all.iter().flat_map(|one| HALVED.map(|slip| (one, slip))) {
         let whole = points(surroundings, slip);
@@ -147,7 +173,7 @@ fn adds_up(law: &Expression, all: &[Rubbing]) -> Result<(), Invalid> {
     }
     match (in_turn, at_start) {
         (Err((point, depth, halves)), Err(_)) => {
-            let place = place(law, &point);
+            let place = place(&point);
             let message = format!(
                 "is not in proportion to the slip: {} m at {place}, and {} m in two halves of it",
                 digits(depth),
@@ -157,6 +183,20 @@ fn adds_up(law: &Expression, all: &[Rubbing]) -> Result<(), Invalid> {
         }
         _ => Ok(()),
     }
+}
+
+/// What a law goes by, with its values at a point.
+fn place_by_inputs(law: &dyn WearLaw, point: &Rubbing) -> String {
+    let asked = law.inputs().iter().filter_map(|input| match input {
+        Input::Friction => Some(("mu", point.friction, "")),
+        Input::Speed => Some(("v", point.speed, "m/s")),
+        Input::Rolled => Some(("rolled", point.rolled, "m")),
+        Input::Distance => Some(("distance", point.distance, "m")),
+        Input::Depth => Some(("worn", point.depth, "m")),
+        Input::Temperature => Some(("temperature", point.temperature, "K")),
+        Input::Vectors | Input::CrossShear => None,
+    });
+    written([("p", point.pressure, "Pa"), ("s", point.slip, "m")].into_iter().chain(asked))
 }
 
 fn refused(message: String) -> Invalid {
@@ -182,10 +222,17 @@ fn place(law: &Expression, point: &Rubbing) -> String {
     };
     let named = law.variables().filter(|(name, ..)| !["p", "s"].contains(name));
     let always = [("p", Variable::Pressure, "Pa"), ("s", Variable::Slip, "m")];
-    let parts = always.into_iter().chain(named).map(|(name, variable, unit)| {
-        format!("{name} = {} {unit}", digits(value(variable))).trim_end().to_owned()
-    });
-    parts.collect::<Vec<_>>().join(", ")
+    written(
+        always.into_iter().chain(named).map(|(name, variable, unit)| (name, value(variable), unit)),
+    )
+}
+
+/// Names with their values and units.
+fn written<'a>(values: impl Iterator<Item = (&'a str, f64, &'a str)>) -> String {
+    let part = |(name, value, unit): (&str, f64, &str)| {
+        format!("{name} = {} {unit}", digits(value)).trim_end().to_owned()
+    };
+    values.map(part).collect::<Vec<_>>().join(", ")
 }
 
 /// Six digits of a number, or as many as it has.

@@ -1,0 +1,51 @@
+"""Archard: how surfaces in contact wear away.
+
+>>> import archard
+>>> case = archard.Case("pin_on_disc")
+>>> case["motion.sliding.load"] = "20 N"
+>>> result = case.run()  # doctest: +SKIP
+>>> result.history["wear_depth_m"][-1]  # doctest: +SKIP
+
+A :class:`Case` is a built-in name, a file, a TOML text or a dict. Values with a dimension are texts with
+their unit, or anything with ``magnitude`` and ``units`` (pint); results are in SI, each column with its unit.
+"""
+
+from archard._archard import __version__
+from archard._errors import (
+    ArchardWarning,
+    CaseError,
+    CaseWarning,
+    NotConverged,
+    Problem,
+    ResultWarning,
+    RunError,
+    WrongResult,
+)
+from archard._law import Law
+from archard.case import Case, Forecast, cases
+from archard.result import Profile, Result, Snapshot, Table, Verdict
+from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
+from archard.run import Run, State
+
+__all__ = [
+    "ArchardWarning",
+    "Case",
+    "CaseError",
+    "CaseWarning",
+    "Forecast",
+    "Law",
+    "NotConverged",
+    "Problem",
+    "Profile",
+    "Result",
+    "ResultWarning",
+    "Run",
+    "RunError",
+    "Snapshot",
+    "State",
+    "Table",
+    "Verdict",
+    "WrongResult",
+    "__version__",
+    "cases",
+]

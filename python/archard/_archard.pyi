@@ -1,0 +1,65 @@
+"""The compiled part of `archard`."""
+
+from collections.abc import Sequence
+from os import PathLike
+from typing import Any, final
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["UNITS", "CaseFile", "Checked", "Run", "__version__", "read_fields", "solve_elastic"]
+__version__: str
+UNITS: list[str]
+
+_Told = tuple[str, str, str, str | None, str]
+_Arrays = dict[str, NDArray[np.float64]]
+_Given = tuple[str, Any, str, list[str] | None, bool]
+
+@final
+class CaseFile:
+    """A case as written."""
+
+    def __new__(cls, name: str, text: str, folder: str | PathLike[str], options: Sequence[str]) -> CaseFile: ...
+    def check(self) -> Checked: ...
+
+@final
+class Checked:
+    """A case that passed every check."""
+
+    @property
+    def toml(self) -> str: ...
+    def expectations(self) -> str: ...
+    @property
+    def warnings(self) -> list[_Told]: ...
+    @property
+    def elastic(self) -> bool: ...
+
+@final
+class Run:
+    """A run and its result folder."""
+
+    def __new__(
+        cls,
+        file: CaseFile,
+        folder: str | PathLike[str],
+        *,
+        threads: int | None,
+        resume: bool,
+        force: bool,
+        cache: str | PathLike[str] | None,
+        laws: Sequence[_Given],
+        friction: tuple[Sequence[float], Sequence[float]] | None,
+        remark: str,
+    ) -> Run: ...
+    @property
+    def doubts(self) -> list[str]: ...
+    @property
+    def threads(self) -> int: ...
+    def step(self) -> bool: ...
+    def keep(self) -> None: ...
+    def state(self) -> tuple[list[tuple[str, float]], tuple[_Arrays, _Arrays]]: ...
+    def progress(self) -> tuple[float, float]: ...
+    def finish(self, failure: str | None = None) -> None: ...
+
+def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
+def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...

@@ -1,0 +1,41 @@
+//! The compiled part of the Python package `archard`: cases that are checked, runs that are stepped, fields that are read.
+//!
+//! All computing happens on threads of its own pool, while Python is let go of; none happens on the pool that a process
+//! shares, which a forked process would not have.
+
+mod away;
+mod case;
+mod fields;
+mod friction;
+mod law;
+mod run;
+
+use pyo3::prelude::*;
+
+/// The units that columns end in.
+fn units() -> Vec<&'static str> {
+    let columns = archard::simulation::history::COLUMNS.iter().map(|column| column.unit);
+    let mut units: Vec<&str> = columns.filter(|unit| !unit.is_empty()).collect();
+    units.sort_unstable_by_key(|unit| std::cmp::Reverse(unit.len()));
+    units.dedup();
+    units
+}
+
+/// The compiled part of `archard`.
+#[pymodule]
+mod _archard {
+    #[pymodule_export]
+    use super::case::{CaseFile, Checked};
+    #[pymodule_export]
+    use super::fields::read_fields;
+    #[pymodule_export]
+    use super::run::{Run, solve_elastic};
+
+    use pyo3::prelude::*;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+        module.add("UNITS", super::units())
+    }
+}

@@ -1,0 +1,442 @@
+//! Runs that are stepped from Python, into a result folder.
+
+use std::mem::replace;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+
+use archard::case::{Case, Task};
+use archard::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
+use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
+use archard::wear::try_out;
+use pyo3::exceptions::{PyFileExistsError, PyOSError, PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+use rayon::ThreadPool;
+
+use crate::away::{Outcome, away, pool};
+use crate::case::{CaseFile, refused, resolve};
+use crate::fields::{Fields, Snapshot};
+use crate::friction::Sampled;
+use crate::law::{Failed, Given, Law, Stopped};
+
+pyo3::import_exception!(archard._errors, NotConverged);
+pyo3::import_exception!(archard._errors, RunError);
+
+/// A run and its result folder.
+#[pyclass(module = "archard._archard")]
+pub struct Run {
+    pool: ThreadPool,
+    stage: Stage,
+    inside: Option<Inside>,
+    /// Until they are finished. A step that was left alone finds them gone.
+    results: Results,
+    failed: Failed,
+    warnings: Vec<String>,
+    doubts: Vec<String>,
+    begun: Instant,
+}
+
+/// Rising pressures (Pa) and the limits of friction (Pa) there.
+type Samples = (Vec<f64>, Vec<f64>);
+type Results = Arc<Mutex<Option<ResultFolder>>>;
+
+/// How far a run is.
+enum Stage {
+    /// Before the initial contact.
+    Built(Simulation),
+    /// Before it goes on.
+    Kept(Simulation, Vec<u8>),
+    /// Under way.
+    Going(simulation::Run),
+    /// At the end of the motion.
+    Ended(simulation::Run),
+    /// Broken off.
+    Gone,
+}
+
+/// Why a step did not come to its end.
+enum Broken {
+    Simulation(simulation::Error),
+    NotResumed(NotResumed),
+    Output(output::Error),
+    /// A function in Python raised what waits in [`Failed`].
+    Raised,
+}
+
+#[pymethods]
+impl Run {
+    /// Prepares a run in a folder.
+    #[new]
+    #[pyo3(signature = (file, folder, *, threads, resume, force, cache, laws, friction, remark))]
+    #[allow(clippy::too_many_arguments)]
+    fn new(
+        py: Python<'_>,
+        file: &CaseFile,
+        folder: PathBuf,
+        threads: Option<usize>,
+        resume: bool,
+        force: bool,
+        cache: Option<PathBuf>,
+        laws: Vec<Given>,
+        friction: Option<Samples>,
+        remark: &str,
+    ) -> PyResult<Self> {
+        let begun = Instant::now();
+        let wide = pool(threads)?;
+        let file = file.0.clone();
+        let task = away(py, &wide, move || resolve(&file)).unless_interrupted()?;
+        let Task::Contact(resolved) = task.map_err(refused)? else {
+            return Err(PyValueError::new_err("a body by itself has no steps"));
+        };
+        let case = resolved.case;
+        let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
+        let case_toml = format!("{remark}{case}");
+        let claim = Claim::take(&folder).map_err(unwritten)?;
+        if !resume && !force && claim.holds_another(&case_toml) {
+            return Err(taken(&folder));
+        }
+        let failed = Failed::default();
+        let built = build(py, &pool, &case, cache).and_then(|(mut simulation, doubts)| {
+            put_laws(py, &pool, &mut simulation, (laws, friction), &failed)?;
+            Ok((simulation, doubts))
+        });
+        let (simulation, doubts) = match built {
+            Ok(built) => built,
+            Err(error) => {
+                claim.give_up();
+                return Err(error);
+            }
+        };
+        let (results, stage) = if resume {
+            let (results, kept) = claim.resume().map_err(unwritten)?;
+            (results, Stage::Kept(simulation, kept))
+        } else {
+            (claim.begin(&case_toml).map_err(unwritten)?, Stage::Built(simulation))
+        };
+        let warnings = resolved.warnings.iter().map(|warning| warning.title());
+        Ok(Self {
+            pool,
+            stage,
+            inside: Some(Inside::at(case.points)),
+            results: Arc::new(Mutex::new(Some(results))),
+            failed,
+            warnings: warnings.chain(doubts.iter().cloned()).collect(),
+            doubts,
+            begun,
+        })
+    }
+
+    /// What is doubtful about kept compliances.
+    #[getter]
+    fn doubts(&self) -> Vec<String> {
+        self.doubts.clone()
+    }
+
+    /// Number of threads.
+    #[getter]
+    fn threads(&self) -> usize {
+        self.pool.current_num_threads()
+    }
+
+    /// Goes on to the next state, the initial contact first; `False` at the end of the motion.
+    fn step(&mut self, py: Python<'_>) -> PyResult<bool> {
+        let stage = replace(&mut self.stage, Stage::Gone);
+        let mut inside = self.inside.take();
+        let results = self.results.clone();
+        let work = move || {
+            let mut stage = stage;
+            let outcome = guarded(|| advance(&mut stage, &results, inside.as_mut()));
+            (stage, inside, outcome)
+        };
+        let ((stage, inside, outcome), signal) = match away(py, &self.pool, work) {
+            Outcome::Done(done, signal) => (done, signal),
+            Outcome::Left(signal) => return Err(signal),
+        };
+        self.inside = inside;
+        match outcome {
+            Ok(went) => {
+                self.stage = stage;
+                signal.map_or(Ok(went), Err)
+            }
+            Err(broken) => Err(self.error(broken)),
+        }
+    }
+
+    /// Keeps the run where it is, to go on with later.
+    fn keep(&self) -> PyResult<()> {
+        let mut results = lock(&self.results);
+        match (&self.stage, results.as_mut()) {
+            (Stage::Going(run), Some(results)) => {
+                results.keep_now(&run.report()).map_err(unwritten)
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The present state: the row of the history, places and fields.
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<(Vec<(String, f64)>, Fields<'py>)> {
+        let run = self.run()?;
+        let (row, fields) = py.detach(|| {
+            self.pool.install(|| {
+                let report = run.report();
+                (row(&report), Snapshot::of(&report))
+            })
+        });
+        Ok((row, fields.arrays(py)?))
+    }
+
+    /// How far the motion has gone and goes, in its own unit.
+    fn progress(&self) -> PyResult<(f64, f64)> {
+        let report = self.run()?.report();
+        Ok((report.state.progress, report.extent))
+    }
+
+    /// Finishes the results, of a run that came to its end or one that failed.
+    #[pyo3(signature = (failure=None))]
+    fn finish(&mut self, py: Python<'_>, failure: Option<String>) -> PyResult<()> {
+        let Some(results) = lock(&self.results).take() else { return Ok(()) };
+        let totals = Totals {
+            seconds: results.seconds_before() + self.begun.elapsed().as_secs_f64(),
+            threads: self.pool.current_num_threads(),
+            warnings: self.warnings.clone(),
+            failure,
+        };
+        let stage = replace(&mut self.stage, Stage::Gone);
+        let inside = self.inside.take();
+        let work = move || finish(results, totals, (stage, inside));
+        // A step that was left alone may still hold the threads of the run.
+        let threads = pool(Some(self.pool.current_num_threads()))?;
+        let outcome = away(py, &threads, work).unless_interrupted()?;
+        outcome.map_err(|error| match error {
+            InsideError::Write(error) => unwritten(error),
+            other => RunError::new_err(other.to_string()),
+        })
+    }
+}
+
+impl Run {
+    fn run(&self) -> PyResult<&simulation::Run> {
+        match &self.stage {
+            Stage::Going(run) | Stage::Ended(run) => Ok(run),
+            _ => {
+                Err(PyRuntimeError::new_err("the run shows no state: it has not begun, or is over"))
+            }
+        }
+    }
+
+    fn error(&self, broken: Broken) -> PyErr {
+        use simulation::Error as E;
+        match broken {
+            Broken::Raised => raised(&self.failed),
+            Broken::Output(error @ output::Error::NotFinite { .. }) => {
+                NotConverged::new_err(error.to_string())
+            }
+            Broken::Output(error) => unwritten(error),
+            Broken::NotResumed(error) => PyValueError::new_err(error.to_string()),
+            Broken::Simulation(
+                error @ (E::NotConverged { .. }
+                | E::FrictionNotConverged { .. }
+                | E::NotConsistent { .. }
+                | E::StepTooSmall { .. }),
+            ) => NotConverged::new_err(error.to_string()),
+            Broken::Simulation(error) => RunError::new_err(error.to_string()),
+        }
+    }
+}
+
+/// Builds a simulation; also what is doubtful about kept compliances.
+fn build(
+    py: Python<'_>,
+    pool: &ThreadPool,
+    case: &Case,
+    cache: Option<PathBuf>,
+) -> PyResult<(Simulation, Vec<String>)> {
+    let case = case.clone();
+    let work = move || {
+        let store = cache.map(Store::new).or_else(Store::of_user);
+        let built = match &store {
+            Some(store) => case.build_keeping(store),
+            None => case.build(),
+        };
+        let doubts = store.map(|store| store.doubts()).unwrap_or_default();
+        built.map(|simulation| (simulation, doubts)).map_err(|error| error.to_string())
+    };
+    away(py, pool, work).unless_interrupted()?.map_err(RunError::new_err)
+}
+
+/// Puts laws in Python into a simulation, once they were tried.
+fn put_laws(
+    py: Python<'_>,
+    pool: &ThreadPool,
+    simulation: &mut Simulation,
+    (laws, friction): (Vec<Given>, Option<Samples>),
+    failed: &Failed,
+) -> PyResult<()> {
+    let problem = &mut simulation.problem;
+    if let Some((pressures, limits)) = friction {
+        problem.friction = Some(Box::new(Sampled::new(pressures, limits)?));
+    }
+    for given in laws {
+        let name = given.0.clone();
+        let law = Law::new(problem, given, failed)?;
+        let work = move || (guarded(|| Ok(try_out(&law))), law);
+        let (tried, law) = away(py, pool, work).unless_interrupted()?;
+        match tried {
+            Ok(Ok(())) => {}
+            Ok(Err(refused)) => {
+                let message =
+                    format!("{law} breaks what a law owes: its depth {}", refused.message);
+                return Err(PyValueError::new_err(message));
+            }
+            Err(_) => return Err(raised(failed)),
+        }
+        match problem.bodies.iter_mut().find(|body| body.name == name) {
+            Some(body) => body.wear = Some(Box::new(law)),
+            None => return Err(PyValueError::new_err(format!("no body is called `{name}`"))),
+        }
+    }
+    Ok(())
+}
+
+/// Does something that a law in Python may break off.
+fn guarded<T>(work: impl FnOnce() -> Result<T, Broken>) -> Result<T, Broken> {
+    catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
+        if panic.is::<Stopped>() { Err(Broken::Raised) } else { resume_unwind(panic) }
+    })
+}
+
+/// What a law in Python raised.
+fn raised(failed: &Failed) -> PyErr {
+    let mut failed = failed.lock().unwrap_or_else(PoisonError::into_inner);
+    failed.take().unwrap_or_else(|| PyRuntimeError::new_err("a law raised nothing"))
+}
+
+/// Goes on to the next state and shows it; `false` at the end of the motion.
+fn advance(
+    stage: &mut Stage,
+    results: &Results,
+    inside: Option<&mut Inside>,
+) -> Result<bool, Broken> {
+    let (next, shown) = match replace(stage, Stage::Gone) {
+        Stage::Built(simulation) => {
+            let run = simulation::Run::begin(simulation).map_err(Broken::Simulation)?;
+            (Stage::Going(run), Shown::New)
+        }
+        Stage::Kept(simulation, kept) => {
+            let run = simulation::Run::resume(simulation, &kept).map_err(Broken::NotResumed)?;
+            (Stage::Going(run), Shown::Again)
+        }
+        Stage::Going(mut run) => match run.step().map_err(Broken::Simulation)? {
+            true => (Stage::Going(run), Shown::New),
+            false => (Stage::Ended(run), Shown::Nothing),
+        },
+        other => (other, Shown::Nothing),
+    };
+    *stage = next;
+    let (Stage::Going(run), again) = (&*stage, shown == Shown::Again) else { return Ok(false) };
+    let report = Report { again, ..run.report() };
+    if let Some(results) = lock(results).as_mut() {
+        results.observe(&report).map_err(not_observed)?;
+    }
+    if let Some(inside) = inside {
+        inside.observe(&report).map_err(not_observed)?;
+    }
+    Ok(true)
+}
+
+/// What there is to show after a step.
+#[derive(PartialEq)]
+enum Shown {
+    New,
+    /// A state that was shown before the run was interrupted.
+    Again,
+    Nothing,
+}
+
+/// Finishes results; stresses inside of bodies only where the run came to its end.
+fn finish(
+    results: ResultFolder,
+    mut totals: Totals,
+    (stage, inside): (Stage, Option<Inside>),
+) -> Result<(), InsideError> {
+    if let (Stage::Ended(run), Some(inside), None) = (&stage, inside, &totals.failure) {
+        inside.write(results.dir(), run.simulation().problem.bodies.each_ref())?;
+    }
+    let verdict = results.verdict();
+    let doubts = verdict.complaints().map(|line| format!("{line} ({})", line.word().text()));
+    totals.warnings.extend(doubts);
+    Ok(results.finish(&totals)?)
+}
+
+fn not_observed(error: Box<dyn std::error::Error + Send + Sync>) -> Broken {
+    match error.downcast::<output::Error>() {
+        Ok(error) => Broken::Output(*error),
+        Err(error) => Broken::Simulation(simulation::Error::Observer(error)),
+    }
+}
+
+fn unwritten(error: output::Error) -> PyErr {
+    PyOSError::new_err(error.to_string())
+}
+
+fn lock(results: &Results) -> MutexGuard<'_, Option<ResultFolder>> {
+    results.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Computes an elastic body by itself and writes its results into a folder.
+#[pyfunction]
+#[pyo3(signature = (file, folder, *, threads, force))]
+pub fn solve_elastic(
+    py: Python<'_>,
+    file: &CaseFile,
+    folder: PathBuf,
+    threads: Option<usize>,
+    force: bool,
+) -> PyResult<()> {
+    let (pool, file) = (pool(threads)?, file.0.clone());
+    let threads = pool.current_num_threads();
+    let work = move || -> Result<(), Unsolved> {
+        let Task::Elastic(resolved) = resolve(&file).map_err(|_| Unsolved::Case)? else {
+            return Err(Unsolved::Case);
+        };
+        let (case, case_toml) = (&resolved.case, resolved.case.to_string());
+        let claim = Claim::take(&folder).map_err(Unsolved::Output)?;
+        if !force && claim.holds_another(&case_toml) {
+            return Err(Unsolved::Taken(folder));
+        }
+        let begun = Instant::now();
+        let body = case.build().map_err(|error| Unsolved::Body(error.to_string()))?;
+        let deformed = body.solve().map_err(|error| Unsolved::Body(error.to_string()))?;
+        let totals = Totals {
+            seconds: begun.elapsed().as_secs_f64(),
+            threads,
+            warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
+            failure: None,
+        };
+        output::write_elastic(&claim, &case_toml, (&body, &deformed), &totals)
+            .map_err(Unsolved::Output)
+    };
+    let outcome = away(py, &pool, work).unless_interrupted()?;
+    outcome.map_err(|unsolved| match unsolved {
+        Unsolved::Case => PyValueError::new_err("not a case of one body by itself"),
+        Unsolved::Taken(folder) => taken(&folder),
+        Unsolved::Output(error) => unwritten(error),
+        Unsolved::Body(message) => RunError::new_err(message),
+    })
+}
+
+/// Why a body has no results.
+enum Unsolved {
+    Case,
+    Taken(PathBuf),
+    Output(output::Error),
+    Body(String),
+}
+
+fn taken(folder: &Path) -> PyErr {
+    PyFileExistsError::new_err(format!(
+        "`{}` holds another case or its results; choose another folder, or replace them with force=True",
+        folder.display()
+    ))
+}

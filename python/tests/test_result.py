@@ -1,0 +1,111 @@
+"""Results: tables, fields, plots, folders and pickles."""
+
+import pickle
+import sys
+
+import matplotlib
+import numpy as np
+import pytest
+
+import archard
+
+matplotlib.use("agg")
+
+
+@pytest.fixture
+def result(case):
+    return case.run()
+
+
+def test_fields_are_arrays_over_y_and_x(case):
+    case["frame"] = {"size": ["0.6 mm", "0.5 mm"], "elements": [24, 20]}
+    case["motion.sliding.distance"] = "6 mm"
+    last = case.run().fields[-1]
+    assert last.pressure.shape == (20, 24)
+    assert (last.x.shape, last.y.shape) == ((24,), (20,))
+    assert last.x[0] == pytest.approx(-0.3e-3 + 0.6e-3 / 48)
+    area = 0.6e-3 / 24 * 0.5e-3 / 20
+    assert last.pressure.sum() * area == pytest.approx(10.2, rel=1e-6)
+    assert set(last.worn) == {"pin", "disc"}
+    assert set(last.height) == {"pin", "disc"}
+    np.testing.assert_array_equal(last.wear, last["wear_m"])
+    with pytest.raises(AttributeError, match="no field `traction_x`; there are pressure_Pa"):
+        _ = last.traction_x
+
+
+def test_profiles_are_sections(result):
+    along = result.profile("pin", axis="y")
+    assert along.worn.max() == pytest.approx(result.fields[-1].worn["pin"].max(), rel=0.01)
+    np.testing.assert_array_equal(along.coordinate, result.fields[-1].y)
+    assert (np.diff(along.height[:12]) > 0).all()
+    np.testing.assert_array_equal(result.profile("pin", output=0).worn, 0)
+    with pytest.raises(KeyError, match="ring"):
+        result.profile("ring")
+    with pytest.raises(ValueError, match="axis"):
+        result.profile("pin", axis="z")
+
+
+def test_units_are_told(result):
+    units = result.history.units
+    assert units["distance_m"] == "m"
+    assert units["contact_area_m2"] == "m^2"
+    assert units["worn_volume_pin_m3"] == "m^3"
+    assert units["iterations"] == units["solves"] == ""
+
+
+def test_frames_of_other_libraries(result):
+    frame = result.to_pandas()
+    assert frame["load_N"].iloc[-1] == result.history["load_N"][-1]
+    assert frame.attrs["units"]["load_N"] == "N"
+    dataset = result.to_xarray()
+    assert dataset.pressure.dims == ("progress", "y", "x")
+    assert dataset.pressure.attrs["units"] == "Pa"
+    assert dataset.progress.attrs["units"] == "m"
+    np.testing.assert_array_equal(dataset.pressure[-1], result.fields[-1].pressure)
+
+
+def test_other_libraries_may_be_missing(result, monkeypatch):
+    for name, use in [("pandas", result.to_pandas), ("xarray", result.to_xarray), ("matplotlib", result.plot)]:
+        monkeypatch.setitem(sys.modules, name, None)
+        with pytest.raises(ImportError, match=name):
+            use()
+
+
+@pytest.mark.filterwarnings("ignore::archard.ArchardWarning")
+def test_plots_label_themselves(result):
+    figure = result.plot()
+    left, _, right, bar = figure.axes
+    assert left.get_ylabel() == "wear depth (m)"
+    assert bar.get_ylabel() == "pressure (Pa)"
+    assert len(right.lines) == 2
+    matplotlib.pyplot.close(figure)
+
+
+def test_a_result_pickles_and_is_saved(result, tmp_path):
+    again = pickle.loads(pickle.dumps(result))
+    assert repr(again) == repr(result)
+    again.save(tmp_path)
+    opened = archard.open(tmp_path)
+    assert opened.folder == tmp_path
+    np.testing.assert_array_equal(opened.fields[-1].pressure, result.fields[-1].pressure)
+    assert pickle.loads(pickle.dumps(opened)).toml == result.toml
+    with pytest.raises(FileExistsError, match="holds results"):
+        result.save(tmp_path)
+
+
+def test_folders_without_results_are_refused(tmp_path):
+    with pytest.raises(FileNotFoundError, match="no folder"):
+        archard.open(tmp_path / "none")
+    with pytest.raises(FileNotFoundError, match="holds no results"):
+        archard.open(tmp_path)
+
+
+def test_damaged_fields_are_refused(result, tmp_path):
+    result.save(tmp_path)
+    file = tmp_path / "fields" / "0000.vti"
+    file.write_bytes(file.read_bytes()[:200])
+    with pytest.raises(ValueError, match="not a file of this program"):
+        archard.open(tmp_path).fields[0]
+    (tmp_path / "summary.json").unlink()
+    with pytest.warns(archard.ResultWarning, match="under way, or was killed"):
+        archard.open(tmp_path)
