@@ -19,6 +19,8 @@ const COLUMNS: &[(&str, Input)] = &[
     ("distance", Input::Distance),
     ("worn", Input::Depth),
     ("rolled", Input::Rolled),
+    ("temperature", Input::Temperature),
+    ("cs", Input::CrossShear),
     ("slip_vector", Input::Vectors),
     ("traction", Input::Vectors),
 ];
@@ -53,8 +55,11 @@ impl Law {
         let (body, function, name, named, cycle) = given;
         let there = |input: Input| match input {
             Input::Friction => problem.friction.is_some(),
-            Input::Speed => problem.motion.speed().is_some(),
+            Input::Speed => problem.motion.tells_speed(),
             Input::Rolled => problem.motion.rolling().is_some(),
+            // By name only: slow contacts are refused then.
+            Input::Temperature => false,
+            Input::CrossShear => cycle,
             _ => true,
         };
         let find = |name: &String| {
@@ -105,6 +110,8 @@ impl Law {
                 "distance" => array(&points.distance).into_any(),
                 "worn" => array(&points.depth).into_any(),
                 "rolled" => array(&points.rolled).into_any(),
+                "temperature" => array(&points.temperature).into_any(),
+                "cs" => array(&points.cross_shear).into_any(),
                 "slip_vector" => pair(py, &points.slip_vector)?,
                 _ => pair(py, &points.traction)?,
             };

@@ -96,6 +96,11 @@ impl Rubbing {
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 
+    /// What a law may ask for as one number; `None` of what is more than that.
+    pub(super) fn number(&self, input: Input) -> Option<f64> {
+        NUMBERS.iter().find(|number| number.input == input).map(|number| (number.of)(self))
+    }
+
     /// This and what comes after it, together: pressure, traction, speed and temperature are means over the
     /// slip.
     #[must_use]
@@ -167,16 +172,60 @@ pub struct Columns {
     pub depth: Vec<f64>,
 }
 
+/// An input that is one number a point, and where it stands.
+struct Number {
+    input: Input,
+    of: fn(&Rubbing) -> f64,
+    column: fn(&Columns) -> &Vec<f64>,
+    column_mut: fn(&mut Columns) -> &mut Vec<f64>,
+}
+
+/// All of them.
+const NUMBERS: &[Number] = &[
+    Number {
+        input: Input::CrossShear,
+        of: |one| one.cross_shear(),
+        column: |all| &all.cross_shear,
+        column_mut: |all| &mut all.cross_shear,
+    },
+    Number {
+        input: Input::Speed,
+        of: |one| one.speed,
+        column: |all| &all.speed,
+        column_mut: |all| &mut all.speed,
+    },
+    Number {
+        input: Input::Temperature,
+        of: |one| one.temperature,
+        column: |all| &all.temperature,
+        column_mut: |all| &mut all.temperature,
+    },
+    Number {
+        input: Input::Rolled,
+        of: |one| one.rolled,
+        column: |all| &all.rolled,
+        column_mut: |all| &mut all.rolled,
+    },
+    Number {
+        input: Input::Distance,
+        of: |one| one.distance,
+        column: |all| &all.distance,
+        column_mut: |all| &mut all.distance,
+    },
+    Number {
+        input: Input::Depth,
+        of: |one| one.depth,
+        column: |all| &all.depth,
+        column_mut: |all| &mut all.depth,
+    },
+];
+
 impl Columns {
     /// What points went through, as far as it is asked for.
     pub fn of(points: impl IntoIterator<Item = Rubbing>, asked: &[Input]) -> Self {
         let asks = |input| asked.contains(&input);
-        let friction = asks(Input::Friction);
-        let vectors = asks(Input::Vectors);
-        let crossing = asks(Input::CrossShear);
-        let [speed, temperature, rolled] =
-            [Input::Speed, Input::Temperature, Input::Rolled].map(asks);
-        let [distance, depth] = [Input::Distance, Input::Depth].map(asks);
+        let (friction, vectors) = (asks(Input::Friction), asks(Input::Vectors));
+        let numbers = || NUMBERS.iter().filter(|number| asks(number.input));
         let mut columns = Self::default();
         for point in points {
             columns.pressure.push(point.pressure);
@@ -191,26 +240,19 @@ impl Columns {
                     columns.traction[axis].push(point.traction[axis]);
                 }
             }
-            if crossing {
-                columns.cross_shear.push(point.cross_shear());
-            }
-            if speed {
-                columns.speed.push(point.speed);
-            }
-            if temperature {
-                columns.temperature.push(point.temperature);
-            }
-            if rolled {
-                columns.rolled.push(point.rolled);
-            }
-            if distance {
-                columns.distance.push(point.distance);
-            }
-            if depth {
-                columns.depth.push(point.depth);
+            for number in numbers() {
+                (number.column_mut)(&mut columns).push((number.of)(&point));
             }
         }
         columns
+    }
+
+    /// The column of what a law may ask for as one number; empty of what is more than that.
+    pub(super) fn numbers(&self, input: Input) -> &[f64] {
+        NUMBERS
+            .iter()
+            .find(|number| number.input == input)
+            .map_or(&[], |number| (number.column)(self))
     }
 
     /// Number of points.

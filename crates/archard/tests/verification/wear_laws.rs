@@ -386,6 +386,11 @@ fn a_formula_may_take_a_whole_cycle() {
     let energy = "energy = { coefficient = \"1e-10 mm^3/J\", threshold = \"10 J/m^2\" }";
     let formula = "expression = { depth = \"alpha*max(work - w0, 0)\", alpha = \"1e-10 mm^3/J\", w0 = \"10 J/m^2\", per = \"cycle\" }";
     assert_eq!(run(energy, "ball", &motion), run(formula, "ball", &motion));
+    let circle = "[motion.fretting]\nload = \"10 N\"\namplitude = [\"8 um\", \"4 um\"]\nphase = \"90 deg\"\ncycles = 2";
+    let listed = "cross_shear = { unidirectional_coefficient = \"1e-20 1/Pa\", multidirectional_coefficient = \"5e-20 1/Pa\" }";
+    let crossing = "expression = { depth = \"(k0 + (k1 - k0)*(2*cs))*s*p\", k0 = \"1e-20 1/Pa\", k1 = \"5e-20 1/Pa\", per = \"cycle\" }";
+    let [one, other] = [listed, crossing].map(|law| run(law, "ball", circle).1);
+    agree(&one[0], &other[0], 1e-12);
     let formula = formula.replace("work", "mu*p*s");
     let [one, other] = [energy, &*formula].map(|law| run(law, "ball", &motion).1);
     agree(&one[0], &other[0], 1e-9);

@@ -21,12 +21,12 @@ use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
 pub use look_up::LookUp;
 use parser::{File, Mistake};
-use tape::{Inputs, Tape, Variable};
+use tape::{Tape, Variable};
 pub use trial::try_out;
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
-    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, temperature, distance, worn and rolled; any motion that supplies what it names",
+    meaning: "by a formula: depth = \"k*p*s\" in the variables p, s, work, mu, v, temperature, distance, worn, rolled and cs; any motion that supplies what it names",
     parameters: &[
         Parameter::required("depth", Quantity::Formula, "formula of the depth, a length"),
         Parameter::optional(
@@ -58,11 +58,12 @@ const VARIABLES: &[(&str, Variable, Dimension, &str)] = &[
     ("s", Variable::Slip, Dimension::LENGTH, "m"),
     ("work", Variable::Work, Dimension::LOAD_PER_LENGTH, "J/m^2"),
     ("mu", Variable::Coefficient, Dimension::NUMBER, ""),
-    ("v", Variable::Speed, Dimension::SPEED, "m/s"),
-    ("temperature", Variable::Temperature, Dimension::TEMPERATURE, "K"),
-    ("distance", Variable::Distance, Dimension::LENGTH, "m"),
-    ("worn", Variable::Depth, Dimension::LENGTH, "m"),
-    ("rolled", Variable::Rolled, Dimension::LENGTH, "m"),
+    ("v", Variable::Given(Input::Speed), Dimension::SPEED, "m/s"),
+    ("temperature", Variable::Given(Input::Temperature), Dimension::TEMPERATURE, "K"),
+    ("distance", Variable::Given(Input::Distance), Dimension::LENGTH, "m"),
+    ("worn", Variable::Given(Input::Depth), Dimension::LENGTH, "m"),
+    ("rolled", Variable::Given(Input::Rolled), Dimension::LENGTH, "m"),
+    ("cs", Variable::Given(Input::CrossShear), Dimension::NUMBER, ""),
 ];
 
 /// A depth by a formula.
@@ -131,6 +132,10 @@ impl Expression {
         }
         let tape = Tape::new(&node, &scope);
         let inputs = inputs(&tape);
+        if inputs.contains(&Input::CrossShear) && per == Per::Increment {
+            let message = "`cs` is of a whole cycle: say `per = \"cycle\"`";
+            return Err(Invalid::new("depth", message));
+        }
         let law = Self { formula: formula.to_owned(), tape, inputs, per };
         trial::hold_formula(&law)?;
         Ok(law)
@@ -147,16 +152,7 @@ impl Expression {
 /// What a formula asks for.
 fn inputs(tape: &Tape) -> Vec<Input> {
     let mut inputs = vec![];
-    for variable in tape.variables() {
-        let input = match variable {
-            Variable::Pressure | Variable::Slip => continue,
-            Variable::Work | Variable::Coefficient => Input::Friction,
-            Variable::Speed => Input::Speed,
-            Variable::Temperature => Input::Temperature,
-            Variable::Distance => Input::Distance,
-            Variable::Depth => Input::Depth,
-            Variable::Rolled => Input::Rolled,
-        };
+    for input in tape.variables().filter_map(Variable::input) {
         if !inputs.contains(&input) {
             inputs.push(input);
         }
@@ -249,41 +245,14 @@ impl WearLaw for Expression {
     }
 
     fn depth(&self, rubbing: Rubbing) -> f64 {
-        self.tape.at(&one(&rubbing)).0
+        self.tape.at(&Columns::of([rubbing], &self.inputs)).0
     }
 
     fn slope(&self, rubbing: Rubbing) -> f64 {
-        self.tape.at(&one(&rubbing)).1
+        self.tape.at(&Columns::of([rubbing], &self.inputs)).1
     }
 
     fn depths(&self, points: &Columns, depths: &mut [f64], slopes: &mut [f64]) {
-        let inputs = Inputs {
-            pressure: &points.pressure,
-            slip: &points.slip,
-            work: &points.work,
-            friction: &points.friction,
-            speed: &points.speed,
-            temperature: &points.temperature,
-            distance: &points.distance,
-            depth: &points.depth,
-            rolled: &points.rolled,
-        };
-        self.tape.over(&inputs, depths, slopes);
-    }
-}
-
-/// Columns of one point.
-fn one(rubbing: &Rubbing) -> Inputs<'_> {
-    let column = std::slice::from_ref;
-    Inputs {
-        pressure: column(&rubbing.pressure),
-        slip: column(&rubbing.slip),
-        work: column(&rubbing.work),
-        friction: column(&rubbing.friction),
-        speed: column(&rubbing.speed),
-        temperature: column(&rubbing.temperature),
-        distance: column(&rubbing.distance),
-        depth: column(&rubbing.depth),
-        rolled: column(&rubbing.rolled),
+        self.tape.over(points, depths, slopes);
     }
 }

@@ -7,6 +7,7 @@
 use super::Scope;
 use super::parser::{Function, Node, Sign, Term};
 use crate::numerics::piecewise::Piecewise;
+use crate::wear::{Columns, Input};
 
 /// What a point goes through, as formulas may name it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,11 +16,8 @@ pub(super) enum Variable {
     Slip,
     Work,
     Coefficient,
-    Speed,
-    Temperature,
-    Distance,
-    Depth,
-    Rolled,
+    /// What does not change with the pressure.
+    Given(Input),
 }
 
 impl Variable {
@@ -27,21 +25,15 @@ impl Variable {
     fn varies(self) -> bool {
         matches!(self, Self::Pressure | Self::Work | Self::Coefficient)
     }
-}
 
-/// Columns of what points go through (SI); those that the formula does not name may be empty.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Inputs<'a> {
-    pub pressure: &'a [f64],
-    pub slip: &'a [f64],
-    pub work: &'a [f64],
-    /// How the limit of friction grows with the pressure.
-    pub friction: &'a [f64],
-    pub speed: &'a [f64],
-    pub temperature: &'a [f64],
-    pub distance: &'a [f64],
-    pub depth: &'a [f64],
-    pub rolled: &'a [f64],
+    /// What a law with it asks for.
+    pub fn input(self) -> Option<Input> {
+        match self {
+            Self::Pressure | Self::Slip => None,
+            Self::Work | Self::Coefficient => Some(Input::Friction),
+            Self::Given(input) => Some(input),
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -248,18 +240,18 @@ impl Tape {
     }
 
     /// Value and slope at a point.
-    pub fn at(&self, inputs: &Inputs) -> (f64, f64) {
+    pub fn at(&self, inputs: &Columns) -> (f64, f64) {
         let (mut value, mut slope) = ([0.0], [0.0]);
         self.run::<1>(inputs, &mut value, &mut slope);
         (value[0], slope[0])
     }
 
     /// Values and slopes at many points, one value each.
-    pub fn over(&self, inputs: &Inputs, values: &mut [f64], slopes: &mut [f64]) {
+    pub fn over(&self, inputs: &Columns, values: &mut [f64], slopes: &mut [f64]) {
         self.run::<CHUNK>(inputs, values, slopes);
     }
 
-    fn run<const N: usize>(&self, inputs: &Inputs, values: &mut [f64], slopes: &mut [f64]) {
+    fn run<const N: usize>(&self, inputs: &Columns, values: &mut [f64], slopes: &mut [f64]) {
         let mut lanes = vec![Lane::<N> { value: [0.0; N], slope: [0.0; N] }; self.operations.len()];
         for (lane, operation) in lanes.iter_mut().zip(&self.operations) {
             if let Operation::Constant(value) = operation {
@@ -303,7 +295,7 @@ impl<const N: usize> Lane<N> {
         operation: Operation,
         varies: bool,
         before: &[Self],
-        inputs: &Inputs,
+        inputs: &Columns,
         (first, count): (usize, usize),
     ) {
         match operation {
@@ -371,7 +363,7 @@ impl<const N: usize> Lane<N> {
     }
 
     /// A variable at `count` points from `first` on.
-    fn load(&mut self, variable: Variable, inputs: &Inputs, first: usize, count: usize) {
+    fn load(&mut self, variable: Variable, inputs: &Columns, first: usize, count: usize) {
         let part = |column: &[f64]| -> [f64; N] {
             let mut part = [0.0; N];
             part[..count].copy_from_slice(&column[first..first + count]);
@@ -379,17 +371,17 @@ impl<const N: usize> Lane<N> {
         };
         match variable {
             Variable::Pressure => {
-                self.value = part(inputs.pressure);
+                self.value = part(&inputs.pressure);
                 self.slope = [1.0; N];
             }
             Variable::Work => {
-                self.value = part(inputs.work);
-                let (friction, slip) = (part(inputs.friction), part(inputs.slip));
+                self.value = part(&inputs.work);
+                let (friction, slip) = (part(&inputs.friction), part(&inputs.slip));
                 self.slope = std::array::from_fn(|i| friction[i] * slip[i]);
             }
             Variable::Coefficient => {
-                let (pressure, slip) = (part(inputs.pressure), part(inputs.slip));
-                let (work, friction) = (part(inputs.work), part(inputs.friction));
+                let (pressure, slip) = (part(&inputs.pressure), part(&inputs.slip));
+                let (work, friction) = (part(&inputs.work), part(&inputs.friction));
                 for i in 0..count {
                     let rubbed = pressure[i] * slip[i];
                     (self.value[i], self.slope[i]) = if rubbed > 0.0 {
@@ -400,12 +392,8 @@ impl<const N: usize> Lane<N> {
                     };
                 }
             }
-            Variable::Slip => self.value = part(inputs.slip),
-            Variable::Speed => self.value = part(inputs.speed),
-            Variable::Temperature => self.value = part(inputs.temperature),
-            Variable::Distance => self.value = part(inputs.distance),
-            Variable::Depth => self.value = part(inputs.depth),
-            Variable::Rolled => self.value = part(inputs.rolled),
+            Variable::Slip => self.value = part(&inputs.slip),
+            Variable::Given(input) => self.value = part(inputs.numbers(input)),
         }
     }
 }

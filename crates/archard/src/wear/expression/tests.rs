@@ -3,7 +3,7 @@ use exmex::Express;
 
 use super::parser::{self, Mistake};
 use super::tape::Tape;
-use super::{Expression, LookUp, Scope, dimension, one, try_out};
+use super::{Expression, LookUp, Scope, dimension, try_out};
 use crate::units::Dimension;
 use crate::wear::{
     Archard, Columns, Input, Over, Per, Rubbing, RunningIn, Table, Threshold, WearLaw,
@@ -23,6 +23,13 @@ fn scope() -> Scope {
 fn rubbing() -> Rubbing {
     let rubbing = Rubbing::new(1e8, 0.2).with_friction(0.3 * 1e8 * 0.2, 0.3);
     rubbing.at_speed(0.5).rolling(3.0).after(1.5, 2e-6)
+}
+
+/// Columns of one point.
+fn one(rubbing: &Rubbing) -> Columns {
+    use Input::{CrossShear, Depth, Distance, Friction, Rolled, Speed, Temperature};
+    let all = [Friction, Speed, Temperature, Distance, Depth, Rolled, CrossShear];
+    Columns::of([*rubbing], &all)
 }
 
 /// The value of a formula of any dimension there.

@@ -4,7 +4,7 @@
 //! finite. Per increment, two halves of a slip wear what the whole does. The pressures go from 1 Pa to 10 GPa, the slips
 //! from a nanometre to 100 m, all else over what tests of wear have.
 
-use super::{Expression, Variable};
+use super::{Expression, VARIABLES, Variable};
 use crate::parameters::Invalid;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
@@ -20,6 +20,8 @@ const TEMPERATURES: [f64; 4] = [290.0, 400.0, 700.0, 1100.0];
 const DISTANCES: [f64; 3] = [0.0, 0.1, 1e3];
 const DEPTHS: [f64; 3] = [0.0, 1e-6, 1e-4];
 const ROLLED: [f64; 2] = [1e-3, 1.0];
+/// Shares by which directions of slip cross each other.
+const CROSSING: [f64; 3] = [0.0, 0.1, 0.5];
 
 /// Rounding that a depth may fall by, and what two halves may differ by from the whole, relative.
 const ROUNDING: f64 = 1e-9;
@@ -77,6 +79,10 @@ fn surroundings(inputs: &[Input]) -> Vec<Rubbing> {
     vary(Input::Distance, &DISTANCES, |one, distance| one.after(distance, one.depth));
     vary(Input::Depth, &DEPTHS, |one, depth| one.after(one.distance, depth));
     vary(Input::Rolled, &ROLLED, Rubbing::rolling);
+    vary(Input::CrossShear, &CROSSING, |one, share| Rubbing {
+        directions: [1.0 - share, share, 0.0],
+        ..one
+    });
     all
 }
 
@@ -88,6 +94,7 @@ fn points(surroundings: &Rubbing, slip: f64) -> Vec<Rubbing> {
         work: surroundings.friction * pressure * slip,
         slip_vector: [slip, 0.0],
         traction: [surroundings.friction * pressure, 0.0],
+        directions: surroundings.directions.map(|part| part * pressure * slip),
         ..*surroundings
     };
     pressures().into_iter().map(point).collect()
@@ -189,12 +196,11 @@ fn adds_up(Tried { law, place }: Tried<'_>, all: &[Rubbing]) -> Result<(), Inval
 fn place_by_inputs(law: &dyn WearLaw, point: &Rubbing) -> String {
     let asked = law.inputs().iter().filter_map(|input| match input {
         Input::Friction => Some(("mu", point.friction, "")),
-        Input::Speed => Some(("v", point.speed, "m/s")),
-        Input::Rolled => Some(("rolled", point.rolled, "m")),
-        Input::Distance => Some(("distance", point.distance, "m")),
-        Input::Depth => Some(("worn", point.depth, "m")),
-        Input::Temperature => Some(("temperature", point.temperature, "K")),
-        Input::Vectors | Input::CrossShear => None,
+        &input => {
+            let given = |known: &&(_, Variable, _, _)| known.1.input() == Some(input);
+            let &(name, _, _, unit) = VARIABLES.iter().find(given)?;
+            Some((name, point.number(input)?, unit))
+        }
     });
     written([("p", point.pressure, "Pa"), ("s", point.slip, "m")].into_iter().chain(asked))
 }
@@ -214,11 +220,7 @@ fn place(law: &Expression, point: &Rubbing) -> String {
         Variable::Slip => point.slip,
         Variable::Work => point.work,
         Variable::Coefficient => point.friction,
-        Variable::Speed => point.speed,
-        Variable::Temperature => point.temperature,
-        Variable::Distance => point.distance,
-        Variable::Depth => point.depth,
-        Variable::Rolled => point.rolled,
+        Variable::Given(input) => point.number(input).unwrap_or_default(),
     };
     let named = law.variables().filter(|(name, ..)| !["p", "s"].contains(name));
     let always = [("p", Variable::Pressure, "Pa"), ("s", Variable::Slip, "m")];
