@@ -31,9 +31,10 @@ class Law(NamedTuple):
     - ``distance``, ``worn``: distance slid (m) and depth worn (m) there before
     - ``slip_vector``, ``traction``: slip of body 2 over body 1 (m) and traction on body 1 (Pa), shape (2, n)
 
-    With ``**columns`` it gets all that the case has but the temperature. A law is tried before the run: its depth has to be finite,
-    not negative, zero without pressure or slip, must not fall as the pressure grows and, per increment, has to be
-    in proportion to the slip. Points are independent of each other: a call may be for one, or any number of them.
+    With ``**columns`` it gets all that the case has but the temperature. A law is tried before the run: its depth
+    has to be finite, not negative, zero without pressure or slip, must not fall as the pressure grows and, per
+    increment, has to be in proportion to the slip. Points are independent of each other: a call may be for one, or
+    any number of them.
     """
 
     function: WearFunction
