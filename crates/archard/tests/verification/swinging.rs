@@ -224,6 +224,15 @@ fn surfaces_are_chosen_by_the_amplitude() {
     assert!(!swings(&["motion.fretting.increments=40"]));
     assert!(!swings(&["body.flat.wear=", "body.cylinder.wear="]));
     assert!(!swings(&[&amplitude(12.0), "friction.coulomb.coefficient=20"]));
+    // What resists slip along the motion counts, not the force that inclined axes bear there.
+    let axes = |angle: f64| {
+        format!(
+            "friction={{ orthotropic = {{ coefficients = [20, 0.2], angle = \"{angle} deg\" }} }}"
+        )
+    };
+    assert!(swings(&[&amplitude(12.0), &axes(90.0)]));
+    assert!(!swings(&[&amplitude(12.0), &axes(0.0)]));
+    assert!(!swings(&[&amplitude(12.0), &axes(45.0)]));
 }
 
 /// A forecast counts the positions of each step.

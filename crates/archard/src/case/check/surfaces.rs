@@ -92,9 +92,10 @@ fn swings(parts: &Parts<'_>) -> bool {
     let (Some(contact), true) = (subject.contact(parts.schedule.control), parts.wears()) else {
         return false;
     };
+    let along = if axis == 0 { [1.0, 0.0] } else { [0.0, 1.0] };
     let friction = match &parts.friction {
         None => Some(0.0),
-        Some(_) => subject.largest_force([1.0, 0.0], [true; 2]),
+        Some(_) => subject.largest_force(along, [false; 2]),
     };
     let (Some(friction), Some(approach)) = (friction, contact.approach) else { return false };
     let crosses = axis == 1 && parts.case.frame.line;
