@@ -226,7 +226,6 @@ impl Run {
     }
 
     fn error(&self, broken: Broken) -> PyErr {
-        use simulation::Error as E;
         match broken {
             Broken::Raised => raised(&self.failed),
             Broken::Output(error @ output::Error::NotFinite { .. }) => {
@@ -234,12 +233,9 @@ impl Run {
             }
             Broken::Output(error) => unwritten(error),
             Broken::NotResumed(error) => PyValueError::new_err(error.to_string()),
-            Broken::Simulation(
-                error @ (E::NotConverged { .. }
-                | E::FrictionNotConverged { .. }
-                | E::NotConsistent { .. }
-                | E::StepTooSmall { .. }),
-            ) => NotConverged::new_err(error.to_string()),
+            Broken::Simulation(error) if error.is_of_convergence() => {
+                NotConverged::new_err(error.to_string())
+            }
             Broken::Simulation(error) => RunError::new_err(error.to_string()),
         }
     }

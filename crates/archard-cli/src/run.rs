@@ -164,10 +164,7 @@ fn failure(error: Error, dir: &Path) -> Failure {
     match error {
         Error::Observer(cause) if cause.is::<Interrupted>() => interrupt::with_results(dir),
         Error::Observer(cause) if is_no_number(&*cause) => Failure::NotConverged(message),
-        Error::NotConverged { .. }
-        | Error::FrictionNotConverged { .. }
-        | Error::NotConsistent { .. }
-        | Error::StepTooSmall { .. } => Failure::NotConverged(message),
+        error if error.is_of_convergence() => Failure::NotConverged(message),
         _ => Failure::Wrong(message),
     }
 }

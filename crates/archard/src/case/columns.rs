@@ -35,33 +35,31 @@ type Columns = Vec<(String, Vec<f64>)>;
 
 /// Reads the columns of a file (SI): those of known names as what they are, others as lengths.
 pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, Error> {
-    let file = || path.to_owned();
-    let mut reader = reader(path)?;
-    let unreadable = |cause| Error::Unreadable { file: file(), cause };
-    let titles = reader.headers().map_err(unreadable)?.clone();
+    let (reader, titles) = begin(path)?;
     let headings = titles.iter().map(|title| heading(title, path, known));
-    rows(path, headings.collect::<Result<_, _>>()?, &|name| quantity(name, known))
+    rows((path, reader), headings.collect::<Result<_, _>>()?, &|name| quantity(name, known))
 }
 
-/// A reader of tables.
-fn reader(path: &Path) -> Result<csv::Reader<std::fs::File>, Error> {
+/// A reader of a table, at its first row, and the titles of the columns.
+fn begin(path: &Path) -> Result<(csv::Reader<std::fs::File>, csv::StringRecord), Error> {
     let unreadable = |cause| Error::Unreadable { file: path.to_owned(), cause };
-    csv::ReaderBuilder::new()
+    let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
         .from_path(path)
-        .map_err(unreadable)
+        .map_err(unreadable)?;
+    let titles = reader.headers().map_err(unreadable)?.clone();
+    Ok((reader, titles))
 }
 
 /// The numbers below headings, each a name and its unit; what a column of a name holds bounds its size.
 fn rows(
-    path: &Path,
+    (path, mut reader): (&Path, csv::Reader<std::fs::File>),
     headings: Vec<(String, Scale)>,
     quantity: &dyn Fn(&str) -> Quantity,
 ) -> Result<Columns, Error> {
     let file = || path.to_owned();
-    let mut reader = reader(path)?;
     let (mut columns, mut scales): (Columns, Vec<Scale>) = (vec![], vec![]);
     for (name, scale) in headings {
         if columns.iter().any(|(known, _)| *known == name) {
@@ -99,15 +97,11 @@ fn rows(
 
 /// Reads the columns of a file (SI), whatever their units measure.
 pub(super) fn read_any(path: &Path) -> Result<Vec<Column>, Error> {
-    let titles = {
-        let mut reader = reader(path)?;
-        let headers = reader.headers();
-        headers.map_err(|cause| Error::Unreadable { file: path.to_owned(), cause })?.clone()
-    };
+    let (reader, titles) = begin(path)?;
     let headings: Vec<(String, Scale, String)> =
         titles.iter().map(|title| any_heading(title, path)).collect::<Result<_, _>>()?;
     let scales = headings.iter().map(|(name, scale, _)| (name.clone(), scale.clone())).collect();
-    let columns = rows(path, scales, &|_| Quantity::Number)?;
+    let columns = rows((path, reader), scales, &|_| Quantity::Number)?;
     let units = headings.into_iter().map(|(_, _, unit)| unit);
     let column = |((name, values), unit)| Column { name, unit, values };
     Ok(columns.into_iter().zip(units).map(column).collect())

@@ -301,6 +301,11 @@ pub enum Error {
 }
 
 impl Error {
+    /// Whether a solve, or the choice of a step, did not come to an end.
+    pub fn is_of_convergence(&self) -> bool {
+        self.is_of_length() || matches!(self, Self::StepTooSmall { .. })
+    }
+
     /// Whether a shorter step, or jump, may do: it was a solve that did not come to an end.
     pub(crate) fn is_of_length(&self) -> bool {
         matches!(

@@ -14,13 +14,14 @@ mod running_in;
 mod t_gamma;
 mod table;
 mod threshold;
+mod trial;
 
 use std::fmt::Debug;
 
 pub use archard::Archard;
 pub use cross_shear::CrossShear;
 pub use energy::Energy;
-pub use expression::{Expression, LookUp, try_out};
+pub use expression::{Expression, LookUp};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use power::Power;
@@ -29,6 +30,7 @@ pub use running_in::RunningIn;
 pub use t_gamma::TGamma;
 pub use table::{Over, Table};
 pub use threshold::Threshold;
+pub use trial::try_out;
 
 use crate::parameters::Choice;
 

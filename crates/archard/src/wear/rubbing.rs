@@ -96,11 +96,6 @@ impl Rubbing {
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 
-    /// What a law may ask for as one number; `None` of what is more than that.
-    pub(super) fn number(&self, input: Input) -> Option<f64> {
-        NUMBERS.iter().find(|number| number.input == input).map(|number| (number.of)(self))
-    }
-
     /// This and what comes after it, together: pressure, traction, speed and temperature are means over the
     /// slip.
     #[must_use]
@@ -172,53 +167,39 @@ pub struct Columns {
     pub depth: Vec<f64>,
 }
 
-/// An input that is one number a point, and where it stands.
-struct Number {
-    input: Input,
-    of: fn(&Rubbing) -> f64,
+/// An input that is one number a point: what formulas call it, its unit, and where it stands.
+pub(super) struct Number {
+    pub input: Input,
+    pub name: &'static str,
+    pub unit: &'static str,
+    pub of: fn(&Rubbing) -> f64,
     column: fn(&Columns) -> &Vec<f64>,
     column_mut: fn(&mut Columns) -> &mut Vec<f64>,
 }
 
 /// All of them.
-const NUMBERS: &[Number] = &[
-    Number {
-        input: Input::CrossShear,
-        of: |one| one.cross_shear(),
-        column: |all| &all.cross_shear,
-        column_mut: |all| &mut all.cross_shear,
-    },
-    Number {
-        input: Input::Speed,
-        of: |one| one.speed,
-        column: |all| &all.speed,
-        column_mut: |all| &mut all.speed,
-    },
-    Number {
-        input: Input::Temperature,
-        of: |one| one.temperature,
-        column: |all| &all.temperature,
-        column_mut: |all| &mut all.temperature,
-    },
-    Number {
-        input: Input::Rolled,
-        of: |one| one.rolled,
-        column: |all| &all.rolled,
-        column_mut: |all| &mut all.rolled,
-    },
-    Number {
-        input: Input::Distance,
-        of: |one| one.distance,
-        column: |all| &all.distance,
-        column_mut: |all| &mut all.distance,
-    },
-    Number {
-        input: Input::Depth,
-        of: |one| one.depth,
-        column: |all| &all.depth,
-        column_mut: |all| &mut all.depth,
-    },
-];
+pub(super) const NUMBERS: &[Number] = {
+    macro_rules! number {
+        ($input:ident, $name:literal, $unit:literal, $column:ident, $of:expr) => {
+            Number {
+                input: Input::$input,
+                name: $name,
+                unit: $unit,
+                of: $of,
+                column: |all| &all.$column,
+                column_mut: |all| &mut all.$column,
+            }
+        };
+    }
+    &[
+        number!(CrossShear, "cs", "", cross_shear, |one| one.cross_shear()),
+        number!(Speed, "v", "m/s", speed, |one| one.speed),
+        number!(Temperature, "temperature", "K", temperature, |one| one.temperature),
+        number!(Rolled, "rolled", "m", rolled, |one| one.rolled),
+        number!(Distance, "distance", "m", distance, |one| one.distance),
+        number!(Depth, "worn", "m", depth, |one| one.depth),
+    ]
+};
 
 impl Columns {
     /// What points went through, as far as it is asked for.

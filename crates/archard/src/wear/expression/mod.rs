@@ -2,7 +2,7 @@
 //!
 //! The depth is a formula of what a point goes through, with constants that carry their units. It is read into a tree
 //! (`parser`), held against the dimensions (`dimension`) and computed on columns with its derivative (`tape`). What a law
-//! owes is tried at many points before it is taken (`trial`).
+//! owes is [tried](try_out) at many points before it is taken.
 //!
 //! Limits: a formula that keeps to all that at the points tried may break it elsewhere.
 
@@ -12,17 +12,15 @@ mod parser;
 mod tape;
 #[cfg(test)]
 mod tests;
-mod trial;
 
 use std::ops::Range;
 
-use super::{Columns, Input, Per, Rubbing, WearLaw};
+use super::{Columns, Input, Per, Rubbing, WearLaw, try_out};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
 pub use look_up::LookUp;
 use parser::{File, Mistake};
 use tape::{Tape, Variable};
-pub use trial::try_out;
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "expression",
@@ -52,18 +50,18 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     },
 };
 
-/// What a formula may name: how it is called, what it is, its dimension and its unit.
-const VARIABLES: &[(&str, Variable, Dimension, &str)] = &[
-    ("p", Variable::Pressure, Dimension::PRESSURE, "Pa"),
-    ("s", Variable::Slip, Dimension::LENGTH, "m"),
-    ("work", Variable::Work, Dimension::LOAD_PER_LENGTH, "J/m^2"),
-    ("mu", Variable::Coefficient, Dimension::NUMBER, ""),
-    ("v", Variable::Given(Input::Speed), Dimension::SPEED, "m/s"),
-    ("temperature", Variable::Given(Input::Temperature), Dimension::TEMPERATURE, "K"),
-    ("distance", Variable::Given(Input::Distance), Dimension::LENGTH, "m"),
-    ("worn", Variable::Given(Input::Depth), Dimension::LENGTH, "m"),
-    ("rolled", Variable::Given(Input::Rolled), Dimension::LENGTH, "m"),
-    ("cs", Variable::Given(Input::CrossShear), Dimension::NUMBER, ""),
+/// What a formula may name: how it is called, what it is and its dimension.
+const VARIABLES: &[(&str, Variable, Dimension)] = &[
+    ("p", Variable::Pressure, Dimension::PRESSURE),
+    ("s", Variable::Slip, Dimension::LENGTH),
+    ("work", Variable::Work, Dimension::LOAD_PER_LENGTH),
+    ("mu", Variable::Coefficient, Dimension::NUMBER),
+    ("v", Variable::Given(Input::Speed), Dimension::SPEED),
+    ("temperature", Variable::Given(Input::Temperature), Dimension::TEMPERATURE),
+    ("distance", Variable::Given(Input::Distance), Dimension::LENGTH),
+    ("worn", Variable::Given(Input::Depth), Dimension::LENGTH),
+    ("rolled", Variable::Given(Input::Rolled), Dimension::LENGTH),
+    ("cs", Variable::Given(Input::CrossShear), Dimension::NUMBER),
 ];
 
 /// A depth by a formula.
@@ -81,8 +79,8 @@ impl Expression {
     ///
     /// The formula gives the depth (m) from the pressure `p` (Pa), the distance slid `s` (m), the `work` of friction
     /// (J/m^2), the coefficient of friction `mu` = work / (p s), the speed of sliding `v` (m/s), the `temperature` of the
-    /// surfaces (K), the `distance` slid before (m), the depth `worn` before (m) and the distance `rolled` (m). It asks for the [`Input`]s that it names.
-    /// Where nothing presses or slides, `mu` is the slope of the friction limit.
+    /// surfaces (K), the `distance` slid before (m), the depth `worn` before (m), the distance `rolled` (m) and the share `cs`
+    /// by which directions of slip [cross](Rubbing::cross_shear). It asks for the [`Input`]s that it names. Where nothing presses or slides, `mu` is the slope of the friction limit.
     ///
     /// # Errors
     /// If the formula cannot be read, its dimensions do not agree or its value is no length; if a constant cannot be read,
@@ -137,15 +135,8 @@ impl Expression {
             return Err(Invalid::new("depth", message));
         }
         let law = Self { formula: formula.to_owned(), tape, inputs, per };
-        trial::hold_formula(&law)?;
+        try_out(&law)?;
         Ok(law)
-    }
-
-    /// What the formula names, in the order of [`VARIABLES`].
-    fn variables(&self) -> impl Iterator<Item = (&'static str, Variable, &'static str)> {
-        let named = |variable| self.tape.variables().any(|known| known == variable);
-        let known = VARIABLES.iter().filter(move |(_, variable, ..)| named(*variable));
-        known.map(|&(name, variable, _, unit)| (name, variable, unit))
     }
 }
 

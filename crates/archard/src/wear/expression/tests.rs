@@ -3,7 +3,7 @@ use exmex::Express;
 
 use super::parser::{self, Mistake};
 use super::tape::Tape;
-use super::{Expression, LookUp, Scope, dimension, try_out};
+use super::{Expression, LookUp, Scope, dimension};
 use crate::units::Dimension;
 use crate::wear::{
     Archard, Columns, Input, Over, Per, Rubbing, RunningIn, Table, Threshold, WearLaw,
@@ -461,20 +461,4 @@ fn tables_that_do_not_fit_are_pointed_at() {
     }
     let constant = Expression::new("table*p*s", &[("table", "1 1/Pa")], Per::Increment);
     assert!(constant.unwrap_err().message.contains("has a meaning in formulas"));
-}
-
-/// All laws that go by what the trial has keep to it; one that does not is told where.
-#[test]
-fn laws_of_any_kind_are_tried() {
-    #[derive(Debug)]
-    struct Sinking;
-    impl WearLaw for Sinking {
-        fn depth(&self, rubbing: Rubbing) -> f64 {
-            1e-13 * (rubbing.pressure - 1e6) * rubbing.slip
-        }
-    }
-    try_out(&Archard::new(1e-13).unwrap()).unwrap();
-    try_out(&RunningIn::new([1e-12, 1e-13], 10.0).unwrap()).unwrap();
-    let refused = try_out(&Sinking).unwrap_err();
-    assert_eq!(refused.message, "is negative: -1e-16 m at p = 0 Pa, s = 1e-9 m");
 }

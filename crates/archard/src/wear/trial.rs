@@ -4,9 +4,9 @@
 //! finite. Per increment, two halves of a slip wear what the whole does. The pressures go from 1 Pa to 10 GPa, the slips
 //! from a nanometre to 100 m, all else over what tests of wear have.
 
-use super::{Expression, VARIABLES, Variable};
+use super::rubbing::NUMBERS;
+use super::{Columns, Input, Per, Rubbing, WearLaw};
 use crate::parameters::Invalid;
-use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 /// Slips (m), and those that are halved.
 const SLIPS: [f64; 7] = [0.0, 1e-9, 1e-6, 1e-3, 0.1, 10.0, 100.0];
@@ -39,29 +39,13 @@ fn pressures() -> Vec<f64> {
 /// # Errors
 /// If it is not so, with the point.
 pub fn try_out(law: &dyn WearLaw) -> Result<(), Invalid> {
-    hold(Tried { law, place: &|point| place_by_inputs(law, point) })
-}
-
-/// Refuses a formula that does not keep to them, with the point where it does not.
-pub(super) fn hold_formula(law: &Expression) -> Result<(), Invalid> {
-    hold(Tried { law, place: &|point| place(law, point) })
-}
-
-/// A law, and how a point is told where it goes wrong.
-#[derive(Clone, Copy)]
-struct Tried<'a> {
-    law: &'a dyn WearLaw,
-    place: &'a dyn Fn(&Rubbing) -> String,
-}
-
-fn hold(tried: Tried<'_>) -> Result<(), Invalid> {
-    let all = surroundings(tried.law.inputs());
+    let all = surroundings(law.inputs());
     for surroundings in &all {
         for slip in SLIPS {
-            grows_with_pressure(tried, surroundings, slip)?;
+            grows_with_pressure(law, surroundings, slip)?;
         }
     }
-    if tried.law.per() == Per::Increment { adds_up(tried, &all) } else { Ok(()) }
+    if law.per() == Per::Increment { adds_up(law, &all) } else { Ok(()) }
 }
 
 /// All that a law asks for beside pressure and slip, in all combinations; the work is that of slip.
@@ -109,7 +93,7 @@ fn worn(law: &dyn WearLaw, points: &[Rubbing]) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn grows_with_pressure(
-    Tried { law, place }: Tried<'_>,
+    law: &dyn WearLaw,
     surroundings: &Rubbing,
     slip: f64,
 ) -> Result<(), Invalid> {
@@ -117,7 +101,7 @@ fn grows_with_pressure(
     let (depths, slopes) = worn(law, &points);
     let mut least = 0.0;
     for (at, ((point, &depth), &slope)) in points.iter().zip(&depths).zip(&slopes).enumerate() {
-        let place = || place(point);
+        let place = || place(law, point);
         if !depth.is_finite() {
             return refuse(format!("is no finite number, {depth} at {}", place()));
         }
@@ -154,7 +138,7 @@ fn grows_with_pressure(
 
 /// Two halves of a slip wear what the whole does: the second after the first, or both as if at the start, as laws do that
 /// take what was before a step for the whole of it.
-fn adds_up(Tried { law, place }: Tried<'_>, all: &[Rubbing]) -> Result<(), Invalid> {
+fn adds_up(law: &dyn WearLaw, all: &[Rubbing]) -> Result<(), Invalid> {
     let (mut in_turn, mut at_start) = (Ok(()), Ok(()));
     for (surroundings, slip) in all.iter().flat_map(|one| HALVED.map(|slip| (one, slip))) {
         let whole = points(surroundings, slip);
@@ -180,7 +164,7 @@ fn adds_up(Tried { law, place }: Tried<'_>, all: &[Rubbing]) -> Result<(), Inval
     }
     match (in_turn, at_start) {
         (Err((point, depth, halves)), Err(_)) => {
-            let place = place(&point);
+            let place = place(law, &point);
             let message = format!(
                 "is not in proportion to the slip: {} m at {place}, and {} m in two halves of it",
                 digits(depth),
@@ -192,17 +176,16 @@ fn adds_up(Tried { law, place }: Tried<'_>, all: &[Rubbing]) -> Result<(), Inval
     }
 }
 
-/// What a law goes by, with its values at a point.
-fn place_by_inputs(law: &dyn WearLaw, point: &Rubbing) -> String {
-    let asked = law.inputs().iter().filter_map(|input| match input {
-        Input::Friction => Some(("mu", point.friction, "")),
-        &input => {
-            let given = |known: &&(_, Variable, _, _)| known.1.input() == Some(input);
-            let &(name, _, _, unit) = VARIABLES.iter().find(given)?;
-            Some((name, point.number(input)?, unit))
-        }
-    });
-    written([("p", point.pressure, "Pa"), ("s", point.slip, "m")].into_iter().chain(asked))
+/// What a law goes by, with its values at a point: "p = 1e8 Pa, s = 1e-3 m".
+fn place(law: &dyn WearLaw, point: &Rubbing) -> String {
+    let friction = law.inputs().contains(&Input::Friction).then_some(("mu", point.friction, ""));
+    let numbers = NUMBERS.iter().filter(|number| law.inputs().contains(&number.input));
+    let asked = numbers.map(|number| (number.name, (number.of)(point), number.unit));
+    let always = [("p", point.pressure, "Pa"), ("s", point.slip, "m")];
+    let part = |(name, value, unit): (&str, f64, &str)| {
+        format!("{name} = {} {unit}", digits(value)).trim_end().to_owned()
+    };
+    always.into_iter().chain(friction).chain(asked).map(part).collect::<Vec<_>>().join(", ")
 }
 
 fn refused(message: String) -> Invalid {
@@ -213,33 +196,31 @@ fn refuse(message: String) -> Result<(), Invalid> {
     Err(refused(message))
 }
 
-/// What a formula names, with its values at a point: "p = 1e8 Pa, s = 1e-3 m".
-fn place(law: &Expression, point: &Rubbing) -> String {
-    let value = |variable| match variable {
-        Variable::Pressure => point.pressure,
-        Variable::Slip => point.slip,
-        Variable::Work => point.work,
-        Variable::Coefficient => point.friction,
-        Variable::Given(input) => point.number(input).unwrap_or_default(),
-    };
-    let named = law.variables().filter(|(name, ..)| !["p", "s"].contains(name));
-    let always = [("p", Variable::Pressure, "Pa"), ("s", Variable::Slip, "m")];
-    written(
-        always.into_iter().chain(named).map(|(name, variable, unit)| (name, value(variable), unit)),
-    )
-}
-
-/// Names with their values and units.
-fn written<'a>(values: impl Iterator<Item = (&'a str, f64, &'a str)>) -> String {
-    let part = |(name, value, unit): (&str, f64, &str)| {
-        format!("{name} = {} {unit}", digits(value)).trim_end().to_owned()
-    };
-    values.map(part).collect::<Vec<_>>().join(", ")
-}
-
 /// Six digits of a number, or as many as it has.
 fn digits(value: f64) -> String {
     let rounded = format!("{value:.5e}").parse().unwrap_or(value);
     let plain = rounded == 0.0 || (1e-3..1e4).contains(&f64::abs(rounded));
     if plain { rounded.to_string() } else { format!("{rounded:e}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Archard, Rubbing, RunningIn, WearLaw};
+    use super::try_out;
+
+    /// All laws that go by what the trial has keep to it; one that does not is told where.
+    #[test]
+    fn laws_of_any_kind_are_tried() {
+        #[derive(Debug)]
+        struct Sinking;
+        impl WearLaw for Sinking {
+            fn depth(&self, rubbing: Rubbing) -> f64 {
+                1e-13 * (rubbing.pressure - 1e6) * rubbing.slip
+            }
+        }
+        try_out(&Archard::new(1e-13).unwrap()).unwrap();
+        try_out(&RunningIn::new([1e-12, 1e-13], 10.0).unwrap()).unwrap();
+        let refused = try_out(&Sinking).unwrap_err();
+        assert_eq!(refused.message, "is negative: -1e-16 m at p = 0 Pa, s = 1e-9 m");
+    }
 }
