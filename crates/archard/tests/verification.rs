@@ -8,6 +8,7 @@ mod verification {
     mod elastic_bodies;
     mod flash_temperature;
     mod fretting_wear;
+    mod friction_circumstances;
     mod friction_laws;
     mod hertz;
     mod laws_that_remember;

@@ -4,6 +4,7 @@
 
 mod coulomb;
 mod disc;
+mod grip;
 mod map;
 mod orthotropic;
 mod table;
@@ -13,6 +14,7 @@ use std::fmt::Debug;
 
 pub use coulomb::Coulomb;
 pub use disc::{Beyond, onto_disc};
+pub use grip::{Circumstance, Circumstances, Grip, Limits};
 pub use map::Map;
 pub use orthotropic::Orthotropic;
 pub use table::Table;
@@ -32,6 +34,16 @@ pub trait Friction: Debug + Send + Sync {
         let change = 1e-6 * pressure.max(1.0);
         let (low, high) = ((pressure - change).max(0.0), pressure + change);
         (self.limit(high) - self.limit(low)) / (high - low)
+    }
+
+    /// What the limit goes by beside the pressure.
+    fn inputs(&self) -> &[Circumstance] {
+        &[]
+    }
+
+    /// What that scales the limit by, zero or greater.
+    fn factor(&self, _at: Circumstances) -> f64 {
+        1.0
     }
 
     /// What makes the ellipse of the disc, the same at all pairs and pressures. Solvers of friction see the disc alone.

@@ -257,6 +257,12 @@ impl Rolling {
         Self { longitudinal, lateral, spin: progress * self.spin, ..*self }
     }
 
+    /// Of creepages along the direction and across it, those that forces make.
+    pub fn by_force(&self, [forward, lateral]: [f64; 2]) -> [f64; 2] {
+        let found = |drive, creepage| if matches!(drive, Drive::Force(_)) { creepage } else { 0.0 };
+        [found(self.longitudinal, forward), found(self.lateral, lateral)]
+    }
+
     /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their passage to each pair,
     /// one value a pair; without what drives by force.
     pub fn rigid_slip(&self, flow: Flow<'_>) -> [Vec<f64>; 2] {

@@ -5,7 +5,7 @@ use crate::body::{Body, Material, Profile, profile::PROFILES};
 use crate::closed_form::pin_on_disc;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, Direction, VectorField};
-use crate::friction::FRICTION as FRICTION_LAWS;
+use crate::friction::{FRICTION as FRICTION_LAWS, Grip};
 use crate::motion::{Control, Drive, MOTIONS, Motion, Rolling, Stepping};
 use crate::parameters::{Choice, Value, Values};
 use crate::problem::{ContactProblem, ContactState, Tangential};
@@ -177,6 +177,7 @@ impl Run {
             slip: [none(), none()],
             creepage: [0.0; 2],
             shift: [AMPLITUDE * wave, 0.0],
+            grip: Grip::default(),
         };
         ContactState { progress: cycles, tangential: Some(tangential), ..state }
     }
@@ -220,6 +221,7 @@ impl Run {
                 slip,
                 creepage: [CREEPAGE, 0.0],
                 shift: [0.0; 2],
+                grip: Grip::default(),
             }),
             pressure,
             worn,

@@ -17,8 +17,8 @@ use super::{ContactProblem, ContactState, Tangential};
 use crate::body::{Body, Thermal};
 use crate::closed_form::flash_temperature::{behind, peclet};
 use crate::frame::{Direction, Flow, Line};
+use crate::friction::Grip;
 use crate::motion::{Motion, Stream};
-use crate::wear::Input;
 
 /// Why no temperature is known at the contact.
 #[non_exhaustive]
@@ -201,13 +201,18 @@ impl ContactProblem {
         flow.map(|_| ()).ok_or(NoTemperature::NoRows)
     }
 
-    /// The same as [`flash`](Self::flash), where a wear law goes by the temperature.
+    /// The same as [`flash`](Self::flash), where a law goes by the temperature.
     pub(crate) fn flash_for_laws(&self, state: &ContactState) -> Option<Flash> {
-        if self.asks(Input::Temperature) { self.flash(state) } else { None }
+        if self.goes_by_temperature() { self.flash(state) } else { None }
     }
 
     /// How the heat of friction warms the surfaces in a state; `None` where that is not known, or nothing rubs.
     pub fn flash(&self, state: &ContactState) -> Option<Flash> {
+        self.flash_with(state, &self.grip(state, 0.0).unwrap_or_else(|last| last))
+    }
+
+    /// The same with that grip on bodies that slide.
+    pub(super) fn flash_with(&self, state: &ContactState, grip: &Grip) -> Option<Flash> {
         // First, since most problems say nothing of heat.
         let heating = Heating::of(&self.bodies, &self.motion).ok()?;
         self.friction.as_ref()?;
@@ -215,7 +220,7 @@ impl ContactProblem {
         let creepage = state.tangential.as_ref().map_or(0.0, |tangential| tangential.creepage[0]);
         let heat = match &state.tangential {
             Some(tangential) => heat_of_passages(tangential, flow, heating.speed),
-            None => self.heat_of_sliding(state, heating.speed),
+            None => self.heat_of_sliding(state, heating.speed, grip),
         };
         let scale = heating.rise(creepage);
         let lines = flow.lines();
@@ -232,11 +237,13 @@ impl ContactProblem {
     }
 
     /// Heat (W/m^2) of pairs that all slide at a speed (m/s), one value a pair.
-    fn heat_of_sliding(&self, state: &ContactState, speed: f64) -> Vec<f64> {
+    fn heat_of_sliding(&self, state: &ContactState, speed: f64, grip: &Grip) -> Vec<f64> {
         let slides = self.motion.slides();
         // The work over a metre.
-        let heat = |pressure: &f64| speed * self.rubbing(*pressure, 1.0, slides).work;
-        state.pressure.iter().map(heat).collect()
+        let heat = |(pair, &pressure): (usize, &f64)| {
+            speed * grip.at(pair) * self.rubbing(pressure, 1.0, slides).work
+        };
+        state.pressure.iter().enumerate().map(heat).collect()
     }
 }
 

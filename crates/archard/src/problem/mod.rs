@@ -1,5 +1,6 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod grip;
 mod heat;
 mod swung;
 
@@ -11,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
-use crate::friction::Friction;
+use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Motion, Rolling};
 use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing};
@@ -54,7 +55,7 @@ impl ContactProblem {
     }
 
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its
-    /// limit.
+    /// limit, with a [grip](crate::friction::Grip) of one.
     pub fn rubbing(&self, pressure: f64, slip: f64, direction: [f64; 2]) -> Rubbing {
         rubbing(self.friction.as_deref(), pressure, slip, direction)
             .at_speed(self.motion.speed().unwrap_or_default())
@@ -164,7 +165,7 @@ pub struct ContactState {
 }
 
 /// What is known of friction at the end of a step.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Tangential {
     /// Tractions on body 1 (Pa), along t1 and t2, one value a pair.
     pub traction: [Vec<f64>; 2],
@@ -175,6 +176,8 @@ pub struct Tangential {
     pub creepage: [f64; 2],
     /// Displacement (m) of body 2 over body 1 along t1 and t2, given or found; zero in rolling.
     pub shift: [f64; 2],
+    /// What the limits of friction were scaled by.
+    pub grip: Grip,
 }
 
 impl Tangential {
@@ -220,7 +223,7 @@ impl Tangential {
     pub fn sticks(&self, problem: &ContactProblem, pressure: &[f64], pair: usize) -> bool {
         let Some(friction) = &problem.friction else { return false };
         let [t1, t2] = &self.traction;
-        let limit = friction.limit(pressure[pair]);
+        let limit = Limits::new(&**friction, &self.grip).at(pair, pressure[pair]);
         limit > 0.0 && friction.map().length([t1[pair], t2[pair]]) < (1.0 - STICKS) * limit
     }
 

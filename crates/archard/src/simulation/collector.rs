@@ -6,6 +6,7 @@
 
 use super::Error;
 use super::passing::{Lines, OfLines};
+use crate::friction::Circumstance;
 use crate::motion::Passing;
 use crate::numerics::vector::{self, Values};
 use crate::problem::{ContactProblem, ContactState, Flash, Wear};
@@ -92,9 +93,12 @@ impl<'a> Collector<'a> {
             let slides = self.problem.motion.slides();
             let flash = self.problem.flash_for_laws(state);
             let warm = flash.as_ref().and_then(Flash::temperatures);
+            let half = 0.5 * self.problem.motion.slip(advance);
+            let grip = self.problem.grip(state, half).unwrap_or_else(|last| last);
             let rubbing = |(pair, &pressure): (usize, &f64)| {
                 self.problem
                     .rubbing(pressure, distance.at(pair), slides)
+                    .gripping(grip.at(pair))
                     .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
             };
             let points = state.pressure.iter().enumerate().map(rubbing);
@@ -108,9 +112,11 @@ impl<'a> Collector<'a> {
         Collected { pairs, lines }
     }
 
-    /// Whether any body stays that wears.
+    /// Whether any body stays that wears, or whose distance counts.
     fn any_stays(&self) -> bool {
-        (0..2).any(|body| self.stays[body] && self.problem.bodies[body].wear.is_some())
+        let counts = self.problem.grips_by(Circumstance::Distance);
+        let wears = |body: usize| counts || self.problem.bodies[body].wear.is_some();
+        (0..2).any(|body| self.stays[body] && wears(body))
     }
 
     /// Whether a step wears as it was foreseen.

@@ -3,7 +3,7 @@
 
 use super::{Error, Simulation};
 use crate::body::Body;
-use crate::friction::Friction;
+use crate::friction::{Circumstance, Friction};
 use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
 use crate::problem::{ContactProblem, Heating};
 use crate::wear::{Input, Per, WearLaw};
@@ -38,8 +38,14 @@ impl Simulation {
 }
 
 impl ContactProblem {
-    /// Whether there is all that the wear laws ask for.
+    /// Whether there is all that the laws ask for.
     pub(super) fn check_inputs(&self) -> Result<(), Error> {
+        if self.grips_by(Circumstance::Speed) && !self.motion.tells_speed() {
+            return Err(Error::NoSpeedOfFriction);
+        }
+        if self.grips_by(Circumstance::Temperature) {
+            self.tells_temperature().map_err(|reason| Error::NoTemperatureOfFriction { reason })?;
+        }
         for body in &self.bodies {
             let Some(law) = &body.wear else { continue };
             let body = || body.name.clone();

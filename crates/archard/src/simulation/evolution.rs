@@ -9,7 +9,6 @@ use crate::motion::{Control, Motion};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
-use crate::wear::Input;
 
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -40,7 +39,7 @@ impl Evolution {
     pub fn new(problem: &ContactProblem) -> Self {
         let gap = problem.frame.gap();
         let mut state = ContactState::untouched(gap);
-        if problem.asks(Input::Distance) {
+        if problem.counts_distance() {
             state.slid = [vec![0.0; gap.len()], vec![0.0; gap.len()]];
         }
         state.swung = unworn(problem);

@@ -257,6 +257,15 @@ pub enum Error {
         /// The body's name.
         body: String,
     },
+    /// A law of friction that goes by the speed of sliding, in a motion that does not tell it.
+    #[error("the law of friction goes by the speed of sliding, and the motion does not tell it")]
+    NoSpeedOfFriction,
+    /// A law of friction that goes by the temperature, which is not known.
+    #[error("the law of friction goes by the temperature: {reason}")]
+    NoTemperatureOfFriction {
+        /// Why it is not known.
+        reason: NoTemperature,
+    },
     /// A wear law of the temperature, which is not known.
     #[error("the wear law of `{body}` goes by the temperature: {reason}")]
     NoTemperature {

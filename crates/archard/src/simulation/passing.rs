@@ -8,9 +8,9 @@
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
 use crate::frame::{Flow, Line, Passage, VectorField};
-use crate::friction::Friction;
+use crate::friction::{Friction, Grip, Limits};
 use crate::motion::Motion;
-use crate::problem::{ContactProblem, ContactState, Flash, Tangential};
+use crate::problem::{ContactProblem, ContactState, Flash};
 use crate::wear::{Per, Rubbing};
 
 /// The most by which wear is scaled for the work that is lost.
@@ -42,16 +42,21 @@ pub(super) struct OfLines {
 impl OfLines {
     /// In the middle of so many passages.
     pub fn of(state: &ContactState, lines: Lines<'_>, passages: f64) -> Self {
-        let Lines { problem, flow, bodies, .. } = lines;
+        let Lines { problem, flow, bodies, passages: each } = lines;
         let pressure = &state.pressure;
         let weight = problem.frame.measure().weight;
+        let further = 0.5 * problem.motion.slip(passages / each);
+        let grip = grip_of_passages(state, problem, flow, further);
         let (means, slips, scale) = match problem.motion {
             Motion::Rolling(_) => {
                 let means = flow.on_the_way(pressure);
-                let slips = rubbed_slip(state, problem, flow, &means);
+                let slips = rubbed_slip(state, problem, flow, (&means, &grip));
                 let rows = flow.has_rows();
-                let scale =
-                    if rows { 1.0 } else { work_ratio(state, problem, flow, [&means, &slips]) };
+                let scale = if rows {
+                    1.0
+                } else {
+                    work_ratio(state, problem, flow, ([&means, &slips], &grip))
+                };
                 (means, slips, scale)
             }
             // A point slides the length of every element.
@@ -81,6 +86,7 @@ impl OfLines {
             let slip = scale * times * slips[pair];
             let distance = rolled.as_ref().map_or(0.0, |rolled| times * rolled[pair]);
             let rubbing = problem.rubbing(means[pair], slip, direction(pair)).rolling(distance);
+            let rubbing = rubbing.gripping(grip.at(pair));
             let rubbing = speed(pair).map_or(rubbing, |speed| rubbing.at_speed(speed));
             rubbing.at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
         };
@@ -200,21 +206,44 @@ fn ages(
     lines.iter().zip(slips).map(age).collect()
 }
 
+/// The grip on the passage to each pair, where it scales the limit under the mean of the pressures to the mean of the limits;
+/// of bodies that slide that at each pair, after points slid so much further (m).
+fn grip_of_passages(
+    state: &ContactState,
+    problem: &ContactProblem,
+    flow: Flow<'_>,
+    further: f64,
+) -> Grip {
+    let grip = problem.grip(state, further).unwrap_or_else(|last| last);
+    let (Some(friction), Some(_)) = (&problem.friction, &state.tangential) else { return grip };
+    grip.map(|factors| {
+        let limits = Limits::new(&**friction, &grip).all(&state.pressure);
+        let means = flow.on_the_way(&state.pressure);
+        let ratio = |(pair, limit): (usize, f64)| {
+            let mean = friction.limit(means[pair].max(0.0));
+            if mean > 0.0 { limit / mean } else { factors[pair] }
+        };
+        flow.on_the_way(&limits).into_iter().enumerate().map(ratio).collect()
+    })
+}
+
 /// Distance slid under a unit limit of friction that goes with a unit of its work: one if friction is the same in all
 /// directions, otherwise the mean of what resists less or more.
 pub(super) fn distance_of_work(
-    tangential: &Tangential,
+    state: &ContactState,
     friction: &dyn Friction,
     problem: &ContactProblem,
     flow: Flow<'_>,
 ) -> f64 {
+    let Some(tangential) = &state.tangential else { return 1.0 };
+    let grip = grip_of_passages(state, problem, flow, 0.0);
     let traction = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
     let (mut distance, mut total) = (0.0, 0.0);
     for pair in 0..problem.frame.len() {
         let slip = tangential.slip.each_ref().map(|slip| slip[pair]);
         let work = traction[0][pair] * slip[0] + traction[1][pair] * slip[1];
         let work = problem.frame.area(pair) * work;
-        distance += work / friction.map().resistance(slip);
+        distance += work / (friction.map().resistance(slip) * grip.at(pair));
         total += work;
     }
     if total == 0.0 { 1.0 } else { distance / total }
@@ -227,16 +256,16 @@ fn rubbed_slip(
     state: &ContactState,
     problem: &ContactProblem,
     flow: Flow<'_>,
-    means: &[f64],
+    (means, grip): (&[f64], &Grip),
 ) -> Vec<f64> {
     let Some(tangential) = &state.tangential else { return vec![0.0; means.len()] };
     let [x, y] = &tangential.slip;
     let whole = |pair: usize| x[pair].hypot(y[pair]);
     let Some(friction) = &problem.friction else { return (0..means.len()).map(whole).collect() };
     let [one, two] = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
-    let map = friction.map();
+    let (map, limits) = (friction.map(), Limits::new(&**friction, grip));
     let part = |pair: usize| {
-        let limit = friction.limit(means[pair].max(0.0)) * map.resistance([x[pair], y[pair]]);
+        let limit = limits.at(pair, means[pair].max(0.0)) * map.resistance([x[pair], y[pair]]);
         let work = one[pair] * x[pair] + two[pair] * y[pair];
         if limit > 0.0 { (work / limit).clamp(0.0, whole(pair)) } else { whole(pair) }
     };
@@ -249,7 +278,7 @@ fn work_ratio(
     state: &ContactState,
     problem: &ContactProblem,
     flow: Flow<'_>,
-    [means, rubbed]: [&[f64]; 2],
+    ([means, rubbed], grip): ([&[f64]; 2], &Grip),
 ) -> f64 {
     let (Some(tangential), Some(friction)) = (&state.tangential, &problem.friction) else {
         return 1.0;
@@ -264,9 +293,9 @@ fn work_ratio(
             |axis: usize| tangential.traction[axis][pair] * (slips(pair)[axis] + taken[axis][pair]);
         problem.frame.area(pair) * (works(0) + works(1))
     };
-    let map = friction.map();
+    let (map, limits) = (friction.map(), Limits::new(&**friction, grip));
     let rubbed = |one: &Passage| {
-        let limit = friction.limit(means[one.pair].max(0.0)) * map.resistance(slips(one.pair));
+        let limit = limits.at(one.pair, means[one.pair].max(0.0)) * map.resistance(slips(one.pair));
         one.times * limit * rubbed[one.pair]
     };
     let rigid: f64 = (0..means.len()).map(rigid).sum();

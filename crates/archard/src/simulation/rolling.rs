@@ -3,12 +3,29 @@
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
 use super::{Effort, Error, Simulation, friction};
-use crate::compliance::Compliance;
+use crate::compliance::{Compliance, SlipMap};
 use crate::frame::{Flow, VectorField};
+use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
-use crate::problem::{ContactProblem, Tangential};
+use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::tangential::{self, PrescribedForce};
+
+/// Change of the grip below which friction and what it goes by agree, turns between them, and the change beside the last
+/// one from which on a turn goes only half as far as the one before.
+const SETTLED: f64 = 1e-7;
+const TURNS: usize = 50;
+const SLOW: f64 = 0.7;
+
+/// What a step of friction is found from, whatever its grip.
+struct Rubbed<'a> {
+    rolling: &'a Rolling,
+    law: &'a dyn Friction,
+    map: &'a dyn SlipMap,
+    rigid: [&'a [f64]; 2],
+    prescribed: &'a [PrescribedForce],
+    advances: Option<&'a [f64]>,
+}
 
 impl Evolution {
     /// Finds pressures and friction that belong together.
@@ -68,13 +85,10 @@ impl Evolution {
                 slip: rigid,
                 creepage: [given(rolling.longitudinal), given(rolling.lateral)],
                 shift: [0.0; 2],
+                grip: Grip::default(),
             });
             return Ok(());
         };
-        let limit: Vec<f64> =
-            self.state.pressure.iter().map(|&pressure| law.limit(pressure)).collect();
-        let before_limit: Vec<f64> =
-            before_pressure.iter().map(|&pressure| law.limit(pressure)).collect();
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
         let drives = [rolling.longitudinal, rolling.lateral];
         let prescribed = |(direction, drive): ([f64; 2], Drive)| match drive {
@@ -83,7 +97,6 @@ impl Evolution {
         };
         let prescribed: Vec<PrescribedForce> =
             units.into_iter().zip(drives).filter_map(prescribed).collect();
-        let map = problem.compliance.rolling(flow);
         // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
         let advances = flow.advances();
         if let Some(advances) = &advances {
@@ -91,15 +104,61 @@ impl Evolution {
                 vector::update(slip, [advances], |slip, [own]| slip * advance / own);
             }
         }
-        let step = tangential::Step {
-            map: &*map,
-            elements: frame.elements(),
-            measure: frame.measure(),
-            limit: &limit,
+        let step = Rubbed {
+            rolling,
+            law: &**law,
+            map: &*problem.compliance.rolling(flow),
             rigid: [&rigid[0], &rigid[1]],
             prescribed: &prescribed,
+            advances: advances.as_deref(),
         };
+        let grip = |state: &ContactState| {
+            problem.grip_of_rolling(&**law, state, (rolling, flow), step.rigid)
+        };
+        let (mut now, mut share, mut apart) = (grip(&self.state), 1.0, f64::INFINITY);
+        let mut before = before_pressure.to_vec();
+        for _ in 0..TURNS {
+            self.rub_with(simulation, increment, &step, (now.clone(), &before), effort)?;
+            let next = grip(&self.state);
+            let changed = next.apart(&now);
+            if changed <= SETTLED {
+                return Ok(());
+            }
+            if changed > SLOW * apart {
+                share *= 0.5;
+            }
+            apart = changed;
+            now = now.towards(&next, share);
+            before.clone_from(&self.state.pressure);
+        }
+        Err(Error::NotConsistent {
+            measure: problem.motion.progress(),
+            progress: increment.progress,
+            passes: TURNS,
+        })
+    }
+
+    /// Finds the friction under the present pressures with a grip, from that under earlier ones (Pa).
+    fn rub_with(
+        &mut self,
+        simulation: &Simulation,
+        increment: Increment,
+        rubbed: &Rubbed<'_>,
+        (grip, before_pressure): (Grip, &[f64]),
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let frame = &simulation.problem.frame;
+        let Rubbed { rolling, law, map, rigid, prescribed, advances } = *rubbed;
+        let advance = frame.flow(rolling.direction)?.advance();
+        let limit = Limits::new(law, &grip).all(&self.state.pressure);
+        let drives = [rolling.longitudinal, rolling.lateral];
+        let (elements, measure) = (frame.elements(), frame.measure());
+        let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };
         let before = self.state.tangential.take();
+        let before_limit = before
+            .as_ref()
+            .map(|before| Limits::new(law, &before.grip).all(before_pressure))
+            .unwrap_or_default();
         let rigid_slip: Vec<f64> = before
             .iter()
             .flat_map(|before| {
@@ -113,19 +172,20 @@ impl Evolution {
             limit: &before_limit,
             rigid_slip: &rigid_slip,
         });
-        let outcome = friction::solve(simulation, increment, &**law, (&step, start), effort)?;
+        let outcome = friction::solve(simulation, increment, law, (&step, start), effort)?;
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,
             Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
-        if let Some(advances) = &advances {
+        if let Some(advances) = advances {
             for slip in &mut slip {
                 vector::update(slip, [advances], |slip, [own]| slip * own / advance);
             }
         }
-        self.state.tangential = Some(Tangential { traction, slip, creepage, shift: [0.0; 2] });
+        self.state.tangential =
+            Some(Tangential { traction, slip, creepage, shift: [0.0; 2], grip });
         Ok(())
     }
 
@@ -183,7 +243,7 @@ impl Evolution {
         if coefficient == 0.0 {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
-        let distance = distance_of_work(tangential, &**friction, problem, flow);
+        let distance = distance_of_work(&self.state, &**friction, problem, flow);
         tangential.creep_power(problem, rolling) / coefficient * distance
     }
 }

@@ -160,8 +160,13 @@ impl Evolution {
         self.press(simulation, increment, effort)
     }
 
-    /// Whether the contact is passed fast enough for laws that go by the temperature, if there are any.
+    /// Whether heat and friction settle, and the contact is passed fast enough, where laws go by the temperature.
     fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
+        if problem.grip(&self.state, 0.0).is_err() {
+            let passes = PASSES;
+            let (measure, progress) = (problem.motion.progress(), self.state.progress);
+            return Err(Error::NotConsistent { measure, progress, passes });
+        }
         let peclet = problem.flash_for_laws(&self.state).and_then(|flash| flash.peclet);
         match peclet.filter(|peclet| *peclet < FAST) {
             None => Ok(()),

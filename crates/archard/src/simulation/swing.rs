@@ -12,10 +12,10 @@
 use super::collector::{Collector, Slides};
 use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
+use crate::friction::Limits;
 use crate::motion::Sliding;
 use crate::numerics::vector::{Values, update};
 use crate::problem::{ContactProblem, ContactState, Long, Swung, Wear};
-use crate::wear::Input;
 
 /// Positions on either side of the middle, at most: beyond, they lie several elements apart.
 const MOST: usize = 8;
@@ -41,7 +41,7 @@ struct Course<'a> {
 pub(super) fn unworn(problem: &ContactProblem) -> Option<Swung> {
     let Course { bodies: [_, moves], long, .. } = Course::of(problem)?;
     let mut swung = Swung::new(moves, long);
-    if problem.asks(Input::Distance) {
+    if problem.counts_distance() {
         swung.slid = vec![0.0; swung.worn.len()];
     }
     Some(swung)
@@ -61,7 +61,7 @@ impl Evolution {
         let show = |reach: f64| {
             // What is shown is the contact in the middle.
             self.press(simulation, increment, effort)?;
-            let friction = course.coefficient(&self.state.pressure);
+            let friction = course.coefficient(&self.state);
             effort.dissipated[0] = friction * self.state.load * 4.0 * reach;
             Ok(())
         };
@@ -78,7 +78,7 @@ impl Evolution {
     ) -> Result<f64, Error> {
         let problem = &simulation.problem;
         let amplitude = course.amplitude();
-        let elastic = course.elastic(&self.state.pressure);
+        let elastic = course.elastic(&self.state);
         let pressed = elastic.iter().zip(&self.state.pressure).filter(|(_, p)| **p > 0.0);
         let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
         if most >= amplitude {
@@ -291,25 +291,30 @@ impl<'a> Course<'a> {
         }
     }
 
+    /// What resists slip along the motion (Pa), one value a pair.
+    fn resistance(&self, state: &ContactState) -> Vec<f64> {
+        let Some(friction) = &self.problem.friction else { return vec![0.0; state.pressure.len()] };
+        let resistance = friction.map().resistance(self.problem.motion.slides());
+        let grip = self.problem.grip(state, 0.0).unwrap_or_else(|last| last);
+        let limits = Limits::new(&**friction, &grip).all(&state.pressure);
+        limits.iter().map(|limit| resistance * limit).collect()
+    }
+
     /// The limit of friction over the load.
-    fn coefficient(&self, pressure: &[f64]) -> f64 {
-        let Some(friction) = &self.problem.friction else { return 0.0 };
+    fn coefficient(&self, state: &ContactState) -> f64 {
         let frame = &self.problem.frame;
-        let direction = self.problem.motion.slides();
-        let limit: f64 =
-            (0..frame.len()).map(|pair| frame.area(pair) * friction.limit(pressure[pair])).sum();
-        let load = frame.integrate(pressure);
-        if load > 0.0 { friction.map().resistance(direction) * limit / load } else { 0.0 }
+        let load = frame.integrate(&state.pressure);
+        if load > 0.0 { frame.integrate(&self.resistance(state)) / load } else { 0.0 }
     }
 
     /// What the bodies give way elastically (m) at each pair before all of them slip.
-    fn elastic(&self, pressure: &[f64]) -> Vec<f64> {
-        let zeros = vec![0.0; pressure.len()];
-        let Some(friction) = &self.problem.friction else { return zeros };
+    fn elastic(&self, state: &ContactState) -> Vec<f64> {
+        let zeros = vec![0.0; state.pressure.len()];
+        if self.problem.friction.is_none() {
+            return zeros;
+        }
         let frame = &self.problem.frame;
-        let resistance = friction.map().resistance(self.problem.motion.slides());
-        let traction: Vec<f64> =
-            pressure.iter().map(|&pressure| resistance * friction.limit(pressure)).collect();
+        let traction = self.resistance(state);
         let tractions = if self.axis() == 0 { [&traction, &zeros] } else { [&zeros, &traction] };
         let mut slip = [zeros.clone(), zeros.clone()];
         let [x, y] = &mut slip;

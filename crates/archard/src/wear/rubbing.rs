@@ -96,6 +96,13 @@ impl Rubbing {
         if smaller > 1e-14 * trace { smaller / trace } else { 0.0 }
     }
 
+    /// The same with friction scaled by a factor.
+    #[must_use]
+    pub fn gripping(self, factor: f64) -> Self {
+        let traction = self.traction.map(|part| factor * part);
+        Self { work: factor * self.work, friction: factor * self.friction, traction, ..self }
+    }
+
     /// This and what comes after it, together: pressure, traction, speed and temperature are means over the
     /// slip.
     #[must_use]

@@ -5,7 +5,7 @@ use archard::body::Material;
 use archard::closed_form::Hertz;
 use archard::compliance::{Compliance, HalfSpace, SlipMap, WornLines};
 use archard::frame::{ContactFrame, Direction, Pairs, VectorField};
-use archard::friction::{FRICTION, Friction, Table, onto_disc};
+use archard::friction::{Circumstance, FRICTION, Friction, Table, onto_disc};
 use archard::motion::Control;
 use archard::parameters::{Value, Values};
 use archard::solve::tangential::{self, FRICTION_SOLVERS, PrescribedForce};
@@ -25,7 +25,10 @@ const FRICTION_EXAMPLES: &[(&str, &[(&str, Value)])] = &[
 /// Laws that need more than values.
 fn other_friction_laws() -> Vec<(&'static str, Box<dyn Friction>)> {
     let table = Table::new(&[2e8, 1e9], &[0.5, 0.3]).expect("a table");
-    vec![("table", Box::new(table))]
+    let over = |circumstance| Table::over(circumstance, &[0.1, 5.0], &[0.5, 0.3]).expect("a table");
+    let others = [Circumstance::Speed, Circumstance::Distance, Circumstance::Temperature];
+    let others = others.map(|circumstance| ("table", Box::new(over(circumstance)) as _));
+    others.into_iter().chain([("table", Box::new(table) as _)]).collect()
 }
 
 /// Every friction law by its name; each in the list has an example.

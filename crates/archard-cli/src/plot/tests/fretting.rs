@@ -51,6 +51,7 @@ fn state(problem: &ContactProblem, cycles: f64, depth: f64) -> ContactState {
             slip: [none(), none()],
             creepage: [0.0; 2],
             shift: [shift, 0.0],
+            ..Tangential::default()
         }),
         pressure: field(&|r| ball.pressure(r)),
         worn: [field(&|r| if r < 0.12e-3 { 0.0 } else { depth }), none()],

@@ -65,6 +65,7 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
             slip: forward.map(|unit| vec![1e-8 * unit; frame.len()]),
             creepage: [0.005 * share, 0.0],
             shift: [0.0; 2],
+            ..Tangential::default()
         }),
         pressure: scaled(peak),
         worn: [worn.clone(), worn],

@@ -2,10 +2,10 @@
 
 use super::words::three;
 use super::{Forecast, Parts};
-use crate::body::Body;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::closed_form::flash_temperature::FAST;
+use crate::friction::{Circumstance, Friction};
 use crate::problem::{Heating, NoTemperature};
 use crate::wear::Input;
 
@@ -27,7 +27,9 @@ fn thermal(parts: &Parts<'_>, body: usize) -> Key {
 /// Whether a law goes by the temperature: then its own errors say what is missing.
 fn asked(parts: &Parts<'_>) -> bool {
     let mut laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
+    let grips = |law: &dyn Friction| law.inputs().contains(&Circumstance::Temperature);
     laws.any(|law| law.inputs().contains(&Input::Temperature))
+        || parts.friction.as_deref().is_some_and(grips)
 }
 
 /// Data that the motion does not need, beside those that it does.
@@ -102,8 +104,8 @@ fn slow(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     })
 }
 
-/// A law of a body that goes by a temperature that is not known.
-pub(super) fn unknown(parts: &Parts<'_>, body: &Body) -> Option<Problem> {
+/// A law, at that key, that goes by a temperature that is not known.
+pub(super) fn unknown(parts: &Parts<'_>, law: Key) -> Option<Problem> {
     let heating = Heating::for_laws(&parts.bodies, &parts.motion, parts.friction.is_some());
     let reason = heating.err()?;
     let help = match reason {
@@ -121,5 +123,5 @@ pub(super) fn unknown(parts: &Parts<'_>, body: &Body) -> Option<Problem> {
         _ => "take another law".to_owned(),
     };
     let message = format!("goes by the temperature: {reason}");
-    Some(Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help))
+    Some(Problem::error(law, message).help(help))
 }

@@ -6,6 +6,7 @@ use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::estimate::Contact;
+use crate::friction::Circumstance;
 use crate::motion::Stepping;
 use crate::problem;
 use crate::simulation::{lacks, lacks_cycles};
@@ -33,6 +34,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(heat::problems(parts, forecast));
     problems.extend(useless_friction(parts));
     problems.extend(lacking(parts));
+    problems.extend(friction_lacks(parts));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
@@ -109,7 +111,9 @@ fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
                 "goes by the speed of sliding, which the motion does not tell",
                 "give the `speed`, or the `time`, of a motion that takes it",
             ),
-            Input::Temperature => return heat::unknown(parts, body),
+            Input::Temperature => {
+                return heat::unknown(parts, Key::of(["body", &body.name, "wear"]));
+            }
             Input::Rolled => (
                 "goes by the distance rolled, and the bodies do not roll",
                 "this law is one of `motion.rolling`",
@@ -119,6 +123,21 @@ fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
         Some(at(message, help))
     };
     parts.bodies.iter().filter_map(problem).collect()
+}
+
+/// A law of friction that goes by something that is not there.
+fn friction_lacks(parts: &Parts<'_>) -> Option<Problem> {
+    let law = parts.friction.as_ref()?;
+    let lacks = |one: &Circumstance| match one {
+        Circumstance::Speed if !parts.motion.tells_speed() => {
+            let message = "goes by the speed of sliding, which the motion does not tell";
+            let help = "give the `speed`, or the `time`, of a motion that takes it";
+            Some(Problem::error(Key::of(["friction"]), message).help(help))
+        }
+        Circumstance::Temperature => heat::unknown(parts, Key::of(["friction"])),
+        Circumstance::Speed | Circumstance::Distance => None,
+    };
+    law.inputs().iter().find_map(lacks)
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.

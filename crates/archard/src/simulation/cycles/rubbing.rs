@@ -127,6 +127,7 @@ fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> 
         .friction
         .as_ref()
         .map_or(0.0, |friction| friction.slope(pressure) * friction.map().resistance(slip));
+    let friction = tangential.grip.at(pair) * friction;
     let rubbing = Rubbing::new(pressure, slip[0].hypot(slip[1])).with_friction(work, friction);
     Some(rubbing.with_vectors(slip, [0, 1].map(traction)))
 }

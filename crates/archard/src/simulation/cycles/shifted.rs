@@ -11,6 +11,7 @@ use super::rubbing::Rubbed;
 use super::solve::WarmStart;
 use super::touch::Course;
 use crate::frame::VectorField;
+use crate::friction::{Grip, Limits};
 use crate::motion::{Guide, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
@@ -54,7 +55,13 @@ impl Shifted {
         evolution.state.tangential =
             (moves || problem.friction.is_some() || problem.wears()).then(|| {
                 let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
-                Tangential { traction, slip, creepage: [0.0; 2], shift: [0.0; 2] }
+                Tangential {
+                    traction,
+                    slip,
+                    creepage: [0.0; 2],
+                    shift: [0.0; 2],
+                    grip: Grip::default(),
+                }
             });
         let elastic_displacement = [zeros(), zeros()];
         let rubbed = Rubbed::none(pairs);
@@ -263,13 +270,11 @@ impl Shifted {
             let shift = self.shift_at(station, &[]);
             let creepage = [0.0; 2];
             self.evolution.state.tangential =
-                Some(Tangential { traction, slip: rigid, creepage, shift });
+                Some(Tangential { traction, slip: rigid, creepage, shift, grip: Grip::default() });
             return Ok(Solved::default());
         };
-        let limits = |pressure: &[f64]| -> Vec<f64> {
-            pressure.iter().map(|&pressure| law.limit(pressure)).collect()
-        };
-        let limit = limits(&self.evolution.state.pressure);
+        let grip = problem.grip_of_shift(&**law, &self.evolution.state);
+        let limit = Limits::new(&**law, &grip).all(&self.evolution.state.pressure);
         let shifting = problem.compliance.shifting(frame);
         let step = tangential::Step {
             map: &*shifting,
@@ -297,15 +302,15 @@ impl Shifted {
         let shift = self.shift_at(station, &rigid_slip);
         effort.applications += 1;
         let strain = self.displacement_under(problem, Some(&traction));
-        self.take(problem, traction, shift, strain);
+        self.take(problem, (traction, grip), shift, strain);
         Ok(Solved { limit, rigid_slip, monolithic: None })
     }
 
-    /// Takes tractions over, with the slip since the last state.
+    /// Takes tractions over that were found with a grip, with the slip since the last state.
     pub fn take(
         &mut self,
         problem: &ContactProblem,
-        traction: [Vec<f64>; 2],
+        (traction, grip): ([Vec<f64>; 2], Grip),
         shift: [f64; 2],
         strain: VectorField,
     ) {
@@ -324,6 +329,6 @@ impl Shifted {
         self.elastic_displacement = elastic_displacement;
         self.approached = approach;
         self.evolution.state.tangential =
-            Some(Tangential { traction, slip, creepage: [0.0; 2], shift });
+            Some(Tangential { traction, slip, creepage: [0.0; 2], shift, grip });
     }
 }

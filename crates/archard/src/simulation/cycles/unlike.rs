@@ -3,6 +3,7 @@
 use super::shifted::{Shifted, Solved};
 use super::solve::WarmStart;
 use crate::frame::VectorField;
+use crate::friction::Limits;
 use crate::motion::Station;
 use crate::numerics::vector::map;
 use crate::simulation::evolution::Increment;
@@ -29,10 +30,12 @@ impl Shifted {
             [&self.evolution.undeformed_gap(problem), &gap_by_friction],
             |[gap, gap_by_friction]| gap + gap_by_friction,
         );
+        let grip = problem.grip_of_shift(&**friction, &self.evolution.state);
+        let limits = Limits::new(&**friction, &grip);
         let step = monolithic::Step {
             compliance: &*problem.compliance,
             frame,
-            friction: &**friction,
+            friction: limits,
             gap: &gap,
             control: increment.control,
             rigid: [&rigid[0], &rigid[1]],
@@ -80,10 +83,10 @@ impl Shifted {
         state.approach = solution.approach;
         state.gap = outcome.gap;
         state.progress = increment.progress;
-        let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
+        let limit = limits.all(&state.pressure);
         let shift = self.shift_at(station, &solution.rigid_slip);
         let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
-        self.take(problem, traction, shift, solution.displacement.clone());
+        self.take(problem, (traction, grip.clone()), shift, solution.displacement.clone());
         Ok(Solved { limit, rigid_slip: solution.rigid_slip.clone(), monolithic: Some(solution) })
     }
 

@@ -21,7 +21,7 @@ use super::semismooth::shorten;
 use super::{Settings, Status};
 use crate::compliance::{Compliance, PairStatus};
 use crate::frame::{ContactFrame, VectorField};
-use crate::friction::Friction;
+use crate::friction::Limits;
 use crate::motion::Control;
 use crate::numerics::vector::update;
 use crate::solve::tangential::PrescribedForce;
@@ -41,7 +41,7 @@ pub struct Step<'a> {
     /// The pairs.
     pub frame: &'a ContactFrame,
     /// What tangential traction the pairs bear.
-    pub friction: &'a dyn Friction,
+    pub friction: Limits<'a>,
     /// Gap of the undeformed surfaces at zero approach, wear included (m), one value a pair.
     pub gap: &'a [f64],
     /// The given load or approach.

@@ -57,14 +57,14 @@ impl Regime {
         if pressure <= 0.0 {
             return;
         }
-        let limit = step.friction.limit(pressure);
+        let limit = step.friction.at(pair, pressure);
         let Some(beyond) = Beyond::of(state.augmented_traction(pair), limit) else {
             return self.pairs.stick(pair);
         };
         let Beyond { share, .. } = beyond;
         (self.share[pair], self.diagonal[pair]) = (share, state.own[1] * (1.0 - share));
         self.pairs.slip(pair, &beyond, self.diagonal[pair] / share.max(LEAST));
-        self.slope[pair] = step.friction.slope(pressure);
+        self.slope[pair] = step.friction.slope(pair, pressure);
     }
 
     /// Sets the right-hand side for a state: the one that the rows were made from, or one near it.
@@ -85,7 +85,7 @@ impl Regime {
                     let pressure = state.augmented(pair).max(0.0);
                     // On the limit of the pressure as it is; what the pressure changes by changes the limit.
                     let change = self.slope[pair] * (-n[pair] - pressure);
-                    let bound = step.friction.limit(pressure) + change;
+                    let bound = step.friction.at(pair, pressure) + change;
                     let short = bound - (t[0] * unit[0] + t[1] * unit[1]);
                     let across = |[x, y]: [f64; 2]| y * unit[0] - x * unit[1];
                     let slip = self.share[pair] * across(s) - self.diagonal[pair] * across(t);

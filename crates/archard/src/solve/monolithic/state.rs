@@ -100,7 +100,7 @@ impl State {
             off += weight * contact.violation(pressure, self.gap[pair], 0.0).powi(2);
             pressed += weight * (pressure * pressure);
             total += weight * pressure.abs();
-            let limit = step.friction.limit(pressure.max(0.0));
+            let limit = step.friction.at(pair, pressure.max(0.0));
             if limit > 0.0 || t1[pair] != 0.0 || t2[pair] != 0.0 {
                 let [x, y] = onto_disc(self.augmented_traction(pair), limit);
                 beside += weight * ((t1[pair] - x).powi(2) + (t2[pair] - y).powi(2));
