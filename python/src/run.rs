@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-use archard::case::{Case, Task};
+use archard::case::{Case, Following, Resolved, Task, Unsettled};
 use archard::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
-use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
+use archard::simulation::{self, Companion, NotResumed, Observer, Report, Simulation, row};
 use archard::wear::try_out;
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
@@ -89,6 +89,10 @@ impl Run {
         let Task::Contact(resolved) = task.map_err(refused)? else {
             return Err(PyValueError::new_err("a body by itself has no steps"));
         };
+        if resolved.case.accuracy.is_some() && !(laws.is_empty() && friction.is_none()) {
+            return Err(PyValueError::new_err(ACCURATE_LAWS));
+        }
+        let (resolved, companion) = companion(py, &wide, *resolved, cache.clone())?;
         let case = resolved.case;
         let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
         let case_toml = format!("{remark}{case}");
@@ -98,6 +102,7 @@ impl Run {
         }
         let failed = Failed::default();
         let built = build(py, &pool, &case, cache).and_then(|(mut simulation, doubts)| {
+            simulation.companion = companion;
             put_laws(py, &pool, &mut simulation, (laws, friction), &failed)?;
             Ok((simulation, doubts))
         });
@@ -239,6 +244,46 @@ impl Run {
             Broken::Simulation(error) => RunError::new_err(error.to_string()),
         }
     }
+}
+
+/// What is said of an accuracy that laws in Python cannot be judged by.
+const ACCURATE_LAWS: &str = "the runs that judge the elements know no laws in Python: leave the `accuracy` out of the case, and give a frame and a tolerance";
+
+/// Nobody follows the runs on fewer elements.
+struct Unfollowed;
+
+impl Observer for Unfollowed {
+    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        Ok(())
+    }
+}
+
+impl Following for Unfollowed {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
+}
+
+/// The case on the elements that its accuracy takes, and what says how far off they are.
+fn companion(
+    py: Python<'_>,
+    pool: &ThreadPool,
+    resolved: Resolved,
+    cache: Option<PathBuf>,
+) -> PyResult<(Resolved, Option<Companion>)> {
+    let work = move || {
+        let store = cache.map(Store::new).or_else(Store::of_user);
+        resolved.with_companion(store.as_ref(), &mut Unfollowed)
+    };
+    let settled = away(py, pool, work).unless_interrupted()?;
+    settled.map_err(|error| match error {
+        Unsettled::Run { cause, .. } if cause.is_of_convergence() => {
+            NotConverged::new_err(cause.to_string())
+        }
+        error => RunError::new_err(error.to_string()),
+    })
 }
 
 /// Builds a simulation; also what is doubtful about kept compliances.

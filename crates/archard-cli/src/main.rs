@@ -6,6 +6,7 @@
 mod arguments;
 mod builtin;
 mod check;
+mod companions;
 mod diagnose;
 mod elastic;
 mod failure;

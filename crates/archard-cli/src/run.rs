@@ -12,11 +12,12 @@ use archard::simulation::history::{
     self, CREEPAGE, FORCE, FRICTIONAL_POWER, MASS_LOSS, STICK_AREA, WORN_SECTION, WORN_VOLUME,
     of_body,
 };
-use archard::simulation::{Effort, Error, Observer, Simulation};
+use archard::simulation::{Companion, Effort, Error, Observer, Simulation};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::Run;
+use crate::companions;
 use crate::diagnose;
 use crate::elastic;
 use crate::failure::Failure;
@@ -38,13 +39,14 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
+    let (task, companion) = companions::settle(task, &watch, arguments)?;
     let case_toml = task.case_toml();
     let claim = folder::claim(arguments, &case_toml)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = match &task {
         Task::Contact(resolved) => {
-            let contact = || contact(resolved, &case_toml, &watch, (arguments, &dir));
+            let contact = || contact(resolved, companion, &case_toml, &watch, (arguments, &dir));
             match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
                 false => contact(),
@@ -65,6 +67,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
     Resolved { case, forecast, warnings, .. }: &Resolved,
+    companion: Option<Companion>,
     case_toml: &str,
     watch: &Watch,
     (arguments, dir): (&Run, &Path),
@@ -76,7 +79,8 @@ fn contact(
         Some(store) => case.build_keeping(store),
         None => case.build(),
     };
-    let simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
+    let mut simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
+    simulation.companion = companion;
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));

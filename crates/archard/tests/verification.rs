@@ -3,6 +3,7 @@
 mod common;
 
 mod verification {
+    mod accuracy;
     mod cattaneo_mindlin;
     mod compliance;
     mod elastic_bodies;

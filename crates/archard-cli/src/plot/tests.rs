@@ -119,6 +119,7 @@ fn write(
             extent: states[last].progress,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
+            companion: None,
             again: false,
             march: None,
         };

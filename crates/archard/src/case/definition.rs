@@ -25,6 +25,8 @@ const FEW_ELEMENTS: usize = 60 * 60;
 pub struct Case {
     /// What it is about.
     pub title: Option<String>,
+    /// Relative error that is asked for; `None` where none is.
+    pub accuracy: Option<f64>,
     /// The bodies in the order in which they are written.
     pub bodies: [BodyCase; 2],
     /// The potential contact zone.
@@ -147,6 +149,11 @@ impl Output {
 }
 
 impl FrameCase {
+    /// One whose size and elements follow from an accuracy.
+    pub(super) fn to_be_chosen() -> Self {
+        Self { size: [0.0; 2], elements: [0; 2], line: false }
+    }
+
     /// Size of an element along x and y (m).
     pub fn spacing(&self) -> [f64; 2] {
         [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use toml::de::DeTable;
 
+use super::accuracy::{self, Chose};
 use super::check::{self, Forecast};
 use super::definition::Case;
 use super::elastic::{self, ElasticCase, ElasticForecast};
@@ -43,6 +44,8 @@ pub struct Unreadable {
 pub struct Resolved {
     /// The case in SI.
     pub case: Case,
+    /// Whether its frame was chosen.
+    pub chose: Chose,
     /// What can be said about it before the run.
     pub forecast: Forecast,
     /// What may not be as it was meant.
@@ -77,6 +80,9 @@ impl Resolved {
         let beside: String =
             self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
         let mut text = format!("# What to expect\n\n{}{beside}", self.forecast);
+        if self.chose != Chose::default() {
+            text += "\nThe frame was chosen; runs on fewer elements may ask for more of them.\n";
+        }
         let lines = &self.forecast.verdict.lines;
         if !lines.is_empty() {
             text += "\n# Verdict foreseen\n\n";
@@ -202,9 +208,13 @@ impl CaseFile {
     }
 
     fn resolve_contact(&self, laid: Laid) -> Result<Resolved, Vec<Problem>> {
-        let (case, forecast, warnings) =
-            self.examine(laid, |reader, root| reader.case(root).map(check::settle), check::check)?;
-        Ok(Resolved { case, forecast, warnings })
+        let read = |reader: &mut Reader<'_>, root: &Section<'_>| {
+            let case = check::settle(reader.case(root)?);
+            accuracy::choose(case).map_err(|problem| reader.push(problem)).ok()
+        };
+        let ((case, chose), forecast, warnings) =
+            self.examine(laid, read, |(case, _)| check::check(case))?;
+        Ok(Resolved { case, chose, forecast, warnings })
     }
 
     /// The tree of the file with the options laid over it.
@@ -214,6 +224,7 @@ impl CaseFile {
         let problems = options
             .filter_map(|(index, option)| overlay::apply(&mut table, index, option).err())
             .collect();
+        accuracy::imply(&mut table);
         Laid { table, syntax, problems }
     }
 

@@ -21,6 +21,7 @@
 //! read as TOML, or as plain text where it is not TOML. `KEY=` removes the key: to go from one of
 //! two keys that exclude each other to the other, remove the first.
 
+mod accuracy;
 mod check;
 mod chosen;
 mod columns;
@@ -40,6 +41,7 @@ mod reader;
 mod tree;
 mod unclosed;
 
+pub use accuracy::{Chose, Following, Unsettled};
 pub use check::{BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};

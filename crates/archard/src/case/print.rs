@@ -19,6 +19,9 @@ impl Display for Case {
         if let Some(title) = &self.title {
             writeln!(f, "title = {}\n", quoted(title))?;
         }
+        if let Some(accuracy) = self.accuracy {
+            writeln!(f, "accuracy = {}\n", number(accuracy))?;
+        }
         for body in &self.bodies {
             let key = format!("body.{}", body.name);
             print_material(f, &key, body)?;

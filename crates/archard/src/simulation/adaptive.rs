@@ -215,6 +215,7 @@ impl Adaptive {
     fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Evolution {
         self.error = self.error.max(trial.error);
         effort.time_error = Some(if trial.depth > 0.0 { self.error / trial.depth } else { 0.0 });
+        effort.pressure_error = Some(trial.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
             raise(shown, worn, weight);
         }

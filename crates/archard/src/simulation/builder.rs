@@ -181,7 +181,7 @@ impl Builder {
             }
         };
         let problem = ContactProblem { bodies, frame, compliance, friction, motion };
-        Ok(Simulation { problem, solver, friction_solver, schedule })
+        Ok(Simulation { problem, solver, friction_solver, schedule, companion: None })
     }
 
     fn check(&self) -> Result<(), Invalid> {

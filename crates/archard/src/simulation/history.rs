@@ -3,11 +3,12 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::Report;
+use super::companion::{Companion, OF_LAG, OF_STEPS};
 use super::scar::{scar, track_width};
+use super::{Effort, Report};
 use crate::body::Body;
 use crate::frame::{Line, VectorField};
-use crate::motion::{Progress, Rolling, Shift};
+use crate::motion::{Progress, Rolling, Shift, Stepping};
 use crate::problem::{ContactState, Tangential};
 
 /// What stands for the name of a body.
@@ -19,6 +20,12 @@ pub const LOAD: &str = "load_N";
 pub const APPROACH: &str = "approach_m";
 /// Largest pressure (Pa).
 pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
+/// Pressure at the centre of the frame (Pa).
+const CENTRE_PRESSURE: &str = "centre_pressure_Pa";
+/// Moment on body 1 about the normal (N m).
+const MOMENT: &str = "moment_z_Nm";
+/// Energy dissipated in a cycle so far (J).
+const DISSIPATED: &str = "dissipated_J";
 /// Area in contact (m^2).
 pub const CONTACT_AREA: &str = "contact_area_m2";
 /// Worn volume of a body that does not roll (m^3).
@@ -56,6 +63,21 @@ pub const MEAN_FLASH_TEMPERATURE: &str = "mean_flash_temperature_K";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
 pub const TIME_ERROR: &str = "time_error";
 
+/// Relative error, by the elements, of the worst of the quantities that count.
+pub const SPACE_ERROR: &str = "space_error";
+/// What the columns of errors by the steps and by the elements begin with; the column follows.
+pub const ERRORS: [&str; 2] = ["time_error_of_", "space_error_of_"];
+
+/// The numbers of a step, by column.
+pub type Row = Vec<(String, f64)>;
+
+/// What a run is judged by where bodies wear, always, and where they do not.
+const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
+const ALWAYS: [&str; 6] = [LOAD, APPROACH, FORCE[0], FORCE[1], FRICTIONAL_POWER, DISSIPATED];
+const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
+/// What has errors beside.
+const ESTIMATED: [&str; 4] = [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT];
+
 /// A column of the history, or one for each body.
 #[non_exhaustive]
 #[derive(Debug)]
@@ -86,7 +108,7 @@ pub const COLUMNS: &[Column] = &[
     column(PEAK_PRESSURE, "Pa", "pressure of the highest element", |r, _| {
         Some(maximum(&r.state.pressure))
     }),
-    column("centre_pressure_Pa", "Pa", "pressure at the centre of the frame", |r, _| {
+    column(CENTRE_PRESSURE, "Pa", "pressure at the centre of the frame", |r, _| {
         Some(r.problem.frame.at_centre(&r.state.pressure))
     }),
     column(CONTACT_AREA, "m2", "area of the elements under pressure", |r, _| {
@@ -141,7 +163,7 @@ pub const COLUMNS: &[Column] = &[
     }),
     column(FORCE[0], "N", "force on body 1 along x", |r, _| friction(r, |own| force(r, own)[0])),
     column(FORCE[1], "N", "force on body 1 along y", |r, _| friction(r, |own| force(r, own)[1])),
-    column("moment_z_Nm", "Nm", "in rolling: moment on body 1, positive from x to y", |r, _| {
+    column(MOMENT, "Nm", "in rolling: moment on body 1, positive from x to y", |r, _| {
         rolling(r, |own, _| own.moment(&r.problem.frame))
     }),
     column(STICK_AREA, "m2", "area of the elements under pressure that stick", |r, _| {
@@ -164,7 +186,7 @@ pub const COLUMNS: &[Column] = &[
         let sum: f64 = (0..rise.len()).filter(touching).map(|pair| area(pair) * rise[pair]).sum();
         Some(if whole > 0.0 { sum / whole } else { 0.0 })
     }),
-    column("dissipated_J", "J", "energy that friction dissipated in the cycle so far", |r, _| {
+    column(DISSIPATED, "J", "energy that friction dissipated in the cycle so far", |r, _| {
         let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();
         (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
     }),
@@ -182,8 +204,22 @@ pub const COLUMNS: &[Column] = &[
     }),
 ];
 
+/// Whether a column is one that a run is judged by.
+pub(crate) fn counts(name: &str, wears: bool) -> bool {
+    let of = |columns: &[&str]| columns.iter().any(|column| is_of(column, name));
+    of(&ALWAYS) || if wears { of(&OF_WEAR) } else { of(&UNWORN) }
+}
+
+/// Whether a column, or that of some body, has the name.
+fn is_of(column: &str, name: &str) -> bool {
+    match column.split_once(BODY) {
+        None => column == name,
+        Some((start, end)) => name.starts_with(start) && name.ends_with(end),
+    }
+}
+
 /// The numbers of a step by column: the progress, then [`COLUMNS`]. Steps of one run have the same ones.
-pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
+pub fn row(report: &Report<'_>) -> Row {
     let Report { problem, state, .. } = report;
     let mut row = vec![(problem.motion.progress().column.to_owned(), state.progress)];
     for Column { name, value, .. } in COLUMNS {
@@ -191,7 +227,33 @@ pub fn row(report: &Report<'_>) -> Vec<(String, f64)> {
         let cell = |(i, body): (usize, &Body)| Some((of_body(name, &body.name), value(report, i)?));
         row.extend(bodies.iter().enumerate().filter_map(cell));
     }
+    if let Some(companion) = report.companion {
+        let errors = errors(report, companion, &row);
+        row.push((SPACE_ERROR.to_owned(), companion.worst(&row, false)));
+        row.extend(errors);
+    }
     row
+}
+
+/// Errors by the steps, where those are chosen by error, and by the elements, in the units of the columns.
+fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
+    let Effort { time_error, pressure_error, .. } = report.effort;
+    let by_error = matches!(report.stepping, Stepping::Tolerance(_));
+    let estimated = |name: &str| ESTIMATED.iter().any(|column| is_of(column, name));
+    let has =
+        |(name, _): &&(String, f64)| counts(name, true) || counts(name, false) || estimated(name);
+    let mut errors = vec![];
+    for (name, value) in row.iter().filter(has) {
+        let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
+        let depth = time_error.map(|error| OF_STEPS * error);
+        let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
+        let space = companion.error(name, report.state.progress, *value);
+        if by_error {
+            errors.push((format!("{}{name}", ERRORS[0]), relative * value.abs()));
+        }
+        errors.extend(space.map(|error| (format!("{}{name}", ERRORS[1]), error)));
+    }
+    errors
 }
 
 /// The number in a column of a row.

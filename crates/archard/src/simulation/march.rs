@@ -115,6 +115,7 @@ impl March {
             extent: schedule.extent,
             prescribed,
             stepping: schedule.stepping,
+            companion: simulation.companion.as_ref(),
             again: false,
             march: Some(self),
         }

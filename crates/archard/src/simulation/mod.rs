@@ -4,6 +4,7 @@ mod adaptive;
 mod builder;
 mod checkpoint;
 mod collector;
+mod companion;
 mod compatibility;
 mod cycles;
 mod evolution;
@@ -24,6 +25,8 @@ use serde::{Deserialize, Serialize};
 pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
+pub use companion::Companion;
+pub(crate) use companion::OF_STEPS;
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
@@ -49,6 +52,8 @@ pub struct Simulation {
     pub friction_solver: Box<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
+    /// The same on fewer elements, where the error by the elements is asked for.
+    pub companion: Option<Companion>,
 }
 
 /// What an observer is shown after the initial contact and after every accepted step.
@@ -68,6 +73,8 @@ pub struct Report<'a> {
     pub prescribed: Control,
     /// How the motion is divided into steps.
     pub stepping: Stepping,
+    /// The same run on fewer elements, where there is one.
+    pub companion: Option<&'a Companion>,
     /// Whether it is shown for the second time, by a run that goes on after an interruption.
     pub again: bool,
     /// The run, where it can be kept.
@@ -99,6 +106,8 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
+    /// The same of the pressures, relative.
+    pub pressure_error: Option<f64>,
     /// Increments so far that did not settle on what closing pairs slide before they touch.
     pub unsettled: usize,
     /// Cycles computed so far, those that were jumped over left out.

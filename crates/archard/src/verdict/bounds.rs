@@ -56,6 +56,13 @@ pub fn time(error: f64, tolerance: f64) -> Line {
     Line::new("time", error, Bound::AtMost([1.5 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
+/// The estimated error of the worst quantity by the steps and by the elements, against the accuracy asked for. The run has
+/// elements that half of it was foreseen for; what it shows may be more.
+pub fn accuracy(error: f64, asked: f64) -> Line {
+    let text = format!("estimated error by steps and elements, {asked} asked");
+    Line::new("accuracy", error, Bound::AtMost([asked, (10.0 * asked).max(0.1)]), text)
+}
+
 /// The work of the motion over a cycle against what friction dissipates in it, relative to the latter.
 ///
 /// The case `cattaneo_mindlin` has up to 1e-5 with 4 to 20 increments a cycle; `fretting_sphere`, which wears, 0.8 % with

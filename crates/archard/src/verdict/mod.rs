@@ -8,8 +8,8 @@ mod bounds;
 mod line;
 
 pub use bounds::{
-    balance, contact, edges, energy, first_contact, heat, load, roughness, slenderness, stick_zone,
-    time, touch, volume,
+    accuracy, balance, contact, edges, energy, first_contact, heat, load, roughness, slenderness,
+    stick_zone, time, touch, volume,
 };
 pub use line::{Bound, Line, Word, four};
 

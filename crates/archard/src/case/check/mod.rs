@@ -76,7 +76,7 @@ impl<'a> Parts<'a> {
     }
 
     /// What closed forms expect once the motion has gone so far (its own unit).
-    fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
+    pub(super) fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
         let control = self.schedule.control;
         let load_distance = match control {
             Control::Load(load) => Some(load * self.motion.slip(progress)),
@@ -91,7 +91,7 @@ impl<'a> Parts<'a> {
     }
 
     /// Whether any body wears.
-    fn wears(&self) -> bool {
+    pub(super) fn wears(&self) -> bool {
         self.bodies.iter().any(|body| body.wear.is_some())
     }
 

@@ -9,24 +9,31 @@ use crate::case::tree::{Item, Node};
 use crate::parameters::Quantity;
 
 impl Reader<'_> {
-    /// Size and elements.
-    pub(super) fn frame(&mut self, section: &Section<'_>) -> Option<FrameCase> {
+    /// Size and elements; those that are to be chosen may be missing.
+    pub(super) fn frame(&mut self, section: &Section<'_>, chosen: bool) -> Option<FrameCase> {
         self.unknown(section, "key", &["size", "elements", "plane_strain", "length"]);
         if let Some(length) = self.line_of_contact(section)? {
-            return self.line(section, length);
+            return self.line(section, length, chosen);
         }
-        let size = self.pair(
-            section,
-            "size",
-            "its size along x and y, `[\"1 mm\", \"1 mm\"]`",
-            |reader, key, node| reader.number(key, node, Quantity::Length),
-        );
-        let elements = self.pair(
-            section,
-            "elements",
-            "the number of elements along x and y, `[30, 30]`",
-            |reader, key, node| reader.count(key, node),
-        );
+        let none = FrameCase::to_be_chosen();
+        let size = match section.get("size") {
+            None if chosen => Some(none.size),
+            _ => self.pair(
+                section,
+                "size",
+                "its size along x and y, `[\"1 mm\", \"1 mm\"]`",
+                |reader, key, node| reader.number(key, node, Quantity::Length),
+            ),
+        };
+        let elements = match section.get("elements") {
+            None if chosen => Some(none.elements),
+            _ => self.pair(
+                section,
+                "elements",
+                "the number of elements along x and y, `[30, 30]`",
+                |reader, key, node| reader.count(key, node),
+            ),
+        };
         let elements = elements.filter(|&elements| self.not_too_many(section, elements));
         Some(FrameCase { size: size?, elements: elements?, line: false })
     }
@@ -50,21 +57,27 @@ impl Reader<'_> {
     }
 
     /// Width and elements of a line of contact.
-    fn line(&mut self, section: &Section<'_>, length: f64) -> Option<FrameCase> {
-        let size = self.along_x(
-            section,
-            "size",
-            "its size along x, `\"1 mm\"`",
-            "of a line of contact `size` is that along x alone; how long it is says `length`",
-            |reader, key, node| reader.number(key, node, Quantity::Length),
-        );
-        let elements = self.along_x(
-            section,
-            "elements",
-            "the number of elements along x, `240`",
-            "of a line of contact there is one element across: give their number along x alone",
-            |reader, key, node| reader.count(key, node),
-        );
+    fn line(&mut self, section: &Section<'_>, length: f64, chosen: bool) -> Option<FrameCase> {
+        let size = match section.get("size") {
+            None if chosen => Some(0.0),
+            _ => self.along_x(
+                section,
+                "size",
+                "its size along x, `\"1 mm\"`",
+                "of a line of contact `size` is that along x alone; how long it is says `length`",
+                |reader, key, node| reader.number(key, node, Quantity::Length),
+            ),
+        };
+        let elements = match section.get("elements") {
+            None if chosen => Some(0),
+            _ => self.along_x(
+                section,
+                "elements",
+                "the number of elements along x, `240`",
+                "of a line of contact there is one element across: give their number along x alone",
+                |reader, key, node| reader.count(key, node),
+            ),
+        };
         let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
         Some(FrameCase { size: [size?, length], elements: [elements?, 1], line: true })
     }

@@ -6,27 +6,38 @@ mod finite;
 mod frame;
 mod output;
 
+use super::accuracy;
 use super::chosen::Chosen;
-use super::definition::Case;
+use super::definition::{Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::tree::Item;
 use crate::friction::{FRICTION, Friction};
 use crate::motion::{MOTIONS, Planned};
-use crate::parameters::{Choice, Values};
+use crate::parameters::{Choice, Quantity, Values};
 use crate::solve::SOLVERS;
 use crate::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
 use finite::zone;
 
 /// The tables of a case.
-const TABLES: &[&str] =
-    &["title", "body", "frame", "friction", "motion", "solver", "friction_solver", "output"];
+const TABLES: &[&str] = &[
+    "title",
+    "accuracy",
+    "body",
+    "frame",
+    "friction",
+    "motion",
+    "solver",
+    "friction_solver",
+    "output",
+];
 
 impl Reader<'_> {
     /// The case, if nothing is wrong with it.
     pub fn case(&mut self, root: &Section<'_>) -> Option<Case> {
         self.unknown(root, "key", TABLES);
         let title = self.title(root);
+        let accuracy = self.accuracy(root);
         let bodies = self.bodies(root);
         let meshed = names_a_mesh(root);
         let frame = match (root.get("frame"), &bodies) {
@@ -37,9 +48,10 @@ impl Reader<'_> {
                 self.push(Problem::error(key, message).at_name());
                 None
             }
+            (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),
             _ => self
                 .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
-                .and_then(|section| self.frame(&section)),
+                .and_then(|section| self.frame(&section, root.get("accuracy").is_some())),
         };
         let motion = self.motion(root);
         let friction = self.friction(root);
@@ -49,6 +61,7 @@ impl Reader<'_> {
         let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
         Some(Case {
             title: title?,
+            accuracy: accuracy?,
             bodies: bodies?,
             frame: frame?,
             motion: motion?.0,
@@ -70,6 +83,22 @@ impl Reader<'_> {
                 None
             }
         }
+    }
+
+    /// The accuracy if one is asked for; `None` if it is wrong.
+    fn accuracy(&mut self, root: &Section<'_>) -> Option<Option<f64>> {
+        let Some((key, entry)) = root.get("accuracy") else { return Some(None) };
+        let value = self.number(key.clone(), &entry.node, Quantity::Number)?;
+        if !accuracy::admitted(value) {
+            self.push(Problem::error(key, accuracy::refusal()));
+            return None;
+        }
+        if names_a_mesh(root) {
+            let message = "the elements of a mesh are those of its zone: they are not chosen";
+            self.push(Problem::error(key, message).at_name().help("leave it out"));
+            return None;
+        }
+        Some(Some(value))
     }
 
     fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Planned>, Planned)> {

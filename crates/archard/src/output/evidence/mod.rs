@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
 use crate::problem::ContactProblem;
-use crate::simulation::Report;
-use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
+use crate::simulation::history::{SPACE_ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
+use crate::simulation::{OF_STEPS, Report};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
@@ -46,6 +46,8 @@ pub(super) struct Evidence {
     volume: Option<f64>,
     /// Alternation and spikes of the pressures at outputs, relative to the largest.
     roughness: Option<f64>,
+    /// Estimated error by steps and elements, and the accuracy asked for.
+    accuracy: Option<[f64; 2]>,
     /// The smallest Peclet number of a contact that is warmed.
     peclet: Option<f64>,
 }
@@ -82,6 +84,10 @@ impl Evidence {
             (Stepping::Tolerance(tolerance), Some(error)) => Some([error, tolerance]),
             _ => None,
         };
+        self.accuracy = report.companion.map(|companion| {
+            let space = number(row, SPACE_ERROR).unwrap_or(f64::NAN);
+            [space + OF_STEPS * effort.time_error.unwrap_or_default(), companion.asked]
+        });
         self.touch =
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
         worst(&mut self.energy, self.cycle.take(report, row));
@@ -104,6 +110,7 @@ impl Evidence {
             self.largest.map(verdict::contact),
             self.stick.map(verdict::stick_zone),
             self.time.map(|[error, tolerance]| verdict::time(error, tolerance)),
+            self.accuracy.map(|[error, asked]| verdict::accuracy(error, asked)),
             self.touch.map(verdict::touch),
             self.energy.map(verdict::energy),
             self.volume.map(verdict::volume),

@@ -37,6 +37,7 @@ fn report<'a>(run: &'a Run, state: &'a ContactState) -> Report<'a> {
         extent: 1.0,
         prescribed,
         stepping,
+        companion: None,
         again: false,
         march: None,
     }

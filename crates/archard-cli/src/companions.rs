@@ -1,0 +1,64 @@
+//! The runs on fewer elements that come before one with an `accuracy`.
+
+use archard::case::{Following, Resolved, Task, Unsettled};
+use archard::simulation::{Companion, Error, Observer};
+
+use crate::arguments::Run;
+use crate::failure::Failure;
+use crate::interrupt::{Interrupted, Watch};
+use crate::say::tell;
+
+/// Says on how many elements, and ends where that is asked for.
+struct Follow {
+    watch: Watch,
+    quiet: bool,
+}
+
+impl Following for Follow {
+    fn begins(&mut self, [nx, ny]: [usize; 2]) {
+        if !self.quiet {
+            tell(&format!("on {nx} x {ny} elements, to see what the elements err by"));
+        }
+    }
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        &mut self.watch
+    }
+}
+
+/// The task on the elements that its accuracy takes, and what says how far off they are.
+pub fn settle(
+    task: Task,
+    watch: &Watch,
+    arguments: &Run,
+) -> Result<(Task, Option<Companion>), Failure> {
+    let Task::Contact(resolved) = task else { return Ok((task, None)) };
+    let mut follow = Follow { watch: watch.clone(), quiet: arguments.quiet };
+    let store = arguments.store();
+    let (resolved, companion) =
+        resolved.with_companion(store.as_ref(), &mut follow).map_err(failure)?;
+    if let (Some(_), false) = (&companion, arguments.quiet) {
+        tell(&grid(&resolved));
+    }
+    Ok((Task::Contact(Box::new(resolved)), companion))
+}
+
+/// "the run takes 64 x 64 elements on 1.2 mm x 1.2 mm".
+fn grid(resolved: &Resolved) -> String {
+    let frame = &resolved.case.frame;
+    let [x, y] = frame.size.map(|size| format!("{:.4} mm", 1e3 * size));
+    let [nx, ny] = frame.elements;
+    format!("the run takes {nx} x {ny} elements on {x} x {y}")
+}
+
+fn failure(error: Unsettled) -> Failure {
+    let message = error.to_string();
+    let Unsettled::Run { cause, .. } = &error else { return Failure::Wrong(message) };
+    match &**cause {
+        Error::Observer(cause) if cause.is::<Interrupted>() => {
+            Failure::Interrupted(format!("{Interrupted} before the run had begun"))
+        }
+        cause if cause.is_of_convergence() => Failure::NotConverged(message),
+        _ => Failure::Wrong(message),
+    }
+}

@@ -1,0 +1,215 @@
+//! Runs on half and on a quarter of the elements, before the run itself: they say how far off its elements will be.
+
+use super::{MOST, OF_STEPS, order};
+use crate::case::check::{Parts, check};
+use crate::case::definition::{BuildError, Case};
+use crate::case::file::Resolved;
+use crate::case::problem::Severity;
+use crate::output::Store;
+use crate::simulation::history::{self, Row};
+use crate::simulation::{Companion, Error, Observer, Report};
+
+/// The fewest elements across the first contact of a companion.
+const FEWEST: f64 = 3.0;
+/// Times a grid is made finer, or a frame larger.
+const ROUNDS: usize = 12;
+/// By how much a frame grows that was outgrown.
+const GROWS: f64 = 1.4;
+/// How much finer a grid becomes beside what the estimate asks for, and at most.
+const MARGIN: f64 = 1.15;
+const FINER: [f64; 2] = [1.1, 2.0];
+
+/// What follows the runs of companions.
+pub trait Following {
+    /// One begins, on so many elements.
+    fn begins(&mut self, elements: [usize; 2]);
+
+    /// What observes it.
+    fn observer(&mut self) -> &mut dyn Observer;
+}
+
+/// Why no grid was found.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum Unsettled {
+    /// A companion that cannot be built.
+    #[error(transparent)]
+    Build(#[from] Box<BuildError>),
+    /// A companion that did not run.
+    #[error("on {} x {} elements, half as many as were to be taken: {cause}", .elements[0], .elements[1])]
+    Run {
+        /// Its elements.
+        elements: [usize; 2],
+        /// Why not.
+        cause: Box<Error>,
+    },
+    /// A frame that is left whatever its size.
+    #[error("the contact leaves a frame of {:.3} mm by {:.3} mm: give `frame.size`", 1e3 * .size[0], 1e3 * .size[1])]
+    Outgrown {
+        /// The largest that was tried (m).
+        size: [f64; 2],
+    },
+    /// A grid that does not become fine enough.
+    #[error(
+        "the error by the elements stays at {error:.2e} on {} x {} elements, and {asked} was asked for",
+        .elements[0], .elements[1]
+    )]
+    TooCoarse {
+        /// The finest that was judged.
+        elements: [usize; 2],
+        /// Its estimated error.
+        error: f64,
+        /// The accuracy.
+        asked: f64,
+    },
+    /// A case that became wrong with its elements.
+    #[error("{0}")]
+    Wrong(String),
+}
+
+/// The rows of a run, and whether its contact came to an edge of the frame.
+#[derive(Default)]
+struct Watched {
+    rows: Vec<Row>,
+    outgrown: bool,
+}
+
+impl Observer for Watched {
+    fn observe(
+        &mut self,
+        report: &Report<'_>,
+    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+        self.rows.push(history::row(report));
+        let frame = &report.problem.frame;
+        let [nx, ny] = frame.elements();
+        let rim = |pair: usize| {
+            let (x, y) = (pair % nx, pair / nx);
+            x == 0 || x + 1 == nx || ny > 1 && (y == 0 || y + 1 == ny)
+        };
+        let pressure = &report.state.pressure;
+        self.outgrown |= (0..pressure.len()).any(|pair| pressure[pair] > 0.0 && rim(pair));
+        Ok(())
+    }
+}
+
+impl Resolved {
+    /// The case with the elements that its accuracy takes, and what says how far off they are; as it is where no accuracy
+    /// is asked for.
+    ///
+    /// # Errors
+    /// If a companion fails, the contact leaves every frame that is tried, or no grid is fine enough.
+    pub fn with_companion(
+        mut self,
+        store: Option<&Store>,
+        following: &mut dyn Following,
+    ) -> Result<(Self, Option<Companion>), Unsettled> {
+        let Some(accuracy) = self.case.accuracy else { return Ok((self, None)) };
+        let parts = Parts::of(&self.case).map_err(Box::new)?;
+        let (order, outputs) = (order(&parts), self.case.output.places(parts.schedule.extent));
+        let mut error = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let elements = self.case.frame.elements;
+            let across = self.across();
+            let coarser = |by: f64| {
+                let fewest = FEWEST / across;
+                let share = (1.0 / by).max(fewest);
+                elements
+                    .map(|n| if n == 1 { 1 } else { ((n as f64 * share).round() as usize).max(2) })
+            };
+            let grids = [coarser(2.0), coarser(4.0)];
+            let runs =
+                [self.run(grids[0], store, following)?, self.run(grids[1], store, following)?];
+            if runs.iter().any(|run| run.outgrown) && self.chose.size {
+                self.case = grown(&self.case);
+                self.settle_again()?;
+                continue;
+            }
+            let [one, two] = runs.map(|run| run.rows);
+            let numbers = [elements, grids[0], grids[1]].map(|grid| grid[0] as f64);
+            let companion = Companion::new([one, two], numbers, order, accuracy);
+            error = outputs
+                .iter()
+                .map(|&place| companion.worst(&companion.row(place), true))
+                .fold(0.0, f64::max);
+            let allowed = (1.0 - OF_STEPS) * accuracy;
+            if error <= allowed || !self.chose.elements {
+                return Ok((self, Some(companion)));
+            }
+            let finer = (MARGIN * (error / allowed).powf(1.0 / order)).clamp(FINER[0], FINER[1]);
+            let refined =
+                |n: usize| if n == 1 { 1 } else { 2 * (0.5 * finer * n as f64).ceil() as usize };
+            let refined = elements.map(refined);
+            if refined.iter().any(|&n| n as f64 > MOST) {
+                break;
+            }
+            self.case.frame.elements = refined;
+            self.settle_again()?;
+        }
+        let elements = self.case.frame.elements;
+        if error.is_infinite() {
+            return Err(Unsettled::Outgrown { size: self.case.frame.size });
+        }
+        Err(Unsettled::TooCoarse { elements, error, asked: accuracy })
+    }
+
+    /// Elements across the first contact; infinitely many where no closed form tells.
+    fn across(&self) -> f64 {
+        let contact = self.forecast.estimate.contact;
+        let spacing = self.case.frame.spacing();
+        contact.map_or(f64::INFINITY, |contact| {
+            [0, 1]
+                .map(|axis| 2.0 * contact.semi_axes[axis] / spacing[axis])
+                .into_iter()
+                .fold(f64::INFINITY, f64::min)
+        })
+    }
+
+    /// Runs the case on other elements.
+    fn run(
+        &self,
+        elements: [usize; 2],
+        store: Option<&Store>,
+        following: &mut dyn Following,
+    ) -> Result<Watched, Unsettled> {
+        let mut case = self.case.clone();
+        case.frame.elements = elements;
+        let simulation = match store {
+            Some(store) => case.build_keeping(store),
+            None => case.build(),
+        };
+        let simulation = simulation.map_err(Box::new)?;
+        following.begins(elements);
+        let mut watched = Watched::default();
+        match simulation.run(&mut [&mut watched, following.observer()]) {
+            Ok(_) => Ok(watched),
+            Err(Error::FrameFull { .. } | Error::SwungOut { .. }) if self.chose.size => {
+                Ok(Watched { outgrown: true, ..watched })
+            }
+            Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
+        }
+    }
+
+    /// Forecasts and checks the case anew.
+    fn settle_again(&mut self) -> Result<(), Unsettled> {
+        let (forecast, problems) = check(&self.case);
+        if let Some(problem) = problems.iter().find(|one| one.severity == Severity::Error) {
+            return Err(Unsettled::Wrong(problem.title()));
+        }
+        self.forecast = forecast;
+        self.warnings.retain(|warning| !problems.iter().any(|one| one.key == warning.key));
+        self.warnings.extend(problems);
+        Ok(())
+    }
+}
+
+/// The case in a larger frame with elements as large as before, if their number was chosen.
+fn grown(case: &Case) -> Case {
+    let mut case = case.clone();
+    let axes = if case.frame.line { 1 } else { 2 };
+    for axis in 0..axes {
+        case.frame.size[axis] *= GROWS;
+        case.frame.elements[axis] =
+            2 * (0.5 * GROWS * case.frame.elements[axis] as f64).ceil() as usize;
+    }
+    case
+}

@@ -1,0 +1,153 @@
+//! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
+//!
+//! Half of the error is left to the steps, half to the elements. How many elements the first output needs follows from the
+//! order of the error: of the second where all of the contact slides or nothing resists, of the first where friction decides
+//! what slips. The constants enclose what some 1,600 runs showed; [`companion`] measures what came of them.
+
+mod companion;
+
+pub use companion::{Following, Unsettled};
+
+use super::check::Parts;
+use super::definition::{Case, FrameCase};
+use super::key::Key;
+use super::problem::Problem;
+use super::tree::{Entry, Item, Node, Table};
+use crate::estimate::{Estimate, Estimator};
+use crate::motion::MOTIONS;
+
+/// The least accuracy that can be asked for.
+const COARSEST: f64 = 0.2;
+/// Share of the error that is left to the steps.
+const OF_STEPS: f64 = 0.5;
+/// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
+const BESIDE: f64 = 1.15;
+const BESIDE_UNFORESEEN: f64 = 3.0;
+/// Elements at each side that stay open.
+const OPEN: f64 = 4.0;
+/// Elements along an axis, at most.
+const MOST: f64 = 4096.0;
+
+/// Whether the size of a frame and its elements were chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Chose {
+    /// The size.
+    pub size: bool,
+    /// The elements.
+    pub elements: bool,
+}
+
+/// The order of the error of a case in the size of its elements.
+pub(super) fn order(parts: &Parts<'_>) -> f64 {
+    if parts.motion.slips_partly() && parts.friction.is_some() { 1.0 } else { 2.0 }
+}
+
+/// The accuracy, if the value is one.
+pub(super) fn admitted(value: f64) -> bool {
+    value > 0.0 && value <= COARSEST
+}
+
+/// Why a value is none.
+pub(super) fn refusal() -> String {
+    format!("must be greater than 0 and at most {COARSEST}, a relative error")
+}
+
+/// Puts the tolerance of the steps into the table of the motion where it takes one and says nothing of its steps.
+pub(super) fn imply(table: &mut Table) {
+    let Some(accuracy) = table.get("accuracy").map(|entry| entry.node.clone()) else { return };
+    let Some(Item::Table(motion)) = table.get_mut("motion").map(|entry| &mut entry.node.item)
+    else {
+        return;
+    };
+    let [Entry { name, node: Node { item: Item::Table(motion), .. }, .. }] = &mut motion.0[..]
+    else {
+        return;
+    };
+    let Some(choice) = MOTIONS.iter().find(|choice| choice.name == *name) else { return };
+    let takes = |name: &str| choice.parameters.iter().any(|parameter| parameter.name == name);
+    let says = |name: &str| motion.get(name).is_some();
+    let jumps = !takes("cycles") || says("cycles");
+    if !takes("tolerance") || !jumps {
+        return;
+    }
+    if ["tolerance", "step", "jump", "scheme"].into_iter().any(says) {
+        return;
+    }
+    // What is wrong with the accuracy is said once.
+    let value = match accuracy.item {
+        Item::Number { value, .. } if admitted(value) => OF_STEPS * value,
+        _ => COARSEST,
+    };
+    let item = Item::Number { text: value.to_string(), value, whole: false };
+    let node = Node { item, at: accuracy.at.clone() };
+    motion.0.push(Entry { name: "tolerance".to_owned(), at: accuracy.at, node });
+}
+
+/// The case with a frame where it has none, or has no size or no elements.
+pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
+    let Some(accuracy) = case.accuracy else { return Ok((case, Chose::default())) };
+    let chose = Chose { size: case.frame.size[0] == 0.0, elements: case.frame.elements[0] == 0 };
+    if case.motion.values.number("step").is_some() {
+        let key = Key::of(["motion", case.motion.choice.name, "step"]);
+        let message = "what a fixed step errs by is not known, and an `accuracy` is asked for";
+        return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
+    }
+    if chose == Chose::default() {
+        return Ok((case, chose));
+    }
+    case.frame = chosen(&case, accuracy, chose)?;
+    Ok((case, chose))
+}
+
+/// The frame.
+fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem> {
+    let parts =
+        Parts::of(case).map_err(|error| Problem::error(Key::default(), error.to_string()))?;
+    let foreseen = |progress: f64| parts.estimate(&Estimator::default(), progress);
+    let outputs = case.output.places(parts.schedule.extent);
+    let first = foreseen(outputs.first().copied().unwrap_or_default());
+    let last = foreseen(parts.schedule.extent);
+    let reaches = [&first, &last].map(Estimate::reach);
+    let finite = |reach: &[f64; 2]| {
+        let axes = if case.frame.line { 1 } else { 2 };
+        reach[..axes].iter().all(|half| half.is_finite() && *half > 0.0)
+    };
+    let [Some(first), Some(reach)] = reaches.map(|reach| reach.filter(finite)) else {
+        let message = "is not known: no closed form tells how large the contact of these bodies is";
+        let help =
+            "give `frame.size` and `frame.elements`: the elements are judged by half as many";
+        return Err(Problem::missing(Key::of(["frame"]), message).help(help));
+    };
+    let known = last.cap.is_some() || last.track.is_some();
+    let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
+    let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
+    let across = across(accuracy, order(&parts));
+    let mut frame = case.frame;
+    for axis in 0..if frame.line { 1 } else { 2 } {
+        let element = 2.0 * first[axis] / across;
+        if chose.size {
+            frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element;
+        }
+        let elements = (0.5 * frame.size[axis] / element).ceil() * 2.0;
+        if elements > MOST {
+            let allows = accuracy * (elements / MOST).powf(order(&parts));
+            let message = format!(
+                "{accuracy} would take {elements} elements along {}, and {MOST} are the most: they allow about {allows:.1e}",
+                ["x", "y"][axis]
+            );
+            return Err(Problem::error(Key::of(["accuracy"]), message));
+        }
+        if chose.elements {
+            frame.elements[axis] = elements as usize;
+        }
+    }
+    if frame.line {
+        frame.elements[1] = 1;
+    }
+    Ok(frame)
+}
+
+/// Elements across the contact of the first output.
+fn across(accuracy: f64, order: f64) -> f64 {
+    if order == 2.0 { (2.4 / accuracy.sqrt()).max(8.0) } else { (0.8 / accuracy).max(24.0) }
+}

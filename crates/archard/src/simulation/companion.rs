@@ -1,0 +1,165 @@
+//! How far off the elements of a run are, by the same run on fewer elements.
+//!
+//! What a run on half as many elements differs by from this one is the error of that one, and more than that of this one.
+//! Where both curves cross it is nothing, though both are off: therefore the difference of two such runs counts too, from
+//! half of the progress to twice of it, lowered to what their errors leave at this run's elements by their order. Both
+//! times a factor that the order needs: a difference is three times the error of the finer run where the order is two,
+//! and as large as it where it is one.
+
+use serde::{Deserialize, Serialize};
+
+use super::history::{self, Row, number};
+
+/// Factors on the differences, by the order of the error.
+const OF_SECOND_ORDER: f64 = 0.5;
+const OF_FIRST_ORDER: f64 = 1.5;
+/// Factor on the estimated error by the steps, which was up to 2.2 times the true one below it: pins on discs and a track, at
+/// tolerances from 0.0015 to 0.05 (`tests/verification/accuracy.rs`).
+pub(crate) const OF_STEPS: f64 = 4.0;
+/// The same on the lag of the pressures, which was the true one there or more.
+pub(super) const OF_LAG: f64 = 1.5;
+/// The same on counted areas, which err by the elements along their rim.
+const OF_AREAS: f64 = 3.0;
+/// The most by which a difference is scaled to where it is needed.
+const MOST_SCALED: f64 = 4.0;
+
+/// The rows of a run on fewer elements, and of one on fewer still.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Companion {
+    rows: [Vec<Row>; 2],
+    /// What their difference is at the elements of the run that they belong to.
+    lowered: f64,
+    factor: f64,
+    /// The relative error that is asked for.
+    pub asked: f64,
+}
+
+impl Companion {
+    /// Of a run with so many elements across its contact, compared with others on so many, by the order of the error; the
+    /// finer one first.
+    pub fn new(
+        rows: [Vec<Row>; 2],
+        [own, half, quarter]: [f64; 3],
+        order: f64,
+        asked: f64,
+    ) -> Self {
+        let error = |elements: f64| elements.powf(-order);
+        let lowered = (error(half) - error(own)) / (error(quarter) - error(half));
+        let factor = if order >= 2.0 { OF_SECOND_ORDER } else { OF_FIRST_ORDER };
+        Self { rows, lowered: if lowered.is_finite() { lowered } else { 1.0 }, factor, asked }
+    }
+
+    /// The error (in its unit) of a value in a column at some progress, by the elements; `None` for one that the others do
+    /// not have.
+    pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
+        let difference = (value - self.at(0, column, progress)?).abs();
+        Some(self.factor(column) * difference.max(self.foreseen_difference(column, progress)?))
+    }
+
+    /// The columns of the finer of both at some progress.
+    pub fn row(&self, progress: f64) -> Row {
+        let names = self.rows[0].first().into_iter().flatten().map(|(name, _)| name);
+        let at = |name: &String| Some((name.clone(), self.at(0, name, progress)?));
+        let mut row: Row = names.filter_map(at).collect();
+        row.iter_mut().take(1).for_each(|first| first.1 = progress);
+        row
+    }
+
+    /// What that error will be, by the two others alone.
+    pub fn foreseen(&self, column: &str, progress: f64) -> Option<f64> {
+        Some(self.factor(column) * self.foreseen_difference(column, progress)?)
+    }
+
+    /// The error of the worst of the quantities that count, relative to it, in a row of the run, or of the finer of both
+    /// where the run is still to come.
+    pub fn worst(&self, row: &Row, foreseen: bool) -> f64 {
+        let progress = row.first().map_or(0.0, |first| first.1);
+        let wears = number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0);
+        let force = history::FORCE.map(|name| number(row, name).unwrap_or_default());
+        let force = force[0].hypot(force[1]);
+        let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
+        let errors = counted.filter_map(|(name, value)| {
+            let size = if history::FORCE.contains(&&**name) { force } else { value.abs() };
+            let error = match foreseen {
+                true => self.foreseen(name, progress)?,
+                false => self.error(name, progress, *value)?,
+            };
+            (size > 0.0).then_some(error / size)
+        });
+        errors.fold(0.0, f64::max)
+    }
+
+    fn factor(&self, column: &str) -> f64 {
+        if column.contains("_area_") { OF_AREAS } else { self.factor }
+    }
+
+    /// The largest difference of the two around some progress, as it will be at the elements of the run.
+    fn foreseen_difference(&self, column: &str, progress: f64) -> Option<f64> {
+        let here = self.at(0, column, progress)?;
+        let near = |at: &f64| (0.5 * progress..=2.0 * progress).contains(at);
+        let places = self.rows[1].iter().map(|row| row[0].1).filter(near).chain([progress]);
+        let difference = |at: f64| {
+            let [finer, coarser] = [self.at(0, column, at)?, self.at(1, column, at)?];
+            let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
+            Some(scale * (finer - coarser).abs())
+        };
+        let most = places.filter_map(difference).fold(0.0, f64::max);
+        Some(self.lowered * most)
+    }
+
+    /// A column of one of the others at some progress: a power of it between two rows where all is positive, otherwise
+    /// straight.
+    fn at(&self, which: usize, column: &str, progress: f64) -> Option<f64> {
+        let rows = &self.rows[which];
+        let after = rows.iter().position(|row| row[0].1 >= progress).unwrap_or(rows.len() - 1);
+        let [before, after] = [after.saturating_sub(1), after].map(|index| &rows[index]);
+        let (from, to) = (before[0].1, after[0].1);
+        let (low, high) = (number(before, column)?, number(after, column)?);
+        if to <= from {
+            return Some(high);
+        }
+        if [from, low, high].into_iter().all(|one| one > 0.0) {
+            let share = (progress / from).ln() / (to / from).ln();
+            return Some(low * (high / low).powf(share));
+        }
+        Some(low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::{Companion, Row};
+
+    /// Depths s^(1/2) (1 + c / n^2) on n elements.
+    fn depths(n: f64) -> Vec<Row> {
+        let row = |i: i32| {
+            let s = f64::from(i) * f64::from(i);
+            vec![
+                ("distance_m".to_owned(), s),
+                ("wear_depth_m".to_owned(), s.sqrt() * (1.0 + 3.0 / (n * n))),
+            ]
+        };
+        (0..20).map(row).collect()
+    }
+
+    /// An error of the second order is enclosed, at one and a half of it, also where the run itself shows no difference.
+    #[test]
+    fn errors_of_the_second_order_are_enclosed() {
+        let companion = Companion::new([depths(12.0), depths(6.0)], [24.0, 12.0, 6.0], 2.0, 0.01);
+        let truth = 7.0;
+        let error = truth * 3.0 / (24.0 * 24.0);
+        for value in [truth + error, companion.at(0, "wear_depth_m", 49.0).unwrap()] {
+            let found = companion.error("wear_depth_m", 49.0, value).unwrap();
+            assert_relative_eq!(found, 1.5 * error, max_relative = 0.02);
+        }
+        assert_relative_eq!(
+            companion.at(0, "wear_depth_m", 50.0).unwrap(),
+            50f64.sqrt() * (1.0 + 3.0 / 144.0),
+            max_relative = 1e-12
+        );
+        let row = vec![("distance_m".to_owned(), 49.0), ("wear_depth_m".to_owned(), truth)];
+        assert_relative_eq!(companion.worst(&row, true), 1.5 * error / truth, max_relative = 0.03);
+    }
+}

@@ -1,0 +1,156 @@
+//! One number in, one error bar out: what is asked for is met, and the error that is stated encloses the true one.
+
+use approx::assert_relative_eq;
+use archard::case::{CaseFile, Following, Resolved};
+use archard::closed_form::Hertz;
+use archard::simulation::Observer;
+use archard::simulation::history::{ERRORS, Row, SPACE_ERROR, TIME_ERROR, number};
+
+use crate::common::Rows;
+
+/// Nobody follows.
+#[derive(Default)]
+struct Alone(Rows);
+
+impl Following for Alone {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        &mut self.0
+    }
+}
+
+fn resolved(text: &str, options: &[&str]) -> Result<Resolved, String> {
+    let file = CaseFile::from_text("case.toml", text, "");
+    let file = options.iter().fold(file, |file, option| file.set(*option));
+    let described = |problem: &archard::case::Problem| file.describe(problem);
+    file.resolve().map_err(|problems| problems.iter().map(described).collect())
+}
+
+/// The last row of a case with its accuracy.
+fn answer(text: &str, options: &[&str]) -> Row {
+    let resolved = resolved(text, options).expect("a case");
+    let (resolved, companion) =
+        resolved.with_companion(None, &mut Alone::default()).expect("a grid");
+    let mut simulation = resolved.case.build().expect("a simulation");
+    simulation.companion = companion;
+    let mut rows = Rows::default();
+    simulation.run(&mut [&mut rows]).expect("a run");
+    rows.0.pop().expect("a row")
+}
+
+/// The value in a column and the error stated, by steps and elements.
+fn with_error(row: &Row, column: &str) -> (f64, f64) {
+    let of = |prefix: &str| number(row, &format!("{prefix}{column}"));
+    let errors = ERRORS.map(|prefix| of(prefix).unwrap_or_default());
+    (number(row, column).expect(column), errors[0] + errors[1])
+}
+
+const SIZES: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
+
+/// Case, options, the columns that are judged and the accuracy of what they are held against.
+type Judged = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
+
+const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
+const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
+const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
+const HERTZ: &str = include_str!("../../../../cases/hertz/case.toml");
+
+/// Whatever is asked for, the true errors of depth, approach, pressure and force lie within those stated, and the worst of
+/// what counts is as asked: against runs several times as accurate.
+#[test]
+fn stated_errors_enclose_the_true_ones() {
+    let cases: [Judged; 3] = [
+        (
+            PIN,
+            &["frame=", "motion.sliding.step="],
+            &["wear_depth_m", "approach_m", "centre_pressure_Pa"],
+            "accuracy=0.0005",
+        ),
+        (
+            TRACK,
+            &["frame=", "motion.sliding.tolerance="],
+            &["wear_depth_ball_m", "wear_depth_disc_m", "approach_m"],
+            "accuracy=0.0005",
+        ),
+        (
+            FRETTING,
+            &[
+                "frame.size=",
+                "frame.elements=",
+                "motion.fretting.tolerance=",
+                "motion.fretting.cycles=2000",
+                "output=",
+            ],
+            &["wear_depth_flat_m", "wear_depth_cylinder_m", "approach_m"],
+            "accuracy=0.002",
+        ),
+    ];
+    let mut lies = vec![];
+    for (text, options, columns, best) in cases {
+        let at = |accuracy: &str| {
+            let all: Vec<&str> = options.iter().copied().chain([accuracy]).collect();
+            answer(text, &all)
+        };
+        let truth = at(best);
+        for accuracy in SIZES {
+            let asked: f64 = accuracy.trim_start_matches("accuracy=").parse().unwrap();
+            let row = at(accuracy);
+            // The steps are stated with a margin of four.
+            let stated =
+                number(&row, SPACE_ERROR).unwrap() + 4.0 * number(&row, TIME_ERROR).unwrap();
+            assert!(stated <= asked, "{stated} of {asked}");
+            for column in columns {
+                let ((found, error), (truth, rest)) =
+                    (with_error(&row, column), with_error(&truth, column));
+                let off = (found - truth).abs();
+                println!(
+                    "{accuracy} {column} {:.2e} stated {:.2e} ratio {:.2} time {:.2e}",
+                    off / truth,
+                    error / truth,
+                    error / off,
+                    number(&row, TIME_ERROR).unwrap()
+                );
+                if off > error + rest {
+                    lies.push(format!("{column} at {asked}: {off:e} of {error:e}"));
+                }
+            }
+        }
+    }
+    assert!(lies.is_empty(), "{lies:#?}");
+}
+
+/// Hertz's pressure and approach lie within the errors stated.
+#[test]
+fn hertz_lies_within_the_errors_stated() {
+    let modulus = 0.5 * 210e9 / (1.0 - 0.09);
+    let hertz = Hertz::from_load([20.0; 2], modulus, 10.2).unwrap();
+    for accuracy in SIZES {
+        let row = answer(HERTZ, &["frame=", accuracy]);
+        for (column, truth) in
+            [("centre_pressure_Pa", hertz.peak_pressure), ("approach_m", hertz.approach)]
+        {
+            let (found, error) = with_error(&row, column);
+            let off = (found - truth).abs();
+            println!("{accuracy} {column} {:.2e} stated {:.2e}", off / truth, error / truth);
+            assert!(off <= error, "{column} at {accuracy}: {off:e} of {error:e}");
+        }
+    }
+}
+
+/// A frame that is given keeps its elements, and the error that they make is stated; what is chosen prints as a case that
+/// reads back to itself.
+#[test]
+fn what_is_given_is_kept() {
+    let coarse =
+        answer(PIN, &["accuracy=0.001", "motion.sliding.step=", "frame.elements=[14, 14]"]);
+    assert!(number(&coarse, SPACE_ERROR).unwrap() > 1e-3);
+    let chosen = resolved(PIN, &["accuracy=0.02", "motion.sliding.step=", "frame="]).unwrap();
+    let again = resolved(&chosen.case.to_string(), &[]).unwrap();
+    assert_eq!(chosen.case, again.case);
+    let size = chosen.case.frame.size;
+    assert_relative_eq!(size[0], size[1]);
+    assert!(resolved(PIN, &["frame=", "motion.sliding.step=", "accuracy=0.5"]).is_err());
+    let fixed = resolved(PIN, &["accuracy=0.01"]).unwrap_err();
+    assert!(fixed.contains("what a fixed step errs by is not known"), "{fixed}");
+}
