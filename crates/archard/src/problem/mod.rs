@@ -1,10 +1,14 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod gap;
 mod heat;
 mod swung;
 
+pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};
+
+use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
@@ -150,8 +154,8 @@ pub struct ContactState {
     pub load: f64,
     /// Pressure (Pa), one value a pair.
     pub pressure: Vec<f64>,
-    /// Normal gap (m), one value a pair; zero in contact.
-    pub gap: Vec<f64>,
+    /// Normal gap: see [`ContactState::gap_of`].
+    pub gap: Gap,
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub worn: [Vec<f64>; 2],
     /// Distance (m) that points of body 1 and body 2 slid under pressure, one value a pair; empty where no wear law asks
@@ -239,12 +243,17 @@ impl ContactState {
             approach: 0.0,
             load: 0.0,
             pressure: vec![0.0; gap.len()],
-            gap: gap.to_vec(),
+            gap: gap.to_vec().into(),
             worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
             slid: [vec![], vec![]],
             swung: None,
             tangential: None,
         }
+    }
+
+    /// Normal gap (m) in a problem, one value a pair; zero in contact. Far from it it is computed from the pressures.
+    pub fn gap_of(&self, problem: &ContactProblem) -> Cow<'_, [f64]> {
+        self.gap.under(&self.pressure, &*problem.compliance)
     }
 
     /// Tractions on body 1 (Pa) in the bases of the pairs; those of friction as far as they are known.

@@ -78,7 +78,7 @@ impl Shifted {
         state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
         state.load = -frame.force(&solution.traction)[2];
         state.approach = solution.approach;
-        state.gap = outcome.gap;
+        state.gap = outcome.gap.into();
         state.progress = increment.progress;
         let limit = state.pressure.iter().map(|&pressure| friction.limit(pressure)).collect();
         let shift = self.shift_at(station, &solution.rigid_slip);
