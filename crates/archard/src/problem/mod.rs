@@ -137,6 +137,17 @@ pub struct Wear {
 }
 
 impl Wear {
+    /// The wear of all pairs from that of some of them; the others wear as the last of those.
+    pub(crate) fn spread(&self, told: &[usize], pairs: usize) -> Self {
+        let spread = |values: &Vec<f64>| {
+            let mut all = vec![values.last().copied().unwrap_or_default(); pairs];
+            told.iter().zip(values).for_each(|(&pair, value)| all[pair] = *value);
+            all
+        };
+        let depths = self.depths.each_ref().map(spread);
+        Self { depths, slopes: spread(&self.slopes), slip: spread(&self.slip) }
+    }
+
     /// Depth (m) off both bodies at a point.
     pub fn depth(&self, point: usize) -> f64 {
         self.depths[0][point] + self.depths[1][point]
