@@ -65,7 +65,8 @@ fn wrong(report: &Report<'_>, tolerance: f64) -> Option<String> {
     if let Some((column, value)) = infinite {
         return Some(format!("{column} is {value}"));
     }
-    let fields = [&state.pressure, &state.gap, &state.worn[0], &state.worn[1]];
+    let gap = state.gap_of(report.problem);
+    let fields = [&state.pressure[..], &gap, &state.worn[0], &state.worn[1]];
     if fields.iter().any(|field| field.iter().any(|value| !value.is_finite())) {
         return Some("a field is not finite".to_owned());
     }

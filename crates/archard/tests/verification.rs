@@ -20,6 +20,7 @@ mod verification {
     mod meshes_that_do_not_match;
     mod orthotropic;
     mod own_wear_law;
+    mod parts_of_the_frame;
     mod pin_on_disc;
     mod punch;
     mod punch_cycles;

@@ -11,7 +11,7 @@ mod worn_lines;
 
 use std::fmt::Debug;
 
-use crate::frame::{ContactFrame, Flow, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 
 pub use crate::numerics::dense::Unsolved;
 pub use crate::numerics::large::NoMemory;
@@ -88,6 +88,25 @@ pub trait Compliance: Debug + Send + Sync {
     fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
         Box::new(Diagonal(1.0 / (self.normal_self_term() + addition)))
     }
+
+    /// The same bodies where only the pairs of a part of the frame bear tractions and are displaced; `None` where that
+    /// is not possible.
+    fn within(&self, _part: &Part) -> Option<Box<dyn Compliance + '_>> {
+        None
+    }
+
+    /// Where it has parts: the least normal displacement (m) that a unit pressure (Pa) on a pair makes of pairs of a
+    /// uniform frame that are at most so many elements away along x and y; on pairs that bear no pressure themselves.
+    fn least_displacement(&self, _away: [usize; 2]) -> f64 {
+        f64::NEG_INFINITY
+    }
+}
+
+/// Normal displacement (m) that pressures alone (Pa) press the surfaces apart by.
+pub(crate) fn normal_displacement(compliance: &dyn Compliance, pressure: &[f64]) -> Vec<f64> {
+    let mut displacement = vec![0.0; pressure.len()];
+    compliance.apply_normal(pressure, &mut displacement);
+    displacement
 }
 
 /// A positive definite map from displacements (m) to pressures (Pa), symmetric in the product of fields weighted

@@ -6,9 +6,10 @@
 //! pairs, the elastic preconditioner has to do.
 
 use std::cell::RefCell;
+use std::ops::Deref;
 
-use super::{Compliance, Preconditioner};
-use crate::frame::{self, Flow, VectorField};
+use super::{Compliance, Preconditioner, normal_displacement};
+use crate::frame::{self, Flow, Part, VectorField, extent};
 use crate::numerics::dense::Cholesky;
 use crate::numerics::vector::Values;
 
@@ -24,7 +25,7 @@ const SWINGING: usize = 24;
 /// A compliance with the wear of its lines.
 #[derive(Debug)]
 pub struct WornLines<'a> {
-    elastic: &'a dyn Compliance,
+    elastic: Elastic<'a>,
     lines: Vec<Line>,
     /// Elastic displacement (m/Pa) that uniform unit pressure on the contact of a line makes, a pair on the
     /// average, of a line that many lines away.
@@ -35,6 +36,24 @@ pub struct WornLines<'a> {
     rows: bool,
     /// Areas of the pairs relative to the mean.
     weight: Values<'a>,
+}
+
+/// The elastic compliance of the frame, or of a part of it.
+#[derive(Debug)]
+enum Elastic<'a> {
+    Whole(&'a dyn Compliance),
+    Part(Box<dyn Compliance + 'a>),
+}
+
+impl<'a> Deref for Elastic<'a> {
+    type Target = dyn Compliance + 'a;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Self::Whole(elastic) => *elastic,
+            Self::Part(elastic) => &**elastic,
+        }
+    }
 }
 
 /// A line of rolling.
@@ -70,11 +89,12 @@ impl<'a> WornLines<'a> {
         let mut between = vec![];
         if flow.has_rows() {
             spread_contact(&mut lines);
-            between = self::between(elastic, &lines, pressure.len());
+            between = self::between(elastic, &lines, flow.frame().elements());
         }
         // Where nothing touches, nothing is known between rows.
         let rows = !between.is_empty();
         let weight = flow.frame().measure().weight;
+        let elastic = Elastic::Whole(elastic);
         Self { elastic, lines, between, steady: false, rows, weight }
     }
 
@@ -226,16 +246,26 @@ fn spread_contact(lines: &mut [Line]) {
     }
 }
 
-/// See [`WornLines`]: found from the widest contact.
-fn between(elastic: &dyn Compliance, lines: &[Line], pairs: usize) -> Vec<f64> {
+/// See [`WornLines`]: found from the widest contact, on the part of the frame whose lines it crosses.
+fn between(elastic: &dyn Compliance, lines: &[Line], elements: [usize; 2]) -> Vec<f64> {
     let widest = lines.iter().max_by_key(|line| line.contact.len());
     let Some(widest) = widest.filter(|line| !line.contact.is_empty()) else { return vec![] };
     let number = |pair: &usize| widest.pairs.iter().position(|other| other == pair);
     let numbers: Vec<usize> = widest.contact.iter().filter_map(number).collect();
+    let pairs = elements[0] * elements[1];
+    let mut crossed = vec![0.0; pairs];
+    for line in lines {
+        numbers.iter().for_each(|&number| crossed[line.pairs[number]] = 1.0);
+    }
     let mut pressure = vec![0.0; pairs];
     numbers.iter().for_each(|&number| pressure[lines[0].pairs[number]] = 1.0);
-    let mut displacement = vec![0.0; pairs];
-    elastic.apply_normal(&pressure, &mut displacement);
+    let part = extent(elements, |pair| crossed[pair] > 0.0);
+    let part = part.and_then(|extent| Part::around(elements, &extent, [0; 2]));
+    let displacement = part
+        .and_then(|part| {
+            Some(part.put(&normal_displacement(&*elastic.within(&part)?, &part.cut(&pressure))))
+        })
+        .unwrap_or_else(|| normal_displacement(elastic, &pressure));
     let sum = |line: &Line| numbers.iter().map(|&n| displacement[line.pairs[n]]).sum::<f64>();
     lines.iter().map(|line| sum(line) / (numbers.len() * numbers.len()) as f64).collect()
 }
@@ -268,6 +298,34 @@ impl Compliance for WornLines<'_> {
             return elastic;
         }
         Box::new(ByPlanes { elastic, worn: self, addition, contact: RefCell::default() })
+    }
+
+    /// Rows of pairs that give way to the pressures, and only to those.
+    fn within(&self, part: &Part) -> Option<Box<dyn Compliance + '_>> {
+        let gives_way = |line: &Line| line.slope >= 0.0;
+        if !self.rows || !self.lines.iter().all(gives_way) {
+            return None;
+        }
+        let elastic = Elastic::Part(self.elastic.within(part)?);
+        let lines = self.lines.iter().map(|line| line.within(part));
+        let lines = lines.filter(|line| !line.pairs.is_empty()).collect();
+        let (between, steady, rows) = (self.between.clone(), self.steady, self.rows);
+        Some(Box::new(WornLines { elastic, lines, between, steady, rows, weight: self.weight }))
+    }
+
+    fn least_displacement(&self, away: [usize; 2]) -> f64 {
+        self.elastic.least_displacement(away)
+    }
+}
+
+impl Line {
+    /// What of it lies in a part of the frame.
+    fn within(&self, part: &Part) -> Self {
+        let parts = self.pairs.iter().zip(&self.shares);
+        let parts = parts.filter_map(|(&pair, &share)| Some((part.place(pair)?, share)));
+        let (pairs, shares) = parts.unzip();
+        let contact = self.contact.iter().filter_map(|&pair| part.place(pair)).collect();
+        Self { pairs, shares, contact, slope: self.slope }
     }
 }
 

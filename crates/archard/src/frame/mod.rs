@@ -24,6 +24,7 @@ mod grid;
 mod line;
 mod measure;
 mod pairs;
+mod part;
 
 pub use crate::numerics::upwind::DegenerateCloud;
 pub use crate::numerics::vector::Values;
@@ -33,6 +34,7 @@ pub use flow::Flow;
 pub use line::{Line, Passage};
 pub use measure::Measure;
 pub use pairs::{Pairs, PairsError};
+pub use part::{Extent, Part, extent};
 
 use rayon::prelude::*;
 

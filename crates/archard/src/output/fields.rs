@@ -34,7 +34,7 @@ impl Field {
 pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
     let mut fields = vec![
         Field::new("pressure_Pa", state.pressure.clone()),
-        Field::new("gap_m", state.gap.clone()),
+        Field::new("gap_m", state.gap_of(problem).into_owned()),
     ];
     for (body, worn) in problem.bodies.iter().zip(&state.worn) {
         fields.push(Field::new(format!("wear_{}_m", body.name), worn.clone()));

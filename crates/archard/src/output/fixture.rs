@@ -253,7 +253,8 @@ impl Run {
                 .iter()
                 .zip(frame.gap())
                 .map(|(b, gap)| if *b > 0.0 { 0.0 } else { *gap })
-                .collect(),
+                .collect::<Vec<_>>()
+                .into(),
             worn: COEFFICIENTS.map(|k| scaled(k * LOAD * distance)),
             slid: [vec![], vec![]],
             swung: None,

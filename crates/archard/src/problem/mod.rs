@@ -1,11 +1,15 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod gap;
 mod grip;
 mod heat;
 mod swung;
 
+pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};
+
+use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
@@ -134,6 +138,17 @@ pub struct Wear {
 }
 
 impl Wear {
+    /// The wear of all pairs from that of some of them; the others wear as the last of those.
+    pub(crate) fn spread(&self, told: &[usize], pairs: usize) -> Self {
+        let spread = |values: &Vec<f64>| {
+            let mut all = vec![values.last().copied().unwrap_or_default(); pairs];
+            told.iter().zip(values).for_each(|(&pair, value)| all[pair] = *value);
+            all
+        };
+        let depths = self.depths.each_ref().map(spread);
+        Self { depths, slopes: spread(&self.slopes), slip: spread(&self.slip) }
+    }
+
     /// Depth (m) off both bodies at a point.
     pub fn depth(&self, point: usize) -> f64 {
         self.depths[0][point] + self.depths[1][point]
@@ -151,8 +166,8 @@ pub struct ContactState {
     pub load: f64,
     /// Pressure (Pa), one value a pair.
     pub pressure: Vec<f64>,
-    /// Normal gap (m), one value a pair; zero in contact.
-    pub gap: Vec<f64>,
+    /// Normal gap: see [`ContactState::gap_of`].
+    pub gap: Gap,
     /// Depth worn off body 1 and body 2 (m), one value a pair.
     pub worn: [Vec<f64>; 2],
     /// Distance (m) that points of body 1 and body 2 slid under pressure, one value a pair; empty where no wear law asks
@@ -242,12 +257,17 @@ impl ContactState {
             approach: 0.0,
             load: 0.0,
             pressure: vec![0.0; gap.len()],
-            gap: gap.to_vec(),
+            gap: gap.to_vec().into(),
             worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
             slid: [vec![], vec![]],
             swung: None,
             tangential: None,
         }
+    }
+
+    /// Normal gap (m) in a problem, one value a pair; zero in contact. Far from it it is computed from the pressures.
+    pub fn gap_of(&self, problem: &ContactProblem) -> Cow<'_, [f64]> {
+        self.gap.under(&self.pressure, &*problem.compliance)
     }
 
     /// Tractions on body 1 (Pa) in the bases of the pairs; those of friction as far as they are known.

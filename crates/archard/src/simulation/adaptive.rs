@@ -230,7 +230,7 @@ impl Adaptive {
         state.show_swung();
         // Nothing goes on from the state shown: it needs no displacement.
         let forward = self.fine.forward;
-        Evolution { state, displacement: vec![], load_distance, forward }
+        Evolution { state, displacement: vec![], known: None, load_distance, forward }
     }
 }
 

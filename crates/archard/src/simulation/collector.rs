@@ -95,15 +95,24 @@ impl<'a> Collector<'a> {
             let warm = flash.as_ref().and_then(Flash::temperatures);
             let half = 0.5 * self.problem.motion.slip(advance);
             let grip = self.problem.grip(state, half).unwrap_or_else(|last| last);
-            let rubbing = |(pair, &pressure): (usize, &f64)| {
+            let rubbing = |&pair: &usize| {
                 self.problem
-                    .rubbing(pressure, distance.at(pair), slides)
+                    .rubbing(state.pressure[pair], distance.at(pair), slides)
                     .gripping(grip.at(pair))
                     .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
             };
-            let points = state.pressure.iter().enumerate().map(rubbing);
-            self.problem
-                .wear(points, self.stays, |body, pair| state.before(body, point(body, pair)))
+            let wear = |pairs: &[usize]| {
+                let before = |body, index: usize| state.before(body, point(body, pairs[index]));
+                self.problem.wear(pairs.iter().map(rubbing), self.stays, before)
+            };
+            let pairs = state.pressure.len();
+            let aged = self.problem.ages() || self.problem.counts_distance();
+            let even = matches!(distance, Values::All(_)) && warm.is_none() && !aged;
+            if !even {
+                return wear(&(0..pairs).collect::<Vec<_>>());
+            }
+            let told = pressed_and_one(&state.pressure);
+            wear(&told).spread(&told, pairs)
         });
         let lines = self.lines.map(|lines| {
             let times = advance * lines.passages;
@@ -220,6 +229,13 @@ impl Foreseen {
     pub fn line_slopes(&self) -> Option<&[f64]> {
         self.lines.as_ref().map(|[_, slope]| &slope[..])
     }
+}
+
+/// The pairs under pressure and one that is not: all others go through the same.
+fn pressed_and_one(pressure: &[f64]) -> Vec<usize> {
+    let presses = |&pair: &usize| pressure[pair] > 0.0;
+    let open = (0..pressure.len()).find(|pair| !presses(pair));
+    (0..pressure.len()).filter(presses).chain(open).collect()
 }
 
 /// Whether depths (m) at pressures (Pa) lie on straight lines, relative to the deepest.

@@ -5,9 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::swing::unworn;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
+use crate::frame::Part;
 use crate::motion::{Control, Motion};
 use crate::numerics::vector;
-use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::problem::{ContactProblem, ContactState, Gap, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
 
 /// Where a history has arrived.
@@ -17,6 +18,8 @@ pub(super) struct Evolution {
     pub state: ContactState,
     /// Displacement the compliance makes of the pressure (m).
     pub displacement: Vec<f64>,
+    /// Where in the frame it is known; everywhere if `None`.
+    pub known: Option<Part>,
     /// Integral of the load over the distance slid (N m); see [`Effort::load_distance`].
     pub load_distance: f64,
     /// Of surfaces that swing: whether the last pass went forward.
@@ -43,7 +46,8 @@ impl Evolution {
             state.slid = [vec![0.0; gap.len()], vec![0.0; gap.len()]];
         }
         state.swung = unworn(problem);
-        Self { state, displacement: vec![0.0; gap.len()], load_distance: 0.0, forward: false }
+        let displacement = vec![0.0; gap.len()];
+        Self { state, displacement, known: None, load_distance: 0.0, forward: false }
     }
 
     /// Solves the contact with the wear as it is.
@@ -107,25 +111,32 @@ impl Evolution {
     pub(super) fn find_displacement(&mut self, problem: &ContactProblem, effort: &mut Effort) {
         effort.applications += 1;
         problem.compliance.apply_normal(&self.state.pressure, &mut self.displacement);
+        self.known = None;
+    }
+
+    /// Finds displacement and gap also where the last solve did not look.
+    pub(super) fn complete(&mut self, problem: &ContactProblem, effort: &mut Effort) {
+        if self.known.is_some() {
+            self.find_displacement(problem, effort);
+        }
+        if self.state.gap.part.is_some() {
+            self.state.gap = self.state.gap.opened_by(self.displacement.clone()).into();
+        }
     }
 
     /// Lets pressures go on as they did since earlier ones (Pa), to start the next solve from.
-    pub(super) fn foresee(
-        &mut self,
-        earlier: &[f64],
-        problem: &ContactProblem,
-        effort: &mut Effort,
-    ) {
+    pub(super) fn foresee(&mut self, earlier: &[f64], problem: &ContactProblem) {
         vector::update(&mut self.state.pressure, [earlier], |now, [earlier]| {
             if now > 0.0 { (2.0 * now - earlier).max(0.0) } else { 0.0 }
         });
-        self.find_displacement(problem, effort);
+        self.known = Some(Part::none(problem.frame.elements()));
     }
 
     /// Takes a solution over.
     fn take(&mut self, outcome: Outcome, simulation: &Simulation, increment: Increment) {
-        let Outcome { pressure, displacement, gap, approach, .. } = outcome;
-        self.displacement = displacement;
+        let Outcome { pressure, displacement, gap, part, approach, .. } = outcome;
+        let gap = Gap { values: gap, part };
+        (self.displacement, self.known) = (displacement, part);
         let load = simulation.problem.frame.measure().load(&pressure);
         let worn = std::mem::take(&mut self.state.worn);
         let slid = std::mem::take(&mut self.state.slid);
@@ -151,11 +162,17 @@ impl Evolution {
             compliance,
             gap,
             addition,
+            elements: problem.frame.elements(),
             measure: problem.frame.measure(),
             control: increment.control,
         };
         let ContactState { pressure, approach, .. } = &self.state;
-        let start = Start { pressure, displacement: &self.displacement, approach: *approach };
+        let start = Start {
+            pressure,
+            displacement: &self.displacement,
+            part: self.known,
+            approach: *approach,
+        };
         let outcome = solve::press(&*simulation.solver, &step, Some(start));
         effort.solves += 1;
         effort.iterations += outcome.iterations;

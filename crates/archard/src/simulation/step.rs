@@ -5,9 +5,10 @@ use super::evolution::{Evolution, Increment};
 use super::{Effort, Error, Simulation};
 use crate::closed_form::flash_temperature::FAST;
 use crate::compliance::WornLines;
+use crate::frame::Part;
 use crate::motion::{Control, Motion};
 use crate::numerics::vector::{self, Values};
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Gap};
 
 /// Times a step's wear is foreseen before it counts as not converged.
 const PASSES: usize = 50;
@@ -67,7 +68,9 @@ impl Evolution {
         let mut made = collect(&self.state);
         for pass in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);
-            let from = (self.state.pressure.clone(), self.displacement.clone());
+            let shortens = collector.lines().is_none() && pass > 0;
+            let from = shortens
+                .then(|| (self.state.pressure.clone(), self.displacement.clone(), self.known));
             let gap = foreseen.gap_by_friction(undeformed, collector.lines());
             self.contact_wearing(simulation, increment, &gap, (collector, &foreseen), effort)?;
             made = collect(&self.state);
@@ -75,7 +78,13 @@ impl Evolution {
                 self.is_fast(problem)?;
                 return Ok(made);
             }
-            if collector.lines().is_none() && pass > 0 {
+            if let Some((pressure, mut displacement, known)) = from {
+                if known != self.known {
+                    effort.applications += 1;
+                    problem.compliance.apply_normal(&pressure, &mut displacement);
+                    self.find_displacement(problem, effort);
+                }
+                let from = (pressure, displacement);
                 made = self.shorten(problem, increment, undeformed, from, made, &collect);
             }
         }
@@ -203,8 +212,8 @@ impl Evolution {
         let [total] = vector::sum_with([weight], [&pressure], |[w], [pressure]| [w * pressure]);
         let worn = WornLines::new(&*problem.compliance, lines.flow, slopes, &pressure);
         if let Some(foreseen) = worn.foresee(gap, total, &pressure) {
-            problem.compliance.apply_normal(&foreseen, &mut self.displacement);
             self.state.pressure = foreseen;
+            self.known = Some(Part::none(problem.frame.elements()));
         }
         worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
         let worn = match self.contact(simulation, increment, wearing, &worn, effort) {
@@ -216,6 +225,11 @@ impl Evolution {
             other => other.map(|()| worn)?,
         };
         worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
+        if let Gap { values, part: Some(part) } = &mut self.state.gap {
+            let within = part.cut(values);
+            worn.add_wear(&self.state.pressure, 1.0, values);
+            *values = part.pasted(&within, std::mem::take(values));
+        }
         Ok(())
     }
 

@@ -2,10 +2,11 @@
 //!
 //! A solver judges itself by the gaps and pressures it computed. Here the load it carries is compared
 //! with the one prescribed, and no number that is not finite passes. A solve that fails from an earlier
-//! solution is tried once more from nothing.
+//! solution is tried once more from nothing. Where the contact is on a part of the frame, so is the solve.
 
 use super::residual::worse;
-use super::{Outcome, Solver, Start, Status, Step};
+use super::{Outcome, Solver, Start, Status, Step, part};
+use crate::compliance::normal_displacement;
 use crate::motion::Control;
 
 /// The pressures of a step, from those of an earlier one where they bear anything.
@@ -18,15 +19,40 @@ pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> 
         load > 0.0 && load.is_finite() && start.approach.is_finite()
     };
     let start = start.filter(bears);
-    let first = judged(solver.solve(step, start), step, solver);
-    if start.is_none() || first.status != Status::OutOfIterations {
-        return first;
+    let mut outcome =
+        part::solve(solver, step, start).unwrap_or_else(|| on_the_frame(solver, step, start));
+    let mut from_nothing = start.is_none() && outcome.part.is_none();
+    if outcome.status == Status::FrameFull && outcome.part.is_some() {
+        let Outcome { pressure, displacement, part, approach, .. } = &outcome;
+        let start = Start { pressure, displacement, part: *part, approach: *approach };
+        outcome = outcome.before(on_the_frame(solver, step, Some(start)));
+        from_nothing = false;
     }
-    let second = judged(solver.solve(step, None), step, solver);
-    Outcome {
-        iterations: first.iterations + second.iterations,
-        applications: first.applications + second.applications,
-        ..second
+    if outcome.status == Status::OutOfIterations && !from_nothing {
+        outcome = outcome.before(on_the_frame(solver, step, None));
+    }
+    outcome
+}
+
+/// The pressures of a step on the whole frame.
+fn on_the_frame(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+    let computed = start.filter(|start| start.part.is_some());
+    let displacement = computed.map(|start| normal_displacement(step.compliance, start.pressure));
+    let start = start.map(|start| Start {
+        displacement: displacement.as_deref().unwrap_or(start.displacement),
+        part: None,
+        ..start
+    });
+    let outcome = judged(solver.solve(step, start), step, solver);
+    let applications = outcome.applications + usize::from(displacement.is_some());
+    Outcome { applications, ..outcome }
+}
+
+impl Outcome {
+    /// The next attempt, with what both took.
+    pub(super) fn before(&self, next: Self) -> Self {
+        let iterations = self.iterations + next.iterations;
+        Self { iterations, applications: self.applications + next.applications, ..next }
     }
 }
 
@@ -42,6 +68,7 @@ fn apart(step: &Step<'_>) -> Outcome {
         pressure: vec![0.0; step.gap.len()],
         displacement: vec![0.0; step.gap.len()],
         gap: pairs.map(|pair| step.gap[pair] - closing(pair) * approach).collect(),
+        part: None,
         approach,
         iterations: 0,
         residual: 0.0,
@@ -50,7 +77,7 @@ fn apart(step: &Step<'_>) -> Outcome {
 }
 
 /// An outcome whose residual counts what is missing of the load.
-fn judged(outcome: Outcome, step: &Step<'_>, solver: &dyn Solver) -> Outcome {
+pub(super) fn judged(outcome: Outcome, step: &Step<'_>, solver: &dyn Solver) -> Outcome {
     let carried = step.measure.load(&outcome.pressure);
     let missing = match step.control {
         // By how much the approach would be off, which grows with the load to the power 2/3.
@@ -104,6 +131,7 @@ mod tests {
                 status: self.1,
                 displacement: vec![0.0; pressure.len()],
                 gap: vec![0.0; pressure.len()],
+                part: None,
                 pressure,
                 approach: 1e-6,
                 iterations: 3,
@@ -131,12 +159,17 @@ mod tests {
             compliance: &Stiff,
             gap: &gap,
             addition: &addition,
+            elements: [2, 2],
             measure: frame.measure(),
             control: Control::Load(4.0),
         };
         let from = start.map(|pressure| vec![pressure; 4]);
-        let start =
-            from.as_ref().map(|pressure| Start { pressure, displacement: &gap, approach: 1e-6 });
+        let start = from.as_ref().map(|pressure| Start {
+            pressure,
+            displacement: &gap,
+            part: None,
+            approach: 1e-6,
+        });
         let solver = Claims(Mutex::new((claims.to_vec(), vec![])), status);
         let outcome = press(&solver, &step, start);
         (outcome.status, outcome.iterations, solver.0.into_inner().unwrap().1)
@@ -175,6 +208,7 @@ mod tests {
             compliance: &Stiff,
             gap: &gap,
             addition: &addition,
+            elements: [2, 2],
             measure: frame.measure(),
             control: Control::Load(0.0),
         };

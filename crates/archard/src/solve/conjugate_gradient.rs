@@ -289,6 +289,7 @@ impl<'a> Iteration<'a> {
             pressure: self.pressure,
             displacement: self.displacement,
             gap: self.gap,
+            part: None,
             approach: self.approach,
             iterations: self.count,
             residual,

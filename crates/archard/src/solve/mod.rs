@@ -7,11 +7,14 @@
 //! share, forces are sums by areas, and C is symmetric in the product that has the areas for weights:
 //! the [measure](Measure) of the frame says how pairs count.
 //!
+//! [`press`] hands a solver the part of the frame around the contact, where that is much smaller.
+//!
 //! A new solver is one file here and one line in [`SOLVERS`].
 
 mod accept;
 mod conjugate_gradient;
 pub mod monolithic;
+mod part;
 mod residual;
 mod semismooth;
 mod start;
@@ -25,7 +28,7 @@ pub use conjugate_gradient::ConjugateGradient;
 pub use uzawa::Uzawa;
 
 use crate::compliance::Compliance;
-use crate::frame::Measure;
+use crate::frame::{Measure, Part};
 use crate::motion::Control;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
@@ -38,6 +41,8 @@ pub struct Step<'a> {
     pub gap: &'a [f64],
     /// What a pressure on a pair opens its gap by beside the elasticity (m/Pa): one value a pair.
     pub addition: &'a [f64],
+    /// Number of pairs along x and y, where they form a grid.
+    pub elements: [usize; 2],
     /// How the pairs count.
     pub measure: Measure<'a>,
     /// The given load or approach.
@@ -51,6 +56,8 @@ pub struct Start<'a> {
     pub pressure: &'a [f64],
     /// Displacement the compliance makes of it (m), one value a pair.
     pub displacement: &'a [f64],
+    /// Where in the frame that displacement is known; everywhere if `None`.
+    pub part: Option<Part>,
     /// Approach (m).
     pub approach: f64,
 }
@@ -78,6 +85,9 @@ pub struct Outcome {
     pub displacement: Vec<f64>,
     /// Gap (m), one value a pair.
     pub gap: Vec<f64>,
+    /// The part of the frame that was solved on; all of it if `None`. Beside it nothing touches, the displacement is not
+    /// known and left out of the gap.
+    pub part: Option<Part>,
     /// Approach (m).
     pub approach: f64,
     /// Iterations done.

@@ -153,6 +153,7 @@ impl<'a> Iteration<'a> {
             pressure: self.pressure.clone(),
             displacement: self.displacement.clone(),
             gap: self.gap.clone(),
+            part: None,
             approach,
             iterations: self.count,
             residual,

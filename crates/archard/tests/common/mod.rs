@@ -117,6 +117,7 @@ pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Co
         compliance: &*problem.compliance,
         gap: problem.frame.gap(),
         addition,
+        elements: problem.frame.elements(),
         measure: problem.frame.measure(),
         control,
     }

@@ -451,7 +451,8 @@ fn iterations_of_a_step(direction: Direction, self_terms: f64) -> usize {
     let pressure = foreseen.unwrap_or(unworn.pressure);
     let mut displacement = vec![0.0; frame.len()];
     worn.apply_normal(&pressure, &mut displacement);
-    let start = Start { pressure: &pressure, displacement: &displacement, approach: 0.0 };
+    let start =
+        Start { pressure: &pressure, displacement: &displacement, part: None, approach: 0.0 };
     let step = Step { compliance: &worn, ..rest };
     let outcome = solver("conjugate_gradient", 1e-8).solve(&step, Some(start));
     assert_eq!(outcome.status, Status::Converged, "{self_terms} along {direction:?}");

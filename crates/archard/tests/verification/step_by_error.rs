@@ -77,6 +77,7 @@ impl Plain {
             let start = self.last.as_ref().map(|last| archard::solve::Start {
                 pressure: &last.pressure,
                 displacement: &last.displacement,
+                part: last.part,
                 approach: last.approach,
             });
             let outcome = solver.solve(&archard::solve::Step { gap: &gap, ..rest }, start);

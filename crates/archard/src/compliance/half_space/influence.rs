@@ -162,6 +162,18 @@ impl Influence {
         self.differences([-1.0, -1.0], |corner| normal * (corner.fxx() + corner.fyy()))
     }
 
+    /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
+    /// elements away: as if all of it stood at its farthest corner, or edge.
+    pub(super) fn least_nn(&self, away: [usize; 2]) -> f64 {
+        let normal = self.constants.normal;
+        let [x, y] = [0, 1].map(|axis| self.half[axis] * (2 * away[axis] + 1) as f64);
+        let [a, b] = self.half;
+        match self.depths {
+            Some([added, ..]) => 2.0 * a * (added - 2.0 * normal * x.ln()),
+            None => 4.0 * a * b * normal / x.hypot(y),
+        }
+    }
+
     /// Displacement along x under a traction along x (m/Pa).
     pub(super) fn xx(&self) -> Vec<f64> {
         let Constants { normal, tangential, .. } = self.constants;

@@ -11,7 +11,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::body::Material;
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
-use crate::frame::{ContactFrame, Flow, VectorField};
+use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 pub(in crate::compliance) use influence::Constants;
@@ -34,9 +34,10 @@ pub struct HalfSpace {
     periodic: OnceLock<(Convolution, Spectrum)>,
     /// The inverse of the tangential compliance of a frame that repeats itself: xx, xy and yy.
     tangential_inverse: OnceLock<(Convolution, [Spectrum; 3])>,
-    /// The same half-spaces under elements of twice the size, and under a part of the elements.
+    /// The same half-spaces under elements of twice the size, and under parts of the elements, the one last asked for
+    /// at the end.
     coarser: OnceLock<Box<HalfSpace>>,
-    part: Mutex<Option<Arc<HalfSpace>>>,
+    parts: Mutex<Vec<Arc<HalfSpace>>>,
 }
 
 impl fmt::Debug for HalfSpace {
@@ -73,8 +74,14 @@ impl HalfSpace {
             periodic: OnceLock::new(),
             tangential_inverse: OnceLock::new(),
             coarser: OnceLock::new(),
-            part: Mutex::new(None),
+            parts: Mutex::new(vec![]),
         }
+    }
+
+    /// On other elements, for which there is no work at the same time.
+    fn beside(&self, influence: Influence) -> Self {
+        let other = Self::on(influence);
+        Self { convolution: other.convolution.sharing_space(&self.convolution), ..other }
     }
 
     /// Kernel nn.
@@ -110,7 +117,8 @@ impl HalfSpace {
     /// The inverse of the tangential compliance as if the frame repeated itself without end.
     fn tangential_inverse(&self) -> &(Convolution, [Spectrum; 3]) {
         self.tangential_inverse.get_or_init(|| {
-            let convolution = Convolution::periodic(self.influence.elements());
+            let convolution =
+                Convolution::periodic(self.influence.elements()).sharing_space(&self.convolution);
             let influence = self.influence.within(self.reach(&convolution));
             let compliance = tangential_spectra(&influence, &convolution);
             let points = convolution.period().iter().product::<usize>() as f64;
@@ -128,20 +136,22 @@ impl HalfSpace {
 
     /// The same half-spaces under elements of twice the size, one more where their number is odd.
     fn coarser(&self) -> &HalfSpace {
-        self.coarser.get_or_init(|| Box::new(Self::on(self.influence.coarser())))
+        self.coarser.get_or_init(|| Box::new(self.beside(self.influence.coarser())))
     }
 
-    /// The same half-spaces under that many elements, made anew where the last part asked for differed.
+    /// The same half-spaces under that many elements, made anew where none of the last parts had as many.
     fn part(&self, elements: [usize; 2]) -> Arc<HalfSpace> {
-        let mut kept = self.part.lock().unwrap_or_else(PoisonError::into_inner);
-        match &*kept {
-            Some(part) if part.influence.elements() == elements => Arc::clone(part),
-            _ => {
-                let part = Arc::new(Self::on(self.influence.within(elements)));
-                *kept = Some(Arc::clone(&part));
-                part
-            }
+        let mut parts = self.parts.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = parts.iter().position(|part| part.influence.elements() == elements);
+        let part = match known {
+            Some(index) => parts.remove(index),
+            None => Arc::new(self.beside(self.influence.within(elements))),
+        };
+        if parts.len() == PARTS {
+            parts.remove(0);
         }
+        parts.push(Arc::clone(&part));
+        part
     }
 
     /// The most offsets along each axis of a kernel on a grid that repeats itself.
@@ -154,7 +164,7 @@ impl HalfSpace {
     fn periodic(&self) -> &(Convolution, Spectrum) {
         self.periodic.get_or_init(|| {
             let elements = self.influence.elements();
-            let convolution = Convolution::periodic(elements);
+            let convolution = Convolution::periodic(elements).sharing_space(&self.convolution);
             let reach = self.reach(&convolution);
             let kernel = self.influence.within(reach).nn();
             let spectrum = convolution.spectrum(&kernel, reach[0], [Parity::Even; 2]);
@@ -202,6 +212,14 @@ impl Compliance for HalfSpace {
         let (convolution, spectrum) = self.periodic();
         Box::new(Circulant::new(convolution, spectrum, self.normal_self_term(), addition))
     }
+
+    fn within(&self, part: &Part) -> Option<Box<dyn Compliance + '_>> {
+        Some(Box::new(WholeOrPart::Part(self.part(part.size()))))
+    }
+
+    fn least_displacement(&self, away: [usize; 2]) -> f64 {
+        self.influence.least_nn(away)
+    }
 }
 
 /// Half-spaces of the whole frame, or of a part of it.
@@ -221,6 +239,31 @@ impl Deref for WholeOrPart<'_> {
         }
     }
 }
+
+impl Compliance for WholeOrPart<'_> {
+    fn apply(&self, tractions: &VectorField) -> VectorField {
+        (**self).apply(tractions)
+    }
+
+    fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
+        (**self).apply_normal(pressure, displacement);
+    }
+
+    fn normal_self_term(&self) -> f64 {
+        (**self).normal_self_term()
+    }
+
+    fn couples(&self) -> bool {
+        (**self).couples()
+    }
+
+    fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
+        (**self).normal_preconditioner(addition)
+    }
+}
+
+/// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side.
+const PARTS: usize = 4;
 
 /// The smallest value of a spectrum, relative to the self term: below the smallest eigenvalue on square
 /// elements, 0.53 of it.

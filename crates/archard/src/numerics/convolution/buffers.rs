@@ -36,11 +36,10 @@ impl Buffers {
     }
 }
 
-/// Brings a work space to a length; the threads touch fresh memory together.
+/// Brings a work space to a length at least; the threads touch fresh memory together.
 pub(super) fn grow(space: &mut Vec<Complex64>, length: usize) {
     if space.len() < length {
         *space =
             (0..length).into_par_iter().with_min_len(4096).map(|_| Complex64::default()).collect();
     }
-    space.truncate(length);
 }

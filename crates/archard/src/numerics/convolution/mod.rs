@@ -37,8 +37,8 @@ pub struct Convolution {
     row_inverse: Arc<dyn ComplexToReal<f64>>,
     column_forward: Arc<dyn Fft<f64>>,
     column_inverse: Arc<dyn Fft<f64>>,
-    /// Work space of an application, kept between applications.
-    spare: Mutex<Option<Workspace>>,
+    /// Work space of an application, kept between applications, maybe those of several convolutions.
+    spare: Arc<Mutex<Option<Workspace>>>,
 }
 
 /// Spectra along x of every row: of the field by rows, of the result by blocks of columns.
@@ -75,8 +75,13 @@ impl Convolution {
             row_inverse: real.plan_fft_inverse(period[0]),
             column_forward: complex.plan_fft_forward(period[1]),
             column_inverse: complex.plan_fft_inverse(period[1]),
-            spare: Mutex::new(None),
+            spare: Arc::default(),
         }
+    }
+
+    /// The same with the work space of another one: for convolutions that are applied in turn.
+    pub fn sharing_space(self, other: &Self) -> Self {
+        Self { spare: Arc::clone(&other.spare), ..self }
     }
 
     /// Points of the periodic grid along x and y.
@@ -184,12 +189,14 @@ impl Convolution {
     ) {
         let mut space = self.take_space(N);
         let rows_length = self.columns() * self.size[1];
-        for (field, rows) in fields.iter().zip(space.rows.chunks_mut(rows_length)) {
+        let rows = &mut space.rows[..N * rows_length];
+        for (field, rows) in fields.iter().zip(rows.chunks_mut(rows_length)) {
             self.transform_rows(field, rows);
         }
-        self.transform_columns(&space.rows, N, &mut space.blocks, multiply);
+        let blocks = &mut space.blocks[..self.blocks_length(N)];
+        self.transform_columns(rows, N, blocks, multiply);
         for (component, result) in results.into_iter().enumerate() {
-            self.collect_rows(&space.blocks, [component, N], result);
+            self.collect_rows(blocks, [component, N], result);
         }
         self.give_back(space);
     }
@@ -198,12 +205,15 @@ impl Convolution {
         BLOCK * self.size[1]
     }
 
+    fn blocks_length(&self, components: usize) -> usize {
+        components * self.columns().div_ceil(BLOCK) * self.block_length()
+    }
+
     fn take_space(&self, components: usize) -> Workspace {
         let mut space =
             self.spare.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_default();
-        let blocks = components * self.columns().div_ceil(BLOCK) * self.block_length();
         grow(&mut space.rows, components * self.columns() * self.size[1]);
-        grow(&mut space.blocks, blocks);
+        grow(&mut space.blocks, self.blocks_length(components));
         space
     }
 

@@ -174,7 +174,7 @@ impl Rate {
                 |[gap, gap_by_friction, one, two]| gap + gap_by_friction + length * (one + two),
             );
             if let Some(earlier) = earlier.replace(evolution.state.pressure.clone()) {
-                evolution.foresee(&earlier, problem, effort);
+                evolution.foresee(&earlier, problem);
             }
             evolution.solve_normal(
                 simulation,

@@ -84,7 +84,7 @@ impl Shifted {
         *self = Self { rubbed, course, ..Self::new(problem) };
         self.evolution.load_distance = load_distance;
         let state = &mut self.evolution.state;
-        for (gap, (one, two)) in state.gap.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
+        for (gap, (one, two)) in state.gap.values.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
             *gap += one + two;
         }
         state.worn = worn;
@@ -140,7 +140,10 @@ impl Shifted {
             &addition,
             &*problem.compliance,
             effort,
-        )
+        )?;
+        // What open pairs slide until they touch asks for the gap of all of them.
+        self.evolution.complete(problem, effort);
+        Ok(())
     }
 
     /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it

@@ -33,7 +33,7 @@ pub(super) struct Course([Vec<f64>; 2]);
 impl Before {
     pub fn of(state: &ContactState) -> Self {
         let open = state.pressure.iter().map(|&pressure| pressure <= 0.0).collect();
-        Self { gap: state.gap.clone(), open }
+        Self { gap: state.gap.values.clone(), open }
     }
 
     /// Pairs that have closed since, over some gap.
@@ -50,7 +50,7 @@ impl Before {
         if widest == 0.0 {
             return None;
         }
-        let closing = |pair: usize| self.gap[pair] - state.gap[pair];
+        let closing = |pair: usize| self.gap[pair] - state.gap.values[pair];
         let tells = |pair: usize| {
             self.open[pair] && state.pressure[pair] <= 0.0 && closing(pair) > CLOSES * widest
         };

@@ -81,7 +81,7 @@ impl Shifted {
         state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
         state.load = -frame.force(&solution.traction)[2];
         state.approach = solution.approach;
-        state.gap = outcome.gap;
+        state.gap = outcome.gap.into();
         state.progress = increment.progress;
         let limit = limits.all(&state.pressure);
         let shift = self.shift_at(station, &solution.rigid_slip);

@@ -1,0 +1,157 @@
+//! A rectangle of a frame's elements, to solve on where the rest is far from the contact.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use crate::numerics::convolution::even_smooth;
+
+/// Share of the frame's elements above which a part of it is not worth while.
+const WHOLE: f64 = 0.75;
+
+/// Columns and rows of elements.
+pub type Extent = [Range<usize>; 2];
+
+/// The smallest extent that holds the pairs of a grid of so many elements for which something holds; `None` without any.
+pub fn extent(elements: [usize; 2], holds: impl Fn(usize) -> bool) -> Option<Extent> {
+    let [nx, ny] = elements;
+    let (mut columns, mut rows) = (nx..0, ny..0);
+    for row in 0..ny {
+        let here = |column: &usize| holds(column + nx * row);
+        let Some(first) = (0..nx).find(here) else { continue };
+        // Columns between those that are known need no look.
+        let last = (columns.end.max(first + 1)..nx).rfind(here);
+        columns = columns.start.min(first)..columns.end.max(last.unwrap_or(first) + 1);
+        rows = rows.start.min(row)..row + 1;
+    }
+    (!rows.is_empty()).then_some([columns, rows])
+}
+
+/// A rectangle of elements of a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Part {
+    frame: [usize; 2],
+    first: [usize; 2],
+    size: [usize; 2],
+}
+
+impl Part {
+    /// No element of a grid of so many.
+    pub fn none(elements: [usize; 2]) -> Self {
+        Self { frame: elements, first: [0; 2], size: [0; 2] }
+    }
+
+    /// The rectangle around an extent with so many elements more at each side, of a size that transforms well; `None` if
+    /// it is nearly the whole grid.
+    pub fn around(elements: [usize; 2], extent: &Extent, margin: [usize; 2]) -> Option<Self> {
+        let wide = [0, 1].map(|axis| extent[axis].len().min(elements[axis]));
+        let size = [0, 1].map(|axis| roomy(wide[axis] + 2 * margin[axis]).min(elements[axis]));
+        let first = [0, 1].map(|axis| {
+            let spare = size[axis] - wide[axis];
+            extent[axis].start.saturating_sub(spare / 2).min(elements[axis] - size[axis])
+        });
+        let share = (size[0] * size[1]) as f64 / (elements[0] * elements[1]) as f64;
+        (share < WHOLE).then_some(Self { frame: elements, first, size })
+    }
+
+    /// Number of elements along x and y.
+    pub fn size(&self) -> [usize; 2] {
+        self.size
+    }
+
+    /// Its columns and rows.
+    pub fn extent(&self) -> Extent {
+        [0, 1].map(|axis| self.first[axis]..self.first[axis] + self.size[axis])
+    }
+
+    /// Whether it holds an extent.
+    pub fn holds(&self, extent: &Extent) -> bool {
+        let own = self.extent();
+        (0..2)
+            .all(|axis| own[axis].start <= extent[axis].start && extent[axis].end <= own[axis].end)
+    }
+
+    /// The number in the rectangle of a pair of the frame; `None` beside it.
+    pub fn place(&self, pair: usize) -> Option<usize> {
+        let [x, y] = [pair % self.frame[0], pair / self.frame[0]];
+        let [columns, rows] = self.extent();
+        (columns.contains(&x) && rows.contains(&y))
+            .then(|| x - self.first[0] + self.size[0] * (y - self.first[1]))
+    }
+
+    /// The rectangle's values of a field.
+    pub fn cut(&self, field: &[f64]) -> Vec<f64> {
+        self.rows().flat_map(|row| &field[row]).copied().collect()
+    }
+
+    /// The field of the frame with these values in the rectangle.
+    pub fn pasted(&self, values: &[f64], mut field: Vec<f64>) -> Vec<f64> {
+        for (row, values) in self.rows().zip(values.chunks(self.size[0].max(1))) {
+            field[row].copy_from_slice(values);
+        }
+        field
+    }
+
+    /// The field of the frame with these values, zero beside them.
+    pub fn put(&self, values: &[f64]) -> Vec<f64> {
+        self.pasted(values, vec![0.0; self.frame[0] * self.frame[1]])
+    }
+
+    /// The pairs of its rows.
+    fn rows(&self) -> impl Iterator<Item = Range<usize>> {
+        let Self { frame, first, size } = *self;
+        (0..size[1]).map(move |row| {
+            let start = first[0] + frame[0] * (first[1] + row);
+            start..start + size[0]
+        })
+    }
+}
+
+/// The next number at least `n` whose double transforms well; few sizes are met while a contact grows.
+fn roomy(n: usize) -> usize {
+    even_smooth(2 * n) / 2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Part, extent};
+
+    #[test]
+    fn a_part_is_cut_out_and_put_back() {
+        let part = Part { frame: [5, 4], first: [1, 2], size: [3, 2] };
+        let field: Vec<f64> = (0..20).map(f64::from).collect();
+        let cut = part.cut(&field);
+        assert_eq!(cut, [11.0, 12.0, 13.0, 16.0, 17.0, 18.0]);
+        let put = part.put(&cut);
+        assert_eq!(put.iter().sum::<f64>(), cut.iter().sum::<f64>());
+        assert_eq!(part.cut(&put), cut);
+        for (pair, value) in field.iter().enumerate() {
+            let found = part.place(pair).map(|place| cut[place]);
+            assert_eq!(found, cut.contains(value).then_some(*value));
+        }
+    }
+
+    #[test]
+    fn an_extent_holds_every_pair_that_is_meant() {
+        for pairs in [vec![7], vec![3, 8], vec![13, 6, 11], vec![0, 19], vec![4, 15, 12]] {
+            let [columns, rows] = extent([5, 4], |pair| pairs.contains(&pair)).unwrap();
+            let (x, y) = (pairs.iter().map(|pair| pair % 5), pairs.iter().map(|pair| pair / 5));
+            assert_eq!(columns, x.clone().min().unwrap()..x.max().unwrap() + 1, "{pairs:?}");
+            assert_eq!(rows, y.clone().min().unwrap()..y.max().unwrap() + 1, "{pairs:?}");
+        }
+        assert_eq!(extent([5, 4], |_| false), None);
+    }
+
+    /// It lies within the frame, holds what it is around with the margin where the frame has room, and is not nearly all.
+    #[test]
+    fn a_part_lies_around_an_extent() {
+        for low in 0..50 {
+            let part = Part::around([64, 48], &[low..low + 9, 40..46], [2, 3]).unwrap();
+            let [columns, rows] = part.extent();
+            assert!(columns.end <= 64 && rows.end <= 48, "{part:?}");
+            assert!(part.holds(&[low.saturating_sub(2)..low + 11, 37..48]), "{part:?}");
+            assert!(!part.holds(&[low..low + 9, 20..46]));
+        }
+        assert_eq!(Part::around([64, 48], &[3..60, 4..44], [0; 2]), None);
+    }
+}

@@ -1,0 +1,209 @@
+//! A normal step solved on the part of the frame around its contact, where that is much smaller.
+//!
+//! What is far from the contact has to stay open. A pair beside the part surely does if its gap at the approach is not
+//! negative with less than what the pressures open it by: those of each cell of the contact, as if they stood as far away as
+//! any of that cell. Where a pair may touch, the part grows, and the step is solved again from where it is.
+
+use std::borrow::Cow;
+
+use super::accept::judged;
+use super::start::first_guess;
+use super::{Outcome, Solver, Start, Status, Step};
+use crate::compliance::{Compliance, normal_displacement};
+use crate::frame::{Extent, Measure, Part, Values, extent};
+use crate::motion::Control;
+use crate::numerics::vector::map;
+
+/// Elements of a part on each side of those that may touch, relative to their number: the contact has room to grow.
+const ROOM: f64 = 1.0 / 16.0;
+/// How many times larger than the contact the part of an earlier solve may be to serve again.
+const AMPLE: usize = 3;
+/// Parts tried before the frame.
+const PARTS: usize = 4;
+/// Cells of the contact along an axis.
+const CELLS: usize = 4;
+
+/// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
+/// has none. The status is that of a full frame where the contact outgrows all parts.
+pub(super) fn solve(
+    solver: &dyn Solver,
+    step: &Step<'_>,
+    start: Option<Start<'_>>,
+) -> Option<Outcome> {
+    let even = Values::All(1.0);
+    if step.measure.weight != even || step.measure.closing != even {
+        return None;
+    }
+    let begun = match start {
+        Some(start) => (Cow::Borrowed(start.pressure), start.approach),
+        None => {
+            let (pressure, approach) = first_guess(step);
+            (Cow::Owned(pressure), approach)
+        }
+    };
+    let part = choose(step, (&begun.0, begun.1), start.and_then(|start| start.part))?;
+    let known = start.filter(|start| start.part.is_none_or(|known| known.holds(&part.extent())));
+    let known = known.map(|start| part.cut(start.displacement));
+    let mut outcome = solve_on(&part, solver, step, (&part.cut(&begun.0), known, begun.1))?;
+    for _ in 1..PARTS {
+        let (Status::Converged, Some(part)) = (outcome.status, outcome.part) else { break };
+        let reach = Cells::of(step, &outcome.pressure).reach(step, outcome.approach, part.extent());
+        if part.holds(&reach) {
+            return Some(beside(outcome, step, start));
+        }
+        let wider = Part::around(step.elements, &reach, room(&reach));
+        let grown = wider.and_then(|part| {
+            let pressure = part.cut(&outcome.pressure);
+            solve_on(&part, solver, step, (&pressure, None, outcome.approach))
+        });
+        let Some(grown) = grown else { break };
+        outcome = outcome.before(grown);
+    }
+    let status = match outcome.status {
+        Status::Converged => Status::FrameFull,
+        status => status,
+    };
+    Some(Outcome { status, ..outcome })
+}
+
+/// The part that was solved on before, where it is neither too small nor too large; otherwise one around what may touch.
+fn choose(
+    step: &Step<'_>,
+    (pressure, approach): (&[f64], f64),
+    before: Option<Part>,
+) -> Option<Part> {
+    let pressed = extent(step.elements, |pair| pressure[pair] > 0.0)?;
+    Part::around(step.elements, &pressed, [0; 2])?;
+    let elements = |extent: &Extent| extent[0].len() * extent[1].len();
+    let fits = |part: &Part| {
+        part.holds(&pressed) && elements(&part.extent()) <= AMPLE * elements(&pressed)
+    };
+    before.filter(fits).or_else(|| {
+        let reach = Cells::of(step, pressure).reach(step, approach, pressed);
+        Part::around(step.elements, &reach, room(&reach))
+    })
+}
+
+fn room(extent: &Extent) -> [usize; 2] {
+    extent.each_ref().map(|range| 1 + (ROOM * range.len() as f64) as usize)
+}
+
+/// Solves the step on a part from pressures (Pa), displacements (m) if they are known, and an approach (m); what it finds,
+/// put into the frame.
+fn solve_on(
+    part: &Part,
+    solver: &dyn Solver,
+    step: &Step<'_>,
+    (pressure, known, approach): (&[f64], Option<Vec<f64>>, f64),
+) -> Option<Outcome> {
+    let compliance = step.compliance.within(part)?;
+    let [gap, addition] = [step.gap, step.addition].map(|field| part.cut(field));
+    let computed = usize::from(known.is_none());
+    let displacement = known.unwrap_or_else(|| normal_displacement(&*compliance, pressure));
+    let within = Step {
+        compliance: &*compliance,
+        gap: &gap,
+        addition: &addition,
+        elements: part.size(),
+        // That all pairs of a part touch is for what is beside it to judge.
+        measure: Measure { closed: true, ..step.measure },
+        control: step.control,
+    };
+    let start = Start { pressure, displacement: &displacement, part: None, approach };
+    let outcome = judged(solver.solve(&within, Some(start)), &within, solver);
+    let apart = map([step.gap], |[gap]| gap - outcome.approach);
+    Some(Outcome {
+        pressure: part.put(&outcome.pressure),
+        displacement: part.put(&outcome.displacement),
+        gap: part.pasted(&outcome.gap, apart),
+        part: Some(*part),
+        applications: outcome.applications + computed,
+        ..outcome
+    })
+}
+
+/// The outcome with what is known beside its part: where the start solved the step but for its load, all that is displaced
+/// in proportion.
+fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+    let (Some(start), Some(part)) = (start, outcome.part) else { return outcome };
+    if outcome.iterations > 0 || start.part.is_some() {
+        return outcome;
+    }
+    let factor = match step.control {
+        Control::Load(load) => load / step.measure.load(start.pressure),
+        Control::Approach(_) => 1.0,
+    };
+    let displaced = map([start.displacement], |[displacement]| factor * displacement);
+    let approach = outcome.approach;
+    let apart = map([step.gap, &displaced], |[gap, displaced]| gap + displaced - approach);
+    Outcome {
+        displacement: part.pasted(&part.cut(&outcome.displacement), displaced),
+        gap: part.pasted(&part.cut(&outcome.gap), apart),
+        part: None,
+        ..outcome
+    }
+}
+
+/// The pressures of a contact (Pa), summed by cells.
+struct Cells(Vec<(Extent, f64)>);
+
+impl Cells {
+    fn of(step: &Step<'_>, pressure: &[f64]) -> Self {
+        let Some(pressed) = extent(step.elements, |pair| pressure[pair] > 0.0) else {
+            return Self(vec![]);
+        };
+        let along = |axis: usize, cell: usize| {
+            let edge = |cell: usize| pressed[axis].start + pressed[axis].len() * cell / CELLS;
+            edge(cell)..edge(cell + 1)
+        };
+        let cells = (0..CELLS * CELLS).map(|cell| [along(0, cell % CELLS), along(1, cell / CELLS)]);
+        let sum = |[columns, rows]: &Extent| -> f64 {
+            let row = |row: usize| {
+                let start = step.elements[0] * row;
+                pressure[start + columns.start..start + columns.end].iter().sum::<f64>()
+            };
+            rows.clone().map(row).sum()
+        };
+        let cells = cells.map(|cell| (cell.clone(), sum(&cell))).filter(|(_, sum)| *sum != 0.0);
+        Self(cells.collect())
+    }
+
+    /// What they open the gap (m) of an element beside the contact by at least.
+    fn opened(&self, compliance: &dyn Compliance, place: [usize; 2]) -> f64 {
+        let of_cell = |(cell, sum): &(Extent, f64)| {
+            let away = [0, 1].map(|axis| {
+                let (first, last) = (cell[axis].start, cell[axis].end - 1);
+                place[axis].abs_diff(first).max(place[axis].abs_diff(last))
+            });
+            sum * compliance.least_displacement(away)
+        };
+        self.0.iter().map(of_cell).sum()
+    }
+
+    /// An extent and all pairs beside it that may touch at an approach (m).
+    fn reach(&self, step: &Step<'_>, approach: f64, inner: Extent) -> Extent {
+        let [nx, ny] = step.elements;
+        let touches = |x: usize, y: usize| {
+            let apart = step.gap[x + nx * y] - approach;
+            let open = apart >= 0.0 || apart + self.opened(step.compliance, [x, y]) >= 0.0;
+            !open
+        };
+        let [mut columns, mut rows] = inner.clone();
+        for y in 0..ny {
+            let beside = inner[1].contains(&y);
+            let (left, right) = if beside { (inner[0].start, inner[0].end) } else { (nx, 0) };
+            let first = (0..left).find(|&x| touches(x, y));
+            let last = if beside || first.is_some() {
+                (right..nx).rfind(|&x| touches(x, y))
+            } else {
+                None
+            };
+            if first.is_some() || last.is_some() {
+                columns.start = columns.start.min(first.unwrap_or(nx));
+                columns.end = columns.end.max(last.map_or(0, |last| last + 1));
+                rows = rows.start.min(y)..rows.end.max(y + 1);
+            }
+        }
+        [columns, rows]
+    }
+}
