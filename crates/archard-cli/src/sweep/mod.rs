@@ -38,10 +38,10 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let groups = shared::group(&design.rows, arguments.separate);
     let told: usize = groups.iter().map(|group| group.rows.len() - 1).sum();
     if told > 0 && !arguments.quiet {
-        let (rows, runs) = (design.rows.len(), groups.len());
+        let rows = design.rows.len();
         tell(&format!(
-            "Only k s counts: {rows} rows are {runs} runs, since rows that differ in the wear coefficient alone are \
-             states of one run (--separate runs each by itself)."
+            "Only k s counts: {told} of {rows} rows are states of the runs of others, which have a larger wear \
+             coefficient and are alike in all else (--separate runs each by itself)."
         ));
     }
     let mine = |(index, _): &(usize, &Shared)| arguments.task.is_none_or(|task| task.holds(*index));
@@ -121,11 +121,7 @@ fn run_all(
             if let Ok(mut outcomes) = outcomes.lock() {
                 outcomes.extend(came);
                 if !arguments.quiet {
-                    tell(&format!(
-                        "{} of {all} rows, the last {}",
-                        outcomes.len(),
-                        last(&outcomes)
-                    ));
+                    tell(&format!("{} of {all} rows: {}", outcomes.len(), last(&outcomes)));
                 }
             }
         }
@@ -167,7 +163,7 @@ fn conclude(
         [Status::Done, Status::Wrong, Status::Failed, Status::Open].map(|one| count(&all, one));
     if requests.any() {
         return Err(Failure::Interrupted(format!(
-            "interrupted\n{done} rows are done; the same command goes on with the others"
+            "interrupted, rows done: {done}\nthe same command goes on with the others"
         )));
     }
     if !arguments.quiet {
@@ -183,12 +179,12 @@ fn conclude(
         (count(&own, Status::Wrong) + count(&own, Status::Failed), count(&own, Status::Open));
     if fell > 0 {
         return Err(Failure::NotConverged(format!(
-            "{fell} rows failed or are wrong: `status`, `verdict` and `error` in {study}/sweep.csv say why"
+            "rows that failed or are wrong: {fell}; `status`, `verdict` and `error` in {study}/sweep.csv say why"
         )));
     }
     if elsewhere > 0 {
         return Err(Failure::wrong(format!(
-            "{elsewhere} rows are run by another process; call again when it has ended"
+            "rows that another process runs: {elsewhere}; call again when it has ended"
         )));
     }
     Ok(())

@@ -4,10 +4,13 @@ mod statistics;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
-use kuva::plot::{BandPlot, BarPlot, LegendPosition};
+use kuva::plot::{BandPlot, LegendPosition};
+use kuva::render::annotations::TextAnnotation;
+use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 use serde_json::Value;
 
@@ -15,7 +18,7 @@ use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
 use super::scale::{Unit, phrase};
 use super::tables::{Table, largest, read_history, size};
 use super::{Picture, write};
-use statistics::{effect, indices, quantile};
+use statistics::{Indices, effect, indices, quantile};
 
 /// Places at which bands are drawn.
 const PLACES: usize = 101;
@@ -226,22 +229,42 @@ impl Study {
         let blocks: Vec<Vec<f64>> = self.rows.chunks(length).filter_map(whole).collect();
         ensure!(blocks.len() > 1, "too few whole blocks of {length} rows for Sobol indices");
         let known = indices(&blocks);
-        let mut bars = BarPlot::new();
-        for (key, known) in self.sampled.iter().zip(&known) {
-            let both = vec![(known.first, COLOURS[1]), (known.total, PALE[1])];
-            bars = bars.with_group(
-                format!(
-                    "{key}: {:.2} ± {:.2}, {:.2} ± {:.2}",
-                    known.first, known.within[0], known.total, known.within[1]
-                ),
-                both,
-            );
+        let mut curves = Curves::new();
+        let (mut end, mut notes) = (1.0_f64, vec![]);
+        let legends = ["alone (first order)", "with others (total)"];
+        for (order, (colour, legend)) in
+            [COLOURS[0], COLOURS[2]].into_iter().zip(legends).enumerate()
+        {
+            let of = |known: &Indices| [known.first, known.total][order];
+            // From the top down, the total below.
+            let height = |place: usize| (known.len() - place) as f64 - 0.2 * order as f64;
+            for (place, known) in known.iter().enumerate() {
+                let (share, within) = (of(known), known.within[order]);
+                let ends = [share - within, share + within].map(|end| (end, height(place)));
+                curves.add(ends, Pen::line(colour), None);
+                end = end.max(share + within);
+            }
+            let marks = known.iter().enumerate().map(|(place, known)| (of(known), height(place)));
+            curves.mark(marks, colour, Some(legend));
         }
-        let bars = bars.with_legend(vec!["alone (first order)", "with others (total)"]);
+        for (place, (key, known)) in self.sampled.iter().zip(&known).enumerate() {
+            let Indices { first, total, within } = known;
+            let note =
+                format!("{key}: {first:.2} ± {:.2}, {total:.2} ± {:.2}", within[0], within[1]);
+            let height = (self.sampled.len() - place) as f64 + 0.25;
+            notes.push(TextAnnotation::new(note, 0.5 * end, height).with_font_size(14));
+        }
         let title = format!("Sobol indices of the {}", self.name().to_lowercase());
-        let labels = [&*title, "", "share of the variance, ± of 95 %"];
-        Ok(Panel::new(vec![bars.into()], labels, |layout| {
-            layout.with_y_axis_min(0.0).with_legend_position(LegendPosition::OutsideRightTop)
+        let labels = [&*title, "share of the variance, with the 95 % interval", ""];
+        let top = known.len() as f64 + 0.5;
+        Ok(curves.panel(labels, |layout| {
+            let layout = layout
+                .with_x_axis_max(end)
+                .with_y_axis_min(0.5)
+                .with_y_axis_max(top)
+                .with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())))
+                .with_legend_position(LegendPosition::OutsideRightTop);
+            notes.into_iter().fold(layout, Layout::with_annotation)
         }))
     }
 }

@@ -68,8 +68,7 @@ pub(in crate::plot) struct Indices {
 /// The Sobol indices of each parameter, from the results at a point A, its partner B, and A with each coordinate in turn
 /// taken from B; blocks of one length.
 ///
-/// First order by A. Saltelli et al., *Comput. Phys. Commun.* 181 (2010) 259, table 2 (b); total by M. J. W. Jansen, *Comput.
-/// Phys. Commun.* 117 (1999) 35; intervals by resampling blocks.
+/// Both by M. J. W. Jansen, *Comput. Phys. Commun.* 117 (1999) 35; intervals by resampling blocks.
 pub(in crate::plot) fn indices(blocks: &[Vec<f64>]) -> Vec<Indices> {
     const RESAMPLES: usize = 500;
     let dimensions = blocks.first().map_or(0, |block| block.len().saturating_sub(2));
@@ -109,9 +108,7 @@ fn estimate(blocks: &[Vec<f64>], drawn: &[usize], axis: usize) -> [f64; 2] {
             .collect();
         mean(&values)
     };
-    // The centre is taken off B, which leaves the mean and lowers the scatter.
-    let shift = over(|a, _, mixed| mixed - a);
-    let first = over(|a, b, mixed| b * (mixed - a)) - centre * shift;
+    let first = variance - 0.5 * over(|_, b, mixed| (b - mixed).powi(2));
     let total = 0.5 * over(|a, _, mixed| (a - mixed).powi(2));
     [first / variance, total / variance]
 }
