@@ -13,7 +13,7 @@ if __name__ == "__main__":
     case = archard.Case("pin_on_disc")
     over = {
         "motion.sliding.load": ["5 N", "10 N", "15 N", "20 N"],
-        "body.pin.profile.sphere.radius": ["25 mm", "50 mm", "100 mm"],
+        "body.pin.profile.sphere.radius": ["25 mm", "35 mm", "50 mm"],
     }
     with LocalCluster(n_workers=2, threads_per_worker=1) as cluster, Client(cluster) as client:
         study = archard.sweep(case, over, executor=client.get_executor(), out=sys.argv[1])

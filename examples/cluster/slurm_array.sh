@@ -11,7 +11,7 @@ set -euo pipefail
 
 archard sweep cases/pin_on_disc \
     --over "motion.sliding.load=5 N:20 N:4" \
-    --over "body.pin.profile.sphere.radius=25 mm,50 mm,100 mm" \
+    --over "body.pin.profile.sphere.radius=25 mm,35 mm,50 mm" \
     --task "$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT" \
     --jobs "${SLURM_CPUS_PER_TASK:-1}" \
     -o results/study

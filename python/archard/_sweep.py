@@ -49,7 +49,7 @@ class Sweep:
 
 
 def sweep(
-    case: Case,
+    case: Case | str | os.PathLike[str] | Mapping[str, Any],
     over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]],
     *,
     executor: Executor | None = None,
@@ -62,7 +62,7 @@ def sweep(
     see that folder.
 
     Args:
-        case: the case.
+        case: the case, or what makes one.
         over: values by key, each with each of the others; or a dict a row, for designs of one's own.
         executor: any :class:`concurrent.futures.Executor`: Dask's ``client.get_executor()``,
             ``mpi4py.futures.MPIPoolExecutor``; a pool of processes if not given.
@@ -74,10 +74,10 @@ def sweep(
         ValueError: nothing to go over, or a folder with another case.
 
     """
-    settings = _rows(over)
+    base, settings = Case(case), _rows(over)
     cases, keys, folders = [], [], []
     for number, row in enumerate(settings, 1):
-        one = case.copy()
+        one = base.copy()
         for key, value in row.items():
             one[key] = value
         toml = one.check().toml

@@ -2,17 +2,22 @@
 
 import csv
 import os
+import runpy
+import shutil
 import signal
 import subprocess
 import sys
 from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import archard
 from archard import _sweep
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "cluster"
 
 LOADS = ["8 N", "10.2 N"]
 FRICTIONLESS = {"motion.sliding.load": LOADS, "body.pin.profile.sphere.radius": ["40 mm", "50 mm"]}
@@ -145,35 +150,25 @@ def test_on_dask(case, tmp_path):
     assert_like_single_runs(study, case)
 
 
-def test_on_mpi(tmp_path):
+def test_the_example_of_mpi(tmp_path):
     pytest.importorskip("mpi4py")
-    script = tmp_path / "study.py"
-    script.write_text(
-        "import archard\n"
-        "from mpi4py.futures import MPIPoolExecutor\n"
-        "if __name__ == '__main__':\n"
-        "    case = archard.Case('hertz')\n"
-        "    with MPIPoolExecutor() as executor:\n"
-        "        study = archard.sweep(case, {'frame.elements': [[20, 20], [24, 24]]}, executor=executor)\n"
-        "    print(*study.table['status'])\n"
-    )
-    line = [
-        "mpirun",
-        "-n",
-        "2",
-        "--oversubscribe",
-        "--allow-run-as-root",
-        sys.executable,
-        "-m",
-        "mpi4py.futures",
-        script,
-    ]
-    try:
-        done = subprocess.run(line, capture_output=True, text=True, timeout=120)
-    except FileNotFoundError:
+    if not shutil.which("mpirun"):
         pytest.skip("no mpirun")
+    ranks = ["mpirun", "-n", "2", "--oversubscribe", "--allow-run-as-root"]
+    line = [*ranks, sys.executable, "-m", "mpi4py.futures", EXAMPLES / "mpi_study.py", tmp_path]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=120)
     assert done.returncode == 0, done.stderr
-    assert done.stdout.split() == ["done", "done"]
+    head, *depths = done.stdout.split("\n")[:-1]
+    assert head == "Sweep(4 rows)"
+    rows = [archard.open(tmp_path / "rows" / f"{number:04}") for number in (1, 2, 3, 4)]
+    assert [float(depth) for depth in depths] == [row.history["wear_depth_m"][-1] for row in rows]
+
+
+def test_the_example_of_um_bridge():
+    pytest.importorskip("umbridge")
+    model = runpy.run_path(str(EXAMPLES / "um_bridge_server.py"))["PinOnDisc"]()
+    alone = archard.Case("pin_on_disc").run(threads=1)
+    assert model([[10.2, 1.33e-13]], {}) == [[1e6 * alone.history["wear_depth_m"][-1]]]
 
 
 def test_futures_may_be_anything_that_has_a_result(case):
