@@ -22,6 +22,7 @@ from archard._errors import (
     WrongResult,
 )
 from archard._law import Law
+from archard._sweep import Row, Sweep, sweep
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Snapshot, Table, Verdict
 from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
@@ -39,13 +40,16 @@ __all__ = [
     "Profile",
     "Result",
     "ResultWarning",
+    "Row",
     "Run",
     "RunError",
     "Snapshot",
     "State",
+    "Sweep",
     "Table",
     "Verdict",
     "WrongResult",
     "__version__",
     "cases",
+    "sweep",
 ]

@@ -2,9 +2,10 @@
 
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 use archard::output::Store;
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
 
 /// Predicts contact and wear of elastic bodies from a case file.
 #[derive(Debug, Parser)]
@@ -26,8 +27,11 @@ pub enum Command {
     New(New),
     /// List the laws of wear and friction, with their formulas, the motions they suit and what they take
     Laws,
-    /// Draw the pictures of a result folder
+    /// Draw the pictures of a result folder, or of a study
     Plot(Plot),
+    /// Run a study: a case over lists, ranges and distributions of its values
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(Sweep),
 }
 
 /// A case with options laid over it.
@@ -104,4 +108,121 @@ pub struct Plot {
     /// Folders of other runs, whose wear is compared with that of the first
     #[arg(long, value_name = "DIR", num_args = 1..)]
     pub with: Vec<PathBuf>,
+}
+
+const SWEEP_EXAMPLES: &str = "\
+Examples:
+  three loads, each at six coefficients of friction:
+    archard sweep CASE --over motion.rolling.load=\"100 N,200 N,300 N\" \\
+      --over friction.coulomb.coefficient=0.1:0.6:6 -o results/study
+  200 samples of a wear coefficient, known to a factor:
+    archard sweep CASE --sample \"body.pin.wear.archard.coefficient=lognormal(1.4e-4 mm^3/(N m), 0.4)\" \\
+      --samples 200 -o results/scatter
+  the shares of two scattering values in the scatter of the results (Sobol indices):
+    archard sweep CASE --sample \"motion.sliding.load=normal(10 N, 1 N)\" \\
+      --sample \"body.pin.profile.sphere.radius=uniform(45 mm, 55 mm)\" \\
+      --samples 128 --design saltelli -o results/shares
+  a part of the rows in each task of a Slurm array:
+    archard sweep CASE ... --task $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
+
+The same command goes on where it was interrupted. `archard plot DIR` draws the study.";
+
+/// The arguments of `sweep`.
+#[derive(Debug, Args)]
+pub struct Sweep {
+    /// A case file, or a folder with a `case.toml`
+    pub case: PathBuf,
+    /// Put a value at a key of the case in all rows
+    #[arg(long, value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Go over values of a key: "5 N,10 N,20 N", or a range "5 N:20 N:4" of four; each with each value of other keys
+    #[arg(long, value_name = "KEY=VALUES")]
+    pub over: Vec<String>,
+    /// Draw values of a key: normal(mean, deviation), lognormal(median, deviation of the logarithm) or
+    /// uniform(from, to)
+    #[arg(long, value_name = "KEY=DISTRIBUTION", requires = "samples")]
+    pub sample: Vec<String>,
+    /// Number of samples, at each value of --over
+    #[arg(long, value_name = "N", requires = "sample")]
+    pub samples: Option<NonZeroUsize>,
+    /// Tells sets of samples apart
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    pub seed: u32,
+    /// How samples are laid
+    #[arg(long, value_name = "DESIGN", value_enum)]
+    pub design: Option<Design>,
+    /// The folder of the study: `design.csv`, `sweep.csv` and a result folder a row in `rows`
+    #[arg(short, long, value_name = "DIR")]
+    pub output: PathBuf,
+    /// Rows that run at once; as many as there are processors if not given
+    #[arg(short, long, value_name = "N")]
+    pub jobs: Option<NonZeroUsize>,
+    /// Threads a row
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub threads: NonZeroUsize,
+    /// Run every N-th row, from row I on: other tasks run the others, at the same time or not
+    #[arg(long, value_name = "I/N")]
+    pub task: Option<Share>,
+    /// Run each row by itself, those too that one run could tell because only k s counts
+    #[arg(long)]
+    pub separate: bool,
+    /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
+    /// given
+    #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]
+    pub cache: Option<PathBuf>,
+    /// Print errors only
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// How the rows of a study are laid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum Design {
+    /// Each value with each of the others, without samples; the default where there are none
+    Grid,
+    /// Latin hypercube; the default of samples
+    Latin,
+    /// Sobol sequence, scrambled
+    Sobol,
+    /// Two Sobol samples and their mixtures, N (d + 2) rows for d sampled keys: what Sobol indices take
+    Saltelli,
+}
+
+/// How samples are laid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Layout {
+    /// Latin hypercube.
+    Latin,
+    /// Sobol sequence.
+    Sobol,
+    /// Two Sobol samples and their mixtures.
+    Saltelli,
+}
+
+/// A task's share of the rows: those whose number leaves a remainder.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Share {
+    /// The remainder.
+    task: usize,
+    /// Number of tasks.
+    of: NonZeroUsize,
+}
+
+impl Share {
+    /// Whether what has that number, from zero on, is in the share.
+    pub fn holds(self, index: usize) -> bool {
+        index % self.of == self.task % self.of
+    }
+}
+
+impl FromStr for Share {
+    type Err = &'static str;
+
+    /// `0/8` to `7/8`; or, where tasks are counted from one, `1/8` to `8/8`.
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const LIKE: &str = "write a task and the number of tasks, like 0/8 to 7/8";
+        let (task, of) = text.split_once('/').ok_or(LIKE)?;
+        let share = Share { task: task.parse().or(Err(LIKE))?, of: of.parse().or(Err(LIKE))? };
+        if share.task <= share.of.get() { Ok(share) } else { Err(LIKE) }
+    }
 }

@@ -28,7 +28,7 @@ pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
 }
 
 /// Prints problems.
-fn show(file: &CaseFile, problems: &[Problem]) {
+pub fn show(file: &CaseFile, problems: &[Problem]) {
     let renderer = if in_colour() { Renderer::styled() } else { Renderer::plain() };
     let renderer = renderer.decor_style(DecorStyle::Ascii);
     for problem in problems {

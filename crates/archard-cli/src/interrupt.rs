@@ -36,6 +36,32 @@ struct Shared {
     held: Mutex<Held>,
 }
 
+/// Requests to stop several runs at once, which each looks at where a step ends.
+#[derive(Clone, Default)]
+pub struct Requests(Arc<AtomicBool>);
+
+impl Requests {
+    /// Takes over what the signals do, as [`Watch::set`]; a second request ends the program at once.
+    pub fn set() -> Self {
+        let requests = Self::default();
+        if !hangups_are_ignored() {
+            let (asked, mut first) = (requests.0.clone(), None::<Instant>);
+            let _ = ctrlc::set_handler(move || {
+                let same = first.get_or_insert_with(Instant::now).elapsed() <= SAME;
+                if asked.swap(true, Ordering::Relaxed) && !same {
+                    std::process::exit(INTERRUPTED.into());
+                }
+            });
+        }
+        requests
+    }
+
+    /// Whether there was one.
+    pub fn any(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
 /// How far a run is.
 enum Held {
     /// It has no folder yet.

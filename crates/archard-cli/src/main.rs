@@ -20,6 +20,7 @@ mod progress;
 mod run;
 mod say;
 mod standards;
+mod sweep;
 mod underway;
 mod verdict;
 
@@ -36,6 +37,7 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Laws => laws::laws(),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {

@@ -18,6 +18,7 @@ mod verification {
     mod meshed_contact;
     mod meshed_rolling;
     mod meshes_that_do_not_match;
+    mod only_k_s;
     mod orthotropic;
     mod own_wear_law;
     mod parts_of_the_frame;

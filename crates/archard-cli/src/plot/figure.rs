@@ -117,6 +117,11 @@ impl Curves {
         self.plots.push(marks.into());
     }
 
+    /// The curves alone.
+    pub(super) fn into_plots(self) -> Vec<Plot> {
+        self.plots
+    }
+
     /// The panel with these curves; `adapt` changes what is particular to it.
     pub(super) fn panel(
         self,

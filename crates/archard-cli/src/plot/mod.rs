@@ -15,6 +15,7 @@ mod pressure;
 mod raster;
 mod results;
 mod scale;
+mod study;
 mod tables;
 mod traction;
 mod transverse;
@@ -26,7 +27,7 @@ mod tests;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::Context;
+use anyhow::{Context, ensure};
 
 use figure::{Panel, save};
 use pressure::MOMENTS;
@@ -68,17 +69,26 @@ impl Picture {
 /// # Errors
 /// If a folder is not a result folder, has no results yet, cannot be compared or cannot be written.
 pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
+    if study::is_one(dir) {
+        ensure!(others.is_empty(), "a study is not compared with runs");
+        return study::run(dir);
+    }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
     if !others.is_empty() {
         let compared = comparison::panel(dir, &results, others)?;
         pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
     }
+    write(dir, pictures, results.mark.as_deref())
+}
+
+/// Writes pictures into `dir/plots`, each below a mark if there is one.
+fn write(dir: &Path, pictures: Vec<Picture>, mark: Option<&str>) -> anyhow::Result<Vec<PathBuf>> {
     let plots = dir.join("plots");
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();
     for Picture { name, columns, size, panels } in pictures {
-        files.extend(save(&plots.join(name), columns, size, (panels, results.mark.as_deref()))?);
+        files.extend(save(&plots.join(name), columns, size, (panels, mark))?);
     }
     Ok(files)
 }

@@ -70,6 +70,17 @@ impl Unit {
         Self::new(name, factor * 10f64.powi(-power))
     }
 
+    /// The power of a thousand that leaves readable numbers, of values up to `largest` in a unit that is named elsewhere.
+    pub(super) fn by_powers(largest: f64) -> Self {
+        let power = match largest {
+            none if none <= 0.0 => 0,
+            middle if (0.01..1e4).contains(&middle) => 0,
+            other => 3 * (other.log10() / 3.0).floor() as i32,
+        };
+        let name = if power == 0 { String::new() } else { format!("10{}", superscript(power)) };
+        Self::new(name, 10f64.powi(-power))
+    }
+
     /// Per cent.
     pub(super) fn share() -> Self {
         Self::new("%", 100.0)

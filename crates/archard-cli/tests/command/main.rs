@@ -2,6 +2,7 @@
 
 mod finite;
 mod memory;
+mod sweep;
 mod verdict;
 
 use std::fs;

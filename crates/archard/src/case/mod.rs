@@ -32,12 +32,14 @@ mod key;
 #[cfg(test)]
 mod meshes;
 mod nearest;
+mod number;
 mod overlay;
 mod print;
 mod problem;
 mod quantity;
 mod read;
 mod reader;
+mod similar;
 mod tree;
 mod unclosed;
 
@@ -49,3 +51,4 @@ pub use elastic::{ElasticCase, ElasticForecast};
 pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
 pub use key::Key;
 pub use problem::{Location, Problem, Severity, Source};
+pub use similar::WearByKs;

@@ -27,7 +27,7 @@ pub(super) fn apply(table: &mut Table, index: usize, text: &str) -> Result<(), P
 }
 
 /// The names of a dotted key and where they stand.
-fn read_path(text: &str, source: Source) -> Option<Vec<(String, Location)>> {
+pub(super) fn read_path(text: &str, source: Source) -> Option<Vec<(String, Location)>> {
     let assignment = format!("{text}=0");
     let parsed = DeTable::parse(&assignment).ok()?;
     let origin = Origin { source, start: 0, fixed: None };

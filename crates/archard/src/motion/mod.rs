@@ -8,6 +8,7 @@ mod indentation;
 mod path;
 mod rolling;
 mod shift;
+mod similar;
 mod sliding;
 
 use serde::{Deserialize, Serialize};
@@ -256,6 +257,8 @@ pub enum Stepping {
     Tolerance(f64),
     /// One cycle computed out of that many, the wear of the others taken from it.
     Jumps(usize),
+    /// Implicit steps, each to the next of the schedule's outputs; not of motions in cycles.
+    ToOutputs,
 }
 
 /// Load, extent and steps of a motion.
@@ -333,6 +336,7 @@ fn few_steps(stepping: Stepping, step: Parameter, extent: f64) -> Result<Steppin
         Stepping::Jumps(_) => {
             return Err(Invalid::new(step.name, "only motions in cycles jump over some"));
         }
+        Stepping::ToOutputs => return Ok(stepping),
     };
     if extent / length > MOST_STEPS {
         let message =

@@ -17,7 +17,10 @@ const PART: &str = ".part";
 static NEXT: AtomicUsize = AtomicUsize::new(0);
 
 /// Writes a file so that it is whole or not there; what stands in its place is replaced, a link too.
-pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), Error> {
+///
+/// # Errors
+/// If it cannot be written.
+pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), Error> {
     write_by(path, content, OpenOptions::new())
 }
 

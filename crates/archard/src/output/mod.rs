@@ -24,6 +24,7 @@
 //! folder.
 
 mod closed_forms;
+mod derived;
 mod elastic;
 mod evidence;
 mod fields;
@@ -49,8 +50,10 @@ mod fixture;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub use derived::Derived;
 pub use elastic::write_elastic;
 pub use fields::{Field, fields};
+pub use file::write_whole;
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};

@@ -52,6 +52,10 @@ pub const WEAR_RATE: &str = "wear_rate_BODY_m3_per_Nm";
 pub const SCAR: [&str; 2] = ["scar_length_m", "scar_width_m"];
 /// Width of the track on the body that passes (m).
 pub const TRACK_WIDTH: &str = "track_width_m";
+/// Turns, or strokes to and fro, so far.
+const TURNS: &str = "turns";
+/// Time so far (s).
+const TIME: &str = Progress::TIME.column;
 /// Area that sticks (m^2).
 pub const STICK_AREA: &str = "stick_area_m2";
 /// Column of the power of friction over the speed of rolling (N): T gamma.
@@ -142,10 +146,10 @@ pub const COLUMNS: &[Column] = &[
         scar(r).map(|[_, across]| across)
     }),
     column(TRACK_WIDTH, "m", "width of the track on the body that passes", |r, _| track_width(r)),
-    column("turns", "", "turns, or strokes to and fro, so far", |r, _| {
+    column(TURNS, "", "turns, or strokes to and fro, so far", |r, _| {
         Some(r.state.progress / r.problem.motion.sliding()?.track?.cycle())
     }),
-    column("time_s", "s", "time so far, where a speed is known", |r, _| {
+    column(TIME, "s", "time so far, where a speed is known", |r, _| {
         Some(r.state.progress / r.problem.motion.sliding()?.speed?)
     }),
     column(CREEPAGE[0], "", "creepage in rolling, positive where body 1 is faster", |r, _| {
@@ -254,6 +258,21 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
         errors.extend(space.map(|error| (format!("{}{name}", ERRORS[1]), error)));
     }
     errors
+}
+
+/// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn alike:
+/// that share of the progress of the one is the progress of the other.
+pub fn rescaled(row: &[(String, f64)], share: f64) -> Vec<(String, f64)> {
+    let rescale = |(index, (name, value)): (usize, &(String, f64))| {
+        let factor = match name.as_str() {
+            _ if index == 0 => 1.0 / share,
+            TURNS | TIME => 1.0 / share,
+            name if body_of(WEAR_RATE, name).is_some() => share,
+            _ => 1.0,
+        };
+        (name.clone(), factor * value)
+    };
+    row.iter().enumerate().map(rescale).collect()
 }
 
 /// The number in a column of a row.

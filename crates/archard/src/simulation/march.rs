@@ -135,7 +135,7 @@ impl Steps {
             Stepping::Tolerance(tolerance) => {
                 Some(Adaptive::new(simulation, &evolution, tolerance)?)
             }
-            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => None,
+            _ => None,
         };
         Ok(Self { evolution, adaptive, effort })
     }
@@ -156,6 +156,9 @@ impl Steps {
             }
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
                 self.fixed(simulation, step, Evolution::implicit)?;
+            }
+            (None, Stepping::ToOutputs) => {
+                self.to(simulation, next, Evolution::implicit)?;
             }
             // Cycles are gone through elsewhere.
             (None, Stepping::Jumps(_)) => {
@@ -182,6 +185,16 @@ impl Steps {
         // From the count of steps, so that rounding does not add up.
         let end = ((self.effort.steps + 1) as f64 * step).min(extent);
         let end = if extent - end <= SAME * extent { extent } else { end };
+        self.to(simulation, end, scheme)
+    }
+
+    /// One step to a place.
+    fn to(
+        &mut self,
+        simulation: &Simulation,
+        end: f64,
+        scheme: fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>,
+    ) -> Result<(), Error> {
         let advance = end - self.evolution.state.progress;
         let increment =
             Increment { advance, progress: end, control: simulation.schedule.control_at(end) };

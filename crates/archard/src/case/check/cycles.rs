@@ -36,7 +36,9 @@ impl Cycles {
             Stepping::Tolerance(tolerance) => {
                 Solves::About(by_error(tolerance, total, outputs.len() as u64))
             }
-            Stepping::Implicit(_) | Stepping::Explicit(_) => Solves::Exactly(total),
+            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::ToOutputs => {
+                Solves::Exactly(total)
+            }
         };
         Some(Self { total, computed })
     }

@@ -97,7 +97,7 @@ fn cycle_memory(parts: &Parts<'_>, shift: &Shift) -> f64 {
     let state = BYTES_A_PAIR_OF_AN_INCREMENT + rubbing;
     let solution = state + friction * unlike * BYTES_A_PAIR_OF_BOTH;
     let kept = match parts.schedule.stepping {
-        Stepping::Implicit(_) | Stepping::Explicit(_) => solution,
+        Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::ToOutputs => solution,
         Stepping::Jumps(_) => solution + state,
         // A jump that is taken back needs the solutions before it.
         Stepping::Tolerance(_) => 2.0 * solution + state,

@@ -116,7 +116,7 @@ impl Solves {
                     (None, false) => Self::Exactly(solves),
                 }
             }
-            Stepping::Jumps(_) => Self::AtLeast(first),
+            Stepping::Jumps(_) | Stepping::ToOutputs => Self::AtLeast(first),
             Stepping::Tolerance(tolerance) => {
                 let outputs = parts.case.output.places(parts.schedule.extent).len();
                 Self::About(match rolling {

@@ -169,7 +169,7 @@ fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let (name, jump) = match parts.schedule.stepping {
         Stepping::Jumps(jump) => ("jump", jump as u64),
         Stepping::Tolerance(_) => ("tolerance", 0),
-        Stepping::Implicit(_) | Stepping::Explicit(_) => return None,
+        Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::ToOutputs => return None,
     };
     let warning = |message: String| Problem::warning(key(parts, name), message).at_name();
     if !parts.wears() {

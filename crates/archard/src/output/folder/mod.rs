@@ -28,7 +28,7 @@ use crate::simulation::{Observer, Report, row};
 use crate::verdict::Verdict;
 
 /// The file of the numbers of every step.
-const HISTORY: &str = "history.csv";
+pub(super) const HISTORY: &str = "history.csv";
 /// The file of the sections of every output.
 const PROFILES: &str = "profiles.csv";
 /// The file of the profiles of bodies that roll.

@@ -175,7 +175,7 @@ impl Cycles {
         let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
         let tolerance = match simulation.schedule.stepping {
             Stepping::Tolerance(tolerance) => tolerance,
-            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::Jumps(_) => 0.0,
+            _ => 0.0,
         };
         Ok(Self {
             shown: position.shown(control, &mut effort),
@@ -232,7 +232,7 @@ impl Cycles {
                 Ok(())
             }
             Stepping::Tolerance(_) => self.jump_by_error(setting, rate, ahead),
-            Stepping::Implicit(_) | Stepping::Explicit(_) => Ok(()),
+            Stepping::Implicit(_) | Stepping::Explicit(_) | Stepping::ToOutputs => Ok(()),
         }
     }
 

@@ -1,0 +1,279 @@
+//! Pictures of a study: bands of its histories, what each parameter does, and Sobol indices.
+
+mod statistics;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use anyhow::{Context, Result, ensure};
+use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
+use kuva::plot::{BandPlot, LegendPosition};
+use kuva::render::annotations::TextAnnotation;
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::plots::Plot;
+use serde_json::Value;
+
+use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
+use super::scale::{Unit, phrase};
+use super::tables::{Table, largest, read_history, size};
+use super::{Picture, write};
+use statistics::{Indices, effect, indices, quantile};
+
+/// Places at which bands are drawn.
+const PLACES: usize = 101;
+/// Most panels of a picture.
+const MOST: usize = 6;
+/// Most classes that samples are divided into.
+const CLASSES: usize = 10;
+
+/// A study, read back.
+struct Study {
+    /// Keys that were gone over, and keys that were sampled, by column.
+    over: Vec<String>,
+    sampled: Vec<String>,
+    /// Whether the rows are those that Sobol indices take.
+    saltelli: bool,
+    /// The values of all keys and the results, a row a run.
+    rows: Vec<Row>,
+    /// What the pictures show: a column of the history, and its unit.
+    column: &'static str,
+    unit: Unit,
+    dir: PathBuf,
+}
+
+/// A row of a study.
+struct Row {
+    number: usize,
+    /// The values of all keys (SI), those gone over first.
+    values: Vec<f64>,
+    /// The result (SI); `None` if the row failed, is wrong or has not run.
+    result: Option<f64>,
+}
+
+/// Whether a folder is that of a study.
+pub(super) fn is_one(dir: &Path) -> bool {
+    dir.join("study.json").is_file() && dir.join("design.csv").is_file()
+}
+
+/// Draws the pictures of a study; returns their files.
+pub(super) fn run(dir: &Path) -> Result<Vec<PathBuf>> {
+    let study = Study::read(dir)?;
+    let mut pictures = vec![];
+    if !study.sampled.is_empty() {
+        pictures.push(tiled("bands", study.bands()?));
+    }
+    pictures.push(tiled("main_effects", study.effects()));
+    if study.saltelli {
+        pictures.push(Picture::new("sobol_indices", vec![study.indices()?]));
+    }
+    let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
+    let all = study.rows.len();
+    let mark = (whole < all)
+        .then(|| format!("{} of {all} rows are left out: failed, wrong or not run", all - whole));
+    write(dir, pictures, mark.as_deref())
+}
+
+fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {
+    let columns = panels.len().clamp(1, 3);
+    Picture { columns, ..Picture::new(name, panels) }
+}
+
+impl Study {
+    fn read(dir: &Path) -> Result<Self> {
+        let path = dir.join("study.json");
+        let context = || format!("cannot read `{}`", path.display());
+        let kind: Value = serde_json::from_slice(&fs::read(&path).with_context(context)?)
+            .with_context(context)?;
+        let names = |key: &str| -> Vec<String> {
+            let list = kind[key].as_array().map_or(&[][..], Vec::as_slice);
+            list.iter().filter_map(|name| name.as_str().map(str::to_owned)).collect()
+        };
+        let (over, sampled) = (names("over"), names("sample"));
+        let path = dir.join("sweep.csv");
+        let context = || format!("cannot read `{}`: run the study first", path.display());
+        let mut reader = csv::Reader::from_path(&path).with_context(context)?;
+        let header = reader.headers().with_context(context)?.clone();
+        let at = |name: &str| {
+            let place = header.iter().position(|known| known == name);
+            place.with_context(|| format!("`{}` has no column `{name}`", path.display()))
+        };
+        let keys: Vec<usize> =
+            over.iter().chain(&sampled).map(|key| at(key)).collect::<Result<_>>()?;
+        let records: Vec<csv::StringRecord> =
+            reader.records().collect::<Result<_, _>>().with_context(context)?;
+        let (status, verdict) = (at("status")?, at("verdict")?);
+        let good =
+            |record: &&csv::StringRecord| &record[status] == "done" && &record[verdict] != "wrong";
+        let number = |record: &csv::StringRecord, place: usize| {
+            record[place]
+                .parse::<f64>()
+                .with_context(|| format!("`{}`: `{}` is no number", path.display(), &record[place]))
+        };
+        ensure!(records.iter().any(|record| good(&record)), "no row of the study has a result yet");
+        let wears = |column: &usize| {
+            let rows = records.iter().filter(good);
+            rows.filter_map(|record| record[*column].parse::<f64>().ok()).any(|depth| depth > 0.0)
+        };
+        let column = match at(WEAR_DEPTH).ok().filter(wears) {
+            Some(_) => WEAR_DEPTH,
+            None => PEAK_PRESSURE,
+        };
+        let place = at(column)?;
+        let rows: Vec<Row> = records
+            .iter()
+            .enumerate()
+            .map(|(index, record)| {
+                let values = keys.iter().map(|key| number(record, *key)).collect::<Result<_>>()?;
+                let result = good(&record).then(|| number(record, place)).transpose()?;
+                Ok(Row { number: index + 1, values, result })
+            })
+            .collect::<Result<_>>()?;
+        let most = rows.iter().filter_map(|row| row.result).fold(0.0, f64::max);
+        let unit = if column == WEAR_DEPTH { Unit::depth(most) } else { Unit::pressure() };
+        let saltelli = kind["design"] == "saltelli";
+        Ok(Self { over, sampled, saltelli, rows, column, unit, dir: dir.to_owned() })
+    }
+
+    /// What the pictures show, as a phrase.
+    fn name(&self) -> &'static str {
+        if self.column == WEAR_DEPTH { "Wear depth" } else { "Peak pressure" }
+    }
+
+    /// The quantiles of the histories of all samples, in a panel for each of the first combinations gone over.
+    fn bands(&self) -> Result<Vec<Panel>> {
+        let over = self.over.len();
+        let groups = self.rows.chunk_by(|one, other| one.values[..over] == other.values[..over]);
+        groups.take(MOST).map(|rows| self.band(rows)).collect()
+    }
+
+    fn band(&self, rows: &[Row]) -> Result<Panel> {
+        let read =
+            |row: &Row| read_history(&self.dir.join(format!("rows/{:04}/history.csv", row.number)));
+        let whole = rows.iter().filter(|row| row.result.is_some());
+        let histories: Vec<Table> = whole.map(read).collect::<Result<_>>()?;
+        let of = |history: &Table| largest(history.first().1);
+        // As far as all of them go.
+        let end = histories.iter().map(of).fold(f64::INFINITY, f64::min);
+        let name = histories.first().map_or("", |history| history.first().0).to_owned();
+        let along = Unit::of_column(&name, end);
+        let places = (0..PLACES).map(|i| end * i as f64 / (PLACES - 1) as f64);
+        let mut columns: Vec<(f64, Vec<f64>)> = vec![];
+        for place in places.filter(|place| place.is_finite()) {
+            let value = |history: &Table| {
+                Ok(value_at(history.first().1, history.column(self.column)?, place))
+            };
+            let mut values: Vec<f64> = histories.iter().map(value).collect::<Result<_>>()?;
+            values.sort_by(f64::total_cmp);
+            columns.push((place * along.factor, values));
+        }
+        let at = |share: f64| -> Vec<f64> {
+            columns.iter().map(|(_, values)| self.unit.factor * quantile(values, share)).collect()
+        };
+        let x: Vec<f64> = columns.iter().map(|column| column.0).collect();
+        let band = |[low, high]: [f64; 2], opacity: f64| {
+            let band = BandPlot::new(x.clone(), at(low), at(high)).with_color(COLOURS[1]);
+            Plot::Band(band.with_opacity(opacity))
+        };
+        let mut plots = vec![band([0.05, 0.95], 0.18), band([0.25, 0.75], 0.3)];
+        let legend = format!("median of {}, with 50 % and 90 % of them", histories.len());
+        let mut median = Curves::new();
+        median.add(x.iter().copied().zip(at(0.5)), Pen::line(COLOURS[1]), Some(&legend));
+        plots.extend(median.into_plots());
+        let values = self.over.iter().zip(&rows[0].values);
+        let title: Vec<String> = values.map(|(key, value)| format!("{key} = {value}")).collect();
+        let title = if title.is_empty() { self.name().to_owned() } else { title.join(", ") };
+        let labels = [&*title, &along.label(&phrase(&name)), &self.unit.label(self.name())];
+        Ok(Panel::new(plots, labels, |layout| {
+            layout
+                .with_x_axis_max(end * along.factor)
+                .with_y_axis_min(0.0)
+                .with_legend_box(false)
+                .with_legend_position(LegendPosition::InsideTopLeft)
+        }))
+    }
+
+    /// The results over each of the first keys, and their mean.
+    fn effects(&self) -> Vec<Panel> {
+        let keys = self.over.iter().chain(&self.sampled).enumerate();
+        keys.take(MOST).map(|(place, key)| self.effect(place, key)).collect()
+    }
+
+    fn effect(&self, place: usize, key: &str) -> Panel {
+        let pairs = self.rows.iter().filter_map(|row| Some((row.values[place], row.result?)));
+        let points: Vec<(f64, f64)> = pairs.collect();
+        let values: Vec<f64> = points.iter().map(|point| point.0).collect();
+        let scale = Unit::by_powers(size(&values));
+        let shown =
+            |&(value, result): &(f64, f64)| (value * scale.factor, result * self.unit.factor);
+        let classes = match place < self.over.len() {
+            true => None,
+            false => Some(((points.len() as f64).sqrt() as usize).clamp(2, CLASSES)),
+        };
+        let effect = effect(&points, classes);
+        let mut curves = Curves::new();
+        curves.mark(points.iter().map(shown), PALE[1], Some("a row"));
+        curves.add(effect.means.iter().map(shown), Pen::line(COLOURS[0]), Some("mean"));
+        let title = format!("{:.0} % of the variance", 100.0 * effect.share);
+        let label =
+            if scale.name.is_empty() { key.to_owned() } else { format!("{key} ({})", scale.name) };
+        curves.panel([&title, &label, &self.unit.label(self.name())], |layout| {
+            layout.with_legend_position(LegendPosition::OutsideRightTop)
+        })
+    }
+
+    /// The Sobol indices of the sampled keys.
+    fn indices(&self) -> Result<Panel> {
+        let length = self.sampled.len() + 2;
+        let whole = |rows: &[Row]| rows.iter().map(|row| row.result).collect::<Option<Vec<f64>>>();
+        let blocks: Vec<Vec<f64>> = self.rows.chunks(length).filter_map(whole).collect();
+        ensure!(blocks.len() > 1, "too few whole blocks of {length} rows for Sobol indices");
+        let known = indices(&blocks);
+        let mut curves = Curves::new();
+        let (mut end, mut notes) = (1.0_f64, vec![]);
+        let legends = ["alone (first order)", "with others (total)"];
+        for (order, (colour, legend)) in
+            [COLOURS[0], COLOURS[2]].into_iter().zip(legends).enumerate()
+        {
+            let of = |known: &Indices| [known.first, known.total][order];
+            // From the top down, the total below.
+            let height = |place: usize| (known.len() - place) as f64 - 0.2 * order as f64;
+            for (place, known) in known.iter().enumerate() {
+                let (share, within) = (of(known), known.within[order]);
+                let ends = [share - within, share + within].map(|end| (end, height(place)));
+                curves.add(ends, Pen::line(colour), None);
+                end = end.max(share + within);
+            }
+            let marks = known.iter().enumerate().map(|(place, known)| (of(known), height(place)));
+            curves.mark(marks, colour, Some(legend));
+        }
+        for (place, (key, known)) in self.sampled.iter().zip(&known).enumerate() {
+            let Indices { first, total, within } = known;
+            let note =
+                format!("{key}: {first:.2} ± {:.2}, {total:.2} ± {:.2}", within[0], within[1]);
+            let height = (self.sampled.len() - place) as f64 + 0.25;
+            notes.push(TextAnnotation::new(note, 0.5 * end, height).with_font_size(14));
+        }
+        let title = format!("Sobol indices of the {}", self.name().to_lowercase());
+        let labels = [&*title, "share of the variance, with the 95 % interval", ""];
+        let top = known.len() as f64 + 0.5;
+        Ok(curves.panel(labels, |layout| {
+            let layout = layout
+                .with_x_axis_max(end)
+                .with_y_axis_min(0.5)
+                .with_y_axis_max(top)
+                .with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())))
+                .with_legend_position(LegendPosition::OutsideRightTop);
+            notes.into_iter().fold(layout, Layout::with_annotation)
+        }))
+    }
+}
+
+/// The value at a place between two steps.
+fn value_at(progress: &[f64], values: &[f64], place: f64) -> f64 {
+    let next = progress.partition_point(|known| *known < place).min(progress.len() - 1);
+    let before = next.saturating_sub(1);
+    let span = progress[next] - progress[before];
+    let share = if span > 0.0 { (place - progress[before]) / span } else { 0.0 };
+    values[before] + share * (values[next] - values[before])
+}

@@ -1,0 +1,238 @@
+//! The rows of a study: what is put at which keys, and the checked case of each row.
+
+use std::fmt::Write;
+
+use archard::case::{CaseFile, Problem, Resolved, Severity, Task};
+use serde_json::json;
+
+use super::points::{MOST, points};
+use super::values::{Distribution, distribution, list};
+use crate::arguments::{Design as Laid, Layout, Sweep};
+use crate::diagnose;
+use crate::failure::Failure;
+use crate::say::tell;
+
+/// Most rows of a study.
+const MOST_ROWS: usize = 1_000_000;
+
+/// A study: its keys and rows.
+#[derive(Debug)]
+pub struct Design {
+    /// The columns of the keys, those of `--over` first: each key with the unit of its values (SI).
+    pub columns: Vec<String>,
+    /// How many of the columns are gone over; the others are sampled.
+    pub over: usize,
+    /// How samples are laid; `None` where there are none.
+    pub layout: Option<Layout>,
+    /// The rows, in the order of `design.csv`.
+    pub rows: Vec<Row>,
+}
+
+/// A row of a study.
+#[derive(Debug)]
+pub struct Row {
+    /// The values of its keys (SI).
+    pub values: Vec<f64>,
+    /// Its case.
+    pub resolved: Box<Resolved>,
+}
+
+/// The study of the arguments, every row of it checked; nothing is written.
+///
+/// # Errors
+/// If an option or the case of a row is wrong.
+pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
+    let (keys, settings) = settings(arguments).map_err(Failure::wrong)?;
+    let file =
+        CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
+    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    let mut warned: Vec<(String, usize)> = vec![];
+    let mut units: Vec<String> = vec![];
+    let mut rows = vec![];
+    for (index, settings) in settings.into_iter().enumerate() {
+        let options = keys.iter().zip(&settings);
+        let file = options.fold(file.clone(), |file, (key, value)| file.set(setting(key, value)));
+        let resolved = match file.task() {
+            Ok(Task::Contact(resolved)) if resolved.case.accuracy.is_some() => {
+                let why = "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its elements by runs of its own";
+                return Err(Failure::wrong(why));
+            }
+            Ok(Task::Contact(resolved)) => resolved,
+            Ok(Task::Elastic(_)) => {
+                let why = "a study is one of two bodies in contact; `archard run` computes one body by itself";
+                return Err(Failure::wrong(why));
+            }
+            Err(problems) => {
+                let errors: Vec<Problem> = problems
+                    .into_iter()
+                    .filter(|problem| problem.severity == Severity::Error)
+                    .collect();
+                diagnose::show(&file, &errors);
+                let what: Vec<String> =
+                    keys.iter().zip(&settings).map(|(key, value)| setting(key, value)).collect();
+                let row = index + 1;
+                return Err(Failure::wrong(format!(
+                    "row {row} of the study cannot be run: {}",
+                    what.join(", ")
+                )));
+            }
+        };
+        for problem in &resolved.warnings {
+            let kind = problem.key.to_string();
+            match warned.iter_mut().find(|(known, _)| *known == kind) {
+                Some((_, rows)) => *rows += 1,
+                None => {
+                    if !arguments.quiet {
+                        tell(&format!("row {}: {}", index + 1, file.describe(problem)));
+                    }
+                    warned.push((kind, 1));
+                }
+            }
+        }
+        let numbers = keys.iter().map(|key| {
+            resolved.case.number_at(key).ok_or_else(|| {
+                let why = "a study goes over keys that are a number, or a number with its unit";
+                Failure::wrong(format!("`{key}`: {why}"))
+            })
+        });
+        let numbers: Vec<(f64, String)> = numbers.collect::<Result<_, _>>()?;
+        units = numbers.iter().map(|(_, unit)| unit.clone()).collect();
+        rows.push(Row { values: numbers.into_iter().map(|(value, _)| value).collect(), resolved });
+    }
+    for (key, count) in warned.iter().filter(|(_, count)| *count > 1 && !arguments.quiet) {
+        tell(&format!("{count} rows have warnings of `{key}`, of which the first is shown"));
+    }
+    let column = |(key, unit): (String, String)| key + &suffix(&unit);
+    let columns = keys.into_iter().zip(units).map(column).collect();
+    let layout = layout(arguments).map_err(Failure::wrong)?;
+    Ok(Design { columns, over: arguments.over.len(), layout, rows })
+}
+
+impl Design {
+    /// As `study.json` has it: what the columns are, for pictures.
+    pub fn json(&self) -> String {
+        let (over, sample) = self.columns.split_at(self.over);
+        let design = match self.layout {
+            None => "grid",
+            Some(Layout::Latin) => "latin",
+            Some(Layout::Sobol) => "sobol",
+            Some(Layout::Saltelli) => "saltelli",
+        };
+        format!("{:#}\n", json!({ "over": over, "sample": sample, "design": design }))
+    }
+
+    /// As `design.csv` has it: a row a run, values in SI.
+    pub fn csv(&self) -> String {
+        let mut text = String::from("row");
+        self.columns.iter().for_each(|column| text.extend([",", column]));
+        for (index, row) in self.rows.iter().enumerate() {
+            let _ = write!(text, "\n{}", index + 1);
+            for value in &row.values {
+                let _ = write!(text, ",{value:?}");
+            }
+        }
+        text + "\n"
+    }
+}
+
+fn setting(key: &str, value: &str) -> String {
+    format!("{key}={value}")
+}
+
+/// How the columns of files name a unit: `_N`, `_m2`, `_per_Pa`.
+fn suffix(unit: &str) -> String {
+    match unit.strip_prefix("1/") {
+        _ if unit.is_empty() => String::new(),
+        Some(below) => format!("_per_{}", suffix(below).trim_start_matches('_')),
+        None => format!("_{}", unit.replace('/', "_per_").replace(['^', ' ', '(', ')'], "")),
+    }
+}
+
+/// The keys, and for each row their values as a case takes them.
+type Settings = (Vec<String>, Vec<Vec<String>>);
+
+fn settings(arguments: &Sweep) -> Result<Settings, String> {
+    let mut keys: Vec<String> = vec![];
+    let mut split = |option: &str, like: &str| -> Result<String, String> {
+        let (key, values) = option.split_once('=').ok_or(format!("`{option}`: write {like}"))?;
+        let key = key.trim().to_owned();
+        if keys.contains(&key) {
+            return Err(format!("`{key}` is given twice"));
+        }
+        keys.push(key);
+        Ok(values.trim().to_owned())
+    };
+    let mut rows: Vec<Vec<String>> = vec![vec![]];
+    let key = |values: &str, why: String| format!("{values}: {why}");
+    for option in &arguments.over {
+        let values = split(option, "--over KEY=a,b,c or --over KEY=first:last:number")?;
+        let values = list(&values).map_err(|why| key(option, why))?;
+        let extended = |row: &Vec<String>| {
+            let with = |value: &String| [&row[..], std::slice::from_ref(value)].concat();
+            values.iter().map(with).collect::<Vec<_>>()
+        };
+        few(rows.len() * values.len())?;
+        rows = rows.iter().flat_map(extended).collect();
+    }
+    let mut distributions: Vec<Distribution> = vec![];
+    for option in &arguments.sample {
+        let text = split(option, "--sample KEY=normal(mean, deviation)")?;
+        distributions.push(distribution(&text).map_err(|why| key(option, why))?);
+    }
+    if keys.is_empty() {
+        return Err("a study goes over something: give --over KEY=VALUES or --sample".to_owned());
+    }
+    let Some(layout) = layout(arguments)? else { return Ok((keys, rows)) };
+    let count = arguments.samples.map_or(1, |samples| samples.get());
+    if layout != Layout::Latin && count > MOST {
+        return Err(format!("a Sobol sequence has {MOST} points, fewer than the {count} samples"));
+    }
+    let dimensions = distributions.len();
+    few(rows.len() * count * if layout == Layout::Saltelli { dimensions + 2 } else { 1 })?;
+    let points = points(layout, (count, dimensions), arguments.seed);
+    let drawn = |point: &Vec<f64>| -> Vec<String> {
+        point.iter().zip(&distributions).map(|(share, known)| known.quantile(*share)).collect()
+    };
+    let samples: Vec<Vec<String>> = points.iter().map(drawn).collect();
+    let with = |row: &Vec<String>| {
+        samples.iter().map(|sample| [&row[..], sample].concat()).collect::<Vec<_>>()
+    };
+    Ok((keys, rows.iter().flat_map(with).collect()))
+}
+
+fn few(rows: usize) -> Result<(), String> {
+    if rows <= MOST_ROWS {
+        return Ok(());
+    }
+    Err(format!("a study of {rows} rows; {MOST_ROWS} at most can be run"))
+}
+
+/// How samples are laid; `None` where there are none.
+fn layout(arguments: &Sweep) -> Result<Option<Layout>, String> {
+    match (arguments.sample.is_empty(), arguments.design) {
+        (true, None | Some(Laid::Grid)) => Ok(None),
+        (true, Some(_)) => {
+            Err("this --design is one of samples: give --sample KEY=DISTRIBUTION".to_owned())
+        }
+        (false, Some(Laid::Grid)) => {
+            Err("--design grid has no samples: leave it out, or --sample".to_owned())
+        }
+        (false, None | Some(Laid::Latin)) => Ok(Some(Layout::Latin)),
+        (false, Some(Laid::Sobol)) => Ok(Some(Layout::Sobol)),
+        (false, Some(Laid::Saltelli)) if !arguments.over.is_empty() => {
+            Err("--design saltelli goes over samples alone: leave out --over".to_owned())
+        }
+        (false, Some(Laid::Saltelli)) => Ok(Some(Layout::Saltelli)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::suffix;
+
+    #[test]
+    fn columns_name_their_units() {
+        let units = ["", "N", "1/Pa", "m^3/(N m)", "W/(m K)", "m^2/s"].map(suffix);
+        assert_eq!(units, ["", "_N", "_per_Pa", "_m3_per_Nm", "_W_per_mK", "_m2_per_s"]);
+    }
+}

@@ -1,0 +1,191 @@
+//! `archard sweep`: a study, a case over many values.
+//!
+//! The design comes first, checked row by row and written to `design.csv`. Then rows run, each in a result folder of its
+//! own: what is done is done, whoever did it, so that a study goes on where it was killed, and tasks share it by their
+//! numbers. Last, `sweep.csv` is made of the folders.
+
+mod design;
+pub mod points;
+mod row;
+mod shared;
+mod table;
+mod values;
+
+use std::fs;
+use std::num::NonZero;
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use archard::output::{Store, write_whole};
+use rayon::ThreadPoolBuilder;
+
+use crate::arguments::Sweep;
+use crate::failure::Failure;
+use crate::interrupt::Requests;
+use crate::say::{say, tell};
+use design::Design;
+use row::Outcome;
+use shared::Shared;
+use table::Status;
+
+/// Runs a study, or goes on with it.
+pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
+    let requests = Requests::set();
+    let design = design::design(arguments)?;
+    let study = &arguments.output;
+    begin(study, &design)?;
+    let groups = shared::group(&design.rows, arguments.separate);
+    let told: usize = groups.iter().map(|group| group.rows.len() - 1).sum();
+    if told > 0 && !arguments.quiet {
+        let rows = design.rows.len();
+        tell(&format!(
+            "Only k s counts: {told} of {rows} rows are states of the runs of others, which have a larger wear \
+             coefficient and are alike in all else (--separate runs each by itself)."
+        ));
+    }
+    let mine = |(index, _): &(usize, &Shared)| arguments.task.is_none_or(|task| task.holds(*index));
+    let groups: Vec<&Shared> =
+        groups.iter().enumerate().filter(mine).map(|(_, group)| group).collect();
+    run_all(arguments, &design, &groups, &requests)?;
+    let standing =
+        table::collect(study, &design).map_err(|error| Failure::wrong(error.to_string()))?;
+    let own = groups.iter().flat_map(|group| &group.rows).map(|&row| standing[row]).collect();
+    conclude(arguments, [own, standing], &requests)
+}
+
+/// Makes the folder, or sees that it is of the same study.
+fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
+    let (path, text) = (study.join("design.csv"), design.csv());
+    let elsewhere = "choose another folder with -o, or remove this one";
+    match fs::read_to_string(&path) {
+        Ok(known) if known != text => {
+            let differ = known.lines().zip(text.lines()).position(|(one, other)| one != other);
+            let line = differ.unwrap_or(known.lines().count().min(text.lines().count())) + 1;
+            return Err(Failure::wrong(format!(
+                "`{}` is of another study, from line {line} on; {elsewhere}",
+                path.display()
+            )));
+        }
+        Ok(_) => {}
+        Err(_) => {
+            let made = fs::create_dir_all(study.join("rows")).map_err(|error| error.to_string());
+            let write = |path: &Path, text: &str| {
+                write_whole(path, text.as_bytes()).map_err(|error| error.to_string())
+            };
+            // The design last: where it is, all of it is.
+            made.and_then(|()| write(&study.join("study.json"), &design.json()))
+                .and_then(|()| write(&path, &text))
+                .map_err(|error| Failure::wrong(format!("cannot begin a study: {error}")))?;
+        }
+    }
+    for (index, row) in design.rows.iter().enumerate() {
+        let dir = row::folder(study, index);
+        if row::holds_another(&dir, &row.resolved.case.to_string()) {
+            let dir = dir.display();
+            return Err(Failure::wrong(format!("`{dir}` holds another case; {elsewhere}")));
+        }
+    }
+    Ok(())
+}
+
+/// Runs groups of rows, some at once.
+fn run_all(
+    arguments: &Sweep,
+    design: &Design,
+    groups: &[&Shared],
+    requests: &Requests,
+) -> Result<(), Failure> {
+    let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
+    let threads = arguments.threads.get();
+    let jobs = arguments.jobs.map_or((processors / threads).max(1), NonZero::get);
+    let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
+    let all: usize = groups.iter().map(|group| group.rows.len()).sum();
+    let (next, outcomes) = (AtomicUsize::new(0), Mutex::new(vec![]));
+    let work = || {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|error| format!("cannot start {threads} threads: {error}"))?;
+        while let Some(group) = groups.get(next.fetch_add(1, Ordering::Relaxed)) {
+            if requests.any() {
+                break;
+            }
+            let with = (requests, store.as_ref());
+            let study = &arguments.output;
+            let came = pool.install(|| match group.rows[..] {
+                [index] => {
+                    let dir = row::folder(study, index);
+                    vec![(index, row::run(&design.rows[index].resolved, &dir, with))]
+                }
+                _ => shared::run((group, &design.rows, study), with),
+            });
+            if let Ok(mut outcomes) = outcomes.lock() {
+                outcomes.extend(came);
+                if !arguments.quiet {
+                    tell(&format!("{} of {all} rows: {}", outcomes.len(), last(&outcomes)));
+                }
+            }
+        }
+        Ok::<(), String>(())
+    };
+    let worked: Vec<_> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..jobs.min(groups.len())).map(|_| scope.spawn(work)).collect();
+        workers.into_iter().map(|worker| worker.join()).collect()
+    });
+    for worker in worked {
+        worker.unwrap_or_else(|panic| std::panic::resume_unwind(panic)).map_err(Failure::wrong)?;
+    }
+    Ok(())
+}
+
+/// What came of the last row, in words.
+fn last(outcomes: &[(usize, Outcome)]) -> String {
+    let Some((index, outcome)) = outcomes.last() else { return String::new() };
+    let row = index + 1;
+    match outcome {
+        Outcome::Done => format!("row {row}"),
+        Outcome::Failed(why) => {
+            format!("row {row}, which failed: {}", why.lines().next().unwrap_or_default())
+        }
+        Outcome::Interrupted => format!("row {row}, which was interrupted"),
+        Outcome::Elsewhere => format!("row {row}, which another process runs"),
+    }
+}
+
+/// Says what came of the study; fails where one of its own rows did, or did not run. All rows are told beside them.
+fn conclude(
+    arguments: &Sweep,
+    [own, all]: [Vec<Status>; 2],
+    requests: &Requests,
+) -> Result<(), Failure> {
+    let study = arguments.output.display();
+    let count = |rows: &[Status], one| rows.iter().filter(|status| **status == one).count();
+    let [done, wrong, failed, open] =
+        [Status::Done, Status::Wrong, Status::Failed, Status::Open].map(|one| count(&all, one));
+    if requests.any() {
+        return Err(Failure::Interrupted(format!(
+            "interrupted, rows done: {done}\nthe same command goes on with the others"
+        )));
+    }
+    if !arguments.quiet {
+        say(&format!(
+            "rows              {done} done, {wrong} wrong, {failed} failed, {open} open"
+        ))?;
+        say(&format!("results           {study}/sweep.csv"))?;
+        if open == 0 && done > 1 {
+            say(&format!("pictures          archard plot {study}"))?;
+        }
+    }
+    let (fell, elsewhere) =
+        (count(&own, Status::Wrong) + count(&own, Status::Failed), count(&own, Status::Open));
+    if fell > 0 {
+        return Err(Failure::NotConverged(format!(
+            "rows that failed or are wrong: {fell}; `status`, `verdict` and `error` in {study}/sweep.csv say why"
+        )));
+    }
+    if elsewhere > 0 {
+        return Err(Failure::wrong(format!(
+            "rows that another process runs: {elsewhere}; call again when it has ended"
+        )));
+    }
+    Ok(())
+}

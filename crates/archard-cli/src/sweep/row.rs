@@ -1,0 +1,150 @@
+//! One row of a study: its run, in a result folder of its own.
+
+use std::error::Error as StdError;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use archard::case::Resolved;
+use archard::output::{Claim, Error, Inside, ResultFolder, Store};
+use archard::simulation::{self, Observer, Report, Simulation};
+
+use crate::interrupt::{Interrupted, Requests};
+use crate::underway::Underway;
+
+/// What came of a row.
+#[derive(Debug)]
+pub enum Outcome {
+    /// It is done, now or before.
+    Done,
+    /// It stopped before its end, or cannot be written.
+    Failed(String),
+    /// The user stopped it.
+    Interrupted,
+    /// Another process runs it.
+    Elsewhere,
+}
+
+/// The folder of a row, by its number from zero on.
+pub fn folder(study: &Path, index: usize) -> PathBuf {
+    study.join("rows").join(format!("{:04}", index + 1))
+}
+
+/// The summary in a folder, if there is a whole one.
+pub fn summary(dir: &Path) -> Option<serde_json::Value> {
+    serde_json::from_slice(&fs::read(dir.join("summary.json")).ok()?).ok()
+}
+
+/// Whether a folder holds a run of that case that came to its end.
+pub fn is_done(dir: &Path, case_toml: &str) -> bool {
+    let same = fs::read(dir.join("case.toml")).is_ok_and(|known| known == case_toml.as_bytes());
+    same && summary(dir).is_some_and(|summary| summary["complete"] == true)
+}
+
+/// Whether a folder holds another case.
+pub fn holds_another(dir: &Path, case_toml: &str) -> bool {
+    fs::read(dir.join("case.toml")).is_ok_and(|known| known != case_toml.as_bytes())
+}
+
+/// Runs a row, or goes on with it where it was interrupted.
+pub fn run(
+    resolved: &Resolved,
+    dir: &Path,
+    (requests, store): (&Requests, Option<&Store>),
+) -> Outcome {
+    let case_toml = resolved.case.to_string();
+    if is_done(dir, &case_toml) {
+        return Outcome::Done;
+    }
+    match attempt(resolved, (&case_toml, dir), (requests, store)) {
+        Err(Error::InUse { .. }) => Outcome::Elsewhere,
+        Err(error) => Outcome::Failed(error.to_string()),
+        Ok(outcome) => outcome,
+    }
+}
+
+fn attempt(
+    resolved: &Resolved,
+    (case_toml, dir): (&str, &Path),
+    (requests, store): (&Requests, Option<&Store>),
+) -> Result<Outcome, Error> {
+    let begun = Instant::now();
+    let (folder, kept) = begin(dir, case_toml)?;
+    let mut results = Following { folder, requests };
+    let mut inside = Inside::at(resolved.case.points.clone());
+    let mut stale = false;
+    let failure = build(resolved, store).and_then(|simulation| {
+        let observers: &mut [&mut dyn Observer] = &mut [&mut results, &mut inside];
+        let ran = match &kept {
+            Some(run) => simulation.resume(run, observers),
+            None => simulation.run(observers),
+        };
+        stale = matches!(ran, Err(simulation::Error::NotResumed(_)));
+        ran.map_err(|error| error.to_string())?;
+        let written = inside.write(dir, simulation.problem.bodies.each_ref());
+        written.map_err(|error| error.to_string())
+    });
+    let outcome = match &failure {
+        Ok(()) => Outcome::Done,
+        Err(_) if requests.any() => Outcome::Interrupted,
+        Err(why) => Outcome::Failed(why.clone()),
+    };
+    finish(results.folder, resolved, begun, failure.err())?;
+    if stale && fs::remove_file(dir.join("checkpoint")).is_ok() {
+        // What was kept is of a run in other steps: it begins anew.
+        return attempt(resolved, (case_toml, dir), (requests, store));
+    }
+    Ok(outcome)
+}
+
+/// The results of a row, from the start or from where they were interrupted.
+fn begin(dir: &Path, case_toml: &str) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
+    if dir.join("checkpoint").is_file() && !holds_another(dir, case_toml) {
+        match Claim::take(dir)?.resume() {
+            Ok((folder, run)) => return Ok((folder, Some(run))),
+            // What cannot be gone on with begins anew.
+            Err(Error::NoCheckpoint { .. }) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok((Claim::take(dir)?.begin(case_toml)?, None))
+}
+
+/// The simulation of a row.
+pub fn build(resolved: &Resolved, store: Option<&Store>) -> Result<Simulation, String> {
+    let built = match store {
+        Some(store) => resolved.case.build_keeping(store),
+        None => resolved.case.build(),
+    };
+    built.map_err(|error| error.to_string())
+}
+
+/// Writes the summary of results.
+pub fn finish(
+    folder: ResultFolder,
+    resolved: &Resolved,
+    begun: Instant,
+    failure: Option<String>,
+) -> Result<(), Error> {
+    let warnings = resolved.warnings.iter().map(|warning| warning.title()).collect();
+    Underway { folder, begun, warnings, bar: None }.finish(failure).map(|_| ())
+}
+
+/// Results that end where a stop is asked for.
+pub struct Following<'a> {
+    /// The results.
+    pub folder: ResultFolder,
+    /// Whether a stop was asked for.
+    pub requests: &'a Requests,
+}
+
+impl Observer for Following<'_> {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        self.folder.observe(report)?;
+        if self.requests.any() {
+            self.folder.keep_now(report)?;
+            return Err(Interrupted.into());
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,115 @@
+//! `sweep.csv`: a row a run, with what was put in, what came out, and whether it can be believed.
+
+use std::path::Path;
+
+use archard::output::{Claim, Error, write_whole};
+
+use super::design::Design;
+use super::row::{folder, holds_another, summary};
+
+/// How far a row is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// It came to its end with a result that can be right.
+    Done,
+    /// It came to its end with a result that cannot be right.
+    Wrong,
+    /// It stopped before its end.
+    Failed,
+    /// It has not run, was interrupted or is under way.
+    Open,
+}
+
+/// What is known of a row.
+struct Known {
+    status: &'static str,
+    verdict: String,
+    error: String,
+    last: Vec<(String, String)>,
+}
+
+/// Writes `sweep.csv` from the folders of all rows, whoever ran them; returns how far each is.
+///
+/// # Errors
+/// If the table cannot be written.
+pub fn collect(study: &Path, design: &Design) -> Result<Vec<Status>, Error> {
+    // The last of several tasks to get the lock sees what all have done.
+    let _claim = wait_for(study)?;
+    let known: Vec<Known> = design
+        .rows
+        .iter()
+        .enumerate()
+        .map(|(i, row)| of(&folder(study, i), &row.resolved.case.to_string()))
+        .collect();
+    let mut names: Vec<&str> = vec![];
+    for (name, _) in known.iter().flat_map(|row| &row.last) {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
+        }
+    }
+    let mut table = csv::Writer::from_writer(vec![]);
+    let head = ["row"].into_iter().chain(design.columns.iter().map(String::as_str));
+    let head = head.chain(["status", "verdict"]).chain(names.iter().copied()).chain(["error"]);
+    let mut written = table.write_record(head);
+    for (index, (row, known)) in design.rows.iter().zip(&known).enumerate() {
+        let cell = |name: &&str| {
+            let found = known.last.iter().find(|(other, _)| other == name);
+            found.map_or_else(String::new, |(_, value)| value.clone())
+        };
+        let start = [(index + 1).to_string()].into_iter();
+        let start = start.chain(row.values.iter().map(|value| format!("{value:?}")));
+        let start = start.chain([known.status.to_owned(), known.verdict.clone()]);
+        let cells = start.chain(names.iter().map(cell)).chain([known.error.clone()]);
+        written = written.and_then(|()| table.write_record(cells));
+    }
+    let path = study.join("sweep.csv");
+    let refused = |source: std::io::Error| Error::Write { path: path.clone(), source };
+    written.map_err(|error| refused(error.into()))?;
+    let text =
+        table.into_inner().map_err(|error| refused(std::io::Error::other(error.to_string())))?;
+    write_whole(&path, &text)?;
+    let status = |row: &Known| match (row.status, row.verdict.as_str()) {
+        ("done", "wrong") => Status::Wrong,
+        ("done", _) => Status::Done,
+        ("failed", _) => Status::Failed,
+        _ => Status::Open,
+    };
+    Ok(known.iter().map(status).collect())
+}
+
+/// The lock of the study, as soon as no other task has it.
+fn wait_for(study: &Path) -> Result<Claim, Error> {
+    loop {
+        match Claim::take(study) {
+            Err(Error::InUse { .. }) => std::thread::sleep(std::time::Duration::from_millis(50)),
+            taken => return taken,
+        }
+    }
+}
+
+/// What the folder of a row says. Numbers of a row that stopped before its end are not its results.
+fn of(dir: &Path, case_toml: &str) -> Known {
+    let nothing =
+        |status| Known { status, verdict: String::new(), error: String::new(), last: vec![] };
+    let Some(summary) = summary(dir).filter(|_| !holds_another(dir, case_toml)) else {
+        return nothing(if dir.join("history.csv").is_file() { "interrupted" } else { "open" });
+    };
+    if let Some(why) = summary["failure"].as_str() {
+        let first = why.lines().next().unwrap_or_default().to_owned();
+        let status = if first == "interrupted" { "interrupted" } else { "failed" };
+        return Known { error: first, ..nothing(status) };
+    }
+    let verdict = summary["verdict"]["word"].as_str().unwrap_or_default().to_owned();
+    match last_row(&dir.join("history.csv")) {
+        Some(last) => Known { verdict, last, ..nothing("done") },
+        None => Known { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },
+    }
+}
+
+/// The last row of a history by column, each number as it stands there.
+fn last_row(path: &Path) -> Option<Vec<(String, String)>> {
+    let mut reader = csv::Reader::from_path(path).ok()?;
+    let header = reader.headers().ok()?.clone();
+    let last = reader.records().last()?.ok()?;
+    Some(header.iter().zip(&last).map(|(name, cell)| (name.to_owned(), cell.to_owned())).collect())
+}

@@ -1,0 +1,401 @@
+//! Studies: designs, rows that go on, tasks that share, and rows that are one run.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, SystemTime};
+
+use archard::output::Claim;
+use tempfile::TempDir;
+
+use super::{archard, case, printed, said};
+
+/// A pin on a disc in ten steps on a coarse frame.
+const SMALL: [&str; 6] = [
+    "--set",
+    "frame.elements=[12, 12]",
+    "--set",
+    "motion.sliding.step=50 mm",
+    "--set",
+    "output.every=250 mm",
+];
+const K: &str = "body.pin.wear.archard.coefficient";
+
+/// The arguments of a study of the small case.
+fn study<'a>(case: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    [&["sweep", case, "-o", "study", "-q"], &SMALL[..], more].concat()
+}
+
+/// The rows of a table by column.
+fn rows(dir: &TempDir, name: &str) -> Vec<HashMap<String, String>> {
+    let mut reader = csv::Reader::from_path(dir.path().join(name)).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let row = |record: csv::StringRecord| {
+        header.iter().zip(&record).map(|(name, cell)| (name.to_owned(), cell.to_owned())).collect()
+    };
+    reader.records().map(|record| row(record.unwrap())).collect()
+}
+
+fn number(row: &HashMap<String, String>, column: &str) -> f64 {
+    row[column].parse().unwrap_or_else(|_| panic!("{column}: {:?}", row[column]))
+}
+
+fn written(dir: &Path) -> Vec<(usize, SystemTime)> {
+    let folders = fs::read_dir(dir.join("study/rows")).unwrap().map(|entry| entry.unwrap().path());
+    let time = |folder: &Path| fs::metadata(folder.join("summary.json")).ok()?.modified().ok();
+    let number = |folder: &Path| folder.file_name()?.to_str()?.parse().ok();
+    let mut all: Vec<_> =
+        folders.filter_map(|folder| Some((number(&folder)?, time(&folder)?))).collect();
+    all.sort_unstable();
+    all
+}
+
+#[test]
+fn every_row_is_the_run_by_itself() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = [
+        "--over",
+        "motion.sliding.load=5 N:20 N:2",
+        "--over",
+        "body.pin.profile.sphere.radius=25 mm,50 mm",
+    ];
+    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
+    let design = fs::read_to_string(dir.path().join("study/design.csv")).unwrap();
+    let head = "row,motion.sliding.load_N,body.pin.profile.sphere.radius_m\n";
+    assert_eq!(design, format!("{head}1,5.0,0.025\n2,5.0,0.05\n3,20.0,0.025\n4,20.0,0.05\n"));
+    let rows = rows(&dir, "study/sweep.csv");
+    assert_eq!(rows.len(), 4);
+    for (index, row) in rows.iter().enumerate() {
+        let load = format!("motion.sliding.load={} N", row["motion.sliding.load_N"]);
+        let radius =
+            format!("body.pin.profile.sphere.radius={} m", row["body.pin.profile.sphere.radius_m"]);
+        let alone = [
+            "run",
+            pin.to_str().unwrap(),
+            "-q",
+            "-o",
+            "alone",
+            "--force",
+            "--set",
+            &load,
+            "--set",
+            &radius,
+        ];
+        archard(&dir, &[&alone[..], &SMALL].concat()).success();
+        let history =
+            |folder: &str| fs::read_to_string(dir.path().join(folder).join("history.csv")).unwrap();
+        assert_eq!(history("alone"), history(&format!("study/rows/{:04}", index + 1)));
+        let last = self::rows(&dir, "alone/history.csv").pop().unwrap();
+        for (column, value) in &last {
+            let told = row[column].parse::<f64>().ok();
+            assert_eq!(told, value.parse().ok(), "{column}");
+        }
+        assert_eq!(row["status"], "done");
+    }
+    // Nothing is run again, with other jobs too.
+    let before = written(dir.path());
+    archard(&dir, &study(pin.to_str().unwrap(), &[&over[..], &["-j", "1"]].concat())).success();
+    assert_eq!(written(dir.path()), before);
+    // A row that is lost is run again, alone.
+    fs::remove_dir_all(dir.path().join("study/rows/0003")).unwrap();
+    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
+    let after = written(dir.path());
+    assert_eq!(after.len(), 4);
+    assert!([0, 1, 3].iter().all(|&row| after[row] == before[row]) && after[2].1 > before[2].1);
+    archard(&dir, &["plot", "study"]).success();
+    assert!(dir.path().join("study/plots/main_effects.svg").is_file());
+}
+
+#[test]
+fn tasks_share_the_rows() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = ["--over", "motion.sliding.load=5 N:20 N:7"];
+    let tasks: Vec<_> = (0..3)
+        .map(|task| {
+            Command::new(assert_cmd::cargo::cargo_bin("archard"))
+                .current_dir(dir.path())
+                .args(study(pin.to_str().unwrap(), &over))
+                .args(["--task", &format!("{task}/3"), "-j", "1"])
+                .stderr(Stdio::null())
+                .spawn()
+                .unwrap()
+        })
+        .collect();
+    for mut task in tasks {
+        assert!(task.wait().unwrap().success());
+    }
+    let rows = rows(&dir, "study/sweep.csv");
+    assert_eq!(rows.len(), 7);
+    assert!(rows.iter().all(|row| row["status"] == "done"), "{rows:?}");
+    // What one task runs by itself are its own rows.
+    let alone = TempDir::new().unwrap();
+    let task = [&over[..], &["--task", "3/3"]].concat();
+    archard(&alone, &study(pin.to_str().unwrap(), &task)).success();
+    let run: Vec<usize> = written(alone.path()).into_iter().map(|(row, _)| row).collect();
+    assert_eq!(run, [1, 4, 7]);
+}
+
+/// A row that another process runs is left to it.
+#[test]
+fn a_row_is_run_by_whoever_holds_its_folder() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = ["--over", "motion.sliding.load=5 N,6 N"];
+    let held = Claim::take(&dir.path().join("study/rows/0001")).unwrap();
+    let left = archard(&dir, &study(pin.to_str().unwrap(), &over)).code(2);
+    assert!(said(&left).contains("rows that another process runs: 1"), "{}", said(&left));
+    let status = || -> Vec<String> {
+        rows(&dir, "study/sweep.csv").iter().map(|row| row["status"].clone()).collect()
+    };
+    assert_eq!(status(), ["open", "done"]);
+    drop(held);
+    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
+    assert_eq!(status(), ["done", "done"]);
+}
+
+/// A study that is killed goes on, to the same bits.
+#[test]
+fn a_killed_study_goes_on() {
+    let pin = case("pin_on_disc");
+    let over = [
+        "--over",
+        "motion.sliding.load=5 N:20 N:6",
+        "--set",
+        "motion.sliding.step=2 mm",
+        "--set",
+        "frame.elements=[40, 40]",
+    ];
+    let [killed, whole] = [TempDir::new().unwrap(), TempDir::new().unwrap()];
+    archard(&whole, &study(pin.to_str().unwrap(), &over)).success();
+    for jobs in ["1", "2", "1"] {
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin("archard"))
+            .current_dir(killed.path())
+            .args(study(pin.to_str().unwrap(), &over))
+            .args(["-j", jobs])
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(400));
+        let _ = child.kill();
+        child.wait().unwrap();
+    }
+    archard(&killed, &study(pin.to_str().unwrap(), &over)).success();
+    let table = |dir: &TempDir| fs::read_to_string(dir.path().join("study/sweep.csv")).unwrap();
+    assert_eq!(table(&killed), table(&whole));
+    let histories = |dir: &TempDir| -> Vec<String> {
+        (1..=6)
+            .map(|row| {
+                fs::read_to_string(dir.path().join(format!("study/rows/{row:04}/history.csv")))
+                    .unwrap()
+            })
+            .collect()
+    };
+    assert_eq!(histories(&killed), histories(&whole));
+}
+
+/// A request to stop leaves rows that go on, and says so.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_study_exits_with_three_and_goes_on() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let long = ["--set", "motion.sliding.step=0.2 mm", "--set", "frame.elements=[60, 60]"];
+    let over = [&["--over", "motion.sliding.load=5 N:20 N:3", "-j", "1"][..], &long].concat();
+    let child = Command::new(assert_cmd::cargo::cargo_bin("archard"))
+        .current_dir(dir.path())
+        .args(study(pin.to_str().unwrap(), &over))
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let history = dir.path().join("study/rows/0001/history.csv");
+    while fs::metadata(&history).map_or(true, |known| known.len() == 0) {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
+    assert!(killed.success());
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(3));
+    let said = super::text(&ended.stderr);
+    assert!(said.contains("the same command goes on with the others"), "{said}");
+    assert!(dir.path().join("study/rows/0001/checkpoint").is_file());
+    assert_eq!(rows(&dir, "study/sweep.csv")[0]["status"], "interrupted");
+}
+
+/// Rows that differ in k alone: the smallest is its own run to 1e-9, the others to the error of their own, longer steps.
+#[test]
+fn only_k_s_counts() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let sample = format!("{K}=lognormal(1e-13 1/Pa, 0.4)");
+    let sampled = ["--sample", &sample, "--samples", "8", "--set", "motion.sliding.step=5 mm"];
+    let shared = [&["sweep", pin.to_str().unwrap(), "-o", "study"], &SMALL[..], &sampled].concat();
+    let ran = archard(&dir, &shared).success();
+    assert!(said(&ran).contains("7 of 8 rows"), "{}", said(&ran));
+    assert!(printed(&ran).contains("8 done, 0 wrong, 0 failed, 0 open"), "{}", printed(&ran));
+    let separate = [
+        &["sweep", pin.to_str().unwrap(), "-o", "separate", "--separate", "-q"],
+        &SMALL[..],
+        &sampled,
+    ]
+    .concat();
+    archard(&dir, &separate).success();
+    let [one, all] = ["study/sweep.csv", "separate/sweep.csv"].map(|name| rows(&dir, name));
+    let k = |row: &HashMap<String, String>| number(row, &format!("{K}_per_Pa"));
+    let least = (0..8).min_by(|&i, &j| k(&one[i]).total_cmp(&k(&one[j]))).unwrap();
+    for (index, (one, other)) in one.iter().zip(&all).enumerate() {
+        assert_eq!(k(one), k(other));
+        for column in [
+            "distance_m",
+            "load_N",
+            "approach_m",
+            "wear_depth_pin_m",
+            "worn_volume_pin_m3",
+            "centre_pressure_Pa",
+        ] {
+            let (one, other) = (number(one, column), number(other, column));
+            let within = if index == least || column.starts_with("worn") { 1e-9 } else { 1e-3 };
+            assert!(
+                (one / other - 1.0).abs() < within,
+                "row {index}, {column}: {one:e} and {other:e}"
+            );
+        }
+        // k F s.
+        let volume = k(one) * 10.2 * 0.5;
+        assert!((number(one, "worn_volume_pin_m3") / volume - 1.0).abs() < 1e-6);
+    }
+    // A row has its own history, which ends where it does.
+    let folder = format!("study/rows/{:04}/history.csv", least + 1);
+    assert!((number(rows(&dir, &folder).last().unwrap(), "distance_m") - 0.5).abs() < 1e-12);
+    // What is done stays done.
+    let before = written(dir.path());
+    archard(&dir, &shared).success();
+    assert_eq!(written(dir.path()), before);
+    archard(&dir, &["plot", "study"]).success();
+    for picture in ["bands.svg", "bands.png", "main_effects.svg"] {
+        assert!(dir.path().join("study/plots").join(picture).is_file(), "{picture}");
+    }
+}
+
+#[test]
+fn a_law_that_is_not_linear_in_k_runs_row_by_row() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let law =
+        "body.pin.wear={ threshold = { coefficient = \"1e-13 1/Pa\", threshold = \"1 MPa\" } }";
+    let over = ["--over", "body.pin.wear.threshold.coefficient=1e-13 1/Pa,2e-13 1/Pa"];
+    let arguments =
+        [&["sweep", pin.to_str().unwrap(), "-o", "study", "--set", law], &SMALL[..], &over]
+            .concat();
+    let ran = archard(&dir, &arguments).success();
+    assert!(!said(&ran).contains("Only k s counts"), "{}", said(&ran));
+}
+
+#[test]
+fn sobol_indices_have_their_own_design() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let samples = [
+        "--sample",
+        "motion.sliding.load=uniform(8 N, 12 N)",
+        "--sample",
+        "body.pin.profile.sphere.radius=uniform(45 mm, 55 mm)",
+        "--samples",
+        "4",
+        "--design",
+        "saltelli",
+    ];
+    archard(&dir, &study(pin.to_str().unwrap(), &samples)).success();
+    assert_eq!(rows(&dir, "study/sweep.csv").len(), 4 * (2 + 2));
+    archard(&dir, &["plot", "study"]).success();
+    assert!(dir.path().join("study/plots/sobol_indices.png").is_file());
+}
+
+/// A row that does not converge is told with its error; the others are done.
+#[test]
+fn failed_rows_are_recorded() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = ["--over", "solver.conjugate_gradient.max_iterations=1,1000"];
+    let failed = archard(&dir, &study(pin.to_str().unwrap(), &over)).code(1);
+    assert!(said(&failed).contains("rows that failed or are wrong: 1"), "{}", said(&failed));
+    let rows = rows(&dir, "study/sweep.csv");
+    assert_eq!([&*rows[0]["status"], &*rows[1]["status"]], ["failed", "done"]);
+    assert!(rows[0]["error"].contains("did not converge"), "{rows:?}");
+    assert_eq!(rows[0]["wear_depth_m"], "");
+    assert!(number(&rows[1], "wear_depth_m") > 0.0);
+}
+
+/// Whatever is wrong is said before anything runs or is written.
+#[test]
+fn wrong_studies_are_refused() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let load = "motion.sliding.load";
+    for (options, said_of_it) in [
+        (vec!["--over", "motion.sliding.laod=5 N,6 N"], "did you mean `load`"),
+        (vec!["--over", "motion.sliding.load=5,6"], "needs a unit"),
+        (vec!["--over", "motion.sliding.load=5 N,6 mm"], "row 2 of the study cannot be run"),
+        (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "an empty range"),
+        (vec!["--over", "motion.sliding.load=5 N,-6 N"], "greater than zero"),
+        (vec!["--over", "title=a,b"], "`title`: a study goes over keys that are a number"),
+        (vec!["--over", load], "write --over KEY="),
+        (
+            vec!["--over", "motion.sliding.load=5 N", "--over", "motion.sliding.load=6 N"],
+            "is given twice",
+        ),
+        (vec!["--over", "motion.sliding.load=5 N", "--design", "sobol"], "give --sample"),
+        (vec!["--over", "motion.sliding.load=5 N", "--task", "4/3"], "like 0/8 to 7/8"),
+        (vec!["--sample", "motion.sliding.load=normal(5 N, 1 N)"], "--samples"),
+        (
+            vec!["--sample", "motion.sliding.load=cauchy(5 N, 1 N)", "--samples", "2"],
+            "write a distribution like",
+        ),
+        (
+            vec!["--sample", "motion.sliding.load=normal(5 N, 100 N)", "--samples", "9"],
+            "greater than zero",
+        ),
+        (vec![], "a study goes over something"),
+    ] {
+        let refused = archard(&dir, &study(pin.to_str().unwrap(), &options)).code(2);
+        assert!(said(&refused).contains(said_of_it), "{said_of_it} is not in\n{}", said(&refused));
+        assert!(!dir.path().join("study").exists(), "{options:?}");
+    }
+    let body = case("patch_test");
+    let over = [
+        "sweep",
+        body.to_str().unwrap(),
+        "--over",
+        "body.block.material.poisson=0.2,0.3",
+        "-o",
+        "study",
+    ];
+    let refused = archard(&dir, &over).code(2);
+    assert!(said(&refused).contains("two bodies in contact"), "{}", said(&refused));
+}
+
+#[test]
+fn a_folder_of_another_study_is_left_alone() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let of = |over: &'static str| {
+        study(pin.to_str().unwrap(), &["--over", over])
+            .iter()
+            .map(|s| (*s).to_owned())
+            .collect::<Vec<_>>()
+    };
+    let run = |arguments: Vec<String>| {
+        archard(&dir, &arguments.iter().map(String::as_str).collect::<Vec<_>>())
+    };
+    run(of("motion.sliding.load=5 N,6 N")).success();
+    let before = written(dir.path());
+    let refused = run(of("motion.sliding.load=5 N,7 N")).code(2);
+    assert!(said(&refused).contains("is of another study, from line 3 on"), "{}", said(&refused));
+    let mut other = of("motion.sliding.load=5 N,6 N");
+    other.extend(["--set".to_owned(), "motion.sliding.distance=400 mm".to_owned()]);
+    let refused = run(other).code(2);
+    assert!(said(&refused).contains("rows/0001` holds another case"), "{}", said(&refused));
+    assert_eq!(written(dir.path()), before);
+}

@@ -1,0 +1,51 @@
+//! Cases that differ in the size of their wear coefficients alone, and wear by k s.
+
+use std::fmt::Write;
+
+use super::Case;
+
+/// What a case has in common with all that differ from it in the size of its wear coefficients alone.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WearByKs {
+    /// The case with its coefficients relative to the largest; equal of cases that are alike in all else.
+    pub kind: String,
+    /// The largest coefficient (1/Pa).
+    pub coefficient: f64,
+}
+
+impl Case {
+    /// What it shares with cases that one run answers together with it; `None` where the worn state does not follow from
+    /// k s alone.
+    ///
+    /// The load is constant, surfaces slide or roll steadily, steps are implicit, every body that wears has Holm-Archard's
+    /// law, and nothing is put out at points inside, which only the end of a run has.
+    pub fn wears_by_k_s(&self) -> Option<WearByKs> {
+        let (motion, schedule) = self.motion.build().ok()?;
+        let nothing_inside = self.points.iter().all(Vec::is_empty);
+        if !(motion.is_steady() && schedule.is_steady() && nothing_inside) {
+            return None;
+        }
+        let mut unworn = self.clone();
+        let mut coefficients = [None; 2];
+        for (body, coefficient) in unworn.bodies.iter_mut().zip(&mut coefficients) {
+            let Some(wear) = body.wear.take() else { continue };
+            let number = |name: &str| wear.values.number(name);
+            if wear.choice.name != "archard" {
+                return None;
+            }
+            let by_hardness = || Some(number("k_ad")? / number("hardness")?);
+            *coefficient = Some(number("coefficient").or_else(by_hardness)?);
+        }
+        let coefficient = coefficients.into_iter().flatten().fold(0.0, f64::max);
+        if coefficient <= 0.0 {
+            return None;
+        }
+        let mut kind = unworn.to_string();
+        for part in coefficients {
+            // Twelve digits: coefficients that were scaled alike are rounded unlike.
+            let part = part.map(|part| format!("{:.11e}", part / coefficient));
+            let _ = writeln!(kind, "{part:?}");
+        }
+        Some(WearByKs { kind, coefficient })
+    }
+}

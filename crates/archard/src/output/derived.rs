@@ -1,0 +1,62 @@
+//! The result folder of a run that another one has gone through.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Map, Value, json};
+
+use super::folder::HISTORY;
+use super::summary::json_of;
+use super::table::{Table, number};
+use super::{Claim, Error, file};
+use crate::verdict::Verdict;
+
+/// What another run tells of a run.
+#[derive(Debug, Clone, Copy)]
+pub struct Derived<'a> {
+    /// The rows of its history.
+    pub rows: &'a [Vec<(String, f64)>],
+    /// Whether the other run could be believed as far as this one goes.
+    pub verdict: &'a Verdict,
+    /// The folder of the other run.
+    pub from: &'a str,
+    /// Why the other run stopped before the end of this one, if it did.
+    pub failure: Option<&'a str>,
+}
+
+impl Derived<'_> {
+    /// Writes `case.toml`, `history.csv` and `summary.json`; what earlier runs left in the folder is removed.
+    ///
+    /// # Errors
+    /// If another run writes into the folder, or a file cannot be written.
+    pub fn write(&self, dir: &Path, case_toml: &str) -> Result<(), Error> {
+        let claim = Claim::take(dir)?;
+        claim.clear()?;
+        file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
+        let mut history = Table::create(dir.join(HISTORY))?;
+        for row in self.rows {
+            let cells: Vec<_> =
+                row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
+            history.row(&cells)?;
+        }
+        history.flush()?;
+        history.sync()?;
+        let last: Option<Map<String, Value>> = self
+            .rows
+            .last()
+            .map(|row| row.iter().map(|(column, value)| (column.clone(), json!(value))).collect());
+        let summary = json!({
+            "program": "archard",
+            "version": env!("CARGO_PKG_VERSION"),
+            "complete": self.failure.is_none(),
+            "failure": self.failure,
+            "verdict": json_of(self.verdict),
+            "last": last,
+            "derived_from": self.from,
+        });
+        // Last of all: a folder with a summary is whole.
+        file::write_whole(&dir.join("summary.json"), format!("{summary:#}\n").as_bytes())?;
+        let _ = fs::remove_dir(dir.join("fields"));
+        Ok(())
+    }
+}

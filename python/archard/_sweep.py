@@ -1,0 +1,204 @@
+"""Studies: a case over many values, on any executor."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from concurrent.futures import Executor, ProcessPoolExecutor
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from archard import _toml
+from archard._errors import RunError
+from archard.case import Case
+from archard.result import Result, Table
+from archard.result import open as open_result
+
+
+class Row(NamedTuple):
+    """One run of a study."""
+
+    settings: dict[str, Any]
+    """What was put at which keys."""
+    result: Result | None
+    """What the run came to, in part where it stopped before its end; ``None`` where it has nothing to show."""
+    error: str | None
+    """Why the run stopped, or why its result is wrong; ``None`` of a run that ended well."""
+
+
+class Sweep:
+    """What a study came to."""
+
+    def __init__(self, rows: list[Row], keys: list[dict[str, Any]]) -> None:
+        self.rows = rows
+        """The rows, in the order of the design."""
+        self.table = _table(rows, keys)
+        """A row a run: values of the keys (SI), ``status``, ``verdict``, last row of the history, ``error``."""
+
+    def to_pandas(self) -> Any:
+        """Return the table as a data frame."""
+        return self.table.to_pandas()
+
+    def __repr__(self) -> str:
+        failed = sum(row.error is not None for row in self.rows)
+        return f"Sweep({len(self.rows)} rows{f', {failed} failed' if failed else ''})"
+
+
+def sweep(
+    case: Case | str | os.PathLike[str] | Mapping[str, Any],
+    over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]],
+    *,
+    executor: Executor | None = None,
+    out: str | os.PathLike[str] | None = None,
+) -> Sweep:
+    """Run a case over values of its keys, each row on one thread of a worker.
+
+    Rows that fail are recorded with their error; the others go on. With ``out`` rows that are done are not run
+    again, and rows that were interrupted go on, so that the same call finishes what was killed. Workers have to
+    see that folder.
+
+    Args:
+        case: the case, or what makes one.
+        over: values by key, each with each of the others; or a dict a row, for designs of one's own.
+        executor: any :class:`concurrent.futures.Executor`: Dask's ``client.get_executor()``,
+            ``mpi4py.futures.MPIPoolExecutor``; a pool of processes if not given.
+        out: folder for ``rows/0001`` and on, a result folder each, and ``sweep.csv``; results are in memory if
+            not given.
+
+    Raises:
+        CaseError: all that is wrong with the case of a row, before anything runs.
+        ValueError: nothing to go over, or a folder with another case.
+
+    """
+    base, settings = Case(case), _rows(over)
+    cases, keys, folders = [], [], []
+    for number, row in enumerate(settings, 1):
+        one = base.copy()
+        for key, value in row.items():
+            one[key] = value
+        toml = one.check().toml
+        folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
+        if folder is not None and _text(folder / "case.toml") not in (None, toml):
+            raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
+        cases.append(one)
+        keys.append({name: entry for key in row for name, entry in [_number(key, toml)]})
+        folders.append(folder)
+    if executor is None:
+        with ProcessPoolExecutor() as pool:
+            rows = _run_all(pool, settings, cases, folders)
+    else:
+        rows = _run_all(executor, settings, cases, folders)
+    study = Sweep(rows, keys)
+    if out is not None:
+        _write(Path(out) / "sweep.csv", study.table)
+    return study
+
+
+def _rows(over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    if isinstance(over, Mapping):
+        for key, values in over.items():
+            if isinstance(values, str) or not len(values):
+                raise ValueError(f"`{key}`: give a list of values to go over")
+        rows = [dict(zip(over, values, strict=True)) for values in itertools.product(*over.values())]
+    else:
+        rows = [dict(row) for row in over]
+    if not rows or not all(rows):
+        raise ValueError("a study goes over something: give lists of values by key, or a dict a row")
+    return rows
+
+
+def _run_all(
+    executor: Executor, settings: list[dict[str, Any]], cases: list[Case], folders: list[Path | None]
+) -> list[Row]:
+    futures = [executor.submit(_run, case, folder) for case, folder in zip(cases, folders, strict=True)]
+    try:
+        outcomes = [future.result() for future in futures]
+    except BaseException:
+        for future in futures:
+            future.cancel()
+        raise
+    rows = []
+    for row, folder, (result, error) in zip(settings, folders, outcomes, strict=True):
+        if folder is not None and (folder / "summary.json").exists():
+            result = open_result(folder)
+        rows.append(Row(row, result, error))
+    return rows
+
+
+def _run(case: Case, folder: Path | None) -> tuple[Result | None, str | None]:
+    """Run a row; of one in a folder the result stays there."""
+    try:
+        if folder is None:
+            return case.run(threads=1), None
+        if _text(folder / "case.toml") == case.check().toml and (folder / "summary.json").exists():
+            known = open_result(folder)
+            if known.complete:
+                return None, known.verdict.wrong or None
+        if (folder / "checkpoint").exists():
+            case.run(threads=1, resume=folder)
+        else:
+            case.run(threads=1, out=folder)
+    except RunError as error:
+        return (error.result if folder is None else None), str(error).splitlines()[0]
+    return None, None
+
+
+def _text(path: Path) -> str | None:
+    try:
+        return path.read_text("utf-8")
+    except FileNotFoundError:
+        return None
+
+
+def _number(key: str, toml: str) -> tuple[str, Any]:
+    """Return the value of a key in SI, under the key with its unit as columns of files have it."""
+    found: Any = _toml.read(toml)
+    for name in _toml.path(key):
+        found = found.get(name) if isinstance(found, dict) else None
+    if isinstance(found, str):
+        number, _, unit = found.partition(" ")
+        try:
+            return key + _suffix(unit), float(number)
+        except ValueError:
+            return key, found
+    return key, found if isinstance(found, int | float) else str(found)
+
+
+def _suffix(unit: str) -> str:
+    if unit.startswith("1/"):
+        return "_per" + _suffix(unit[2:])
+    for letter in "^ ()":
+        unit = unit.replace(letter, "")
+    return "_" + unit.replace("/", "_per_") if unit else ""
+
+
+def _table(rows: list[Row], keys: list[dict[str, Any]]) -> Table:
+    """Numbers of a run that stopped before its end are not its results."""
+    done = [row.result if row.result is not None and row.result.complete else None for row in rows]
+    last = [{} if result is None else result.summary["last"] for result in done]
+    status = ["failed" if result is None else "done" for result in done]
+    verdict = ["" if result is None else result.verdict.word for result in done]
+    names = list(dict.fromkeys(name for row in last for name in row))
+    table = Table(
+        {name: np.array([row.get(name, np.nan) for row in keys]) for name in dict.fromkeys(itertools.chain(*keys))}
+    )
+    table["status"], table["verdict"] = np.array(status), np.array(verdict)
+    for name in names:
+        numbers = [row.get(name) for row in last]
+        table[name] = np.array([np.nan if number is None else number for number in numbers], float)
+    table["error"] = np.array([row.error or "" for row in rows])
+    return table
+
+
+def _write(path: Path, table: Table) -> None:
+    part = path.with_name(f"{path.name}.{os.getpid()}.part")
+    with part.open("w", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow(["row", *table])
+        for number, row in enumerate(zip(*table.values(), strict=True), 1):
+            rows.writerow([number, *("" if cell != cell else cell for cell in row)])
+    part.replace(path)

@@ -1,0 +1,182 @@
+"""Studies on executors: rows like single runs, nothing lost and nothing twice."""
+
+import csv
+import os
+import runpy
+import shutil
+import signal
+import subprocess
+import sys
+from concurrent.futures import Future, ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import archard
+from archard import _sweep
+
+EXAMPLES = Path(__file__).parents[2] / "examples" / "cluster"
+
+LOADS = ["8 N", "10.2 N"]
+FRICTIONLESS = {"motion.sliding.load": LOADS, "body.pin.profile.sphere.radius": ["40 mm", "50 mm"]}
+pytestmark = pytest.mark.filterwarnings("ignore::archard.ArchardWarning")
+
+
+def assert_like_single_runs(study, case):
+    assert list(study.table["motion.sliding.load_N"]) == [8.0, 8.0, 10.2, 10.2]
+    assert list(study.table["body.pin.profile.sphere.radius_m"]) == [0.04, 0.05, 0.04, 0.05]
+    assert set(study.table["status"]) == {"done"}
+    for index, row in enumerate(study.rows):
+        one = case.copy()
+        for key, value in row.settings.items():
+            one[key] = value
+        alone = one.run(threads=1)
+        for column in ("wear_depth_m", "peak_pressure_Pa", "worn_volume_pin_m3"):
+            assert study.table[column][index] == alone.history[column][-1]
+
+
+@pytest.mark.parametrize("pool", [None, ProcessPoolExecutor, ThreadPoolExecutor])
+def test_rows_are_like_single_runs(case, pool):
+    if pool is None:
+        assert_like_single_runs(archard.sweep(case, FRICTIONLESS), case)
+    else:
+        with pool(2) as executor:
+            assert_like_single_runs(archard.sweep(case, FRICTIONLESS, executor=executor), case)
+
+
+def test_done_rows_are_not_run_again(case, tmp_path):
+    with ProcessPoolExecutor(2) as executor:
+        first = archard.sweep(case, FRICTIONLESS, executor=executor, out=tmp_path)
+        files = list(tmp_path.glob("rows/*/summary.json"))
+        assert len(files) == 4
+        times = [file.stat().st_mtime_ns for file in files]
+        again = archard.sweep(case, FRICTIONLESS, executor=executor, out=tmp_path)
+    assert times == [file.stat().st_mtime_ns for file in files]
+    assert_like_single_runs(again, case)
+    for name, column in first.table.items():
+        np.testing.assert_array_equal(column, again.table[name])
+    with (tmp_path / "sweep.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["wear_depth_m"]) for row in rows] == list(again.table["wear_depth_m"])
+    with pytest.raises(ValueError, match="holds another case"):
+        archard.sweep(case, {"motion.sliding.load": ["9 N"]}, out=tmp_path)
+
+
+def _killed_once(case, folder):
+    """Run a row; of the second one the worker is killed the first time."""
+    mark = folder.parent / "killed"
+    if folder.name == "0002" and not mark.exists():
+        mark.touch()
+        os.kill(os.getpid(), signal.SIGKILL)
+    return _sweep.__dict__["_run_really"](case, folder)
+
+
+class Once:
+    """An executor that hands rows to a pool with one worker that gets killed."""
+
+    def __init__(self, pool):
+        self.pool = pool
+
+    def submit(self, function, *arguments):
+        assert function is _sweep._run
+        return self.pool.submit(_killed_once, *arguments)
+
+
+def test_a_killed_worker_costs_nothing_that_was_done(case, tmp_path, monkeypatch):
+    monkeypatch.setattr(_sweep, "_run_really", _sweep._run, raising=False)
+    (tmp_path / "rows").mkdir()
+    with ProcessPoolExecutor(1) as pool, pytest.raises(BrokenProcessPool):
+        archard.sweep(case, FRICTIONLESS, executor=Once(pool), out=tmp_path)
+    done = {file: file.stat().st_mtime_ns for file in tmp_path.glob("rows/*/summary.json")}
+    assert len(done) == 1
+    with ProcessPoolExecutor(2) as pool:
+        study = archard.sweep(case, FRICTIONLESS, executor=pool, out=tmp_path)
+    assert all(file.stat().st_mtime_ns == time for file, time in done.items())
+    assert_like_single_runs(study, case)
+
+
+def test_failed_rows_are_recorded(case):
+    case["solver.conjugate_gradient"] = {"max_iterations": 30}
+    rows = [{"solver.conjugate_gradient.max_iterations": most} for most in (1, 1000)]
+    with ThreadPoolExecutor(1) as executor:
+        study = archard.sweep(case, rows, executor=executor)
+    assert list(study.table["status"]) == ["failed", "done"]
+    assert "did not converge" in study.rows[0].error
+    assert np.isnan(study.table["wear_depth_m"][0])
+    assert study.table["wear_depth_m"][1] > 0
+    assert repr(study) == "Sweep(2 rows, 1 failed)"
+
+
+class Never:
+    def submit(self, *arguments):
+        raise AssertionError("nothing runs before all rows are checked")
+
+
+def test_wrong_rows_are_refused_before_anything_runs(case):
+    for over, kind, said in [
+        ({"motion.sliding.load": ["8 N", "8 mm"]}, archard.CaseError, "expected a force"),
+        ({"motion.sliding.laod": ["8 N"]}, archard.CaseError, "did you mean `load`"),
+        ({"motion.sliding.load": [8.0]}, archard.CaseError, "needs a unit"),
+        ({"motion.sliding.load": []}, ValueError, "`motion.sliding.load`: give a list"),
+        ({"motion.sliding.load": "8 N"}, ValueError, "give a list"),
+        ({}, ValueError, "goes over something"),
+        ([], ValueError, "goes over something"),
+    ]:
+        with pytest.raises(kind, match=said):
+            archard.sweep(case, over, executor=Never())
+
+
+def test_columns_are_those_of_the_command(case, command, tmp_path):
+    study = archard.sweep(case, {"motion.sliding.load": LOADS})
+    case.run(out=tmp_path / "base")
+    over = "motion.sliding.load=" + ",".join(LOADS)
+    command("sweep", tmp_path / "base", "--over", over, "-o", tmp_path / "study", "-q", "--separate")
+    with (tmp_path / "study" / "sweep.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert ["row", *study.table] == list(rows[0])
+    for row, depth in zip(rows, study.table["wear_depth_m"], strict=True):
+        assert float(row["wear_depth_m"]) == depth
+
+
+def test_on_dask(case, tmp_path):
+    distributed = pytest.importorskip("distributed")
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster,
+        distributed.Client(cluster) as client,
+    ):
+        study = archard.sweep(case, FRICTIONLESS, executor=client.get_executor(), out=tmp_path)
+    assert_like_single_runs(study, case)
+
+
+def test_the_example_of_mpi(tmp_path):
+    pytest.importorskip("mpi4py")
+    if not shutil.which("mpirun"):
+        pytest.skip("no mpirun")
+    ranks = ["mpirun", "-n", "2", "--oversubscribe", "--allow-run-as-root"]
+    line = [*ranks, sys.executable, "-m", "mpi4py.futures", EXAMPLES / "mpi_study.py", tmp_path]
+    done = subprocess.run(line, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+    head, *depths = done.stdout.split("\n")[:-1]
+    assert head == "Sweep(4 rows)"
+    rows = [archard.open(tmp_path / "rows" / f"{number:04}") for number in (1, 2, 3, 4)]
+    assert [float(depth) for depth in depths] == [row.history["wear_depth_m"][-1] for row in rows]
+
+
+def test_the_example_of_um_bridge():
+    pytest.importorskip("umbridge")
+    model = runpy.run_path(str(EXAMPLES / "um_bridge_server.py"))["PinOnDisc"]()
+    alone = archard.Case("pin_on_disc").run(threads=1)
+    assert model([[10.2, 1.33e-13]], {}) == [[1e6 * alone.history["wear_depth_m"][-1]]]
+
+
+def test_futures_may_be_anything_that_has_a_result(case):
+    class Now:
+        def submit(self, function, *arguments):
+            future = Future()
+            future.set_result(function(*arguments))
+            return future
+
+    study = archard.sweep(case, FRICTIONLESS, executor=Now())
+    assert_like_single_runs(study, case)
