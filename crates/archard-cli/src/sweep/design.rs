@@ -1,7 +1,5 @@
 //! The rows of a study: what is put at which keys, and the checked case of each row.
 
-use std::fmt::Write;
-
 use archard::case::{CaseFile, Problem, Resolved, Severity, Task};
 use serde_json::json;
 
@@ -13,7 +11,7 @@ use crate::failure::Failure;
 use crate::say::tell;
 
 /// Most rows of a study.
-const MOST_ROWS: usize = 1_000_000;
+const MOST_ROWS: usize = 100_000;
 
 /// A study: its keys and rows.
 #[derive(Debug)]
@@ -123,15 +121,15 @@ impl Design {
 
     /// As `design.csv` has it: a row a run, values in SI.
     pub fn csv(&self) -> String {
-        let mut text = String::from("row");
-        self.columns.iter().for_each(|column| text.extend([",", column]));
+        let mut table = csv::Writer::from_writer(vec![]);
+        let head = ["row"].into_iter().chain(self.columns.iter().map(String::as_str));
+        // Into memory, by rows of one length: nothing can fail.
+        let _ = table.write_record(head);
         for (index, row) in self.rows.iter().enumerate() {
-            let _ = write!(text, "\n{}", index + 1);
-            for value in &row.values {
-                let _ = write!(text, ",{value:?}");
-            }
+            let values = row.values.iter().map(|value| format!("{value:?}"));
+            let _ = table.write_record([(index + 1).to_string()].into_iter().chain(values));
         }
-        text + "\n"
+        String::from_utf8(table.into_inner().unwrap_or_default()).unwrap_or_default()
     }
 }
 

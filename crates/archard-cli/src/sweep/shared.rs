@@ -143,7 +143,7 @@ fn attempt(
             (Some(_), None) if requests.any() => return Ok((index, Outcome::Interrupted)),
             (Some(why), None) => Outcome::Failed(why.clone()),
         };
-        if index == shared.runs() {
+        if index == shared.runs() || row::is_done(&dir, &case_toml) {
             return Ok((index, outcome));
         }
         let (steps, verdict) =

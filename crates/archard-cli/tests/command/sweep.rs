@@ -196,34 +196,6 @@ fn a_killed_study_goes_on() {
     assert_eq!(histories(&killed), histories(&whole));
 }
 
-/// A request to stop leaves rows that go on, and says so.
-#[cfg(unix)]
-#[test]
-fn an_interrupted_study_exits_with_three_and_goes_on() {
-    let dir = TempDir::new().unwrap();
-    let pin = case("pin_on_disc");
-    let long = ["--set", "motion.sliding.step=0.2 mm", "--set", "frame.elements=[60, 60]"];
-    let over = [&["--over", "motion.sliding.load=5 N:20 N:3", "-j", "1"][..], &long].concat();
-    let child = Command::new(assert_cmd::cargo::cargo_bin("archard"))
-        .current_dir(dir.path())
-        .args(study(pin.to_str().unwrap(), &over))
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let history = dir.path().join("study/rows/0001/history.csv");
-    while fs::metadata(&history).map_or(true, |known| known.len() == 0) {
-        std::thread::sleep(Duration::from_millis(10));
-    }
-    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
-    assert!(killed.success());
-    let ended = child.wait_with_output().unwrap();
-    assert_eq!(ended.status.code(), Some(3));
-    let said = super::text(&ended.stderr);
-    assert!(said.contains("the same command goes on with the others"), "{said}");
-    assert!(dir.path().join("study/rows/0001/checkpoint").is_file());
-    assert_eq!(rows(&dir, "study/sweep.csv")[0]["status"], "interrupted");
-}
-
 /// Rows that differ in k alone: the smallest is its own run to 1e-9, the others to the error of their own, longer steps.
 #[test]
 fn only_k_s_counts() {

@@ -1,10 +1,12 @@
 //! SIGINT, SIGTERM and SIGHUP, within steps and between them.
 
+use std::fs;
+use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 use super::{
-    LONG_STEP, MANY_STEPS, Run, assert_no_parts, assert_whole, command, lines, said, summary,
-    wait_until,
+    LONG_STEP, MANY_STEPS, Run, assert_no_parts, assert_whole, case, command, lines, program, said,
+    summary, wait_until,
 };
 
 #[test]
@@ -78,4 +80,31 @@ fn a_signal_ends_an_assembly() {
     assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
     assert!(said(&ended).contains("nothing was written or replaced"), "{}", said(&ended));
     assert!(!dir.path().join("out").exists());
+}
+
+/// A study leaves the row that was under way with all it needs to go on, and the others open.
+#[test]
+fn a_signal_ends_a_study() {
+    for name in ["INT", "TERM"] {
+        let dir = tempfile::tempdir().unwrap();
+        let mut study = program();
+        study.current_dir(dir.path()).arg("sweep").arg(case("pin_on_disc"));
+        study.args(["--over", "motion.sliding.load=5 N:20 N:3", "-o", "out", "-j", "1"]);
+        study.args(MANY_STEPS.iter().flat_map(|setting| ["--set", setting]));
+        study.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let run = Run::start(&mut study);
+        let row = dir.path().join("out/rows/0001");
+        let steps =
+            || fs::read_to_string(row.join("history.csv")).unwrap_or_default().lines().count();
+        wait_until("ten rows", || steps() > 10);
+        run.signal(name);
+        let ended = run.end();
+        let said = said(&ended);
+        assert_eq!(ended.status.code(), Some(3), "SIG{name}: {said}");
+        assert!(said.contains("the same command goes on with the others"), "{said}");
+        assert!(row.join("checkpoint").is_file());
+        let table = fs::read_to_string(dir.path().join("out/sweep.csv")).unwrap();
+        let status: Vec<_> = table.lines().skip(1).map(|row| row.split(',').nth(2)).collect();
+        assert_eq!(status, [Some("interrupted"), Some("open"), Some("open")], "{table}");
+    }
 }

@@ -65,7 +65,9 @@ pub(super) fn run(dir: &Path) -> Result<Vec<PathBuf>> {
     }
     pictures.push(tiled("main_effects", study.effects()));
     if study.saltelli {
-        pictures.push(Picture::new("sobol_indices", vec![study.indices()?]));
+        let height = 160.0 + 100.0 * study.sampled.len() as f64;
+        let picture = Picture::new("sobol_indices", vec![study.indices()?]);
+        pictures.push(picture.sized([1000.0, height]));
     }
     let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
     let all = study.rows.len();
