@@ -14,6 +14,7 @@ mod passing;
 mod rolling;
 mod run;
 mod scar;
+mod second_order;
 mod step;
 mod swing;
 

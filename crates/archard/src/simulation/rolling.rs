@@ -2,13 +2,14 @@
 
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
+use super::second_order::{self, Turned, to_mean_passages, to_own_passages};
 use super::{Effort, Error, Simulation, friction};
 use crate::compliance::Compliance;
 use crate::frame::{Flow, VectorField};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, Tangential};
-use crate::solve::tangential::{self, PrescribedForce};
+use crate::solve::tangential::{self, Admissible, PrescribedForce};
 
 impl Evolution {
     /// Finds pressures and friction that belong together.
@@ -21,17 +22,30 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
+        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
+        let flow = problem.frame.flow(rolling.direction)?;
+        let turns = problem.friction.is_some() && second_order::turns(rolling, flow);
+        // Drives that grow turn the slip by more than they did.
+        let known = turns && !rolling.swept;
+        let mut turned = if known { self.turned(problem, flow) } else { None };
+        let mut solve = |state: &mut Self, gap: &[f64]| {
+            let mut before = state.state.pressure.clone();
+            state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
+            if turns && turned.is_none() {
+                state.rub(simulation, increment, &before, (friction::estimate, None), effort)?;
+                turned = state.turned(problem, flow);
+                before.clone_from(&state.state.pressure);
+            }
+            let turned = turned.as_ref();
+            state.rub(simulation, increment, &before, (friction::solve, turned), effort)
+        };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
-            let before = self.state.pressure.clone();
-            self.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
-            return self.rub(simulation, increment, &before, effort);
+            return solve(self, gap);
         }
         friction::alternate(simulation, increment, self.opened_by_friction(problem), |opened| {
             let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
-            let before = self.state.pressure.clone();
-            self.solve_normal(simulation, increment, &lifted, addition, compliance, effort)?;
-            self.rub(simulation, increment, &before, effort)?;
+            solve(self, &lifted)?;
             Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }
@@ -51,6 +65,7 @@ impl Evolution {
         simulation: &Simulation,
         increment: Increment,
         before_pressure: &[f64],
+        (solve, turned): (friction::Solve, Option<&Turned>),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
@@ -84,13 +99,12 @@ impl Evolution {
         let prescribed: Vec<PrescribedForce> =
             units.into_iter().zip(drives).filter_map(prescribed).collect();
         let map = problem.compliance.rolling(flow);
-        // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
-        let advances = flow.advances();
-        if let Some(advances) = &advances {
-            for slip in &mut rigid {
-                vector::update(slip, [advances], |slip, [own]| slip * advance / own);
-            }
+        rigid.iter_mut().for_each(|slip| to_mean_passages(flow, slip));
+        for (slip, turned) in rigid.iter_mut().zip(turned.into_iter().flatten()) {
+            vector::update(slip, [turned], |slip, [turned]| slip + turned);
         }
+        let ties = second_order::entries(flow, &limit);
+        let admissible = Admissible { map: law.map(), ties: &ties };
         let step = tangential::Step {
             map: &*map,
             elements: frame.elements(),
@@ -113,18 +127,17 @@ impl Evolution {
             limit: &before_limit,
             rigid_slip: &rigid_slip,
         });
-        let outcome = friction::solve(simulation, increment, &**law, (&step, start), effort)?;
+        let outcome = solve(simulation, increment, admissible, (&step, start), effort)?;
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,
             Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
-        if let Some(advances) = &advances {
-            for slip in &mut slip {
-                vector::update(slip, [advances], |slip, [own]| slip * own / advance);
-            }
+        for (slip, turned) in slip.iter_mut().zip(turned.into_iter().flatten()) {
+            vector::update(slip, [turned], |slip, [turned]| slip - turned);
         }
+        slip.iter_mut().for_each(|slip| to_own_passages(flow, slip));
         self.state.tangential = Some(Tangential { traction, slip, creepage, shift: [0.0; 2] });
         Ok(())
     }

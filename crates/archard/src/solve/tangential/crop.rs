@@ -1,6 +1,6 @@
 //! Friction solved on the part of the frame that is in contact.
 
-use super::{FrictionSolver, Outcome, Start, Step};
+use super::{FrictionSolver, Outcome, Start, Step, Tie, tied};
 use crate::compliance::SlipMap;
 use crate::numerics::convolution::even_smooth;
 
@@ -14,36 +14,53 @@ const WHOLE: f64 = 0.75;
 pub(super) fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
+    ties: &[Tie],
     start: Option<Start<'_>>,
 ) -> Outcome {
-    let Some(part) = Part::around(step) else { return solver.solve(step, start) };
-    let Some(map) = step.map.within(part.size) else { return solver.solve(step, start) };
-    solve_on(&part, &*map, solver, step, start)
+    let part = Part::around(step).and_then(|part| {
+        let map = step.map.within(part.size)?;
+        Some((part, map))
+    });
+    let Some((part, map)) = part else { return tied::solve(solver, step, ties, start) };
+    let solver = Within { part: &part, solver, ties };
+    solver.solve(&*map, step, start)
 }
 
-fn solve_on(
-    part: &Part,
-    map: &dyn SlipMap,
-    solver: &dyn FrictionSolver,
-    step: &Step<'_>,
-    start: Option<Start<'_>>,
-) -> Outcome {
-    let limit = part.cut(step.limit);
-    let rigid = step.rigid.map(|rigid| part.cut(rigid));
-    let step =
-        Step { map, elements: part.size, limit: &limit, rigid: [&rigid[0], &rigid[1]], ..*step };
-    let cut = start.map(|start| {
-        (start.traction.map(|traction| part.cut(traction)), part.cut(start.limit), start.rigid_slip)
-    });
-    let start = cut.as_ref().map(|(traction, limit, rigid_slip)| Start {
-        traction: [&traction[0], &traction[1]],
-        limit,
-        rigid_slip,
-    });
-    let outcome = solver.solve(&step, start);
-    let [traction, slip] =
-        [&outcome.traction, &outcome.slip].map(|both| both.each_ref().map(|field| part.put(field)));
-    Outcome { traction, slip, ..outcome }
+/// A solver of a part of the frame, and what is tied on the whole.
+struct Within<'a> {
+    part: &'a Part,
+    solver: &'a dyn FrictionSolver,
+    ties: &'a [Tie],
+}
+
+impl Within<'_> {
+    fn solve(&self, map: &dyn SlipMap, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        let part = self.part;
+        let limit = part.cut(step.limit);
+        let rigid = step.rigid.map(|rigid| part.cut(rigid));
+        let step = Step {
+            map,
+            elements: part.size,
+            limit: &limit,
+            rigid: [&rigid[0], &rigid[1]],
+            ..*step
+        };
+        let cut = start.map(|start| {
+            let traction = start.traction.map(|traction| part.cut(traction));
+            (traction, part.cut(start.limit), start.rigid_slip)
+        });
+        let start = cut.as_ref().map(|(traction, limit, rigid_slip)| Start {
+            traction: [&traction[0], &traction[1]],
+            limit,
+            rigid_slip,
+        });
+        let place = |tie: &Tie| Tie { pair: part.place(tie.pair), to: part.place(tie.to), ..*tie };
+        let ties: Vec<Tie> = self.ties.iter().map(place).collect();
+        let outcome = tied::solve(self.solver, &step, &ties, start);
+        let [traction, slip] = [&outcome.traction, &outcome.slip]
+            .map(|both| both.each_ref().map(|field| part.put(field)));
+        Outcome { traction, slip, ..outcome }
+    }
 }
 
 /// A rectangle of elements.
@@ -75,6 +92,12 @@ impl Part {
         });
         let share = (size[0] * size[1]) as f64 / (frame[0] * frame[1]) as f64;
         (share < WHOLE).then_some(Self { frame, first, size })
+    }
+
+    /// Where an element of the frame that lies in the rectangle stands there.
+    fn place(&self, pair: usize) -> usize {
+        let [x, y] = [pair % self.frame[0], pair / self.frame[0]];
+        x - self.first[0] + self.size[0] * (y - self.first[1])
     }
 
     /// The rectangle's values of a field.
@@ -115,5 +138,10 @@ mod tests {
         let put = part.put(&cut);
         assert_eq!(put.iter().sum::<f64>(), cut.iter().sum::<f64>());
         assert_eq!(part.cut(&put), cut);
+        assert!(
+            (0..20)
+                .filter(|&pair| put[pair] > 0.0)
+                .all(|pair| cut[part.place(pair)] == field[pair])
+        );
     }
 }
