@@ -7,6 +7,7 @@ mod contracts {
     mod mesh;
     mod rolling;
     mod shift;
+    mod tied;
 }
 
 use approx::assert_relative_eq;

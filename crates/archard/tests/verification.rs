@@ -27,6 +27,7 @@ mod verification {
     mod punch_cycles;
     mod rolling;
     mod rolling_on_triangles;
+    mod rolling_order;
     mod rough;
     mod running_in;
     mod similarity;

@@ -1,4 +1,5 @@
-//! Scattered pairs, with the derivative along the direction in which particles pass them.
+//! Scattered pairs, with the derivative along the direction in which particles pass them. It is of first order in the
+//! distance of the pairs, and so is rolling on them.
 
 use std::sync::OnceLock;
 

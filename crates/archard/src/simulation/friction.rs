@@ -2,9 +2,8 @@
 
 use super::evolution::Increment;
 use super::{Effort, Error, Simulation};
-use crate::friction::Friction;
 use crate::solve::Status;
-use crate::solve::tangential::{self, Outcome, Start, Step};
+use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};
 
 /// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
 /// that are found in turn agree.
@@ -12,15 +11,44 @@ const CONSISTENT: f64 = 1e-8;
 /// Turns between them.
 const TURNS: usize = 50;
 
+/// Residual to which friction is solved that only says how the slip turns: relative to that of a solution, and at most.
+const ESTIMATE: (f64, f64) = (1e3, 1e-3);
+
+/// A way to solve a step of friction.
+pub(super) type Solve = fn(
+    &Simulation,
+    Increment,
+    Admissible<'_>,
+    (&Step<'_>, Option<Start<'_>>),
+    &mut Effort,
+) -> Result<Outcome, Error>;
+
+/// Solves a step of friction nearly.
+pub(super) fn estimate(
+    simulation: &Simulation,
+    _: Increment,
+    admissible: Admissible<'_>,
+    (step, start): (&Step<'_>, Option<Start<'_>>),
+    effort: &mut Effort,
+) -> Result<Outcome, Error> {
+    let solver = &simulation.friction_solver;
+    let tolerance = solver.settings().tolerance;
+    let solver = solver.with_tolerance((ESTIMATE.0 * tolerance).min(ESTIMATE.1).max(tolerance));
+    let outcome = tangential::solve(&*solver, step, admissible, start);
+    effort.iterations += outcome.iterations;
+    effort.applications += outcome.applications;
+    Ok(outcome)
+}
+
 /// Solves a step of friction.
 pub(super) fn solve(
     simulation: &Simulation,
     increment: Increment,
-    friction: &dyn Friction,
+    admissible: Admissible<'_>,
     (step, start): (&Step<'_>, Option<Start<'_>>),
     effort: &mut Effort,
 ) -> Result<Outcome, Error> {
-    let outcome = tangential::solve(&*simulation.friction_solver, step, friction.map(), start);
+    let outcome = tangential::solve(&*simulation.friction_solver, step, admissible, start);
     effort.iterations += outcome.iterations;
     effort.applications += outcome.applications;
     effort.residual = effort.residual.max(outcome.residual);

@@ -15,6 +15,7 @@ mod passing;
 mod rolling;
 mod run;
 mod scar;
+mod second_order;
 mod step;
 mod swing;
 

@@ -251,7 +251,8 @@ pub(super) fn distance_of_work(
 
 /// Distance (m) that particles slide under the limit of friction on the passage to each pair: the work of the tractions
 /// on the slip over the limit. Where they slip all the way it is the slip; the element in which they pass from stick
-/// to slip, and the one in which they leave the contact, count by the part that slips.
+/// to slip, and the one in which they leave the contact, count by the part that slips. Where the first pair of a row,
+/// which is tied, slips backwards, the work is taken from the passages behind.
 fn rubbed_slip(
     state: &ContactState,
     problem: &ContactProblem,
@@ -264,12 +265,27 @@ fn rubbed_slip(
     let Some(friction) = &problem.friction else { return (0..means.len()).map(whole).collect() };
     let [one, two] = tangential.traction.each_ref().map(|traction| flow.on_the_way(traction));
     let (map, limits) = (friction.map(), Limits::new(&**friction, grip));
-    let part = |pair: usize| {
+    // The part of a pair, and the work that it makes too much after some that was.
+    let part = |pair: usize, owed: f64| {
         let limit = limits.at(pair, means[pair].max(0.0)) * map.resistance([x[pair], y[pair]]);
-        let work = one[pair] * x[pair] + two[pair] * y[pair];
-        if limit > 0.0 { (work / limit).clamp(0.0, whole(pair)) } else { whole(pair) }
+        if limit == 0.0 {
+            return (whole(pair), owed);
+        }
+        let work = one[pair] * x[pair] + two[pair] * y[pair] - owed;
+        let part = (work / limit).clamp(0.0, whole(pair));
+        (part, (limit * part - work).max(0.0))
     };
-    (0..means.len()).map(part).collect()
+    if !flow.has_rows() {
+        return (0..means.len()).map(|pair| part(pair, 0.0).0).collect();
+    }
+    let mut rubbed = vec![0.0; means.len()];
+    for line in flow.lines().iter() {
+        let mut owed = 0.0;
+        for one in &line.passages {
+            (rubbed[one.pair], owed) = part(one.pair, owed);
+        }
+    }
+    rubbed
 }
 
 /// Work of the rigid slip on the tractions relative to that of friction on the slip: one for the bodies themselves,

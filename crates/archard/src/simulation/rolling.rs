@@ -2,6 +2,7 @@
 
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
+use super::second_order::{self, Turned, to_mean_passages, to_own_passages};
 use super::{Effort, Error, Simulation, friction};
 use crate::compliance::{Compliance, SlipMap};
 use crate::frame::{Flow, VectorField};
@@ -9,11 +10,12 @@ use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::solve::tangential::{self, PrescribedForce};
+use crate::solve::tangential::{self, Admissible, PrescribedForce};
 
 /// Change of the grip below which friction and what it goes by agree, turns between them, and the change beside the last
-/// one from which on a turn goes only half as far as the one before.
+/// one from which on a turn goes only half as far as the one before; the second is that of a rough solve.
 const SETTLED: f64 = 1e-7;
+const ROUGHLY: f64 = 1e-3;
 const TURNS: usize = 50;
 const SLOW: f64 = 0.7;
 
@@ -24,7 +26,7 @@ struct Rubbed<'a> {
     map: &'a dyn SlipMap,
     rigid: [&'a [f64]; 2],
     prescribed: &'a [PrescribedForce],
-    advances: Option<&'a [f64]>,
+    turned: Option<&'a Turned>,
 }
 
 impl Evolution {
@@ -38,17 +40,30 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
+        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
+        let flow = problem.frame.flow(rolling.direction)?;
+        let turns = problem.friction.is_some() && second_order::turns(rolling, flow);
+        // Drives that grow turn the slip by more than they did.
+        let known = turns && !rolling.swept;
+        let mut turned = if known { self.turned(problem, flow) } else { None };
+        let mut solve = |state: &mut Self, gap: &[f64]| {
+            let mut before = state.state.pressure.clone();
+            state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
+            if turns && turned.is_none() {
+                state.rub(simulation, increment, &before, (friction::estimate, None), effort)?;
+                turned = state.turned(problem, flow);
+                before.clone_from(&state.state.pressure);
+            }
+            let turned = turned.as_ref();
+            state.rub(simulation, increment, &before, (friction::solve, turned), effort)
+        };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
-            let before = self.state.pressure.clone();
-            self.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
-            return self.rub(simulation, increment, &before, effort);
+            return solve(self, gap);
         }
         friction::alternate(simulation, increment, self.opened_by_friction(problem), |opened| {
             let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
-            let before = self.state.pressure.clone();
-            self.solve_normal(simulation, increment, &lifted, addition, compliance, effort)?;
-            self.rub(simulation, increment, &before, effort)?;
+            solve(self, &lifted)?;
             Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }
@@ -68,6 +83,7 @@ impl Evolution {
         simulation: &Simulation,
         increment: Increment,
         before_pressure: &[f64],
+        (solve, turned): (friction::Solve, Option<&Turned>),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
@@ -75,7 +91,6 @@ impl Evolution {
         let rolling = &rolling.at(increment.progress);
         let frame = &problem.frame;
         let flow = frame.flow(rolling.direction)?;
-        let advance = flow.advance();
         let mut rigid = self.rigid_slip(problem, rolling, flow);
         let Some(law) = &problem.friction else {
             let given =
@@ -97,12 +112,10 @@ impl Evolution {
         };
         let prescribed: Vec<PrescribedForce> =
             units.into_iter().zip(drives).filter_map(prescribed).collect();
-        // Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
-        let advances = flow.advances();
-        if let Some(advances) = &advances {
-            for slip in &mut rigid {
-                vector::update(slip, [advances], |slip, [own]| slip * advance / own);
-            }
+        rigid.iter_mut().for_each(|slip| to_mean_passages(flow, slip));
+        let plain = rigid.clone();
+        for (slip, turned) in rigid.iter_mut().zip(turned.into_iter().flatten()) {
+            vector::update(slip, [turned], |slip, [turned]| slip + turned);
         }
         let step = Rubbed {
             rolling,
@@ -110,18 +123,20 @@ impl Evolution {
             map: &*problem.compliance.rolling(flow),
             rigid: [&rigid[0], &rigid[1]],
             prescribed: &prescribed,
-            advances: advances.as_deref(),
+            turned,
         };
         let grip = |state: &ContactState| {
-            problem.grip_of_rolling(&**law, state, (rolling, flow), step.rigid)
+            problem.grip_of_rolling(&**law, state, (rolling, flow), [&plain[0], &plain[1]])
         };
+        let rough = turned.is_none() && second_order::turns(rolling, flow);
+        let settled = if rough { ROUGHLY } else { SETTLED };
         let (mut now, mut share, mut apart) = (grip(&self.state), 1.0, f64::INFINITY);
         let mut before = before_pressure.to_vec();
         for _ in 0..TURNS {
-            self.rub_with(simulation, increment, &step, (now.clone(), &before), effort)?;
+            self.rub_with(simulation, increment, (&step, solve), (now.clone(), &before), effort)?;
             let next = grip(&self.state);
             let changed = next.apart(&now);
-            if changed <= SETTLED {
+            if changed <= settled {
                 return Ok(());
             }
             if changed > SLOW * apart {
@@ -143,15 +158,18 @@ impl Evolution {
         &mut self,
         simulation: &Simulation,
         increment: Increment,
-        rubbed: &Rubbed<'_>,
+        (rubbed, solve): (&Rubbed<'_>, friction::Solve),
         (grip, before_pressure): (Grip, &[f64]),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let frame = &simulation.problem.frame;
-        let Rubbed { rolling, law, map, rigid, prescribed, advances } = *rubbed;
-        let advance = frame.flow(rolling.direction)?.advance();
+        let Rubbed { rolling, law, map, rigid, prescribed, turned } = *rubbed;
+        let flow = frame.flow(rolling.direction)?;
+        let advance = flow.advance();
         let limit = Limits::new(law, &grip).all(&self.state.pressure);
         let drives = [rolling.longitudinal, rolling.lateral];
+        let ties = second_order::entries(flow, &limit);
+        let admissible = Admissible { map: law.map(), ties: &ties };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };
         let before = self.state.tangential.take();
@@ -172,18 +190,17 @@ impl Evolution {
             limit: &before_limit,
             rigid_slip: &rigid_slip,
         });
-        let outcome = friction::solve(simulation, increment, law, (&step, start), effort)?;
+        let outcome = solve(simulation, increment, admissible, (&step, start), effort)?;
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,
             Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
-        if let Some(advances) = advances {
-            for slip in &mut slip {
-                vector::update(slip, [advances], |slip, [own]| slip * own / advance);
-            }
+        for (slip, turned) in slip.iter_mut().zip(turned.into_iter().flatten()) {
+            vector::update(slip, [turned], |slip, [turned]| slip - turned);
         }
+        slip.iter_mut().for_each(|slip| to_own_passages(flow, slip));
         self.state.tangential =
             Some(Tangential { traction, slip, creepage, shift: [0.0; 2], grip });
         Ok(())

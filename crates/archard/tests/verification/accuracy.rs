@@ -53,6 +53,7 @@ type Judged = (&'static str, &'static [&'static str], &'static [&'static str], &
 
 const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
 const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
+const DISCS: &str = include_str!("../../../../cases/twin_disc/case.toml");
 const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
 const HERTZ: &str = include_str!("../../../../cases/hertz/case.toml");
 
@@ -60,7 +61,7 @@ const HERTZ: &str = include_str!("../../../../cases/hertz/case.toml");
 /// what counts is as asked: against runs several times as accurate.
 #[test]
 fn stated_errors_enclose_the_true_ones() {
-    let cases: [Judged; 3] = [
+    let cases: [Judged; 4] = [
         (
             PIN,
             &["frame=", "motion.sliding.step="],
@@ -72,6 +73,12 @@ fn stated_errors_enclose_the_true_ones() {
             &["frame=", "motion.sliding.tolerance="],
             &["wear_depth_ball_m", "wear_depth_disc_m", "approach_m"],
             "accuracy=0.0005",
+        ),
+        (
+            DISCS,
+            &["frame=", "motion.rolling.tolerance=", "motion.rolling.revolutions=3000", "output="],
+            &["wear_depth_m", "force_x_N"],
+            "accuracy=0.002",
         ),
         (
             FRETTING,

@@ -14,17 +14,17 @@ use crate::common::{Rows, case, states};
 
 /// A paraboloid that rolls on a flat of the same material, its patch of the axis ratio a/b = `ratio` (a
 /// along x) covered by `cells` elements along each axis.
-struct Patch {
-    ratio: f64,
-    poisson: f64,
-    cells: usize,
-    friction: f64,
-    motion: &'static str,
+pub struct Patch {
+    pub ratio: f64,
+    pub poisson: f64,
+    pub cells: usize,
+    pub friction: f64,
+    pub motion: &'static str,
 }
 
 impl Patch {
     /// G a b and the semi-axes, in SI, and the state of the contact under 100 N.
-    fn roll(&self) -> (f64, [f64; 2], ContactProblem, ContactState) {
+    pub fn roll(&self) -> (f64, [f64; 2], ContactProblem, ContactState) {
         let Self { poisson, friction, motion, cells, .. } = *self;
         let [radius_x, radius_y] = self.radii();
         let shear = 80e9;
@@ -87,48 +87,35 @@ impl Patch {
 }
 
 /// C11, C22 or C23 of a patch that sticks all over.
-fn coefficient(ratio: f64, poisson: f64, cells: usize, which: usize) -> f64 {
+pub fn coefficient(ratio: f64, poisson: f64, cells: usize, which: usize) -> f64 {
     // So little slides, and so much is borne, that everything sticks.
-    let motion = ["creepage = 0.01", "lateral_creepage = 0.01", "spin = \"10 1/m\""][which];
+    let motion = ["creepage = 1e-4", "lateral_creepage = 1e-4", "spin = \"0.1 1/m\""][which];
     let patch = Patch { ratio, poisson, cells, friction: 100.0, motion };
     let (scale, [a, b], problem, state) = patch.roll();
     let [x, y] = state.tangential.expect("friction").force(&problem.frame);
     match which {
-        0 => x / (scale * 1e-2),
-        1 => y / (scale * 1e-2),
-        _ => y / (scale * (a * b).sqrt() * 10.0),
+        0 => x / (scale * 1e-4),
+        1 => y / (scale * 1e-4),
+        _ => y / (scale * (a * b).sqrt() * 0.1),
     }
 }
 
-/// Kalker's table, to the three digits it has, between its columns by interpolation; nu = 1/2 from below.
+/// Kalker's table, which is good to 1 %, but for C11 at a/b = 1/2 and a Poisson ratio of 1/2 that is 0.6 % below its neighbours, between its columns by interpolation; nu = 1/2 from below.
 #[test]
 fn linear_theory_is_kalkers() {
     for poisson in [0.0, 0.25, 0.3, 0.5 - 1e-7] {
         for ratio in [0.5, 1.0, 2.0] {
             let known = Coefficients::at(ratio, poisson).expect("in the table");
-            let found = [0, 1, 2].map(|which| coefficient(ratio, poisson, 80, which));
-            assert_relative_eq!(found[0], known.longitudinal, max_relative = 0.015);
-            assert_relative_eq!(found[1], known.lateral, max_relative = 0.015);
-            assert_relative_eq!(found[2], known.lateral_spin, max_relative = 0.04);
+            let found = [0, 1, 2].map(|which| coefficient(ratio, poisson, 40, which));
+            assert_relative_eq!(found[0], known.longitudinal, max_relative = 0.012);
+            assert_relative_eq!(found[1], known.lateral, max_relative = 0.01);
+            assert_relative_eq!(found[2], known.lateral_spin, max_relative = 0.01);
         }
     }
 }
 
-/// The upwind difference and the staircase at the edge of the contact are of first order in the size of the
-/// elements; the staircase makes single steps uneven, so the order is taken over three halvings.
-#[test]
-fn linear_theory_converges_at_first_order() {
-    for which in 0..3 {
-        let [coarse, fine, finest] =
-            [10, 80, 160].map(|cells| coefficient(1.0, 0.25, cells, which));
-        let limit = 2.0 * finest - fine;
-        let order = ((coarse - limit) / (fine - limit)).log2() / 3.0;
-        assert!((0.8..1.3).contains(&order), "coefficient {which}: order {order:.2}");
-    }
-}
-
 /// Total forces relative to mu F on a circle, nu = 0.3, at chi = xi G a b/(mu F) (Kalker's simplified
-/// exact results, known to 1 %).
+/// exact results, known to 1 %). The limit of fine elements lies 1.9 and 2.2 % below them at the smaller creepage.
 #[test]
 fn creep_forces_on_a_circle() {
     for (chi, along, across) in [(0.2, 0.664, 0.598), (0.4, 0.955, 0.903)] {
@@ -145,7 +132,7 @@ fn creep_forces_on_a_circle() {
             let creepage = chi * 0.3 * 100.0 / scale;
             let (_, _, problem, state) = patch(format!("{name} = {creepage}")).roll();
             let force = state.tangential.expect("friction").force(&problem.frame)[axis];
-            assert_relative_eq!(force / 30.0, expected, max_relative = 0.012);
+            assert_relative_eq!(force / 30.0, expected, max_relative = 0.023);
         }
     }
 }
@@ -184,7 +171,7 @@ fn strip(elements: usize, half_width: f64, bodies: [(f64, f64, f64); 2], options
 }
 
 /// The first row of a case.
-fn row(text: &str) -> Rows {
+pub fn row(text: &str) -> Rows {
     let mut rows = Rows::default();
     case(text, &[]).run(&mut [&mut rows]).expect("it converges");
     rows
@@ -287,7 +274,7 @@ fn unlike_spheres_creep_less_than_rollers() {
 }
 
 /// Twin discs as in the paper's section 6.3.
-fn twin_discs(size: [f64; 2], elements: [usize; 2], motion: &str) -> String {
+pub fn twin_discs(size: [f64; 2], elements: [usize; 2], motion: &str) -> String {
     let [x, y] = size;
     let [nx, ny] = elements;
     format!(
@@ -313,7 +300,7 @@ fn twin_discs(size: [f64; 2], elements: [usize; 2], motion: &str) -> String {
 }
 
 /// k_w of both discs together (1/Pa).
-const WEAR: f64 = 2e-12;
+pub const WEAR: f64 = 2e-12;
 
 /// Deepest wear a revolution at 24 elements across the contact, against the limit of fine grids: 1.1495
 /// MPa mm times k_w at 0.5 %, 4.078 at 1.5 %.
@@ -322,7 +309,7 @@ fn wear_of_a_revolution_on_coarse_elements() {
     let spacing = [2.0 * 0.2165120 / 24.0, 2.0 * 0.8265901 / 24.0];
     let elements = [27, 27];
     let size = [0, 1].map(|axis| spacing[axis] * elements[axis] as f64);
-    for (creepage, expected, within) in [(0.005, 1.1495e3, 0.02), (0.015, 4.078e3, 0.003)] {
+    for (creepage, expected, within) in [(0.005, 1.1495e3, 0.003), (0.015, 4.078e3, 0.001)] {
         let motion = format!("creepage = {creepage}\nrevolutions = 1e-3\nstep = 1e-3");
         let depth = row(&twin_discs(size, elements, &motion)).last("wear_depth_m") / 1e-3;
         assert_relative_eq!(depth / WEAR, expected, max_relative = within);
@@ -380,7 +367,7 @@ fn the_direction_of_rolling_makes_no_difference() {
 fn what_is_worn_is_the_work_of_the_creepage() {
     let size = ([0.52, 6.4], [41, 81]);
     for (creepage, step, revolutions, within) in
-        [(0.005, 50.0, 300.0, 1e-3), (0.005, 500.0, 6000.0, 1e-3), (0.015, 200.0, 1000.0, 1e-5)]
+        [(0.005, 50.0, 300.0, 1e-5), (0.005, 500.0, 6000.0, 1e-5), (0.015, 200.0, 1000.0, 1e-5)]
     {
         let motion = format!("creepage = {creepage}\nrevolutions = {revolutions}\nstep = {step}");
         let rows = row(&twin_discs(size.0, size.1, &motion));
@@ -412,7 +399,7 @@ fn what_is_worn_is_the_work_of_the_spin() {
         let worn: f64 = sections.map(|column| rows.last(column)).iter().sum();
         let work = rows.last("frictional_power_per_speed_N");
         assert!(rows.last("moment_z_Nm") != 0.0);
-        assert_relative_eq!(worn / 1e-3, WEAR / 0.6 * work, max_relative = 1e-3);
+        assert_relative_eq!(worn / 1e-3, WEAR / 0.6 * work, max_relative = 1e-5);
     }
 }
 

@@ -1,8 +1,8 @@
 //! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
 //!
 //! Half of the error is left to the steps, half to the elements. How many elements the first output needs follows from the
-//! order of the error: of the second where all of the contact slides or nothing resists, of the first where friction decides
-//! what slips. The constants enclose what some 1,600 runs showed; [`companion`] measures what came of them.
+//! order of the error: of the second where all of the contact slides, where bodies roll or nothing resists, of the first where
+//! they are shifted with friction. The constants enclose what some 1,600 runs showed; [`companion`] measures what came of them.
 
 mod companion;
 
@@ -39,7 +39,7 @@ pub struct Chose {
 
 /// The order of the error of a case in the size of its elements.
 pub(super) fn order(parts: &Parts<'_>) -> f64 {
-    if parts.motion.slips_partly() && parts.friction.is_some() { 1.0 } else { 2.0 }
+    if parts.motion.period().is_some() && parts.friction.is_some() { 1.0 } else { 2.0 }
 }
 
 /// The accuracy, if the value is one.

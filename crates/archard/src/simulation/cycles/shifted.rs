@@ -301,7 +301,7 @@ impl Shifted {
             rigid_slip,
         });
         let tangential::Outcome { traction, rigid_slip, .. } =
-            friction::solve(simulation, increment, &**law, (&step, start), effort)?;
+            friction::solve(simulation, increment, law.map().into(), (&step, start), effort)?;
         let shift = self.shift_at(station, &rigid_slip);
         effort.applications += 1;
         let strain = self.displacement_under(problem, Some(&traction));

@@ -8,7 +8,8 @@ pub(in crate::solve) struct Tolerance {
     /// After that.
     pub tight: f64,
     pub settled: f64,
-    /// Share of the pairs that may change where the residual of the problem bounds that of the system too.
+    /// Share of the pairs, one pair at least, that may change where the residual of the problem bounds that of the system
+    /// too.
     pub last: f64,
     /// Share of the residual aimed at that is enough.
     pub enough: f64,

@@ -1,7 +1,6 @@
 //! Friction solved on the part of the frame that is in contact.
 
-use super::{FrictionSolver, Outcome, Start, Step};
-use crate::compliance::SlipMap;
+use super::{FrictionSolver, Outcome, Start, Step, Tie, tied};
 use crate::frame::{Part, extent};
 
 /// Elements kept free around the contact: material is still rubbed on its way past the trailing edge.
@@ -12,26 +11,25 @@ const MARGIN: usize = 1;
 pub(super) fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
+    ties: &[Tie],
     start: Option<Start<'_>>,
 ) -> Outcome {
     let contact = extent(step.elements, |pair| step.limit[pair] > 0.0);
     let part = contact.and_then(|contact| Part::around(step.elements, &contact, [MARGIN; 2]));
-    let Some(part) = part else { return solver.solve(step, start) };
-    let Some(map) = step.map.within(part.size()) else { return solver.solve(step, start) };
-    solve_on(&part, &*map, solver, step, start)
-}
-
-fn solve_on(
-    part: &Part,
-    map: &dyn SlipMap,
-    solver: &dyn FrictionSolver,
-    step: &Step<'_>,
-    start: Option<Start<'_>>,
-) -> Outcome {
+    let part = part.and_then(|part| {
+        let map = step.map.within(part.size())?;
+        Some((part, map))
+    });
+    let Some((part, map)) = part else { return tied::solve(solver, step, ties, start) };
     let limit = part.cut(step.limit);
     let rigid = step.rigid.map(|rigid| part.cut(rigid));
-    let step =
-        Step { map, elements: part.size(), limit: &limit, rigid: [&rigid[0], &rigid[1]], ..*step };
+    let step = Step {
+        map: &*map,
+        elements: part.size(),
+        limit: &limit,
+        rigid: [&rigid[0], &rigid[1]],
+        ..*step
+    };
     let cut = start.map(|start| {
         (start.traction.map(|traction| part.cut(traction)), part.cut(start.limit), start.rigid_slip)
     });
@@ -40,7 +38,10 @@ fn solve_on(
         limit,
         rigid_slip,
     });
-    let outcome = solver.solve(&step, start);
+    let place =
+        |tie: &Tie| Some(Tie { pair: part.place(tie.pair)?, to: part.place(tie.to)?, ..*tie });
+    let ties: Vec<Tie> = ties.iter().filter_map(place).collect();
+    let outcome = tied::solve(solver, &step, &ties, start);
     let [traction, slip] =
         [&outcome.traction, &outcome.slip].map(|both| both.each_ref().map(|field| part.put(field)));
     Outcome { traction, slip, ..outcome }

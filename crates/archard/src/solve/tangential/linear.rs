@@ -19,7 +19,7 @@ use crate::solve::semismooth::{Schur, StickSlip, Tolerance};
 
 /// How well to solve, by the share of the sticking pairs that changes.
 const TOLERANCE: Tolerance =
-    Tolerance { loose: 0.5, tight: 0.05, settled: 0.03, last: 0.005, enough: 0.3 };
+    Tolerance { loose: 0.5, tight: 0.05, settled: 0.03, last: 0.0, enough: 0.3 };
 /// Krylov iterations of one step.
 const KRYLOV: usize = 120;
 

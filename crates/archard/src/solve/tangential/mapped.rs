@@ -1,19 +1,17 @@
 //! Friction solved in tractions whose admissible set is a disc.
 
-use super::{FrictionSolver, Outcome, PrescribedForce, Start, Step, crop};
+use super::{Admissible, FrictionSolver, Outcome, PrescribedForce, Start, Step, crop};
 use crate::compliance::Mapped;
-use crate::friction::Map;
 
-/// Solves a step of friction, whose limits are the radii of the discs that `map` stretches to the admissible sets.
-/// Tractions and slips of the step, the start and the outcome are those of the pairs.
+/// Solves a step of friction for tractions that are admissible. Tractions and slips of the step, the start and the outcome are those of the pairs.
 pub fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
-    map: Map,
+    Admissible { map, ties }: Admissible<'_>,
     start: Option<Start<'_>>,
 ) -> Outcome {
     if map.is_identity() {
-        return crop::solve(solver, step, start);
+        return crop::solve(solver, step, ties, start);
     }
     let inverse = map.inverse();
     let slips = Mapped::new(step.map, map);
@@ -29,7 +27,7 @@ pub fn solve(
     let start = start
         .zip(traction.as_ref())
         .map(|(start, [one, two])| Start { traction: [one, two], ..start });
-    let mut outcome = crop::solve(solver, &step, start);
+    let mut outcome = crop::solve(solver, &step, ties, start);
     let ([t1, t2], [s1, s2]) = (&mut outcome.traction, &mut outcome.slip);
     map.apply_to([t1, t2]);
     inverse.apply_to([s1, s2]);

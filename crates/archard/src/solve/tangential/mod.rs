@@ -3,8 +3,9 @@
 //! The problem: on every pair the traction t is bounded, |t| <= limit, and where the slip s is not
 //! zero t has that length and the direction of s. The slip is that of the rigid bodies less what
 //! the tractions take away, s = rigid - B t. Instead of a rigid slip along some direction the force
-//! along it may be given; the slip follows. An ellipse of admissible tractions, which a friction law makes of the disc
-//! |t| <= limit by its [map](crate::friction::Map), is seen by [`solve`] alone.
+//! along it may be given; the slip follows. Pairs that are [tied](Tie) to others, and the ellipse of
+//! admissible tractions that a friction law makes of the disc |t| <= limit by its [map](crate::friction::Map), are seen by
+//! [`solve`] alone.
 //!
 //! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
 
@@ -15,17 +16,20 @@ mod linear;
 mod mapped;
 mod newton;
 mod pairs;
+mod tied;
 mod uzawa;
 
 use std::fmt::Debug;
 
 pub use mapped::solve;
 pub use newton::Newton;
+pub use tied::Tie;
 pub use uzawa::Uzawa;
 
 use super::{Settings, Status, monolithic};
 use crate::compliance::SlipMap;
 use crate::frame::Measure;
+use crate::friction::Map;
 use crate::parameters::Choice;
 
 /// One step of friction.
@@ -43,6 +47,21 @@ pub struct Step<'a> {
     pub rigid: [&'a [f64]; 2],
     /// Directions along which the force is given, two at most.
     pub prescribed: &'a [PrescribedForce],
+}
+
+/// Which tractions are admissible, the limits apart.
+#[derive(Debug, Clone, Copy)]
+pub struct Admissible<'a> {
+    /// Stretches the discs whose radii are the limits to the admissible sets.
+    pub map: Map,
+    /// Pairs whose tractions are shares of those of others.
+    pub ties: &'a [Tie],
+}
+
+impl From<Map> for Admissible<'_> {
+    fn from(map: Map) -> Self {
+        Self { map, ties: &[] }
+    }
 }
 
 /// A force that is given instead of a slip.
@@ -101,6 +120,9 @@ pub trait FrictionSolver: Debug + Send + Sync {
     ) -> Option<monolithic::Outcome> {
         None
     }
+
+    /// The same solver with another bound on the residual.
+    fn with_tolerance(&self, tolerance: f64) -> Box<dyn FrictionSolver>;
 
     /// What it was told.
     fn settings(&self) -> Settings;

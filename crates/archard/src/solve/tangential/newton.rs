@@ -69,6 +69,10 @@ impl FrictionSolver for Newton {
         Some(in_pool(|| monolithic::solve(step, start, foreseen, self.settings)))
     }
 
+    fn with_tolerance(&self, tolerance: f64) -> Box<dyn FrictionSolver> {
+        Box::new(Self::new(Settings { tolerance, ..self.settings }))
+    }
+
     fn settings(&self) -> Settings {
         self.settings
     }

@@ -46,6 +46,10 @@ impl FrictionSolver for Uzawa {
         in_pool(|| self.iterate(Pairs::of(step), start))
     }
 
+    fn with_tolerance(&self, tolerance: f64) -> Box<dyn FrictionSolver> {
+        Box::new(Self::new(Settings { tolerance, ..self.settings }))
+    }
+
     fn settings(&self) -> Settings {
         self.settings
     }

@@ -1,0 +1,81 @@
+//! What makes steady rolling of second order in the size of the elements where pairs form rows.
+//!
+//! The upwind difference alone is of first order, for two reasons:
+//!
+//! - The edge of the contact falls somewhere inside the first pair of a row. To ask for stick on the passage to that
+//!   pair is wrong by where. Its traction is a share of that of the pair behind instead, the ratio of their limits:
+//!   beside the edge both grow with the root of the distance. Its slip is not asked for.
+//! - Friction points along the slip at a pair, the difference gives the slip half a passage ahead. Where spin turns the
+//!   slip on the way, pairs that slip go by their slip and half of its change until the next passage. The change is
+//!   that of an earlier solution.
+
+use super::evolution::Evolution;
+use crate::frame::Flow;
+use crate::motion::Rolling;
+use crate::numerics::vector;
+use crate::problem::ContactProblem;
+use crate::solve::tangential::Tie;
+
+/// A change of the slip (m) along t1 and t2, one value a pair, as if each passage were of the mean length.
+pub(super) type Turned = [Vec<f64>; 2];
+
+/// Ties of the pairs at which particles come under a limit of friction (Pa) to the pairs behind, where these bear as
+/// much or more. Scattered pairs have none.
+pub(super) fn entries(flow: Flow<'_>, limit: &[f64]) -> Vec<Tie> {
+    if !flow.has_rows() {
+        return vec![];
+    }
+    let (direction, elements) = (flow.direction(), flow.frame().elements());
+    let tie = |pair: usize| {
+        let before = direction.ahead(pair, elements).map_or(0.0, |ahead| limit[ahead]);
+        let to = direction.back().ahead(pair, elements)?;
+        let enters = before == 0.0 && limit[pair] > 0.0 && limit[to] >= limit[pair];
+        enters.then(|| Tie { pair, to, share: limit[pair] / limit[to] })
+    };
+    (0..limit.len()).filter_map(tie).collect()
+}
+
+/// Whether the slip turns on the way through the contact.
+pub(super) fn turns(rolling: &Rolling, flow: Flow<'_>) -> bool {
+    rolling.spin != 0.0 && flow.has_rows()
+}
+
+impl Evolution {
+    /// Half of what the slip changes by from the passage to each pair that slips to the passage to the pair behind;
+    /// `None` where no friction is known.
+    pub(super) fn turned(&self, problem: &ContactProblem, flow: Flow<'_>) -> Option<Turned> {
+        let (tangential, friction) = (self.state.tangential.as_ref()?, problem.friction.as_ref()?);
+        let pressure = &self.state.pressure;
+        let slips = |pair: usize| {
+            let limit = tangential.grip.at(pair) * friction.limit(pressure[pair]);
+            limit > 0.0 && !tangential.sticks(problem, pressure, pair)
+        };
+        let (back, elements) = (flow.direction().back(), flow.frame().elements());
+        let turned = tangential.slip.each_ref().map(|slip| {
+            let mut slip = slip.clone();
+            to_mean_passages(flow, &mut slip);
+            let change = |pair: usize| match back.ahead(pair, elements) {
+                Some(behind) if slips(pair) => 0.5 * (slip[behind] - slip[pair]),
+                _ => 0.0,
+            };
+            (0..slip.len()).map(change).collect()
+        });
+        Some(turned)
+    }
+}
+
+/// Slips of unequal passages as if each were of the mean length: a creepage is one slip then.
+pub(super) fn to_mean_passages(flow: Flow<'_>, slip: &mut [f64]) {
+    let advance = flow.advance();
+    if let Some(advances) = flow.advances() {
+        vector::update(slip, [&advances], |slip, [own]| slip * advance / own);
+    }
+}
+
+/// The reverse of [`to_mean_passages`].
+pub(super) fn to_own_passages(flow: Flow<'_>, slip: &mut [f64]) {
+    let advance = flow.advance();
+    if let Some(advances) = flow.advances() {
+        vector::update(slip, [&advances], |slip, [own]| slip * own / advance);
+    }
+}
