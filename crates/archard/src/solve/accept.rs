@@ -21,7 +21,7 @@ pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> 
     let start = start.filter(bears);
     let mut outcome =
         part::solve(solver, step, start).unwrap_or_else(|| on_the_frame(solver, step, start));
-    let mut from_nothing = start.is_none() && outcome.part.is_none();
+    let mut from_nothing = start.is_none();
     if outcome.status == Status::FrameFull && outcome.part.is_some() {
         let Outcome { pressure, displacement, part, approach, .. } = &outcome;
         let start = Start { pressure, displacement, part: *part, approach: *approach };

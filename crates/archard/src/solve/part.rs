@@ -73,7 +73,7 @@ fn choose(
     before: Option<Part>,
 ) -> Option<Part> {
     let pressed = extent(step.elements, |pair| pressure[pair] > 0.0)?;
-    Part::around(step.elements, &pressed, [0; 2])?;
+    Part::around(step.elements, &pressed, room(&pressed))?;
     let elements = |extent: &Extent| extent[0].len() * extent[1].len();
     let fits = |part: &Part| {
         part.holds(&pressed) && elements(&part.extent()) <= AMPLE * elements(&pressed)
@@ -144,13 +144,16 @@ fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcom
     }
 }
 
-/// The pressures of a contact (Pa), summed by cells.
-struct Cells(Vec<(Extent, f64)>);
+/// The pressures of a contact (Pa), summed by cells, and as one cell.
+struct Cells {
+    cells: Vec<(Extent, f64)>,
+    all: Vec<(Extent, f64)>,
+}
 
 impl Cells {
     fn of(step: &Step<'_>, pressure: &[f64]) -> Self {
         let Some(pressed) = extent(step.elements, |pair| pressure[pair] > 0.0) else {
-            return Self(vec![]);
+            return Self { cells: vec![], all: vec![] };
         };
         let along = |axis: usize, cell: usize| {
             let edge = |cell: usize| pressed[axis].start + pressed[axis].len() * cell / CELLS;
@@ -165,11 +168,13 @@ impl Cells {
             rows.clone().map(row).sum()
         };
         let cells = cells.map(|cell| (cell.clone(), sum(&cell))).filter(|(_, sum)| *sum != 0.0);
-        Self(cells.collect())
+        let cells: Vec<_> = cells.collect();
+        let total = cells.iter().map(|(_, sum)| sum).sum();
+        Self { cells, all: vec![(pressed.clone(), total)] }
     }
 
-    /// What they open the gap (m) of an element beside the contact by at least.
-    fn opened(&self, compliance: &dyn Compliance, place: [usize; 2]) -> f64 {
+    /// Whether the gap of an element beside the contact stays open that is so wide (m) without the pressures.
+    fn leave_open(&self, apart: f64, compliance: &dyn Compliance, place: [usize; 2]) -> bool {
         let of_cell = |(cell, sum): &(Extent, f64)| {
             let away = [0, 1].map(|axis| {
                 let (first, last) = (cell[axis].start, cell[axis].end - 1);
@@ -177,7 +182,10 @@ impl Cells {
             });
             sum * compliance.least_displacement(away)
         };
-        self.0.iter().map(of_cell).sum()
+        // One cell is asked before many.
+        let opened =
+            |cells: &[(Extent, f64)]| apart + cells.iter().map(of_cell).sum::<f64>() >= 0.0;
+        apart >= 0.0 || opened(&self.all) || opened(&self.cells)
     }
 
     /// An extent and all pairs beside it that may touch at an approach (m).
@@ -185,8 +193,7 @@ impl Cells {
         let [nx, ny] = step.elements;
         let touches = |x: usize, y: usize| {
             let apart = step.gap[x + nx * y] - approach;
-            let open = apart >= 0.0 || apart + self.opened(step.compliance, [x, y]) >= 0.0;
-            !open
+            !self.leave_open(apart, step.compliance, [x, y])
         };
         let [mut columns, mut rows] = inner.clone();
         for y in 0..ny {

@@ -20,6 +20,9 @@ use crate::solve::monolithic::factors_memory;
 
 /// Memory a run takes for each pair (bytes): padded spectra, the fields of solver and state, and an output.
 pub(crate) const BYTES_A_PAIR: f64 = 210.0;
+/// Memory for each pair of half-spaces beyond that (bytes): kernels of the parts of the frame that were solved on.
+// With parts `pin_on_disc` took 41 and 50 bytes a pair more (256, 512), with a tolerance 33 (256).
+const BYTES_A_PAIR_OF_PARTS: f64 = 50.0;
 /// Memory for each pair beyond that (bytes) where two histories are kept to choose steps by error.
 const BYTES_A_PAIR_OF_HISTORIES: f64 = 170.0;
 /// The same of histories that keep tractions and slip as well.
@@ -73,7 +76,9 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
         },
     };
     let factors = of_factors(parts);
-    BYTES_OF_THE_PROGRAM + meshed + factors + (BYTES_A_PAIR + histories + friction) * pairs
+    let kernels = if parts.case.is_meshed() { 0.0 } else { BYTES_A_PAIR_OF_PARTS };
+    let fields = (BYTES_A_PAIR + kernels + histories + friction) * pairs;
+    BYTES_OF_THE_PROGRAM + meshed + factors + fields
 }
 
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
