@@ -55,6 +55,9 @@ pub struct Run {
     /// out, a table replaces the table that is there, and KEY= removes the key
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// The relative error that is asked for, 0.01 or 1%: takes the place of frame, elements and tolerance
+    #[arg(long, value_name = "ERROR", conflicts_with = "resume")]
+    pub accuracy: Option<String>,
     /// Go on with the run in this folder where it was interrupted, to the same results as without
     #[arg(long, value_name = "DIR", conflicts_with_all = ["case", "set", "output", "force"])]
     pub resume: Option<PathBuf>,
@@ -81,13 +84,21 @@ impl Run {
     /// The case, of a run that goes on the one in its folder.
     pub fn case(&self) -> Case {
         let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        Case { case: case.unwrap_or_default(), set: self.set.clone() }
+        let accuracy = self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)));
+        let set = self.set.iter().cloned().chain(accuracy).collect();
+        Case { case: case.unwrap_or_default(), set }
     }
 
     /// The folder of compliances, if there is any place for one.
     pub fn store(&self) -> Option<Store> {
         self.cache.clone().map(Store::new).or_else(Store::of_user)
     }
+}
+
+/// A share that may be written in percent.
+fn share(text: &str) -> String {
+    let percent = text.strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
+    percent.map_or_else(|| text.to_owned(), |percent| (0.01 * percent).to_string())
 }
 
 /// The arguments of `new`.

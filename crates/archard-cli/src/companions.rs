@@ -6,6 +6,7 @@ use archard::simulation::{Companion, Error, Observer};
 use crate::arguments::Run;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
+use crate::run::one_thread;
 use crate::say::tell;
 
 /// Says on how many elements, and ends where that is asked for.
@@ -35,8 +36,10 @@ pub fn settle(
     let Task::Contact(resolved) = task else { return Ok((task, None)) };
     let mut follow = Follow { watch: watch.clone(), quiet: arguments.quiet };
     let store = arguments.store();
-    let (resolved, companion) =
-        resolved.with_companion(store.as_ref(), &mut follow).map_err(failure)?;
+    let small = arguments.threads.is_none() && resolved.case.is_small();
+    let settle = || resolved.with_companion(store.as_ref(), &mut follow);
+    let settled = if small { one_thread()?.install(settle) } else { settle() };
+    let (resolved, companion) = settled.map_err(failure)?;
     if let (Some(_), false) = (&companion, arguments.quiet) {
         tell(&grid(&resolved));
     }

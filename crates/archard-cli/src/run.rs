@@ -152,7 +152,8 @@ fn set_threads(arguments: &Run) -> Result<(), Failure> {
         .map_err(|error| Failure::wrong(format!("cannot start {threads} threads: {error}")))
 }
 
-fn one_thread() -> Result<ThreadPool, Failure> {
+/// One thread, for small contacts.
+pub fn one_thread() -> Result<ThreadPool, Failure> {
     let pool = ThreadPoolBuilder::new().num_threads(1).build();
     pool.map_err(|error| Failure::wrong(format!("cannot start a thread: {error}")))
 }

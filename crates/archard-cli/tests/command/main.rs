@@ -1,5 +1,6 @@
 //! The command as a user meets it: exit codes, what it says, what it leaves behind.
 
+mod accuracy;
 mod finite;
 mod memory;
 mod sweep;

@@ -1,6 +1,6 @@
 //! Runs on half and on a quarter of the elements, before the run itself: they say how far off its elements will be.
 
-use super::{MOST, OF_STEPS, order};
+use super::{MOST, OF_STEPS, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -105,7 +105,8 @@ impl Resolved {
     ) -> Result<(Self, Option<Companion>), Unsettled> {
         let Some(accuracy) = self.case.accuracy else { return Ok((self, None)) };
         let parts = Parts::of(&self.case).map_err(Box::new)?;
-        let (order, outputs) = (order(&parts), self.case.output.places(parts.schedule.extent));
+        let (order, slips) = (order(&parts), slips_partly(&parts));
+        let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
             let elements = self.case.frame.elements;
@@ -126,7 +127,7 @@ impl Resolved {
             }
             let [one, two] = runs.map(|run| run.rows);
             let numbers = [elements, grids[0], grids[1]].map(|grid| grid[0] as f64);
-            let companion = Companion::new([one, two], numbers, order, accuracy);
+            let companion = Companion::new([one, two], numbers, (order, slips), accuracy);
             error = outputs
                 .iter()
                 .map(|&place| companion.worst(&companion.row(place), true))

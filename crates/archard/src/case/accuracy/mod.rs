@@ -42,6 +42,11 @@ pub(super) fn order(parts: &Parts<'_>) -> f64 {
     if parts.motion.period().is_some() && parts.friction.is_some() { 1.0 } else { 2.0 }
 }
 
+/// Whether friction decides what slips.
+pub(super) fn slips_partly(parts: &Parts<'_>) -> bool {
+    parts.motion.slips_partly() && parts.friction.is_some()
+}
+
 /// The accuracy, if the value is one.
 pub(super) fn admitted(value: f64) -> bool {
     value > 0.0 && value <= COARSEST
@@ -121,7 +126,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem
     let known = last.cap.is_some() || last.track.is_some();
     let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
     let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
-    let across = across(accuracy, order(&parts));
+    let across = across(accuracy, order(&parts), slips_partly(&parts));
     let mut frame = case.frame;
     for axis in 0..if frame.line { 1 } else { 2 } {
         let element = 2.0 * first[axis] / across;
@@ -148,6 +153,8 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem
 }
 
 /// Elements across the contact of the first output.
-fn across(accuracy: f64, order: f64) -> f64 {
-    if order == 2.0 { (2.4 / accuracy.sqrt()).max(8.0) } else { (0.8 / accuracy).max(24.0) }
+fn across(accuracy: f64, order: f64, slips_partly: bool) -> f64 {
+    let least = if slips_partly { 24.0 } else { 8.0 };
+    let asked = if order == 2.0 { 2.4 / accuracy.sqrt() } else { 0.8 / accuracy };
+    asked.max(least)
 }

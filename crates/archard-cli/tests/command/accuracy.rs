@@ -1,0 +1,56 @@
+//! Runs that are told how accurate they have to be.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use super::{archard, printed, said};
+
+const PIN: &str = r#"
+[body.pin]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.sphere = { radius = "50 mm" }
+wear.archard = { coefficient = "1.33e-13 1/Pa" }
+
+[body.disc]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.flat = {}
+
+[motion.sliding]
+load = "10.2 N"
+distance = "100 mm"
+"#;
+
+/// Without a frame and without steps: both are chosen, the errors stand in the history, the verdict and the folder's case,
+/// which runs to the same results.
+#[test]
+fn one_number_takes_the_place_of_frame_and_steps() {
+    let dir = TempDir::new().unwrap();
+    fs::write(dir.path().join("pin.toml"), PIN).unwrap();
+    let run = archard(&dir, &["run", "pin.toml", "--accuracy", "5%", "-o", "one"]).success();
+    assert!(said(&run).contains("to see what the elements err by"), "{}", said(&run));
+    assert!(printed(&run).contains("accuracy"), "{}", printed(&run));
+    let read =
+        |folder: &str, file: &str| fs::read_to_string(dir.path().join(folder).join(file)).unwrap();
+    let history = read("one", "history.csv");
+    for column in ["space_error", "time_error_of_wear_depth_m", "space_error_of_wear_depth_m"] {
+        let titles = history.lines().next().unwrap();
+        assert!(titles.split(',').any(|title| title == column), "{titles}");
+    }
+    let case = read("one", "case.toml");
+    assert!(case.contains("accuracy = 0.05") && case.contains("frame.size"), "{case}");
+    archard(&dir, &["run", "one", "-o", "two", "-q"]).success();
+    assert_eq!(history, read("two", "history.csv"));
+    assert_eq!(case, read("two", "case.toml"));
+}
+
+/// Without the number there has to be a frame.
+#[test]
+fn a_frame_that_is_missing_is_asked_for() {
+    let dir = TempDir::new().unwrap();
+    fs::write(dir.path().join("pin.toml"), PIN).unwrap();
+    let run = archard(&dir, &["run", "pin.toml"]).code(2);
+    assert!(said(&run).contains("frame"), "{}", said(&run));
+    let run = archard(&dir, &["run", "pin.toml", "--accuracy", "much"]).code(2);
+    assert!(said(&run).contains("accuracy"), "{}", said(&run));
+}
