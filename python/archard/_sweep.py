@@ -71,7 +71,7 @@ def sweep(
 
     Raises:
         CaseError: all that is wrong with the case of a row, before anything runs.
-        ValueError: nothing to go over, or a folder with another case.
+        ValueError: nothing to go over, a folder with another case, or a case with an ``accuracy``.
 
     """
     base, settings = Case(case), _rows(over)
@@ -81,6 +81,10 @@ def sweep(
         for key, value in row.items():
             one[key] = value
         toml = one.check().toml
+        if "accuracy" in _toml.read(toml):
+            raise ValueError(
+                "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its elements by itself"
+            )
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
         if folder is not None and _text(folder / "case.toml") not in (None, toml):
             raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
