@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import archard
 import pytest
+
+import archard
 
 PIN = {
     "accuracy": 0.05,

@@ -112,8 +112,8 @@ def failing(p, s):
 def bad(value):
     def law(p, s):
         depth = K * p * s
-        if len(p) == 576:
-            depth[300] = value
+        if len(p) > 40:
+            depth[10] = value
         return depth
 
     return law

@@ -208,7 +208,7 @@ case = archard.Case("pin_on_disc")
 calls = []
 def law(p, s):
     calls.append(1)
-    if len(p) == 900 and len(calls) > 400:
+    if len(p) > 40 and len(calls) > 400:
         threading.Thread(target=lambda: (time.sleep(0.1), os.kill(os.getpid(), signal.SIGINT))).start()
         time.sleep(20)
     return 1.33e-13 * p * s

@@ -10,10 +10,10 @@ use serde::{Deserialize, Serialize};
 
 use super::history::{self, Row, number};
 
-/// Factors on the differences: where the error is of the second order, and where friction decides what slips, so that the order
-/// shows late or is the first.
-const OF_SECOND_ORDER: f64 = 0.5;
-const OF_FRICTION: f64 = 1.5;
+/// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
+/// order shows late.
+const AS_A_RULE: f64 = 1.5;
+const OF_FRICTION: f64 = 4.5;
 /// Factor on the estimated error by the steps, which was up to 2.2 times the true one below it: pins on discs and a track, at
 /// tolerances from 0.0015 to 0.05 (`tests/verification/accuracy.rs`).
 pub(crate) const OF_STEPS: f64 = 5.0;
@@ -46,7 +46,9 @@ impl Companion {
     ) -> Self {
         let error = |elements: f64| elements.powf(-order);
         let lowered = (error(half) - error(own)) / (error(quarter) - error(half));
-        let factor = if slips_partly { OF_FRICTION } else { OF_SECOND_ORDER };
+        let late = slips_partly && order >= 2.0;
+        let factor = if late { OF_FRICTION } else { AS_A_RULE };
+        let factor = factor * error(own) / (error(half) - error(own));
         Self { rows, lowered: if lowered.is_finite() { lowered } else { 1.0 }, factor, asked }
     }
 

@@ -149,9 +149,12 @@ fn hertz_lies_within_the_errors_stated() {
 /// reads back to itself.
 #[test]
 fn what_is_given_is_kept() {
-    let coarse =
-        answer(PIN, &["accuracy=0.001", "motion.sliding.step=", "frame.elements=[14, 14]"]);
+    let given = |elements: &'static str| ["accuracy=0.001", "motion.sliding.step=", elements];
+    let coarse = answer(PIN, &given("frame.elements=[30, 30]"));
     assert!(number(&coarse, SPACE_ERROR).unwrap() > 1e-3);
+    let coarser = resolved(PIN, &given("frame.elements=[14, 14]")).unwrap();
+    let refused = coarser.with_companion(None, &mut Alone::default()).map(|_| ()).unwrap_err();
+    assert!(refused.to_string().starts_with("3.5 elements"), "{refused}");
     let chosen = resolved(PIN, &["accuracy=0.02", "motion.sliding.step=", "frame="]).unwrap();
     let again = resolved(&chosen.case.to_string(), &[]).unwrap();
     assert_eq!(chosen.case, again.case);

@@ -1,6 +1,6 @@
 //! Runs on half and on a quarter of the elements, before the run itself: they say how far off its elements will be.
 
-use super::{MOST, OF_STEPS, order, slips_partly};
+use super::{Chose, MOST, OF_STEPS, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -11,6 +11,8 @@ use crate::simulation::{Companion, Error, Observer, Report};
 
 /// The fewest elements across the first contact of a companion.
 const FEWEST: f64 = 3.0;
+/// How many elements the finer companion may have at most, relative to the run along each axis.
+const COARSER: f64 = 0.75;
 /// Times a grid is made finer, or a frame larger.
 const ROUNDS: usize = 12;
 /// By how much a frame grows that was outgrown.
@@ -111,6 +113,12 @@ impl Resolved {
         for _ in 0..ROUNDS {
             let elements = self.case.frame.elements;
             let across = self.across();
+            if across < FEWEST / COARSER {
+                return Err(Unsettled::Wrong(format!(
+                    "{across:.1} elements across the first contact are too few to tell what they err by: {} at least",
+                    FEWEST / COARSER
+                )));
+            }
             let coarser = |by: f64| {
                 let fewest = FEWEST / across;
                 let share = (1.0 / by).max(fewest);
@@ -121,7 +129,7 @@ impl Resolved {
             let runs =
                 [self.run(grids[0], store, following)?, self.run(grids[1], store, following)?];
             if runs.iter().any(|run| run.outgrown) && self.chose.size {
-                self.case = grown(&self.case);
+                self.case = grown(&self.case, self.chose);
                 self.settle_again()?;
                 continue;
             }
@@ -137,9 +145,7 @@ impl Resolved {
                 return Ok((self, Some(companion)));
             }
             let finer = (MARGIN * (error / allowed).powf(1.0 / order)).clamp(FINER[0], FINER[1]);
-            let refined =
-                |n: usize| if n == 1 { 1 } else { 2 * (0.5 * finer * n as f64).ceil() as usize };
-            let refined = elements.map(refined);
+            let refined = elements.map(|n| if n == 1 { 1 } else { even(finer * n as f64) });
             if refined.iter().any(|&n| n as f64 > MOST) {
                 break;
             }
@@ -203,14 +209,20 @@ impl Resolved {
     }
 }
 
-/// The case in a larger frame with elements as large as before, if their number was chosen.
-fn grown(case: &Case) -> Case {
+/// The case in a larger frame, with elements as large as before where their number was chosen.
+fn grown(case: &Case, chose: Chose) -> Case {
     let mut case = case.clone();
     let axes = if case.frame.line { 1 } else { 2 };
     for axis in 0..axes {
         case.frame.size[axis] *= GROWS;
-        case.frame.elements[axis] =
-            2 * (0.5 * GROWS * case.frame.elements[axis] as f64).ceil() as usize;
+        if chose.elements {
+            case.frame.elements[axis] = even(GROWS * case.frame.elements[axis] as f64);
+        }
     }
     case
+}
+
+/// The even number of elements from some number on.
+fn even(elements: f64) -> usize {
+    2 * (0.5 * elements).ceil() as usize
 }

@@ -25,6 +25,8 @@ const BESIDE: f64 = 1.15;
 const BESIDE_UNFORESEEN: f64 = 3.0;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
+/// Elements across the unworn contact, at least: half of them have to do for a companion.
+const UNWORN: f64 = 6.0;
 /// Elements along an axis, at most.
 const MOST: f64 = 4096.0;
 
@@ -112,6 +114,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem
     let outputs = case.output.places(parts.schedule.extent);
     let first = foreseen(outputs.first().copied().unwrap_or_default());
     let last = foreseen(parts.schedule.extent);
+    let contact = first.contact;
     let reaches = [&first, &last].map(Estimate::reach);
     let finite = |reach: &[f64; 2]| {
         let axes = if case.frame.line { 1 } else { 2 };
@@ -129,7 +132,8 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem
     let across = across(accuracy, order(&parts), slips_partly(&parts));
     let mut frame = case.frame;
     for axis in 0..if frame.line { 1 } else { 2 } {
-        let element = 2.0 * first[axis] / across;
+        let unworn = contact.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
+        let element = 2.0 * (first[axis] / across).min(unworn / UNWORN);
         if chose.size {
             frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element;
         }
