@@ -83,7 +83,7 @@ def sweep(
         toml = one.check().toml
         if "accuracy" in _toml.read(toml):
             raise ValueError(
-                "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its own elements"
+                "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its elements"
             )
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
         if folder is not None and _text(folder / "case.toml") not in (None, toml):

@@ -25,8 +25,8 @@ const BESIDE: f64 = 1.15;
 const BESIDE_UNFORESEEN: f64 = 3.0;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
-/// Elements across the unworn contact, at least: half of them have to do for a companion.
-const UNWORN: f64 = 6.0;
+/// Elements across the unworn contact, at least: fewer are warned of.
+const UNWORN: f64 = 8.0;
 /// Elements along an axis, at most.
 const MOST: f64 = 4096.0;
 
