@@ -109,10 +109,10 @@ fn pin_on_disc() -> Result<(), Box<dyn std::error::Error>> {
     let frames = [coarse?.build()?.problem.frame, fine?.build()?.problem.frame];
     for (i, (distance, depth, centre)) in REFERENCE.into_iter().enumerate() {
         let errors = [0, 1].map(|which| {
-            let state = &runs[which][i + 1].0;
+            let (state, effort) = &runs[which][i + 1];
             let wear = 100.0 * (1e6 * peak(&state.total_worn()) / depth - 1.0);
-            let pressure = 100.0 * (1e-6 * frames[which].at_centre(&state.pressure) / centre - 1.0);
-            format!("{wear:+.2} %, {pressure:+.1} %")
+            let pressure = frames[which].at_centre(&state.pressure) - effort.centre_lag;
+            format!("{wear:+.2} %, {:+.1} %", 100.0 * (1e-6 * pressure / centre - 1.0))
         });
         println!("| {distance} | {depth:.4} | {} | {} |", errors[0], errors[1]);
     }

@@ -19,8 +19,14 @@ const OF_FRICTION: f64 = 4.5;
 pub(crate) const OF_STEPS: f64 = 5.0;
 /// The same on the lag of the pressures, which was the true one there or more.
 pub(super) const OF_LAG: f64 = 1.5;
+/// The same on the lag that is taken off the pressure at the centre: what was left was up to 0.15 of it there.
+pub(super) const OF_CENTRE: f64 = 0.3;
 /// The same on counted areas, which err by the elements along their rim.
 const OF_AREAS: f64 = 3.0;
+/// The tangential force, relative to the load, below which its error is not told by its size.
+const OF_LOAD: f64 = 0.01;
+/// Two progresses are the same to this, relative.
+const SAME: f64 = 1e-9;
 /// The most by which a difference is scaled to where it is needed.
 const MOST_SCALED: f64 = 4.0;
 
@@ -31,17 +37,29 @@ pub struct Companion {
     /// What their difference is at the elements of the run that they belong to.
     lowered: f64,
     factor: f64,
+    /// Of cycles in increments, of which the others have fewer (the motion's own unit).
+    period: Option<f64>,
     /// The relative error that is asked for.
     pub asked: f64,
 }
 
+/// How the error of a run behaves.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Kind {
+    /// Its order in the size of the elements.
+    pub order: f64,
+    /// Whether friction decides what slips.
+    pub slips_partly: bool,
+    /// The period (the motion's own unit) of cycles in increments, of which companions have fewer.
+    pub period: Option<f64>,
+}
+
 impl Companion {
-    /// Of a run with so many elements across its contact, compared with others on so many, by the order of the error and
-    /// whether friction decides what slips; the finer one first.
+    /// Of a run with so many elements across its contact, compared with others on so many; the finer one first.
     pub fn new(
         rows: [Vec<Row>; 2],
         [own, half, quarter]: [f64; 3],
-        (order, slips_partly): (f64, bool),
+        Kind { order, slips_partly, period }: Kind,
         asked: f64,
     ) -> Self {
         let error = |elements: f64| elements.powf(-order);
@@ -49,13 +67,20 @@ impl Companion {
         let late = slips_partly && order >= 2.0;
         let factor = if late { OF_FRICTION } else { AS_A_RULE };
         let factor = factor * error(own) / (error(half) - error(own));
-        Self { rows, lowered: if lowered.is_finite() { lowered } else { 1.0 }, factor, asked }
+        Self {
+            rows,
+            lowered: if lowered.is_finite() { lowered } else { 1.0 },
+            factor,
+            period,
+            asked,
+        }
     }
 
     /// The error (in its unit) of a value in a column at some progress, by the elements; `None` for one that the others do
     /// not have.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
-        let difference = (value - self.at(0, column, progress)?).abs();
+        let near = self.at(0, column, progress)?;
+        let difference = if self.is_shown(progress) { (value - near).abs() } else { 0.0 };
         Some(self.factor(column) * difference.max(self.foreseen_difference(column, progress)?))
     }
 
@@ -78,8 +103,7 @@ impl Companion {
     pub fn worst(&self, row: &Row, foreseen: bool) -> f64 {
         let progress = row.first().map_or(0.0, |first| first.1);
         let wears = number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0);
-        let force = history::FORCE.map(|name| number(row, name).unwrap_or_default());
-        let force = force[0].hypot(force[1]);
+        let force = self.force(row);
         let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
         let errors = counted.filter_map(|(name, value)| {
             let size = if history::FORCE.contains(&&**name) { force } else { value.abs() };
@@ -92,6 +116,27 @@ impl Companion {
         errors.fold(0.0, f64::max)
     }
 
+    /// What errors of tangential forces are relative to (N): the largest force of the cycle, and some of the load at least.
+    fn force(&self, row: &Row) -> f64 {
+        let of = |row: &Row| {
+            let [x, y] = history::FORCE.map(|name| number(row, name).unwrap_or_default());
+            x.hypot(y)
+        };
+        let progress = row.first().map_or(0.0, |first| first.1);
+        let ago = |other: &&Row| {
+            self.period.is_some_and(|period| (progress - other[0].1).abs() <= period)
+        };
+        let cycle = self.rows[0].iter().filter(ago).map(of);
+        let least = OF_LOAD * number(row, history::LOAD).unwrap_or_default();
+        cycle.chain([of(row)]).fold(least, f64::max)
+    }
+
+    /// Whether the finer of both can be asked about that progress: within a cycle, where forces turn, only at its increments.
+    fn is_shown(&self, progress: f64) -> bool {
+        let within = |row: &Row| (row[0].1 - progress).abs() <= SAME * progress.abs();
+        self.period.is_none() || self.rows[0].iter().any(within)
+    }
+
     fn factor(&self, column: &str) -> f64 {
         if column.contains("_area_") { OF_AREAS } else { self.factor }
     }
@@ -99,8 +144,11 @@ impl Companion {
     /// The largest difference of the two around some progress, as it will be at the elements of the run.
     fn foreseen_difference(&self, column: &str, progress: f64) -> Option<f64> {
         let here = self.at(0, column, progress)?;
-        let near = |at: &f64| (0.5 * progress..=2.0 * progress).contains(at);
-        let places = self.rows[1].iter().map(|row| row[0].1).filter(near).chain([progress]);
+        let last = (2.0 * progress).max(progress + self.period.unwrap_or_default());
+        let near = |at: &f64| (0.5 * progress..=last).contains(at);
+        let places = self.rows[1].iter().map(|row| row[0].1).filter(near);
+        let here_too = [progress].into_iter().filter(|_| self.period.is_none());
+        let places = places.filter(|at| self.is_shown(*at)).chain(here_too);
         let difference = |at: f64| {
             let [finer, coarser] = [self.at(0, column, at)?, self.at(1, column, at)?];
             let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
@@ -133,7 +181,7 @@ impl Companion {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Companion, Row};
+    use super::{Companion, Kind, Row};
 
     /// Depths s^(1/2) (1 + c / n^2) on n elements.
     fn depths(n: f64) -> Vec<Row> {
@@ -150,8 +198,12 @@ mod tests {
     /// An error of the second order is enclosed, at one and a half of it, also where the run itself shows no difference.
     #[test]
     fn errors_of_the_second_order_are_enclosed() {
-        let companion =
-            Companion::new([depths(12.0), depths(6.0)], [24.0, 12.0, 6.0], (2.0, false), 0.01);
+        let companion = Companion::new(
+            [depths(12.0), depths(6.0)],
+            [24.0, 12.0, 6.0],
+            Kind { order: 2.0, slips_partly: false, period: None },
+            0.01,
+        );
         let truth = 7.0;
         let error = truth * 3.0 / (24.0 * 24.0);
         for value in [truth + error, companion.at(0, "wear_depth_m", 49.0).unwrap()] {

@@ -3,7 +3,7 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{Companion, OF_LAG, OF_STEPS};
+use super::companion::{Companion, OF_CENTRE, OF_LAG, OF_STEPS};
 use super::scar::{scar, track_width};
 use super::{Effort, Report};
 use crate::body::Body;
@@ -77,10 +77,10 @@ pub type Row = Vec<(String, f64)>;
 
 /// What a run is judged by where bodies wear, always, and where they do not.
 const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
-const ALWAYS: [&str; 6] = [LOAD, APPROACH, FORCE[0], FORCE[1], FRICTIONAL_POWER, DISSIPATED];
+const ALWAYS: [&str; 5] = [LOAD, APPROACH, FORCE[0], FORCE[1], FRICTIONAL_POWER];
 const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
 /// What has errors beside.
-const ESTIMATED: [&str; 4] = [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT];
+const ESTIMATED: [&str; 5] = [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT, DISSIPATED];
 
 /// A column of the history, or one for each body.
 #[non_exhaustive]
@@ -113,7 +113,7 @@ pub const COLUMNS: &[Column] = &[
         Some(maximum(&r.state.pressure))
     }),
     column(CENTRE_PRESSURE, "Pa", "pressure at the centre of the frame", |r, _| {
-        Some(r.problem.frame.at_centre(&r.state.pressure))
+        Some(r.problem.frame.at_centre(&r.state.pressure) - r.effort.centre_lag)
     }),
     column(CONTACT_AREA, "m2", "area of the elements under pressure", |r, _| {
         Some(r.problem.frame.area_where(|pair| r.state.pressure[pair] > 0.0))
@@ -241,7 +241,7 @@ pub fn row(report: &Report<'_>) -> Row {
 
 /// Errors by the steps, where those are chosen by error, and by the elements, in the units of the columns.
 fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
-    let Effort { time_error, pressure_error, .. } = report.effort;
+    let Effort { time_error, pressure_error, centre_lag, .. } = report.effort;
     let by_error = matches!(report.stepping, Stepping::Tolerance(_));
     let estimated = |name: &str| ESTIMATED.iter().any(|column| is_of(column, name));
     let has =
@@ -251,9 +251,13 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
         let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
         let depth = time_error.map(|error| OF_STEPS * error);
         let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
+        let by_steps = match name.as_str() {
+            CENTRE_PRESSURE if centre_lag != 0.0 => OF_CENTRE * centre_lag.abs(),
+            _ => relative * value.abs(),
+        };
         let space = companion.error(name, report.state.progress, *value);
         if by_error {
-            errors.push((format!("{}{name}", ERRORS[0]), relative * value.abs()));
+            errors.push((format!("{}{name}", ERRORS[0]), by_steps));
         }
         errors.extend(space.map(|error| (format!("{}{name}", ERRORS[1]), error)));
     }

@@ -26,8 +26,8 @@ use serde::{Deserialize, Serialize};
 pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
-pub use companion::Companion;
 pub(crate) use companion::OF_STEPS;
+pub use companion::{Companion, Kind};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
@@ -109,6 +109,9 @@ pub struct Effort {
     pub time_error: Option<f64>,
     /// The same of the pressures, relative.
     pub pressure_error: Option<f64>,
+    /// What the pressure at the centre of the frame lags by (Pa): less this it is of second order in the steps; 0 where
+    /// that is not known.
+    pub centre_lag: f64,
     /// Increments so far that did not settle on what closing pairs slide before they touch.
     pub unsettled: usize,
     /// Cycles computed so far, those that were jumped over left out.

@@ -55,6 +55,8 @@ const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
 const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
 const DISCS: &str = include_str!("../../../../cases/twin_disc/case.toml");
 const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
+const CATTANEO: &str = include_str!("../../../../cases/cattaneo_mindlin/case.toml");
+const SPENCE: &str = include_str!("../../../../cases/spence/case.toml");
 const HERTZ: &str = include_str!("../../../../cases/hertz/case.toml");
 
 /// Whatever is asked for, the true errors of depth, approach, pressure and force lie within those stated, and the worst of
@@ -141,6 +143,35 @@ fn hertz_lies_within_the_errors_stated() {
             let off = (found - truth).abs();
             println!("{accuracy} {column} {:.2e} stated {:.2e}", off / truth, error / truth);
             assert!(off <= error, "{column} at {accuracy}: {off:e} of {error:e}");
+        }
+    }
+}
+
+/// So do the forces, energies and areas of closed forms where friction decides what slips in increments; both the elements and
+/// the increments are chosen.
+#[test]
+fn partial_slip_lies_within_the_errors_stated() {
+    let cases = [
+        (
+            CATTANEO,
+            ["frame=", "motion.fretting.increments="],
+            [("dissipated_J", 1.396453e-8), ("approach_m", 0.44465074e-6)],
+        ),
+        (
+            SPENCE,
+            ["frame=", "motion.indentation.increments="],
+            [("load_N", 389.6386), ("stick_area_m2", 0.494378e-6)],
+        ),
+    ];
+    for (text, options, truths) in cases {
+        for accuracy in SIZES {
+            let row = answer(text, &[options[0], options[1], accuracy]);
+            for (column, truth) in truths {
+                let (found, error) = with_error(&row, column);
+                let off = (found - truth).abs();
+                println!("{accuracy} {column} {:.2e} stated {:.2e}", off / truth, error / truth);
+                assert!(off <= error, "{column} at {accuracy}: {off:e} of {error:e}");
+            }
         }
     }
 }

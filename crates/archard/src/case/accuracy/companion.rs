@@ -1,13 +1,13 @@
 //! Runs on half and on a quarter of the elements, before the run itself: they say how far off its elements will be.
 
-use super::{Chose, MOST, OF_STEPS, order, slips_partly};
+use super::{Chose, MOST, OF_STEPS, increments, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::output::Store;
 use crate::simulation::history::{self, Row};
-use crate::simulation::{Companion, Error, Observer, Report};
+use crate::simulation::{Companion, Error, Kind, Observer, Report};
 
 /// The fewest elements across the first contact of a companion.
 const FEWEST: f64 = 3.0;
@@ -107,7 +107,11 @@ impl Resolved {
     ) -> Result<(Self, Option<Companion>), Unsettled> {
         let Some(accuracy) = self.case.accuracy else { return Ok((self, None)) };
         let parts = Parts::of(&self.case).map_err(Box::new)?;
-        let (order, slips) = (order(&parts), slips_partly(&parts));
+        let kind = Kind {
+            order: order(&parts),
+            slips_partly: slips_partly(&parts),
+            period: increments::period(&parts),
+        };
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
@@ -135,7 +139,7 @@ impl Resolved {
             }
             let [one, two] = runs.map(|run| run.rows);
             let numbers = [elements, grids[0], grids[1]].map(|grid| grid[0] as f64);
-            let companion = Companion::new([one, two], numbers, (order, slips), accuracy);
+            let companion = Companion::new([one, two], numbers, kind, accuracy);
             error = outputs
                 .iter()
                 .map(|&place| companion.worst(&companion.row(place), true))
@@ -144,12 +148,16 @@ impl Resolved {
             if error <= allowed || !self.chose.elements {
                 return Ok((self, Some(companion)));
             }
-            let finer = (MARGIN * (error / allowed).powf(1.0 / order)).clamp(FINER[0], FINER[1]);
+            let finer =
+                (MARGIN * (error / allowed).powf(1.0 / kind.order)).clamp(FINER[0], FINER[1]);
             let refined = elements.map(|n| if n == 1 { 1 } else { even(finer * n as f64) });
             if refined.iter().any(|&n| n as f64 > MOST) {
                 break;
             }
             self.case.frame.elements = refined;
+            if self.chose.increments {
+                increments::scaled(&mut self.case, finer);
+            }
             self.settle_again()?;
         }
         let elements = self.case.frame.elements;
@@ -180,6 +188,7 @@ impl Resolved {
     ) -> Result<Watched, Unsettled> {
         let mut case = self.case.clone();
         case.frame.elements = elements;
+        increments::scaled(&mut case, elements[0] as f64 / self.case.frame.elements[0] as f64);
         let simulation = match store {
             Some(store) => case.build_keeping(store),
             None => case.build(),

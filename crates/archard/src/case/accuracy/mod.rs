@@ -5,6 +5,7 @@
 //! they are shifted with friction. The constants enclose what some 1,600 runs showed; [`companion`] measures what came of them.
 
 mod companion;
+mod increments;
 
 pub use companion::{Following, Unsettled};
 
@@ -37,6 +38,8 @@ pub struct Chose {
     pub size: bool,
     /// The elements.
     pub elements: bool,
+    /// The increments of a cycle.
+    pub increments: bool,
 }
 
 /// The order of the error of a case in the size of its elements.
@@ -93,13 +96,17 @@ pub(super) fn imply(table: &mut Table) {
 /// The case with a frame where it has none, or has no size or no elements.
 pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
     let Some(accuracy) = case.accuracy else { return Ok((case, Chose::default())) };
-    let chose = Chose { size: case.frame.size[0] == 0.0, elements: case.frame.elements[0] == 0 };
+    let chose = Chose {
+        size: case.frame.size[0] == 0.0,
+        elements: case.frame.elements[0] == 0,
+        increments: increments::choose(&mut case),
+    };
     if case.motion.values.number("step").is_some() {
         let key = Key::of(["motion", case.motion.choice.name, "step"]);
         let message = "what a fixed step errs by is not known, and an `accuracy` is asked for";
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
     }
-    if chose == Chose::default() {
+    if !(chose.size || chose.elements) {
         return Ok((case, chose));
     }
     case.frame = chosen(&case, accuracy, chose)?;

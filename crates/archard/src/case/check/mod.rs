@@ -44,7 +44,7 @@ use crate::motion::{Control, Motion, Schedule};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
-    case: &'a Case,
+    pub(super) case: &'a Case,
     pub(super) bodies: [Body; 2],
     pub(super) friction: Option<Box<dyn Friction>>,
     pub(super) motion: Motion,
