@@ -10,11 +10,15 @@
 //! point = "middle"                       # of an elastic body, instead: the point
 //! value = "2.059002 um"                  # with a unit of the column's dimension, if it has one
 //! within = 0.006                         # largest relative difference
+//! known_to = 5e-6                        # relative uncertainty of the value, where an accuracy is judged by it too
 //! source = "..."                         # where the value comes from
 //! set = ["motion.sliding.step=10 mm"]    # more options, if any
 //! ```
 
 mod common;
+mod asked {
+    mod table;
+}
 
 use std::fs;
 use std::num::NonZero;
@@ -40,6 +44,7 @@ struct Expected {
     point: Option<String>,
     value: String,
     within: f64,
+    known_to: Option<f64>,
 }
 
 /// The folders of the cases.
@@ -56,6 +61,14 @@ fn text(table: &DeTable<'_>, key: &str) -> Option<String> {
     Some(table.get(key)?.get_ref().as_str().expect("a text").to_owned())
 }
 
+/// The number at a key, where there is one.
+fn float(table: &DeTable<'_>, key: &str) -> Option<f64> {
+    match table.get(key)?.get_ref() {
+        DeValue::Float(number) => Some(number.as_str().parse().expect("a number")),
+        other => panic!("`{key}` is {}", other.type_str()),
+    }
+}
+
 /// The list of texts at a key; empty where there is none.
 fn texts(table: &DeTable<'_>, key: &str) -> Vec<String> {
     let list = table.get(key).map(|value| value.get_ref().as_array().expect("a list"));
@@ -70,20 +83,17 @@ fn expected(file: &str) -> Vec<Expected> {
     let coarse = texts(&document, "coarse");
     let entries = document.get("expect").expect("`expect`").get_ref();
     let entry = |table: &DeTable<'_>| {
-        let known = ["column", "at", "point", "value", "within", "source", "set"];
+        let known = ["column", "at", "point", "value", "within", "known_to", "source", "set"];
         assert!(table.keys().all(|key| known.contains(&&**key.get_ref())), "{table:?}");
         assert!(text(table, "source").is_some_and(|source| !source.is_empty()), "{table:?}");
-        let within = match table.get("within").expect("`within`").get_ref() {
-            DeValue::Float(number) => number.as_str().parse().expect("a number"),
-            other => panic!("`within` is {}", other.type_str()),
-        };
         Expected {
             options: [&coarse[..], &texts(table, "set")[..]].concat(),
             column: text(table, "column").expect("`column`"),
             at: text(table, "at"),
             point: text(table, "point"),
             value: text(table, "value").expect("`value`"),
-            within,
+            within: float(table, "within").expect("`within`"),
+            known_to: float(table, "known_to"),
         }
     };
     let entries = entries.as_array().expect("`[[expect]]`").iter();

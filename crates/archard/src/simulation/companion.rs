@@ -1,4 +1,4 @@
-//! How far off the elements of a run are, by the same run on fewer elements.
+//! How far off the elements of a run are, by the same run on fewer elements, and the increments of its cycles, by one with fewer.
 //!
 //! What a run on half as many elements differs by from this one is the error of that one, and more than that of this one.
 //! Where both curves cross it is nothing, though both are off: therefore the difference of two such runs counts too, from
@@ -30,28 +30,45 @@ const SAME: f64 = 1e-9;
 /// The most by which a difference is scaled to where it is needed.
 const MOST_SCALED: f64 = 4.0;
 
-/// The rows of a run on fewer elements, and of one on fewer still.
+/// What the elements and the increments of a run err by, from others that have fewer.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Companion {
-    rows: [Vec<Row>; 2],
-    /// What their difference is at the elements of the run that they belong to.
-    lowered: f64,
+    /// Runs on fewer elements and on fewer still.
+    grids: Pair,
     factor: f64,
-    /// Of cycles in increments, of which the others have fewer (the motion's own unit).
-    period: Option<f64>,
+    increments: Option<Increments>,
     /// The relative error that is asked for.
     pub asked: f64,
 }
 
-/// How the error of a run behaves.
+/// What the increments of its cycles err by.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Increments {
+    /// Runs on the fewest elements, with all increments and with fewer.
+    pair: Pair,
+    factor: f64,
+}
+
+/// How the error of a run behaves in the size of its elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Kind {
-    /// Its order in the size of the elements.
+    /// Its order.
     pub order: f64,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
-    /// The period (the motion's own unit) of cycles in increments, of which companions have fewer.
+    /// The period of cycles, which tangential forces are relative to (the motion's own unit).
     pub period: Option<f64>,
+}
+
+/// What errs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Part {
+    /// The elements, by the run itself and the others.
+    Elements,
+    /// The elements, as foreseen before the run.
+    Foreseen,
+    /// The increments of a cycle.
+    Increments,
 }
 
 impl Companion {
@@ -64,52 +81,59 @@ impl Companion {
     ) -> Self {
         let error = |elements: f64| elements.powf(-order);
         let lowered = (error(half) - error(own)) / (error(quarter) - error(half));
+        let lowered = if lowered.is_finite() { lowered } else { 1.0 };
         let late = slips_partly && order >= 2.0;
         let factor = if late { OF_FRICTION } else { AS_A_RULE };
         let factor = factor * error(own) / (error(half) - error(own));
-        Self {
-            rows,
-            lowered: if lowered.is_finite() { lowered } else { 1.0 },
-            factor,
-            period,
-            asked,
-        }
+        let grids = Pair { rows, lowered, period, within: false };
+        Self { grids, factor, increments: None, asked }
+    }
+
+    /// The same where cycles are divided into so many increments, and a run on the fewest elements into fewer.
+    pub fn with_increments(self, fewer: Vec<Row>, counts: [usize; 2]) -> Self {
+        let [own, less] = counts.map(|count| 1.0 / count as f64);
+        let rows = [self.grids.rows[1].clone(), fewer];
+        let pair = Pair { rows, lowered: 1.0, period: self.grids.period, within: true };
+        let increments = Increments { pair, factor: AS_A_RULE * own / (less - own) };
+        Self { increments: Some(increments), ..self }
     }
 
     /// The error (in its unit) of a value in a column at some progress, by the elements; `None` for one that the others do
     /// not have.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
-        let near = self.at(0, column, progress)?;
-        let difference = if self.is_shown(progress) { (value - near).abs() } else { 0.0 };
-        Some(self.factor(column) * difference.max(self.foreseen_difference(column, progress)?))
+        let difference = (value - self.grids.at(0, column, progress)?).abs();
+        let foreseen = self.grids.difference(column, progress)?;
+        Some(self.factor(column) * difference.max(foreseen))
+    }
+
+    /// The error (in its unit) in a column at some progress by the increments of the cycles; `None` where there are none.
+    pub fn by_increments(&self, column: &str, progress: f64) -> Option<f64> {
+        let Increments { pair, factor } = self.increments.as_ref()?;
+        Some(factor * pair.difference(column, progress)?)
     }
 
     /// The columns of the finer of both at some progress.
     pub fn row(&self, progress: f64) -> Row {
-        let names = self.rows[0].first().into_iter().flatten().map(|(name, _)| name);
-        let at = |name: &String| Some((name.clone(), self.at(0, name, progress)?));
+        let names = self.grids.rows[0].first().into_iter().flatten().map(|(name, _)| name);
+        let at = |name: &String| Some((name.clone(), self.grids.at(0, name, progress)?));
         let mut row: Row = names.filter_map(at).collect();
         row.iter_mut().take(1).for_each(|first| first.1 = progress);
         row
     }
 
-    /// What that error will be, by the two others alone.
-    pub fn foreseen(&self, column: &str, progress: f64) -> Option<f64> {
-        Some(self.factor(column) * self.foreseen_difference(column, progress)?)
-    }
-
     /// The error of the worst of the quantities that count, relative to it, in a row of the run, or of the finer of both
     /// where the run is still to come.
-    pub fn worst(&self, row: &Row, foreseen: bool) -> f64 {
+    pub fn worst(&self, row: &[(String, f64)], part: Part) -> f64 {
         let progress = row.first().map_or(0.0, |first| first.1);
         let wears = number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0);
         let force = self.force(row);
         let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
         let errors = counted.filter_map(|(name, value)| {
             let size = if history::FORCE.contains(&&**name) { force } else { value.abs() };
-            let error = match foreseen {
-                true => self.foreseen(name, progress)?,
-                false => self.error(name, progress, *value)?,
+            let error = match part {
+                Part::Foreseen => self.factor(name) * self.grids.difference(name, progress)?,
+                Part::Elements => self.error(name, progress, *value)?,
+                Part::Increments => self.by_increments(name, progress)?,
             };
             (size > 0.0).then_some(error / size)
         });
@@ -117,38 +141,45 @@ impl Companion {
     }
 
     /// What errors of tangential forces are relative to (N): the largest force of the cycle, and some of the load at least.
-    fn force(&self, row: &Row) -> f64 {
-        let of = |row: &Row| {
+    fn force(&self, row: &[(String, f64)]) -> f64 {
+        let of = |row: &[(String, f64)]| {
             let [x, y] = history::FORCE.map(|name| number(row, name).unwrap_or_default());
             x.hypot(y)
         };
         let progress = row.first().map_or(0.0, |first| first.1);
-        let ago = |other: &&Row| {
-            self.period.is_some_and(|period| (progress - other[0].1).abs() <= period)
-        };
-        let cycle = self.rows[0].iter().filter(ago).map(of);
+        let within = |period: f64| move |other: &&Row| (progress - other[0].1).abs() <= period;
+        let cycle = self.grids.period.into_iter().flat_map(|period| {
+            self.grids.rows[0].iter().filter(within(period)).map(|row| of(row)).collect::<Vec<_>>()
+        });
         let least = OF_LOAD * number(row, history::LOAD).unwrap_or_default();
         cycle.chain([of(row)]).fold(least, f64::max)
-    }
-
-    /// Whether the finer of both can be asked about that progress: within a cycle, where forces turn, only at its increments.
-    fn is_shown(&self, progress: f64) -> bool {
-        let within = |row: &Row| (row[0].1 - progress).abs() <= SAME * progress.abs();
-        self.period.is_none() || self.rows[0].iter().any(within)
     }
 
     fn factor(&self, column: &str) -> f64 {
         if column.contains("_area_") { OF_AREAS } else { self.factor }
     }
+}
 
-    /// The largest difference of the two around some progress, as it will be at the elements of the run.
-    fn foreseen_difference(&self, column: &str, progress: f64) -> Option<f64> {
+/// The rows of two runs, the finer one first.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Pair {
+    rows: [Vec<Row>; 2],
+    /// What their difference is where it is needed.
+    lowered: f64,
+    period: Option<f64>,
+    /// Whether they have different increments in a cycle: within it forces turn, and only what both show can be compared.
+    within: bool,
+}
+
+impl Pair {
+    /// The largest difference of the two around some progress, lowered to where it is needed.
+    fn difference(&self, column: &str, progress: f64) -> Option<f64> {
         let here = self.at(0, column, progress)?;
         let last = (2.0 * progress).max(progress + self.period.unwrap_or_default());
         let near = |at: &f64| (0.5 * progress..=last).contains(at);
         let places = self.rows[1].iter().map(|row| row[0].1).filter(near);
-        let here_too = [progress].into_iter().filter(|_| self.period.is_none());
-        let places = places.filter(|at| self.is_shown(*at)).chain(here_too);
+        let itself = (!self.within).then_some(progress);
+        let places = places.filter(|at| !self.within || self.is_shown(*at)).chain(itself);
         let difference = |at: f64| {
             let [finer, coarser] = [self.at(0, column, at)?, self.at(1, column, at)?];
             let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
@@ -158,8 +189,13 @@ impl Companion {
         Some(self.lowered * most)
     }
 
-    /// A column of one of the others at some progress: a power of it between two rows where all is positive, otherwise
-    /// straight.
+    /// Whether the finer of both has a row there.
+    fn is_shown(&self, progress: f64) -> bool {
+        let within = |row: &Row| (row[0].1 - progress).abs() <= SAME * progress.abs();
+        self.rows[0].iter().any(within)
+    }
+
+    /// A column of one of them at some progress: a power of it between two rows where all is positive, otherwise straight.
     fn at(&self, which: usize, column: &str, progress: f64) -> Option<f64> {
         let rows = &self.rows[which];
         let after = rows.iter().position(|row| row[0].1 >= progress).unwrap_or(rows.len() - 1);
@@ -181,7 +217,7 @@ impl Companion {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Companion, Kind, Row};
+    use super::{Companion, Kind, Part, Row};
 
     /// Depths s^(1/2) (1 + c / n^2) on n elements.
     fn depths(n: f64) -> Vec<Row> {
@@ -206,16 +242,20 @@ mod tests {
         );
         let truth = 7.0;
         let error = truth * 3.0 / (24.0 * 24.0);
-        for value in [truth + error, companion.at(0, "wear_depth_m", 49.0).unwrap()] {
+        for value in [truth + error, companion.grids.at(0, "wear_depth_m", 49.0).unwrap()] {
             let found = companion.error("wear_depth_m", 49.0, value).unwrap();
             assert_relative_eq!(found, 1.5 * error, max_relative = 0.02);
         }
         assert_relative_eq!(
-            companion.at(0, "wear_depth_m", 50.0).unwrap(),
+            companion.grids.at(0, "wear_depth_m", 50.0).unwrap(),
             50f64.sqrt() * (1.0 + 3.0 / 144.0),
             max_relative = 1e-12
         );
         let row = vec![("distance_m".to_owned(), 49.0), ("wear_depth_m".to_owned(), truth)];
-        assert_relative_eq!(companion.worst(&row, true), 1.5 * error / truth, max_relative = 0.03);
+        assert_relative_eq!(
+            companion.worst(&row, Part::Foreseen),
+            1.5 * error / truth,
+            max_relative = 0.03
+        );
     }
 }

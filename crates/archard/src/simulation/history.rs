@@ -3,7 +3,7 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{Companion, OF_CENTRE, OF_LAG, OF_STEPS};
+use super::companion::{Companion, OF_CENTRE, OF_LAG, OF_STEPS, Part};
 use super::scar::{scar, track_width};
 use super::{Effort, Report};
 use crate::body::Body;
@@ -77,10 +77,11 @@ pub type Row = Vec<(String, f64)>;
 
 /// What a run is judged by where bodies wear, always, and where they do not.
 const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
-const ALWAYS: [&str; 5] = [LOAD, APPROACH, FORCE[0], FORCE[1], FRICTIONAL_POWER];
+const ALWAYS: [&str; 4] = [LOAD, APPROACH, FORCE[0], FORCE[1]];
 const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
 /// What has errors beside.
-const ESTIMATED: [&str; 5] = [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT, DISSIPATED];
+const ESTIMATED: [&str; 6] =
+    [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT, FRICTIONAL_POWER, DISSIPATED];
 
 /// A column of the history, or one for each body.
 #[non_exhaustive]
@@ -233,7 +234,7 @@ pub fn row(report: &Report<'_>) -> Row {
     }
     if let Some(companion) = report.companion {
         let errors = errors(report, companion, &row);
-        row.push((SPACE_ERROR.to_owned(), companion.worst(&row, false)));
+        row.push((SPACE_ERROR.to_owned(), companion.worst(&row, Part::Elements)));
         row.extend(errors);
     }
     row
@@ -255,9 +256,11 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
             CENTRE_PRESSURE if centre_lag != 0.0 => OF_CENTRE * centre_lag.abs(),
             _ => relative * value.abs(),
         };
+        let by_increments = companion.by_increments(name, report.state.progress);
         let space = companion.error(name, report.state.progress, *value);
-        if by_error {
-            errors.push((format!("{}{name}", ERRORS[0]), by_steps));
+        if by_error || by_increments.is_some() {
+            let time = by_steps + by_increments.unwrap_or_default();
+            errors.push((format!("{}{name}", ERRORS[0]), time));
         }
         errors.extend(space.map(|error| (format!("{}{name}", ERRORS[1]), error)));
     }

@@ -27,7 +27,7 @@ pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub(crate) use companion::OF_STEPS;
-pub use companion::{Companion, Kind};
+pub use companion::{Companion, Kind, Part};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;

@@ -7,7 +7,7 @@ use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::output::Store;
 use crate::simulation::history::{self, Row};
-use crate::simulation::{Companion, Error, Kind, Observer, Report};
+use crate::simulation::{Companion, Error, Kind, Observer, Part, Report};
 
 /// The fewest elements across the first contact of a companion.
 const FEWEST: f64 = 3.0;
@@ -94,6 +94,15 @@ impl Observer for Watched {
     }
 }
 
+/// What runs on fewer elements came to.
+enum Judged {
+    By(Companion),
+    /// The contact left the frame.
+    Outgrown,
+    /// On so few elements there is no solution to be found.
+    TooCoarse,
+}
+
 impl Resolved {
     /// The case with the elements that its accuracy takes, and what says how far off they are; as it is where no accuracy
     /// is asked for.
@@ -110,61 +119,126 @@ impl Resolved {
         let kind = Kind {
             order: order(&parts),
             slips_partly: slips_partly(&parts),
-            period: increments::period(&parts),
+            period: parts.motion.period(),
         };
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
-            let elements = self.case.frame.elements;
-            let across = self.across();
-            if across < FEWEST / COARSER {
-                return Err(Unsettled::Wrong(format!(
-                    "{across:.1} elements across the first contact are too few to tell what they err by: {} at least",
-                    FEWEST / COARSER
-                )));
-            }
-            let coarser = |by: f64| {
-                let fewest = FEWEST / across;
-                let share = (1.0 / by).max(fewest);
-                elements
-                    .map(|n| if n == 1 { 1 } else { ((n as f64 * share).round() as usize).max(2) })
+            let companion = match self.judged(kind, accuracy, store, following)? {
+                Judged::By(companion) => companion,
+                Judged::Outgrown => {
+                    self.case = grown(&self.case, self.chose);
+                    self.settle_again()?;
+                    continue;
+                }
+                Judged::TooCoarse => {
+                    self.refine([FINER[1], 1.0])?;
+                    continue;
+                }
             };
-            let grids = [coarser(2.0), coarser(4.0)];
-            let runs =
-                [self.run(grids[0], store, following)?, self.run(grids[1], store, following)?];
-            if runs.iter().any(|run| run.outgrown) && self.chose.size {
-                self.case = grown(&self.case, self.chose);
-                self.settle_again()?;
-                continue;
-            }
-            let [one, two] = runs.map(|run| run.rows);
-            let numbers = [elements, grids[0], grids[1]].map(|grid| grid[0] as f64);
-            let companion = Companion::new([one, two], numbers, kind, accuracy);
-            error = outputs
-                .iter()
-                .map(|&place| companion.worst(&companion.row(place), true))
-                .fold(0.0, f64::max);
+            let worst = |part: Part| {
+                let at = |&place: &f64| companion.worst(&companion.row(place), part);
+                outputs.iter().map(at).fold(0.0, f64::max)
+            };
+            let errors = [Part::Foreseen, Part::Increments].map(worst);
+            error = errors[0] + errors[1];
             let allowed = (1.0 - OF_STEPS) * accuracy;
-            if error <= allowed || !self.chose.elements {
+            let chose = [self.chose.elements, self.chose.increments];
+            if error <= allowed || chose == [false; 2] {
                 return Ok((self, Some(companion)));
             }
-            let finer =
-                (MARGIN * (error / allowed).powf(1.0 / kind.order)).clamp(FINER[0], FINER[1]);
-            let refined = elements.map(|n| if n == 1 { 1 } else { even(finer * n as f64) });
-            if refined.iter().any(|&n| n as f64 > MOST) {
-                break;
+            // Each may take half of it, or what the other leaves.
+            let finer = [(0, kind.order), (1, 1.0)].map(|(part, order)| {
+                let left = (allowed - errors[1 - part]).max(0.5 * allowed);
+                let wanted = MARGIN * (errors[part] / left).powf(1.0 / order);
+                let refines = chose[part] && errors[part] > left;
+                if refines { wanted.clamp(FINER[0], FINER[1]) } else { 1.0 }
+            });
+            if finer == [1.0; 2] {
+                return Ok((self, Some(companion)));
             }
-            self.case.frame.elements = refined;
-            if self.chose.increments {
-                increments::scaled(&mut self.case, finer);
+            let known = self.case.frame.elements;
+            match self.refine(finer) {
+                Ok(true) => {}
+                Ok(false) => break,
+                Err(cause) => {
+                    return Err(Unsettled::Wrong(format!(
+                        "{accuracy} was asked for, and the error is {error:.1e} on {} x {} elements; on more: {cause}",
+                        known[0], known[1]
+                    )));
+                }
             }
-            self.settle_again()?;
         }
         let elements = self.case.frame.elements;
         if error.is_infinite() {
             return Err(Unsettled::Outgrown { size: self.case.frame.size });
         }
         Err(Unsettled::TooCoarse { elements, error, asked: accuracy })
+    }
+
+    /// Runs the case on fewer elements, and in fewer increments.
+    fn judged(
+        &self,
+        kind: Kind,
+        accuracy: f64,
+        store: Option<&Store>,
+        following: &mut dyn Following,
+    ) -> Result<Judged, Unsettled> {
+        let elements = self.case.frame.elements;
+        let across = self.across();
+        if across < FEWEST / COARSER {
+            return Err(Unsettled::Wrong(format!(
+                "{across:.1} elements across the first contact are too few to tell what they err by: {} at least",
+                FEWEST / COARSER
+            )));
+        }
+        let coarser = |by: f64| {
+            let share = (1.0 / by).max(FEWEST / across);
+            elements.map(|n| if n == 1 { 1 } else { ((n as f64 * share).round() as usize).max(2) })
+        };
+        let own = increments::of_rubbing(&self.case);
+        let [half, quarter] = [coarser(2.0), coarser(4.0)];
+        let fewer = own.map(|own| [own, increments::fewer(own)]);
+        let runs = [(half, own), (quarter, own), (quarter, fewer.map(|[_, fewer]| fewer))];
+        let wanted = if fewer.is_some() { 3 } else { 2 };
+        let mut rows = vec![];
+        for (grid, increments) in runs.into_iter().take(wanted) {
+            match self.run(grid, increments, store, following) {
+                Ok(run) if run.outgrown && self.chose.size => return Ok(Judged::Outgrown),
+                Ok(run) => rows.push(run.rows),
+                Err(Unsettled::Run { cause, .. })
+                    if cause.is_of_convergence() && self.chose.elements =>
+                {
+                    return Ok(Judged::TooCoarse);
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        let numbers = [elements, half, quarter].map(|grid| grid[0] as f64);
+        let mut rows = rows.into_iter();
+        let grids = [rows.next(), rows.next()].map(Option::unwrap_or_default);
+        let companion = Companion::new(grids, numbers, kind, accuracy);
+        Ok(Judged::By(match (rows.next(), fewer) {
+            (Some(fewest), Some(counts)) => companion.with_increments(fewest, counts),
+            _ => companion,
+        }))
+    }
+
+    /// Takes that many times as many elements along each axis, and increments; whether so many are allowed.
+    fn refine(&mut self, [elements, increments]: [f64; 2]) -> Result<bool, Unsettled> {
+        if elements > 1.0 {
+            let refined = |n: usize| if n == 1 { 1 } else { even(elements * n as f64) };
+            let refined = self.case.frame.elements.map(refined);
+            if refined.iter().any(|&n| n as f64 > MOST) {
+                return Ok(false);
+            }
+            self.case.frame.elements = refined;
+        }
+        if increments > 1.0 {
+            increments::refine(&mut self.case, increments);
+        }
+        self.settle_again()?;
+        Ok(true)
     }
 
     /// Elements across the first contact; infinitely many where no closed form tells.
@@ -179,16 +253,19 @@ impl Resolved {
         })
     }
 
-    /// Runs the case on other elements.
+    /// Runs the case on other elements, in other increments.
     fn run(
         &self,
         elements: [usize; 2],
+        increments: Option<usize>,
         store: Option<&Store>,
         following: &mut dyn Following,
     ) -> Result<Watched, Unsettled> {
         let mut case = self.case.clone();
         case.frame.elements = elements;
-        increments::scaled(&mut case, elements[0] as f64 / self.case.frame.elements[0] as f64);
+        if let Some(count) = increments {
+            increments::set(&mut case, count);
+        }
         let simulation = match store {
             Some(store) => case.build_keeping(store),
             None => case.build(),

@@ -12,15 +12,12 @@ const MOST: usize = 400;
 /// Those of fretting are a multiple of this.
 const DIVISOR: f64 = 4.0;
 
-/// The period of bodies that rub in increments whose number can be chosen (the motion's own unit).
-pub(super) fn period(parts: &Parts<'_>) -> Option<f64> {
-    let declared = parts.case.motion.choice.parameters;
-    let takes = declared.iter().any(|parameter| parameter.name == INCREMENTS);
-    parts.motion.period().filter(|_| takes && parts.friction.is_some())
-}
-
+/// Whether bodies rub in increments whose number can be chosen.
 fn rubs(case: &Case) -> bool {
-    Parts::of(case).is_ok_and(|parts| period(&parts).is_some())
+    let declared = case.motion.choice.parameters;
+    let takes = declared.iter().any(|parameter| parameter.name == INCREMENTS);
+    let rub = |parts: Parts<'_>| parts.friction.is_some() && parts.motion.period().is_some();
+    takes && Parts::of(case).is_ok_and(rub)
 }
 
 /// Gives a number of increments to a case that says none; whether it did.
@@ -32,20 +29,32 @@ pub(super) fn choose(case: &mut Case) -> bool {
     chosen
 }
 
+/// As many as a case says.
 fn of(case: &Case) -> Option<usize> {
     case.motion.values.number(INCREMENTS).map(|count| count as usize)
 }
 
-fn set(case: &mut Case, count: usize) {
+pub(super) fn set(case: &mut Case, count: usize) {
     case.motion.values.insert(INCREMENTS, Value::Number(count as f64));
 }
 
-/// The case with that share of its increments, or that many times as many; as it is where bodies do not rub in increments.
-pub(super) fn scaled(case: &mut Case, share: f64) {
-    let Some(own) = of(case).filter(|_| rubs(case)) else { return };
-    let asked = (share * own as f64 / DIVISOR).round().max(1.0) * DIVISOR;
-    let asked = (asked as usize).min(MOST.max(own));
-    if (share < 1.0) == (asked < own) {
-        set(case, asked);
+/// The fewest whose error can be told by fewer.
+pub(super) const FEWEST: usize = 8;
+
+/// Those of a case whose bodies rub in increments.
+pub(super) fn of_rubbing(case: &Case) -> Option<usize> {
+    of(case).filter(|_| rubs(case))
+}
+
+/// About half of so many.
+pub(super) fn fewer(count: usize) -> usize {
+    ((0.5 * count as f64 / DIVISOR).round() * DIVISOR) as usize
+}
+
+/// Takes that many times as many, as far as that is allowed.
+pub(super) fn refine(case: &mut Case, finer: f64) {
+    if let Some(own) = of(case) {
+        let more = (finer * own as f64 / DIVISOR).ceil() * DIVISOR;
+        set(case, (more as usize).min(MOST.max(own)));
     }
 }

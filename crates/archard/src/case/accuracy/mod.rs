@@ -106,6 +106,12 @@ pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
         let message = "what a fixed step errs by is not known, and an `accuracy` is asked for";
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
     }
+    if let Some(count) = increments::of_rubbing(&case).filter(|count| *count < increments::FEWEST) {
+        let key = Key::of(["motion", case.motion.choice.name, "increments"]);
+        let message = format!("what {count} increments err by cannot be told by fewer");
+        let help = format!("take {} at least, or leave it out", increments::FEWEST);
+        return Err(Problem::error(key, message).help(help));
+    }
     if !(chose.size || chose.elements) {
         return Ok((case, chose));
     }

@@ -13,7 +13,7 @@ use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
 use crate::problem::ContactProblem;
 use crate::simulation::history::{SPACE_ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
-use crate::simulation::{OF_STEPS, Report};
+use crate::simulation::{OF_STEPS, Part, Report};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
@@ -86,7 +86,9 @@ impl Evidence {
         };
         self.accuracy = report.companion.map(|companion| {
             let space = number(row, SPACE_ERROR).unwrap_or(f64::NAN);
-            [space + OF_STEPS * effort.time_error.unwrap_or_default(), companion.asked]
+            let increments = companion.worst(row, Part::Increments);
+            let time = OF_STEPS * effort.time_error.unwrap_or_default();
+            [space + time + increments, companion.asked]
         });
         self.touch =
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);

@@ -1,0 +1,156 @@
+//! Answers to an accuracy: each published case whose result is known, with nothing but `accuracy` in the place of its frame, its
+//! steps and its increments.
+
+use std::fs;
+use std::path::Path;
+use std::time::Instant;
+
+use archard::case::{CaseFile, Following};
+use archard::simulation::Observer;
+use archard::simulation::history::{ERRORS, Row, number};
+use toml::de::{DeTable, DeValue};
+
+use crate::common::Rows;
+use crate::{Expected, expected, folders, read};
+
+/// What all cases are asked for.
+const ASKED: &str = "0.01";
+/// What some are asked for besides.
+const BESIDES: [&str; 2] = ["0.1", "0.001"];
+const OF_EIGHT: [&str; 8] = [
+    "carter",
+    "hertz",
+    "mccoll_fretting",
+    "pin_on_disc",
+    "pin_on_disc_track",
+    "running_in_flat_punch",
+    "spence",
+    "twin_disc",
+];
+
+/// Keys of a motion that an accuracy takes the place of.
+const OF_STEPS: [&str; 4] = ["step", "tolerance", "jump", "increments"];
+/// Motions whose increments are what is put out, not what they are computed in.
+const OF_OUTPUTS: [&str; 1] = ["creepage_sweep"];
+/// Cases whose contact no closed form foresees: they keep their frame.
+const FRAMED: [&str; 2] = ["running_in_flat_punch", "running_in_law"];
+
+struct Alone(Rows);
+
+impl Following for Alone {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        &mut self.0
+    }
+}
+
+/// A case without what an accuracy takes the place of.
+fn bare(folder: &Path) -> Vec<String> {
+    let name = folder.file_name().unwrap().to_string_lossy();
+    let text = fs::read_to_string(folder.join("case.toml")).expect("a case");
+    let document = DeTable::parse(&text).expect("TOML").into_inner();
+    let DeValue::Table(motions) = document.get("motion").expect("a motion").get_ref() else {
+        panic!("a motion in {name}")
+    };
+    let (kind, motion) = motions.iter().next().expect("a motion");
+    let motion = motion.get_ref().as_table().expect("a table");
+    let goes = |key: &&str| {
+        motion.contains_key(*key)
+            && !(OF_OUTPUTS.contains(&&**kind.get_ref()) && *key == "increments")
+    };
+    let mut options: Vec<String> = OF_STEPS
+        .iter()
+        .copied()
+        .filter(goes)
+        .map(|key| format!("motion.{}.{key}=", kind.get_ref()))
+        .collect();
+    if !FRAMED.contains(&&*name) {
+        options.extend(["frame.size=", "frame.elements="].map(str::to_owned));
+    }
+    options
+}
+
+/// The rows of a case with an accuracy, its elements, and the seconds on one thread.
+fn answer(folder: &Path, accuracy: &str) -> Result<(Vec<Row>, [usize; 2], f64), String> {
+    let start = Instant::now();
+    let file = CaseFile::read(folder).map_err(|error| error.to_string())?;
+    let file = bare(folder).iter().fold(file, |file, option| file.set(option));
+    let file = file.set(format!("accuracy={accuracy}"));
+    let wrong = |problems: Vec<archard::case::Problem>| {
+        problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join(" ")
+    };
+    let resolved = file.resolve().map_err(wrong)?;
+    let companion = resolved.with_companion(None, &mut Alone(Rows::default()));
+    let (resolved, companion) = companion.map_err(|error| error.to_string())?;
+    let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
+    simulation.companion = companion;
+    let mut rows = Rows::default();
+    simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
+    Ok((rows.0, resolved.case.frame.elements, start.elapsed().as_secs_f64()))
+}
+
+/// The row that a value is expected in.
+fn row_of<'a>(rows: &'a [Row], at: Option<&String>) -> Option<&'a Row> {
+    let Some(at) = at else { return rows.last() };
+    let place = read(at, &rows.first()?.first()?.0);
+    rows.iter().find(|row| (row[0].1 - place).abs() <= 1e-9 * place)
+}
+
+/// A line of the table, and whether the value is off by more than what is stated and what its source leaves.
+fn line(rows: &[Row], one: &Expected) -> (String, bool) {
+    let Expected { column, at, value, known_to, .. } = one;
+    let Some(row) = row_of(rows, at.as_ref()) else { return (format!("no row at {at:?}"), true) };
+    let found = number(row, column).expect("a column");
+    let stated = ERRORS.map(|prefix| number(row, &format!("{prefix}{column}")));
+    let truth = read(value, column);
+    let off = (found / truth - 1.0).abs();
+    let known_to = known_to.expect("known");
+    let place = at.as_ref().map_or(String::new(), |at| format!(" at {at}"));
+    let error = match stated {
+        [None, None] => None,
+        some => Some(some.into_iter().flatten().sum::<f64>() / truth.abs()),
+    };
+    let bar = error.map_or("-".to_owned(), |error| format!("{:.2} %", 100.0 * error));
+    let text = format!(
+        "`{column}`{place} | {found:.4e} | {bar} | {:+.3} % | {:.1e}",
+        100.0 * (found / truth - 1.0),
+        known_to
+    );
+    (text, error.is_some_and(|error| off > error + known_to))
+}
+
+#[test]
+#[ignore = "prints a table, which takes minutes"]
+fn answers_to_an_accuracy() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
+    let mut lies = vec![];
+    println!("| case | asked | elements | s | column | found | stated | off | known to |");
+    println!("|---|---|---|---|---|---|---|---|---|");
+    for folder in folders() {
+        let name = folder.file_name().unwrap().to_string_lossy().into_owned();
+        let all = expected(&fs::read_to_string(folder.join("expected.toml")).unwrap());
+        let known: Vec<&Expected> = all.iter().filter(|one| one.known_to.is_some()).collect();
+        let more = if OF_EIGHT.contains(&&*name) { &BESIDES[..] } else { &[] };
+        for accuracy in [&[ASKED], more].concat() {
+            if known.is_empty() {
+                continue;
+            }
+            let (rows, [nx, ny], seconds) = match pool.install(|| answer(&folder, accuracy)) {
+                Ok(answer) => answer,
+                Err(error) => {
+                    println!("| `{name}` | {accuracy} | {error} |");
+                    continue;
+                }
+            };
+            for one in &known {
+                let (text, lie) = line(&rows, one);
+                println!("| `{name}` | {accuracy} | {nx} x {ny} | {seconds:.1} | {text} |");
+                if lie {
+                    lies.push(format!("{name} {accuracy}: {text}"));
+                }
+            }
+        }
+    }
+    assert!(lies.is_empty(), "{lies:#?}");
+}
