@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use archard::output::Store;
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
+use clap_complete::Shell;
 
 /// Predicts contact and wear of elastic bodies from a case file.
 #[derive(Debug, Parser)]
-#[command(version, about, propagate_version = true)]
+#[command(name = "archard", version, about, propagate_version = true)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
@@ -20,18 +21,36 @@ pub struct Arguments {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Run a case and write its results into a folder
+    #[command(after_help = RUN_EXAMPLES)]
     Run(Run),
     /// Show a case in SI, what to expect of it and what is doubtful about it
-    Check(Case),
-    /// List the built-in cases, or write one out to start from
+    #[command(after_help = CHECK_EXAMPLES)]
+    Check(Check),
+    /// Write a case to start from: of a rig, or a built-in one
+    #[command(after_help = NEW_EXAMPLES)]
     New(New),
     /// List the laws of wear and friction, with their formulas, the motions they suit and what they take
     Laws,
     /// Draw the pictures of a result folder, or of a study
+    #[command(after_help = PLOT_EXAMPLES)]
     Plot(Plot),
     /// Run a study: a case over lists, ranges and distributions of its values
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
+    /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
+    Doctor,
+    /// Print what completes the command line in a shell
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+    /// Write the manual pages
+    Man {
+        /// The folder they go into
+        #[arg(value_hint = ValueHint::DirPath)]
+        dir: PathBuf,
+    },
 }
 
 /// A case with options laid over it.
@@ -43,6 +62,32 @@ pub struct Case {
     /// out, a table replaces the table that is there, and KEY= removes the key
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+}
+
+const RUN_EXAMPLES: &str = "\
+Examples:
+  a case as it stands, into results/pin_on_disc:
+    archard run cases/pin_on_disc
+  at another load, to one per cent:
+    archard run cases/pin_on_disc --set motion.sliding.load=\"20 N\" --accuracy 1%
+  on with what was interrupted:
+    archard run --resume results/pin_on_disc";
+
+const CHECK_EXAMPLES: &str = "\
+Examples:
+  pressure and size of a contact, the depth to expect, the cost of a run:
+    archard check cases/pin_on_disc
+  the same for a program:
+    archard check cases/pin_on_disc --json";
+
+/// The arguments of `check`.
+#[derive(Debug, Args)]
+pub struct Check {
+    #[command(flatten)]
+    pub case: Case,
+    /// Print JSON: problems with their places, the case in SI, what to expect
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// The arguments of `run`.
@@ -101,15 +146,40 @@ fn share(text: &str) -> String {
     percent.map_or_else(|| text.to_owned(), |percent| (0.01 * percent).to_string())
 }
 
+const NEW_EXAMPLES: &str = "\
+Examples:
+  asks which rig it is:
+    archard new
+  a case of a reciprocating rig, in the folder monday:
+    archard new reciprocating -o monday
+  all rigs and cases:
+    archard new --list";
+
 /// The arguments of `new`.
 #[derive(Debug, Args)]
 pub struct New {
-    /// A built-in case; all are listed if none is named
+    /// A rig, or a built-in case; on a terminal you are asked for the rig if none is named
     pub name: Option<String>,
+    /// List the rigs and the built-in cases
+    #[arg(long, conflicts_with_all = ["name", "output"])]
+    pub list: bool,
     /// The folder to write it into; the case's name if not given
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }
+
+const PLOT_EXAMPLES: &str = "\
+Examples:
+  the pictures of a run:
+    archard plot results/pin_on_disc
+  its wear beside that of another run:
+    archard plot results/pin_on_disc --with results/other";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+    archard completions bash > ~/.local/share/bash-completion/completions/archard
+    archard completions zsh > ~/.zfunc/_archard
+    archard completions fish > ~/.config/fish/completions/archard.fish";
 
 /// The arguments of `plot`.
 #[derive(Debug, Args)]

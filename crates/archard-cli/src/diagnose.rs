@@ -8,11 +8,16 @@ use crate::arguments::Case;
 use crate::failure::Failure;
 use crate::say::{in_colour, tell};
 
-/// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
-pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
+/// The case of the arguments, with its options.
+pub fn read(arguments: &Case) -> Result<CaseFile, Failure> {
     let file =
         CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
-    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    Ok(arguments.set.iter().fold(file, |file, option| file.set(option)))
+}
+
+/// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
+pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
+    let file = read(arguments)?;
     match file.task() {
         Ok(task) => {
             if !quiet {

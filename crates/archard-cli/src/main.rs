@@ -8,6 +8,7 @@ mod builtin;
 mod check;
 mod companions;
 mod diagnose;
+mod doctor;
 mod elastic;
 mod failure;
 mod folder;
@@ -17,8 +18,10 @@ mod new;
 mod number;
 mod plot;
 mod progress;
+mod rigs;
 mod run;
 mod say;
+mod shell;
 mod standards;
 mod sweep;
 mod underway;
@@ -37,6 +40,9 @@ fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
         Command::Laws => laws::laws(),
+        Command::Doctor => doctor::doctor(),
+        Command::Completions { shell } => shell::completions(shell),
+        Command::Man { dir } => shell::man(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))

@@ -1,25 +1,35 @@
-//! `archard new`: lists the built-in cases, or writes one out.
+//! `archard new`: writes a case to start from, of a rig or a built-in one; asks for the rig, or lists all.
 
 use std::fs::{self, OpenOptions};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use crate::arguments::New;
 use crate::builtin::{Builtin, CASES};
 use crate::failure::Failure;
+use crate::rigs::RIGS;
 use crate::say::say;
 
-/// Lists the built-in cases, or writes one out.
+/// Where the pictures of the cases are.
+const PICTURES: &str = "book/src/gallery";
+
+/// Writes a case of a rig, or a built-in one; without a name asks on a terminal, or lists all.
 pub fn new(arguments: &New) -> Result<(), Failure> {
-    let Some(name) = &arguments.name else {
-        return list();
+    let asked = match &arguments.name {
+        _ if arguments.list => return list(),
+        Some(name) => name.clone(),
+        None if io::stdin().is_terminal() && io::stdout().is_terminal() => ask()?,
+        None => return list(),
     };
-    let Some(builtin) = CASES.iter().find(|builtin| builtin.name == name) else {
-        let known: Vec<&str> = CASES.iter().map(|builtin| builtin.name).collect();
-        let message = format!("there is no built-in case `{name}`; there are {}", known.join(", "));
-        return Err(Failure::wrong(message));
-    };
-    let dir = arguments.output.clone().unwrap_or_else(|| PathBuf::from(name));
+    let builtin = named(&asked).ok_or_else(|| {
+        let rigs: Vec<&str> = RIGS.iter().map(|rig| rig.name).collect();
+        let message = format!(
+            "there is no rig and no built-in case `{asked}`; rigs are {}; `archard new --list` shows the cases too",
+            rigs.join(", ")
+        );
+        Failure::wrong(message)
+    })?;
+    let dir = arguments.output.clone().unwrap_or_else(|| PathBuf::from(builtin.name));
     let path = dir.join("case.toml");
     write(&dir, &path, builtin).map_err(|error| {
         let next = match error.kind() {
@@ -28,13 +38,46 @@ pub fn new(arguments: &New) -> Result<(), Failure> {
         };
         Failure::wrong(format!("cannot write `{}`: {error}{next}", path.display()))
     })?;
-    say(&format!("{} written; next: archard run {}", path.display(), path.display()))
+    say(&format!("{} written; next: archard run {}", path.display(), dir.display()))
+}
+
+/// The case of a name, or of a rig; either may be written with spaces or hyphens.
+fn named(name: &str) -> Option<&'static Builtin> {
+    let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
+    let rig = RIGS.iter().find(|rig| rig.name == plain).map(|rig| rig.case);
+    CASES.iter().find(|builtin| builtin.name == rig.unwrap_or(&plain))
+}
+
+/// Asks which rig it is.
+fn ask() -> Result<String, Failure> {
+    for (index, rig) in RIGS.iter().enumerate() {
+        say(&format!("{}  {:18} {}", index + 1, rig.name, rig.meaning))?;
+    }
+    print!("Which rig? Its number or its name: ");
+    let mut answer = String::new();
+    let read = io::stdout().flush().and_then(|()| io::stdin().read_line(&mut answer));
+    read.map_err(|error| Failure::wrong(format!("cannot read the answer: {error}")))?;
+    let answer = answer.trim();
+    let number = answer.parse::<usize>().ok().and_then(|number| number.checked_sub(1));
+    let rig = number.and_then(|index| RIGS.get(index));
+    match rig {
+        Some(rig) => Ok(rig.name.to_owned()),
+        None if answer.is_empty() => Err(Failure::wrong("no rig was chosen; nothing is written")),
+        None => Ok(answer.to_owned()),
+    }
 }
 
 fn list() -> Result<(), Failure> {
+    say("Rigs, and the case each starts from\n")?;
+    for rig in RIGS {
+        say(&format!("  {:18} {:24} {}", rig.name, rig.case, rig.meaning))?;
+    }
+    say(&format!("\nBuilt-in cases, with the picture in the repository under {PICTURES}\n"))?;
     let width = CASES.iter().map(|builtin| builtin.name.len()).max().unwrap_or(0);
     for builtin in CASES {
-        say(&format!("{:width$}  {}", builtin.name, builtin.title()))?;
+        let picture = format!("{}.png", builtin.name);
+        let wide = width + 4;
+        say(&format!("  {:width$}  {picture:wide$}  {}", builtin.name, builtin.title()))?;
     }
     say("\narchard new NAME writes one out to start from")
 }

@@ -168,7 +168,7 @@ fn new_lists_and_writes_the_cases() {
             "{listed}"
         );
         let written = printed(&archard(&dir, &["new", name]).success());
-        let next = format!("archard run {name}/case.toml");
+        let next = format!("archard run {name}");
         assert!(written.contains(&next), "{written}");
         archard(&dir, &["run", &format!("{name}/case.toml"), "-q"]).success();
         assert!(dir.path().join("results").join(name).join("history.csv").is_file());
@@ -176,7 +176,71 @@ fn new_lists_and_writes_the_cases() {
         assert!(said(&refused).contains("cannot write"), "{}", said(&refused));
     }
     let unknown = archard(&dir, &["new", "gear"]).code(2);
-    assert!(said(&unknown).contains("there is no built-in case `gear`"));
+    assert!(said(&unknown).contains("there is no rig and no built-in case `gear`"));
+}
+
+#[test]
+fn rigs_are_known_by_name() {
+    let dir = TempDir::new().unwrap();
+    let listed = printed(&archard(&dir, &["new", "--list"]).success());
+    let rigs = listed.lines().skip(2).take_while(|line| !line.is_empty());
+    let rigs: Vec<&str> = rigs.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(rigs.contains(&"fretting") && rigs.contains(&"twin_disc"), "{listed}");
+    for rig in rigs {
+        let spelt = rig.replace('_', " ");
+        archard(&dir, &["new", &spelt, "-o", rig]).success();
+        let checked = archard(&dir, &["check", rig, "--json"]).success();
+        let checked: serde_json::Value = serde_json::from_str(&printed(&checked)).unwrap();
+        assert_eq!(checked["valid"], true);
+        // A rig's case explains itself.
+        let text = fs::read_to_string(dir.path().join(rig).join("case.toml")).unwrap();
+        assert!(text.contains("# "), "{text}");
+    }
+}
+
+#[test]
+fn check_tells_programs_what_it_tells_people() {
+    let dir = TempDir::new().unwrap();
+    let case = case("hertz");
+    let checked = archard(&dir, &["check", case.to_str().unwrap(), "--json"]).success();
+    let checked: serde_json::Value = serde_json::from_str(&printed(&checked)).unwrap();
+    // Hertz: (6 F E*^2 / (pi^3 R^2))^(1/3).
+    let modulus = 210e9 / (2.0 * (1.0 - 0.09));
+    let pressure =
+        (6.0 * 10.2 * modulus * modulus / (std::f64::consts::PI.powi(3) * 0.05 * 0.05)).cbrt();
+    let found = checked["closed_form"]["hertz"]["peak_pressure_Pa"].as_f64().unwrap();
+    assert!((found / pressure - 1.0).abs() < 1e-12, "{found} {pressure}");
+    assert_eq!(checked["pairs"], 3600);
+
+    fs::write(dir.path().join("wrong.toml"), "title = \"a\"\n[body.ball]\n  colour = 1\n").unwrap();
+    let refused = archard(&dir, &["check", "wrong.toml", "--json"]).code(2);
+    let refused: serde_json::Value = serde_json::from_str(&printed(&refused)).unwrap();
+    assert_eq!(refused["valid"], false);
+    let problems = refused["problems"].as_array().unwrap();
+    let colour = problems.iter().find(|problem| problem["key"] == "body.ball.colour").unwrap();
+    assert_eq!((&colour["line"], &colour["column"]), (&3.into(), &3.into()), "{colour}");
+}
+
+#[test]
+fn the_doctor_finds_this_machine_well() {
+    let dir = TempDir::new().unwrap();
+    let said = printed(&archard(&dir, &["doctor"]).success());
+    for part in ["threads", "vectors", "memory", "cache", "Hertz", "Carter", "passed in"] {
+        assert!(said.contains(part), "{part} is not in\n{said}");
+    }
+}
+
+#[test]
+fn completions_and_manuals_name_every_command() {
+    let dir = TempDir::new().unwrap();
+    let bash = printed(&archard(&dir, &["completions", "bash"]).success());
+    archard(&dir, &["man", "man"]).success();
+    let page = fs::read_to_string(dir.path().join("man/archard.1")).unwrap();
+    for command in ["run", "check", "new", "laws", "plot", "sweep", "doctor"] {
+        assert!(bash.contains(command), "{bash}");
+        assert!(page.contains(&format!("archard\\-{command}")), "{page}");
+        assert!(dir.path().join(format!("man/archard-{command}.1")).is_file());
+    }
 }
 
 #[test]

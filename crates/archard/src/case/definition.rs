@@ -234,7 +234,7 @@ impl Case {
     /// The parts, if the memory that is free holds the run. What meshed bodies take follows from what is kept of them.
     fn fitting(&self) -> Result<Parts<'_>, BuildError> {
         let parts = Parts::of(self)?;
-        let (needed, free) = (footprint::memory(&parts), memory::available());
+        let (needed, free) = (footprint::memory(&parts), memory::free_memory());
         if needed > free && !self.is_meshed() {
             let [needed, free] = [needed, free].map(memory::size);
             return Err(BuildError::Memory { needed, free });

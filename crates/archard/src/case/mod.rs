@@ -28,6 +28,7 @@ mod columns;
 mod definition;
 mod elastic;
 mod file;
+mod json;
 mod key;
 #[cfg(test)]
 mod meshes;
@@ -44,7 +45,9 @@ mod tree;
 mod unclosed;
 
 pub use accuracy::{Chose, Following, Unsettled};
-pub use check::{BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces};
+pub use check::{
+    BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
+};
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};

@@ -4,6 +4,19 @@
 use faer::MatRef;
 use pulp::{Arch, Simd, WithSimd};
 
+/// Numbers of double precision in a vector of the processor.
+pub fn lanes() -> usize {
+    struct Lanes;
+    impl WithSimd for Lanes {
+        type Output = usize;
+
+        fn with_simd<S: Simd>(self, _: S) -> usize {
+            S::F64_LANES
+        }
+    }
+    Arch::new().dispatch(Lanes)
+}
+
 /// Columns that are taken off at once.
 const AT_ONCE: usize = 8;
 

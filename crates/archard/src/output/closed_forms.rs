@@ -16,7 +16,7 @@ pub(super) fn of(report: &Report<'_>, estimator: &Estimator) -> Value {
 }
 
 /// The blocks of an estimate, those that are there.
-fn blocks(estimate: &Estimate) -> Value {
+pub(crate) fn blocks(estimate: &Estimate) -> Value {
     let Some(curvatures) = estimate.curvatures else { return Value::Null };
     let known = [
         ("curvatures_per_m", Some(json!(curvatures))),

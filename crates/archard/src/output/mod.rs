@@ -50,6 +50,7 @@ mod fixture;
 use std::io;
 use std::path::{Path, PathBuf};
 
+pub(crate) use closed_forms::blocks as estimate_json;
 pub use derived::Derived;
 pub use elastic::write_elastic;
 pub use fields::{Field, fields};
@@ -60,6 +61,7 @@ pub use inside::{Inside, InsideError};
 pub use standards::Standard;
 pub use store::Store;
 pub use summary::Totals;
+pub(crate) use summary::json_of as verdict_json;
 pub use surface::Surface;
 pub use vtk::Collection;
 

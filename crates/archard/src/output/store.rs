@@ -44,6 +44,11 @@ impl Store {
         caches.map(|folder| Self::new(folder.join("archard")))
     }
 
+    /// Where the compliances are.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// The compliance of a body: kept from an earlier run, or computed and kept. A folder that cannot be
     /// written to only costs the time of computing it again.
     ///

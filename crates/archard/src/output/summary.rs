@@ -82,7 +82,7 @@ pub(super) fn text(
 }
 
 /// A verdict: its word, and each line with its number, its bounds and its word.
-pub(super) fn json_of(verdict: &Verdict) -> Value {
+pub(crate) fn json_of(verdict: &Verdict) -> Value {
     let line = |line: &Line| {
         let (side, [doubtful, wrong]) = match line.bound {
             Bound::AtMost(bounds) => ("above", bounds),

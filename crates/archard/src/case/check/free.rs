@@ -18,8 +18,8 @@ const SURE: f64 = 0.9;
 /// Addresses (bytes) a thread reserves when it starts: its stack of 2 MiB and the 64 MiB of glibc's heap for it.
 const OF_A_THREAD: f64 = 66.0 * 1048576.0;
 
-/// Memory (bytes) that is free.
-pub(in crate::case) fn available() -> f64 {
+/// Memory (bytes) that this process may still take: of what the machine has free and what its limits leave, the least.
+pub fn free_memory() -> f64 {
     free(Path::new("/"), OF_A_THREAD)
 }
 

@@ -1,7 +1,7 @@
 //! Whether the machine holds what a case takes.
 
 use super::Parts;
-pub(in crate::case) use super::free::{available, available_to_equations};
+pub(in crate::case) use super::free::{available_to_equations, free_memory};
 use crate::body::Elasticity;
 use crate::body::mesh::Shape;
 use crate::case::chosen::Chosen;
@@ -28,7 +28,7 @@ pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
     if let Some(body) = parts.largest() {
         return of_body(body, memory);
     }
-    let problem = judged(memory, available())?;
+    let problem = judged(memory, free_memory())?;
     let problem =
         Problem { message: problem.message.replace("the equations", "the run"), ..problem };
     let help = "take fewer elements: half as many along both sides take a quarter";
@@ -40,7 +40,7 @@ pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> 
     let finite = body.finite.as_ref()?;
     let (mesh, free) = match finite.elasticity {
         Elasticity::BoundaryElements => (&finite.mesh, available_to_equations()),
-        Elasticity::HalfSpace => (&finite.mesh, available()),
+        Elasticity::HalfSpace => (&finite.mesh, free_memory()),
     };
     let key = key(Key::of(["body", &body.name, "mesh"]), mesh);
     judged(memory, free).map(|problem| Problem { key, ..problem })

@@ -29,6 +29,7 @@ pub use cycles::Cycles;
 pub use equivalent::Equivalent;
 pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
+pub use free::free_memory;
 pub use surfaces::Surfaces;
 pub(super) use surfaces::settle;
 
@@ -44,7 +45,7 @@ use crate::motion::{Control, Motion, Schedule};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
-    pub(super) case: &'a Case,
+    case: &'a Case,
     pub(super) bodies: [Body; 2],
     pub(super) friction: Option<Box<dyn Friction>>,
     pub(super) motion: Motion,

@@ -71,7 +71,7 @@ impl Reader<'_> {
         let held = finite.held();
         // A mesh that no memory holds is not even made.
         let least = Size::at_least(shape.at_least(finite.mirrored, &held), finite.interpolation);
-        if let Some(problem) = memory::too_large(least.memory(), memory::available()) {
+        if let Some(problem) = memory::too_large(least.memory(), memory::free_memory()) {
             self.push(Problem { key: memory::key(section.key.clone(), &finite.mesh), ..problem });
             return None;
         }
