@@ -85,6 +85,7 @@ pub mod elastic;
 pub mod estimate;
 pub mod frame;
 pub mod friction;
+pub mod measured;
 pub mod motion;
 #[doc(hidden)]
 pub mod numerics;
