@@ -15,6 +15,7 @@ const LAYERS: &[&[&str]] = &[
     &["simulation", "estimate"],
     &["output"],
     &["case"],
+    &["fit"],
 ];
 
 fn layer(module: &str) -> Option<usize> {
