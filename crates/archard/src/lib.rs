@@ -83,8 +83,10 @@ pub mod closed_form;
 pub mod compliance;
 pub mod elastic;
 pub mod estimate;
+pub mod fit;
 pub mod frame;
 pub mod friction;
+pub mod measured;
 pub mod motion;
 #[doc(hidden)]
 pub mod numerics;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 /// The modules of the library from the ground up; those of one layer do not see each other.
 const LAYERS: &[&[&str]] = &[
     &["numerics", "parameters", "units", "verdict"],
-    &["wear", "friction"],
+    &["wear", "friction", "measured"],
     &["body"],
     &["frame", "closed_form"],
     &["compliance", "motion"],
@@ -15,6 +15,7 @@ const LAYERS: &[&[&str]] = &[
     &["simulation", "estimate"],
     &["output"],
     &["case"],
+    &["fit"],
 ];
 
 fn layer(module: &str) -> Option<usize> {

@@ -11,6 +11,10 @@ impl Dimension {
     pub const NUMBER: Self = Self([0.0; 5]);
     /// Length (m).
     pub const LENGTH: Self = Self([1.0, 0.0, 0.0, 0.0, 0.0]);
+    /// Area (m^2).
+    pub const AREA: Self = Self([2.0, 0.0, 0.0, 0.0, 0.0]);
+    /// Volume (m^3).
+    pub const VOLUME: Self = Self([3.0, 0.0, 0.0, 0.0, 0.0]);
     /// Mass (kg).
     pub const MASS: Self = Self([0.0, 1.0, 0.0, 0.0, 0.0]);
     /// Time (s).
@@ -40,8 +44,8 @@ impl Dimension {
     const NAMES: &[(Self, &str)] = &[
         (Self::NUMBER, "a pure number"),
         (Self::LENGTH, "a length"),
-        (Self([2.0, 0.0, 0.0, 0.0, 0.0]), "an area"),
-        (Self([3.0, 0.0, 0.0, 0.0, 0.0]), "a volume"),
+        (Self::AREA, "an area"),
+        (Self::VOLUME, "a volume"),
         (Self([-3.0, 1.0, 0.0, 0.0, 0.0]), "a density"),
         (Self([-1.0, 0.0, 0.0, 0.0, 0.0]), "a curvature (1/length)"),
         (Self::MASS, "a mass"),

@@ -40,6 +40,13 @@ impl Measure {
     pub const NUMBER: Self = Self::of(Dimension::NUMBER, "a pure number", "1", ["1", "1"], "1");
     /// A length (m).
     pub const LENGTH: Self = Self::of(Dimension::LENGTH, "a length", "50 mm", ["mm", "m"], "m");
+    /// An area (m^2).
+    pub const AREA: Self = Self::of(Dimension::AREA, "an area", "2 mm2", ["mm2", "m2"], "m2");
+    /// A volume (m^3).
+    pub const VOLUME: Self =
+        Self::of(Dimension::VOLUME, "a volume", "0.1 mm3", ["mm3", "m3"], "m3");
+    /// A mass (kg).
+    pub const MASS: Self = Self::of(Dimension::MASS, "a mass", "2 mg", ["mg", "g"], "kg");
     /// A force (N).
     pub const FORCE: Self = Self::of(Dimension::FORCE, "a force", "10 N", ["N", "kN"], "N");
     /// A load per length (N/m).

@@ -1,0 +1,158 @@
+//! Whether tests wear as the model says they do: over the distance, and over the load.
+
+use super::effects::{Effects, chance, factor};
+use super::within::{Fitted, Test};
+
+/// A law is rejected where chance would show what was seen less often than this.
+pub const REJECTED: f64 = 0.01;
+
+/// An exponent with its interval and how probable it is if the law holds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exponent {
+    /// The exponent found.
+    pub value: f64,
+    /// Its 95 % interval.
+    pub interval: [f64; 2],
+    /// The probability of something at least as far off, if the law holds.
+    pub p: f64,
+}
+
+impl Exponent {
+    /// Whether the law is rejected.
+    pub fn rejects(&self) -> bool {
+        self.p < REJECTED
+    }
+
+    fn of(law: f64, difference: f64, deviation: f64, degrees: f64) -> Self {
+        let half = factor(degrees) * deviation;
+        let value = law + difference;
+        let p = match deviation > 0.0 {
+            true => chance(difference / deviation, degrees),
+            false => f64::from(u8::from(difference == 0.0)),
+        };
+        Self { value, interval: [value - half, value + half], p }
+    }
+}
+
+/// The exponent q of the distance if wear went by k s^q, where the law says 1; `None` where the readings cannot tell.
+///
+/// Each test has an exponent of its own, and they are tests as any: it is their scatter that counts, as readings of a test
+/// are not independent. Fewer than three tests are judged by their residuals, and tests of one reading each by how their k
+/// goes with the distance.
+pub fn over_distance(
+    (tests, fitted): (&[Test], &[Fitted]),
+    weights: &[Vec<f64>],
+    correlation: f64,
+) -> Option<Exponent> {
+    let slopes: Vec<Slope> = (tests.iter().zip(fitted).zip(weights))
+        .filter_map(|((test, fitted), weights)| Slope::of(test, fitted, weights))
+        .collect();
+    if slopes.len() >= 3 {
+        let information: f64 = slopes.iter().map(|slope| slope.information).sum();
+        let mean =
+            slopes.iter().map(|slope| slope.information * slope.value).sum::<f64>() / information;
+        let square = slopes.iter().map(|slope| slope.information * (slope.value - mean).powi(2));
+        let degrees = (slopes.len() - 1) as f64;
+        let deviation = (square.sum::<f64>() / degrees / information).sqrt();
+        return Some(Exponent::of(1.0, mean, deviation, degrees));
+    }
+    if slopes.is_empty() {
+        let point = |(test, fitted): (&Test, &Fitted)| [mean_log(test), fitted.log_k];
+        let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect();
+        let [slope, deviation] = line(&points)?;
+        return Some(Exponent::of(1.0, slope, deviation, points.len() as f64 - 2.0));
+    }
+    let degrees: f64 = slopes.iter().map(|slope| slope.readings - 2.0).sum();
+    let independent = (1.0 - correlation) / (1.0 + correlation);
+    let left: f64 = slopes.iter().map(|slope| slope.left).sum();
+    if degrees < 1.0 {
+        return None;
+    }
+    let information: f64 = slopes.iter().map(|slope| slope.information).sum();
+    let mean =
+        slopes.iter().map(|slope| slope.information * slope.value).sum::<f64>() / information;
+    let deviation = (left / degrees / information / independent).sqrt();
+    Some(Exponent::of(1.0, mean, deviation, (degrees * independent).max(1.0)))
+}
+
+/// What the residuals of a test say of its exponent.
+struct Slope {
+    /// The exponent less 1.
+    value: f64,
+    /// The inverse of its variance, in units of that of the weights.
+    information: f64,
+    /// Weighted squares of the residuals that are left.
+    left: f64,
+    readings: f64,
+}
+
+impl Slope {
+    /// Least squares for the exponent beside k.
+    fn of(test: &Test, fitted: &Fitted, weights: &[f64]) -> Option<Self> {
+        let size = weights.len();
+        let sum =
+            |part: &dyn Fn(usize) -> f64| -> f64 { (0..size).map(|j| weights[j] * part(j)).sum() };
+        let along = |j: usize| fitted.slopes[j];
+        let middle = sum(&|j| along(j).powi(2) * test.readings[j].progress.ln())
+            / sum(&|j| along(j).powi(2));
+        let across = |j: usize| along(j) * (test.readings[j].progress.ln() - middle);
+        let information = sum(&|j| across(j).powi(2));
+        // Readings at one place have nothing to say.
+        if information <= 1e-9 * sum(&|j| along(j).powi(2)) {
+            return None;
+        }
+        let value = sum(&|j| across(j) * fitted.residuals[j]) / information;
+        let left = sum(&|j| fitted.residuals[j].powi(2)) - value * value * information;
+        Some(Self { value, information, left: left.max(0.0), readings: size as f64 })
+    }
+}
+
+/// The exponent of the load that k goes by, where a constant k says 0; `None` without three tests at two loads.
+pub fn over_loads(tests: &[Test], fitted: &[Fitted]) -> Option<Exponent> {
+    let point = |(test, fitted): (&Test, &Fitted)| Some([test.load?.ln(), fitted.log_k]);
+    let points: Vec<[f64; 2]> = tests.iter().zip(fitted).map(point).collect::<Option<_>>()?;
+    let [slope, deviation] = line(&points)?;
+    Some(Exponent::of(0.0, slope, deviation, points.len() as f64 - 2.0))
+}
+
+/// Slope of the straight line through points, and its standard deviation; `None` of fewer than three points or of one abscissa.
+fn line(points: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let count = points.len() as f64;
+    let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
+    let [x, y] = [0, 1].map(mean);
+    let square = points.iter().map(|point| (point[0] - x).powi(2)).sum::<f64>();
+    if points.len() < 3 || square <= 1e-9 {
+        return None;
+    }
+    let slope = points.iter().map(|[a, b]| (a - x) * (b - y)).sum::<f64>() / square;
+    let left = points.iter().map(|[a, b]| (b - y - slope * (a - x)).powi(2)).sum::<f64>();
+    Some([slope, (left / (count - 2.0) / square).sqrt()])
+}
+
+/// Mean of the logarithms of the distances of a test.
+fn mean_log(test: &Test) -> f64 {
+    let logs = test.readings.iter().map(|reading| reading.progress.ln());
+    logs.sum::<f64>() / test.readings.len() as f64
+}
+
+/// The tests of each load, by rising load, and what they say together; `None` of a load with a single test.
+pub fn by_load(
+    tests: &[Test],
+    fitted: &[Fitted],
+    variances: &[f64],
+) -> Vec<(f64, usize, f64, Option<Effects>)> {
+    let mut loads: Vec<f64> = tests.iter().filter_map(|test| test.load).collect();
+    loads.sort_by(f64::total_cmp);
+    loads.dedup_by(|one, other| (*one - *other).abs() <= 1e-6 * *one);
+    let group = |load: f64| {
+        let own = |index: &usize| {
+            tests[*index].load.is_some_and(|other| (other - load).abs() <= 1e-6 * load)
+        };
+        let own: Vec<usize> = (0..tests.len()).filter(own).collect();
+        let values: Vec<f64> = own.iter().map(|&i| fitted[i].log_k).collect();
+        let variances: Vec<f64> = own.iter().map(|&i| variances[i]).collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        (load, own.len(), mean, Effects::of(&values, &variances))
+    };
+    loads.into_iter().map(group).collect()
+}

@@ -1,0 +1,250 @@
+//! Tables of measured readings, as spreadsheets and instruments write them.
+//!
+//! A [`Table`] is a header and rows of cells, separated by commas, semicolons or tabs. A header names a column and its unit:
+//! `Distance [mm]`, `depth (um)`, `Tiefe / µm` or `volume_mm3`. Numbers may have a decimal comma. Values are asked for by
+//! name and measure and given in SI; an empty cell is a reading that was not taken. What is wrong is told with line, column
+//! and the header that would do.
+
+mod cells;
+mod error;
+mod heading;
+mod text;
+
+pub use error::Error;
+use heading::Heading;
+use text::{decoded, separator};
+
+use crate::units::{Measure, Scale};
+
+/// A measured table.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    source: String,
+    headings: Vec<Heading>,
+    rows: Vec<Row>,
+}
+
+/// A row: the line it stands on, and its cells.
+#[derive(Debug, Clone, PartialEq)]
+struct Row {
+    line: u64,
+    cells: Vec<String>,
+}
+
+impl Table {
+    /// Reads a table. Its text is UTF-8, UTF-16 with a byte order mark, or Latin-1; lines that begin with `#`, and rows
+    /// without any value, are passed over. `source` is what messages call it.
+    ///
+    /// # Errors
+    /// If there is no header or no row below it, two columns have one name, or a row has not as many cells as the header.
+    pub fn read(source: &str, bytes: &[u8]) -> Result<Self, Error> {
+        let text = decoded(bytes);
+        let (source, separator) = (source.to_owned(), separator(&text));
+        let mut reader = csv::ReaderBuilder::new()
+            .delimiter(separator)
+            .trim(csv::Trim::All)
+            .comment(Some(b'#'))
+            .flexible(true)
+            .from_reader(text.as_bytes());
+        let unreadable = |cause| Error::Unreadable { table: source.clone(), cause };
+        let titles = reader.headers().map_err(unreadable)?.clone();
+        if titles.iter().all(str::is_empty) {
+            return Err(Error::NoHeader { table: source });
+        }
+        let headings: Vec<Heading> = titles.iter().map(Heading::of).collect();
+        let mut rows = vec![];
+        for record in reader.records() {
+            let record = record.map_err(unreadable)?;
+            let line = record.position().map_or(0, csv::Position::line);
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            if record.len() != headings.len() {
+                let (expected, found) = (headings.len(), record.len());
+                return Err(Error::Ragged { table: source, line, expected, found });
+            }
+            rows.push(Row { line, cells: record.iter().map(str::to_owned).collect() });
+        }
+        if rows.is_empty() {
+            return Err(Error::Empty { table: source });
+        }
+        let table = Self { source, headings, rows };
+        table.told_apart()?;
+        table.one_decimal_sign(separator)?;
+        Ok(table)
+    }
+
+    /// The same with other names for some columns: each pair is a name and the title, or the name, of the column meant.
+    ///
+    /// # Errors
+    /// If there is no column of such a title, or two columns have one name then.
+    pub fn naming(mut self, names: &[(&str, &str)]) -> Result<Self, Error> {
+        for (name, title) in names {
+            let known = |heading: &&mut Heading| heading.is(title);
+            match self.headings.iter_mut().find(known) {
+                Some(heading) => heading.rename(name),
+                None => {
+                    return Err(Error::NoTitle {
+                        table: self.source.clone(),
+                        title: (*title).to_owned(),
+                        titles: self.titles(),
+                    });
+                }
+            }
+        }
+        self.told_apart()?;
+        Ok(self)
+    }
+
+    /// What messages call the table.
+    pub fn source(&self) -> &str {
+        &self.source
+    }
+
+    /// Number of rows.
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there is no row; no table that was read is without.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The line each row stands on.
+    pub fn lines(&self) -> Vec<u64> {
+        self.rows.iter().map(|row| row.line).collect()
+    }
+
+    /// The names of all columns.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.headings.iter().map(|heading| heading.name.as_str())
+    }
+
+    /// The titles of the columns of other names, which whoever asks for these names leaves out.
+    pub fn others(&self, names: &[&str]) -> Vec<&str> {
+        let other = |heading: &&Heading| !names.contains(&heading.name.as_str());
+        self.headings.iter().filter(other).map(|heading| heading.title.as_str()).collect()
+    }
+
+    /// The texts in a column; `None` where there is none of that name.
+    pub fn texts(&self, name: &str) -> Option<Vec<&str>> {
+        let column = self.column(name)?;
+        Some(self.rows.iter().map(|row| row.cells[column].as_str()).collect())
+    }
+
+    /// The values in a column (SI), of empty cells `None`; `None` where there is no column of that name.
+    ///
+    /// # Errors
+    /// If the column has no unit, or one of another measure, or a cell is not a finite number.
+    pub fn numbers(
+        &self,
+        name: &str,
+        measure: &Measure,
+    ) -> Result<Option<Vec<Option<f64>>>, Error> {
+        let Some(column) = self.column(name) else { return Ok(None) };
+        let scale = self.scale(&self.headings[column], measure)?;
+        let value = |row: &Row| match row.cells[column].as_str() {
+            "" => Ok(None),
+            text => cells::value(text, &scale).map(Some).ok_or_else(|| Error::NotANumber {
+                table: self.source.clone(),
+                line: row.line,
+                column: self.headings[column].title.clone(),
+                text: text.to_owned(),
+            }),
+        };
+        self.rows.iter().map(value).collect::<Result<_, _>>().map(Some)
+    }
+
+    /// The values in a column that has to be there, in every row (SI).
+    ///
+    /// # Errors
+    /// As [`numbers`](Self::numbers); if there is no such column, or an empty cell in it.
+    pub fn all_numbers(&self, name: &str, measure: &Measure) -> Result<Vec<f64>, Error> {
+        let values = self.numbers(name, measure)?.ok_or_else(|| Error::NoColumn {
+            table: self.source.clone(),
+            wanted: heading::like(name, measure),
+            name: name.to_owned(),
+            titles: self.titles(),
+        })?;
+        let there = |(row, value): (&Row, Option<f64>)| {
+            value.ok_or_else(|| Error::NoValue {
+                table: self.source.clone(),
+                line: row.line,
+                column: name.to_owned(),
+            })
+        };
+        self.rows.iter().zip(values).map(there).collect()
+    }
+
+    /// The titles, as messages list them.
+    pub fn titles(&self) -> String {
+        let titles = self.headings.iter().map(|heading| format!("`{}`", heading.title));
+        titles.collect::<Vec<_>>().join(", ")
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.headings.iter().position(|heading| heading.name == name)
+    }
+
+    /// The unit of a column that holds a measure.
+    fn scale(&self, heading: &Heading, measure: &Measure) -> Result<Scale, Error> {
+        let unit = match &heading.unit {
+            Some(unit) => unit,
+            None if *measure == Measure::NUMBER => "1",
+            None => {
+                return Err(Error::NoUnit {
+                    table: self.source.clone(),
+                    column: heading.title.clone(),
+                    like: heading::like(&heading.name, measure),
+                });
+            }
+        };
+        Scale::read(unit, measure).map_err(|cause| Error::WrongUnit {
+            table: self.source.clone(),
+            column: heading.title.clone(),
+            cause: Box::new(cause),
+            like: heading::like(&heading.name, measure),
+        })
+    }
+
+    /// No two columns of one name.
+    fn told_apart(&self) -> Result<(), Error> {
+        for (index, heading) in self.headings.iter().enumerate() {
+            let alike = |other: &&Heading| other.name == heading.name && !heading.name.is_empty();
+            if let Some(other) = self.headings[..index].iter().find(alike) {
+                return Err(Error::Twice {
+                    table: self.source.clone(),
+                    one: other.title.clone(),
+                    other: heading.title.clone(),
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Numbers with a comma and numbers with a point are not of one table, and commas may be separators of thousands: either
+    /// way some would be read wrong.
+    fn one_decimal_sign(&self, separator: u8) -> Result<(), Error> {
+        let all = || {
+            let cells = |row: &'_ Row| {
+                row.cells.iter().map(|cell| (row.line, cell.clone())).collect::<Vec<_>>()
+            };
+            self.rows.iter().flat_map(cells)
+        };
+        let mut commas = all().filter(|(_, cell)| cells::has(cell, ','));
+        let Some((line, one)) = commas.next() else { return Ok(()) };
+        let table = self.source.clone();
+        if let Some((other_line, other)) = all().find(|(_, cell)| cells::has(cell, '.')) {
+            return Err(Error::TwoDecimalSigns { table, line, one, other_line, other });
+        }
+        let thousands = |(_, cell): (u64, String)| cells::may_be_thousands(&cell);
+        if separator != b';' && cells::may_be_thousands(&one) && commas.all(thousands) {
+            return Err(Error::Thousands { table, line, text: one });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests;
