@@ -34,6 +34,12 @@ pub enum Command {
     /// Draw the pictures of a result folder, or of a study
     #[command(after_help = PLOT_EXAMPLES)]
     Plot(Plot),
+    /// Write the worn surfaces of a result folder for ParaView, and a macro that shows them
+    Paraview {
+        /// A folder written by `run`; the files go into its folder `paraview`
+        #[arg(value_hint = ValueHint::DirPath)]
+        dir: PathBuf,
+    },
     /// Run a study: a case over lists, ranges and distributions of its values
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),

@@ -16,6 +16,7 @@ mod interrupt;
 mod laws;
 mod new;
 mod number;
+mod paraview;
 mod plot;
 mod progress;
 mod rigs;
@@ -43,6 +44,7 @@ fn main() -> ExitCode {
         Command::Doctor => doctor::doctor(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { dir } => shell::man(&dir),
+        Command::Paraview { dir } => paraview::write(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
