@@ -10,6 +10,7 @@ mod companions;
 mod diagnose;
 mod elastic;
 mod failure;
+mod fit;
 mod folder;
 mod interrupt;
 mod laws;
@@ -38,6 +39,7 @@ fn main() -> ExitCode {
         Command::New(arguments) => new::new(&arguments),
         Command::Laws => laws::laws(),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Fit(arguments) => fit::fit(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {
