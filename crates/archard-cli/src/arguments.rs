@@ -142,7 +142,7 @@ Examples:
 The same command goes on where it was interrupted. `archard plot DIR` draws the study.";
 
 /// The arguments of `sweep`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Sweep {
     /// A case file, or a folder with a `case.toml`
     pub case: PathBuf,
@@ -156,8 +156,11 @@ pub struct Sweep {
     /// uniform(from, to)
     #[arg(long, value_name = "KEY=DISTRIBUTION", requires = "samples")]
     pub sample: Vec<String>,
+    /// Draw the coefficients of a fit (a `fit.json`) as the next test will have them
+    #[arg(long, value_name = "FILE", requires = "samples")]
+    pub from: Option<PathBuf>,
     /// Number of samples, at each value of --over
-    #[arg(long, value_name = "N", requires = "sample")]
+    #[arg(long, value_name = "N")]
     pub samples: Option<NonZeroUsize>,
     /// Tells sets of samples apart
     #[arg(long, value_name = "S", default_value_t = 1)]
