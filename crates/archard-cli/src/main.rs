@@ -11,6 +11,7 @@ mod diagnose;
 mod doctor;
 mod elastic;
 mod failure;
+mod fit;
 mod folder;
 mod interrupt;
 mod laws;
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
         Command::Man { dir } => shell::man(&dir),
         Command::Paraview { dir } => paraview::write(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Fit(arguments) => fit::fit(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {

@@ -7,6 +7,7 @@ mod cells;
 mod comparison;
 mod creep_force;
 mod figure;
+mod fit;
 mod fretting_loop;
 mod heights;
 mod load;
@@ -30,6 +31,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 
 use figure::{Panel, save};
+pub use fit::draw as draw_fit;
 use pressure::MOMENTS;
 use results::Results;
 
