@@ -7,6 +7,7 @@ mod arguments;
 mod builtin;
 mod check;
 mod companions;
+mod compare;
 mod diagnose;
 mod doctor;
 mod elastic;
@@ -18,6 +19,7 @@ mod new;
 mod number;
 mod plot;
 mod progress;
+mod report;
 mod rigs;
 mod run;
 mod say;
@@ -44,7 +46,18 @@ fn main() -> ExitCode {
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { dir } => shell::man(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
-        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
+        Command::Report(arguments) => report::run(&arguments)
+            .map_err(|error| Failure::wrong(format!("{error:#}")))
+            .and_then(|file| say::say(&file.display().to_string())),
+        Command::Compare(arguments) => {
+            compare::run(&arguments.dir, &arguments.others, &arguments.options)
+                .map_err(|error| Failure::wrong(format!("{error:#}")))
+                .and_then(|(words, files)| {
+                    words.iter().try_for_each(|line| say::say(line))?;
+                    files.iter().try_for_each(|file| say::say(&file.display().to_string()))
+                })
+        }
+        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with, &arguments.paper())
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {
                 files.iter().try_for_each(|file| say::say(&file.display().to_string()))

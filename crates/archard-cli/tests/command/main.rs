@@ -1,8 +1,11 @@
 //! The command as a user meets it: exit codes, what it says, what it leaves behind.
 
 mod accuracy;
+mod browser;
+mod compare;
 mod finite;
 mod memory;
+mod report;
 mod sweep;
 mod verdict;
 
