@@ -28,6 +28,12 @@ lint:
     cargo fmt --all --check
     cargo clippy --workspace --all-targets -- -D warnings
 
+# draw the picture of a report in the book, with Chromium
+report-picture:
+    cargo run --release -- run cases/pin_on_disc -o target/report --force --quiet --report
+    chromium --headless --no-sandbox --disable-gpu --enable-unsafe-swiftshader --hide-scrollbars --window-size=1280,1500 \
+        --virtual-time-budget=60000 --screenshot=book/src/report.png file://$PWD/target/report/report.html
+
 # build the documentation of the library, warnings as errors
 docs:
     RUSTDOCFLAGS="-D warnings" cargo doc --workspace --no-deps

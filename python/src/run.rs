@@ -206,6 +206,7 @@ impl Run {
             threads: self.pool.current_num_threads(),
             warnings: self.warnings.clone(),
             failure,
+            command: None,
         };
         let stage = replace(&mut self.stage, Stage::Gone);
         let inside = self.inside.take();
@@ -454,6 +455,7 @@ pub fn solve_elastic(
             threads,
             warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
             failure: None,
+            command: None,
         };
         output::write_elastic(&claim, &case_toml, (&body, &deformed), &totals)
             .map_err(Unsolved::Output)

@@ -8,6 +8,8 @@ use archard::output::Store;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 
+use crate::plot::draw::{Format, Paper, Width};
+
 /// Predicts contact and wear of elastic bodies from a case file.
 #[derive(Debug, Parser)]
 #[command(name = "archard", version, about, propagate_version = true)]
@@ -40,6 +42,11 @@ pub enum Command {
         #[arg(value_hint = ValueHint::DirPath)]
         dir: PathBuf,
     },
+    /// Write a page about a run that opens in any browser: results, verdict, theory, curves, maps and worn surfaces
+    Report(Report),
+    /// Hold a run against measured profiles, readings over the motion, or other runs
+    #[command(after_help = COMPARE_EXAMPLES)]
+    Compare(Compare),
     /// Run a study: a case over lists, ranges and distributions of its values
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
@@ -122,6 +129,9 @@ pub struct Run {
     /// Replace the results of another case
     #[arg(long)]
     pub force: bool,
+    /// Write a page about the run into its folder, as `archard report` does
+    #[arg(long)]
+    pub report: bool,
     /// Number of threads; if not given one for half-spaces of up to 3600 elements, else as many as there are processors
     #[arg(long, value_name = "N")]
     pub threads: Option<NonZeroUsize>,
@@ -198,6 +208,56 @@ pub struct Plot {
     /// Folders of other runs, whose wear is compared with that of the first
     #[arg(long, value_name = "DIR", num_args = 1..)]
     pub with: Vec<PathBuf>,
+    /// The width to fill in print, with letters to match; that of a screen if not given
+    #[arg(long, value_enum)]
+    pub size: Option<Width>,
+    /// The files to write, e.g. svg,pdf; SVG and PNG if not given
+    #[arg(long, value_enum, value_delimiter = ',')]
+    pub format: Vec<Format>,
+}
+
+impl Plot {
+    /// What the pictures are for.
+    pub fn paper(&self) -> Paper {
+        Paper { width: self.size, formats: self.format.clone() }
+    }
+}
+
+const COMPARE_EXAMPLES: &str = "\
+Examples:
+  a profile across a scar, with columns `x [mm]` and `z [um]`, as the instrument has written it:
+    archard compare results/pin_on_disc scar.csv
+  depths over the distance, under the titles of the laboratory:
+    archard compare results/pin_on_disc wear.csv --column distance=\"Weg [m]\" --column depth=\"Tiefe [um]\"
+  another run:
+    archard compare results/pin_on_disc results/pin_on_disc_both";
+
+/// The arguments of `compare`.
+#[derive(Debug, Args)]
+pub struct Compare {
+    /// A folder written by `run`; the picture goes into its folder `plots`
+    pub dir: PathBuf,
+    /// Measured tables (CSV), and folders of other runs
+    #[arg(required = true, value_name = "MEASURED.csv|DIR")]
+    pub others: Vec<PathBuf>,
+    #[command(flatten)]
+    pub options: crate::compare::Options,
+}
+
+/// The arguments of `report`.
+#[derive(Debug, Default, Args)]
+pub struct Report {
+    /// A folder written by `run`, and folders of other runs whose wear is shown beside it
+    #[arg(required = true, value_name = "DIR")]
+    pub dirs: Vec<PathBuf>,
+    /// The page; report.html in the first folder if not given
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Measured tables (CSV) to show beside the run, as `archard compare` reads them
+    #[arg(long, value_name = "FILE", num_args = 1..)]
+    pub measured: Vec<PathBuf>,
+    #[command(flatten)]
+    pub options: crate::compare::Options,
 }
 
 const SWEEP_EXAMPLES: &str = "\

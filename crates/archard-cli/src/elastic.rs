@@ -11,6 +11,7 @@ use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
 use crate::say::say;
+use crate::underway::command;
 use crate::verdict;
 
 /// Computes a body and writes its results into the folder that is held.
@@ -25,6 +26,7 @@ pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(),
         threads: rayon::current_num_threads(),
         warnings: warnings.iter().map(|warning| warning.title()).collect(),
         failure: None,
+        command: Some(command()),
     };
     let Some(claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));

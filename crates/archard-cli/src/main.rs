@@ -7,6 +7,7 @@ mod arguments;
 mod builtin;
 mod check;
 mod companions;
+mod compare;
 mod diagnose;
 mod doctor;
 mod elastic;
@@ -20,6 +21,7 @@ mod number;
 mod paraview;
 mod plot;
 mod progress;
+mod report;
 mod rigs;
 mod run;
 mod say;
@@ -48,7 +50,18 @@ fn main() -> ExitCode {
         Command::Paraview { dir } => paraview::write(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Fit(arguments) => fit::fit(&arguments),
-        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with)
+        Command::Report(arguments) => report::run(&arguments)
+            .map_err(|error| Failure::wrong(format!("{error:#}")))
+            .and_then(|file| say::say(&file.display().to_string())),
+        Command::Compare(arguments) => {
+            compare::run(&arguments.dir, &arguments.others, &arguments.options)
+                .map_err(|error| Failure::wrong(format!("{error:#}")))
+                .and_then(|(words, files)| {
+                    words.iter().try_for_each(|line| say::say(line))?;
+                    files.iter().try_for_each(|file| say::say(&file.display().to_string()))
+                })
+        }
+        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with, &arguments.paper())
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {
                 files.iter().try_for_each(|file| say::say(&file.display().to_string()))

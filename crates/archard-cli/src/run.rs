@@ -16,7 +16,7 @@ use archard::simulation::{Companion, Effort, Error, Observer, Simulation};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::arguments::Run;
+use crate::arguments::{Report, Run};
 use crate::companions;
 use crate::diagnose;
 use crate::elastic;
@@ -25,6 +25,7 @@ use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
 use crate::number::{count, energy, four, mass};
 use crate::progress::Follower;
+use crate::report;
 use crate::say::{say, tell};
 use crate::standards;
 use crate::underway::Underway;
@@ -118,6 +119,13 @@ fn contact(
     if !arguments.quiet {
         summarize((&simulation, forecast), &follower, &totals, effort, dir)?;
         verdict::say_all(&judged)?;
+    }
+    if arguments.report {
+        let page = report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() });
+        let page = page.map_err(|error| Failure::wrong(format!("{error:#}")))?;
+        if !arguments.quiet {
+            say(&format!("report            {}", page.display()))?;
+        }
     }
     verdict::judge(&judged, dir)
 }

@@ -7,6 +7,19 @@ use archard::output::{Error, ResultFolder, Totals};
 use archard::verdict::Verdict;
 use indicatif::ProgressBar;
 
+/// The command as it was typed, quoted where a shell needs it.
+pub fn command() -> String {
+    let plain = |word: &str| {
+        !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "-_./=:,+@%^".contains(c))
+    };
+    let quoted = |word: String| match plain(&word) {
+        true => word,
+        false => format!("'{}'", word.replace('\'', "'\\''")),
+    };
+    let words = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    std::iter::once("archard".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
+}
+
 /// Results under way.
 pub struct Underway {
     /// Their folder.
@@ -41,6 +54,7 @@ impl Underway {
             threads: rayon::current_num_threads(),
             warnings: self.warnings.into_iter().chain(doubts).collect(),
             failure,
+            command: Some(command()),
         };
         self.folder.finish(&totals)?;
         Ok((totals, verdict))

@@ -9,16 +9,16 @@ const MOST: usize = 160;
 
 /// Means of a field over groups of elements.
 #[derive(Debug, PartialEq)]
-pub(super) struct Cells {
+pub(crate) struct Cells {
     /// Lowest and highest place (m) along x and along y.
-    pub(super) edges: [[f64; 2]; 2],
+    pub(crate) edges: [[f64; 2]; 2],
     /// A row along x after the other, from the lowest y.
-    pub(super) rows: Vec<Vec<f64>>,
+    pub(crate) rows: Vec<Vec<f64>>,
 }
 
 impl Cells {
-    /// The elements whose centres lie within the windows (m) on either side of the frame's centre.
-    pub(super) fn of(image: &Image, values: &[f64], windows: [f64; 2]) -> Self {
+    /// The elements whose centres lie within the windows (m) along each axis.
+    pub(crate) fn of(image: &Image, values: &[f64], windows: [[f64; 2]; 2]) -> Self {
         let [columns, rows] = [0, 1].map(|axis| groups(image, axis, windows[axis]));
         let mean = |xs: &Range<usize>, ys: &Range<usize>| {
             let row = |y: usize| values[y * image.elements[0]..][xs.clone()].iter().sum::<f64>();
@@ -36,8 +36,9 @@ impl Cells {
 
 /// The elements within the window along an axis, in groups of equal size; what is left over at the
 /// end is not shown.
-fn groups(image: &Image, axis: usize, window: f64) -> Vec<Range<usize>> {
-    let within = |i: &usize| image.centre(axis, *i).abs() <= window * (1.0 + 1e-9);
+fn groups(image: &Image, axis: usize, [low, high]: [f64; 2]) -> Vec<Range<usize>> {
+    let spare = 1e-9 * (high - low);
+    let within = |i: &usize| (low - spare..=high + spare).contains(&image.centre(axis, *i));
     let shown: Vec<usize> = (0..image.elements[axis]).filter(within).collect();
     let size = shown.len().div_ceil(MOST).max(1);
     shown.chunks_exact(size).map(|group| group[0]..group[0] + size).collect()
@@ -63,7 +64,7 @@ mod tests {
     #[test]
     fn many_elements_share_a_cell_along_their_axis_only() {
         let (image, values) = image();
-        let cells = Cells::of(&image, &values, [1e3; 2]);
+        let cells = Cells::of(&image, &values, [[-1e3, 1e3]; 2]);
         assert_eq!(cells.rows.len(), 3);
         assert_eq!(cells.rows[0].len(), 133);
         assert_eq!(cells.rows[0][1], 4.0);
@@ -74,7 +75,7 @@ mod tests {
     #[test]
     fn a_window_cuts_both_sides() {
         let (image, values) = image();
-        let cells = Cells::of(&image, &values, [1.5, 0.5]);
+        let cells = Cells::of(&image, &values, [[-1.5, 1.5], [-0.5, 0.5]]);
         assert_eq!(cells.rows, vec![vec![598.0, 599.0, 600.0, 601.0]]);
         assert_eq!(cells.edges, [[-2.0, 2.0], [-0.5, 0.5]]);
     }

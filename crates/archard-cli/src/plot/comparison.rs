@@ -4,11 +4,8 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, ensure};
 use archard::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
-use kuva::plot::LegendPosition;
-use kuva::render::annotations::TextAnnotation;
-use kuva::render::layout::Layout;
 
-use super::figure::{self, Curves, PALE, Panel, Pen};
+use super::figure::{self, Curves, PALE, Panel, Pen, View};
 use super::results::Results;
 use super::scale::{Unit, phrase};
 use super::tables::largest;
@@ -26,7 +23,7 @@ const NAMED_BELOW: f64 = 0.09;
 
 /// The deepest wear of each body and of all over the progress, for the run in `dir` and those in
 /// `others`.
-pub(super) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<Panel> {
+pub(crate) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<Panel> {
     let read: Vec<Results> = others.iter().map(|dir| Results::read(dir)).collect::<Result<_>>()?;
     let runs: Vec<&Results> = [first].into_iter().chain(&read).collect();
     let dirs: Vec<&Path> = [dir].into_iter().chain(others.iter().map(PathBuf::as_path)).collect();
@@ -56,17 +53,13 @@ pub(super) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
     let note = |(quantity, name): &(String, &str)| {
         let place = NAMED_AT * end;
         let below = value_at(first, quantity, place)? - NAMED_BELOW * deepest;
-        let note = TextAnnotation::new(*name, place * along.factor, below * unit.factor);
-        Some(note.with_font_size(14))
+        Some((name.to_string(), [place * along.factor, below * unit.factor]))
     };
     let notes = quantities.iter().filter_map(note);
     let labels = ["Wear depth", &along.label(&phrase(column)), &unit.label("Wear depth")];
-    Ok(curves.panel(labels, |layout| {
-        let layout = layout
-            .with_x_axis_max(end * along.factor)
-            .with_y_axis_min(0.0)
-            .with_legend_position(LegendPosition::OutsideRightTop);
-        notes.fold(layout, Layout::with_annotation)
+    Ok(curves.panel(labels, |view| {
+        let view = view.below_x(end * along.factor).above_y(0.0);
+        notes.fold(view, |view: View, (words, place)| view.note(words, place))
     }))
 }
 

@@ -3,9 +3,8 @@
 use anyhow::Result;
 use archard::motion::Drive;
 use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
-use kuva::plot::LegendPosition;
 
-use super::figure::{COLOURS, Curves, Panel, Pen};
+use super::figure::{COLOURS, Curves, LegendPosition, OTHERS, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
 use super::tables::Axis;
@@ -17,7 +16,7 @@ const POINTS: usize = 100;
 
 /// The forces along x and y over the larger creepage, or over the share of the spin where the bodies
 /// creep by nothing else.
-pub(super) fn panel(results: &Results) -> Result<Panel> {
+pub(crate) fn panel(results: &Results) -> Result<Panel> {
     let sweep = Sweep::of(results)?;
     let mut curves = Curves::new();
     sweep.add_law(results, &mut curves);
@@ -26,13 +25,13 @@ pub(super) fn panel(results: &Results) -> Result<Panel> {
         let force = sweep.forces[axis];
         if sweep.shows(size(force)) {
             let points = sweep.places.iter().zip(force).map(|(place, f)| (sweep.shown(*place), *f));
-            curves.mark(points, COLOURS[1 + axis], Some(name));
+            curves.mark(points, OTHERS[axis], Some(name));
         }
     }
     let body = results.bodies.first().map_or("body 1", |body| body);
     let place = Unit::share().label(sweep.abscissa.name());
     let labels = [&*format!("Force on {body}"), &place, "Force (N)"];
-    Ok(curves.panel(labels, |layout| layout.with_legend_position(LegendPosition::OutsideRightTop)))
+    Ok(curves.panel(labels, |view| view.legend(LegendPosition::OutsideRightTop)))
 }
 
 /// A run at rising creepages.

@@ -1,185 +1,234 @@
-//! How the pictures look, and how they become files.
+//! What a picture shows, apart from how it is drawn: curves, points, bands and maps between two axes.
+//!
+//! [`draw`](super::draw) makes files of panels, [`report`](crate::report) shows the same ones on a page.
 
-use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
-
-use anyhow::Context;
-use kuva::backend::svg::SvgBackend;
-use kuva::plot::{ColorMap, LinePlot, ScatterPlot};
-use kuva::render::figure::Figure;
-use kuva::render::layout::{Layout, TickFormat};
-use kuva::render::plots::Plot;
-
-use super::raster;
-use super::scale::tick;
-
-/// Width of a PNG (px).
-const PNG_WIDTH: f64 = 1600.0;
+use kuva::plot::ColorMap;
 
 /// Black, blue and vermilion of M. Okabe and K. Ito, *Color Universal Design* (2008): told apart
-/// with any colour vision.
-pub(super) const COLOURS: [&str; 3] = ["#000000", "#0072b2", "#d55e00"];
+/// with any colour vision. The second is that of body 1, the third that of body 2.
+pub(crate) const COLOURS: [&str; 3] = ["#000000", "#0072b2", "#d55e00"];
 /// The same, pale: for what lies below.
-pub(super) const PALE: [&str; 3] = ["#bdbdbd", "#9ad0f5", "#f5c19a"];
+pub(crate) const PALE: [&str; 3] = ["#bdbdbd", "#9ad0f5", "#f5c19a"];
+/// Green and purple of the same: for what belongs to no body.
+pub(crate) const OTHERS: [&str; 2] = ["#009e73", "#cc79a7"];
+
+/// Places and values, in the units of the axes.
+pub(crate) type Points = Vec<(f64, f64)>;
 
 /// Curves or a map between two axes.
-pub(super) struct Panel {
-    plots: Vec<Plot>,
-    layout: Layout,
+#[derive(Debug, Clone)]
+pub(crate) struct Panel {
+    pub(crate) title: String,
+    /// Labels of the axes along x and y, with their units.
+    pub(crate) labels: [String; 2],
+    pub(crate) marks: Vec<Mark>,
+    pub(crate) view: View,
 }
 
-/// Curves between two axes.
-pub(super) struct Curves {
-    plots: Vec<Plot>,
+/// Something drawn, with its legend if it has one.
+#[derive(Debug, Clone)]
+pub(crate) struct Mark {
+    pub(crate) shape: Shape,
+    pub(crate) legend: Option<String>,
 }
 
-/// How a curve is drawn. Curves are told apart by width as well as colour, so that one on top of
+/// What is drawn.
+#[derive(Debug, Clone)]
+pub(crate) enum Shape {
+    /// A line through points.
+    Line(Points, Pen),
+    /// Points without a line between them, of that colour.
+    Dots(Points, String),
+    /// Places with the lowest and the highest value there, filled.
+    Band { places: Vec<[f64; 3]>, colour: String, opacity: f64 },
+    /// Values on cells.
+    Map(Map),
+}
+
+/// Values on cells, white where they are zero.
+#[derive(Debug, Clone)]
+pub(crate) struct Map {
+    /// Lowest and highest place along x and along y.
+    pub(crate) edges: [[f64; 2]; 2],
+    /// A row along x after the other, from the lowest y.
+    pub(crate) rows: Vec<Vec<f64>>,
+}
+
+/// How a line is drawn. Lines are told apart by width as well as colour, so that one on top of
 /// another leaves both to be seen.
-pub(super) struct Pen {
+#[derive(Debug, Clone)]
+pub(crate) struct Pen {
     /// As `#rrggbb`.
-    colour: String,
+    pub(crate) colour: String,
     /// Width of the line (px).
-    width: f64,
+    pub(crate) width: f64,
+}
+
+/// Where a legend stands.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum LegendPosition {
+    #[default]
+    OutsideRightTop,
+    InsideTopLeft,
+    InsideBottomRight,
+}
+
+/// What is particular to the axes of a panel.
+#[derive(Debug, Clone)]
+pub(crate) struct View {
+    /// Ends of the axes along x and y where they do not follow from what is drawn.
+    pub(crate) ends: [[Option<f64>; 2]; 2],
+    pub(crate) legend: LegendPosition,
+    pub(crate) legend_title: Option<String>,
+    /// Words at places.
+    pub(crate) notes: Vec<(String, [f64; 2])>,
+    /// Whether a length is shown as long along y as along x.
+    pub(crate) to_scale: bool,
+    /// Whether values along y are named.
+    pub(crate) named: bool,
 }
 
 impl Pen {
     /// The usual line.
-    pub(super) fn line(colour: impl Into<String>) -> Self {
+    pub(crate) fn line(colour: impl Into<String>) -> Self {
         Self { colour: colour.into(), width: 2.2 }
     }
 
     /// A line under a usual one.
-    pub(super) fn broad(colour: impl Into<String>) -> Self {
+    pub(crate) fn broad(colour: impl Into<String>) -> Self {
         Self { colour: colour.into(), width: 5.0 }
     }
 
     /// A band under everything else.
-    pub(super) fn under(colour: impl Into<String>) -> Self {
+    pub(crate) fn under(colour: impl Into<String>) -> Self {
         Self { colour: colour.into(), width: 7.0 }
     }
 
-    /// A line through some points.
-    pub(super) fn draw(self, points: impl IntoIterator<Item = (f64, f64)>) -> Plot {
-        self.through(points).into()
-    }
-
-    fn through(self, points: impl IntoIterator<Item = (f64, f64)>) -> LinePlot {
-        let points: Vec<(f64, f64)> = points.into_iter().collect();
-        LinePlot::new().with_data(points).with_color(self.colour).with_stroke_width(self.width)
-    }
-
     /// The pale band of a closed form, under whatever was computed.
-    pub(super) fn closed_form() -> Self {
+    pub(crate) fn closed_form() -> Self {
         Self::under(PALE[0])
     }
 }
 
-/// The colour of one of several moments of a run, from light at its start to dark at its end.
-pub(super) fn moment(index: usize, count: usize) -> String {
-    let share = if count > 1 { index as f64 / (count - 1) as f64 } else { 1.0 };
-    // The yellow end of the map is lost on white paper.
-    ColorMap::Viridis.map(0.82 * (1.0 - share))
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            ends: [[None; 2]; 2],
+            legend: LegendPosition::default(),
+            legend_title: None,
+            notes: Vec::new(),
+            to_scale: false,
+            named: true,
+        }
+    }
+}
+
+impl View {
+    /// The same from that place to that along x.
+    pub(crate) fn along_x(mut self, [from, to]: [f64; 2]) -> Self {
+        self.ends[0] = [Some(from), Some(to)];
+        self
+    }
+
+    /// The same as far as that place along x.
+    pub(crate) fn below_x(mut self, to: f64) -> Self {
+        self.ends[0][1] = Some(to);
+        self
+    }
+
+    /// The same from that value on along y.
+    pub(crate) fn above_y(mut self, from: f64) -> Self {
+        self.ends[1][0] = Some(from);
+        self
+    }
+
+    /// The same as far as that value along y.
+    pub(crate) fn below_y(mut self, to: f64) -> Self {
+        self.ends[1][1] = Some(to);
+        self
+    }
+
+    /// The same with the legend there.
+    pub(crate) fn legend(self, legend: LegendPosition) -> Self {
+        Self { legend, ..self }
+    }
+
+    /// The same with a title above the legend.
+    pub(crate) fn legend_title(self, title: String) -> Self {
+        Self { legend_title: Some(title), ..self }
+    }
+
+    /// The same with words at a place.
+    pub(crate) fn note(mut self, words: impl Into<String>, place: [f64; 2]) -> Self {
+        self.notes.push((words.into(), place));
+        self
+    }
+}
+
+/// Curves between two axes.
+#[derive(Debug, Default)]
+pub(crate) struct Curves {
+    marks: Vec<Mark>,
 }
 
 impl Curves {
     /// No curves yet.
-    pub(super) fn new() -> Self {
-        Self { plots: Vec::new() }
+    pub(crate) fn new() -> Self {
+        Self::default()
+    }
+
+    fn push(&mut self, shape: Shape, legend: Option<&str>) {
+        self.marks.push(Mark { shape, legend: legend.map(str::to_owned) });
     }
 
     /// Adds a curve; only one with a legend appears there.
-    pub(super) fn add(
+    pub(crate) fn add(
         &mut self,
         points: impl IntoIterator<Item = (f64, f64)>,
         pen: Pen,
         legend: Option<&str>,
     ) {
-        let mut line = pen.through(points);
-        if let Some(legend) = legend {
-            line = line.with_legend(legend);
-        }
-        self.plots.push(line.into());
+        self.push(Shape::Line(points.into_iter().collect(), pen), legend);
     }
 
     /// Adds points without a line between them; only some with a legend appear there.
-    pub(super) fn mark(
+    pub(crate) fn mark(
         &mut self,
         points: impl IntoIterator<Item = (f64, f64)>,
         colour: &str,
         legend: Option<&str>,
     ) {
-        let points: Vec<(f64, f64)> = points.into_iter().collect();
-        let mut marks = ScatterPlot::new().with_data(points).with_color(colour).with_size(5.0);
-        if let Some(legend) = legend {
-            marks = marks.with_legend(legend);
-        }
-        self.plots.push(marks.into());
+        self.push(Shape::Dots(points.into_iter().collect(), colour.to_owned()), legend);
     }
 
-    /// The curves alone.
-    pub(super) fn into_plots(self) -> Vec<Plot> {
-        self.plots
+    /// Adds what lies between two values at each place.
+    pub(crate) fn band(
+        &mut self,
+        places: impl IntoIterator<Item = [f64; 3]>,
+        colour: &str,
+        opacity: f64,
+        legend: Option<&str>,
+    ) {
+        let (places, colour) = (places.into_iter().collect(), colour.to_owned());
+        self.push(Shape::Band { places, colour, opacity }, legend);
+    }
+
+    /// Adds a map.
+    pub(crate) fn map(&mut self, map: Map) {
+        self.push(Shape::Map(map), None);
     }
 
     /// The panel with these curves; `adapt` changes what is particular to it.
-    pub(super) fn panel(
-        self,
-        [title, x, y]: [&str; 3],
-        adapt: impl FnOnce(Layout) -> Layout,
-    ) -> Panel {
-        Panel::new(self.plots, [title, x, y], |layout| adapt(layout.with_legend_box(false)))
+    pub(crate) fn panel(self, [title, x, y]: [&str; 3], adapt: impl FnOnce(View) -> View) -> Panel {
+        let view = adapt(View::default());
+        let labels = [x, y].map(str::to_owned);
+        Panel { title: title.to_owned(), labels, marks: self.marks, view }
     }
 }
 
-impl Panel {
-    /// A panel of plots with its title and the labels of its axes; `adapt` changes what is particular to it.
-    pub(super) fn new(
-        plots: Vec<Plot>,
-        [title, x, y]: [&str; 3],
-        adapt: impl FnOnce(Layout) -> Layout,
-    ) -> Self {
-        let layout = Layout::auto_from_plots(&plots)
-            .with_title(title)
-            .with_x_label(x)
-            .with_y_label(y)
-            .with_title_size(18)
-            .with_label_size(16)
-            .with_tick_size(14)
-            .with_body_size(14)
-            .with_tick_format(TickFormat::Custom(Arc::new(tick)));
-        Self { plots, layout: adapt(layout) }
-    }
-}
-
-/// Writes panels in that many columns, each of that size (px), as `path.svg` and `path.png`, below a mark if there is
-/// one.
-pub(super) fn save(
-    path: &Path,
-    columns: usize,
-    [width, height]: [f64; 2],
-    (panels, mark): (Vec<Panel>, Option<&str>),
-) -> anyhow::Result<[PathBuf; 2]> {
-    let rows = panels.len().div_ceil(columns);
-    let several = panels.len() > 1;
-    let (plots, layouts) = panels.into_iter().map(|panel| (panel.plots, panel.layout)).unzip();
-    let mut figure = Figure::new(rows, columns)
-        .with_cell_size(width, height)
-        .with_plots(plots)
-        .with_layouts(layouts);
-    if let Some(mark) = mark {
-        figure = figure.with_title(mark).with_title_size(20);
-    }
-    if several {
-        figure = figure.with_labels_lowercase();
-    }
-    let scene = figure.render();
-    let svg = SvgBackend::new().render_scene(&scene);
-    let png = raster::png(&scene, PNG_WIDTH)
-        .with_context(|| format!("cannot draw `{}.png`", path.display()))?;
-    let files = [path.with_extension("svg"), path.with_extension("png")];
-    for (file, bytes) in files.iter().zip([svg.as_bytes(), &png]) {
-        fs::write(file, bytes).with_context(|| format!("cannot write `{}`", file.display()))?;
-    }
-    Ok(files)
+/// The colour of one of several moments of a run, from light at its start to dark at its end.
+pub(crate) fn moment(index: usize, count: usize) -> String {
+    let share = if count > 1 { index as f64 / (count - 1) as f64 } else { 1.0 };
+    // The yellow end of the map is lost on white paper.
+    ColorMap::Viridis.map(0.82 * (1.0 - share))
 }

@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::Result;
 use archard::fit::{Coefficient, Fit, Shown};
-use kuva::plot::{BandPlot, LegendPosition};
-use kuva::render::plots::Plot;
 
-use super::figure::{COLOURS, Curves, Panel, Pen, save};
+use super::draw::{Paper, Sheet, save};
+use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::scale::Unit;
 
 /// Most panels of a picture.
@@ -16,12 +15,13 @@ const MOST: usize = 6;
 const SIZE: [f64; 2] = [640.0, 480.0];
 
 /// Draws a fit as `fit.svg` and `fit.png` in a folder.
-pub fn draw(dir: &Path, fit: &Fit) -> Result<[PathBuf; 2]> {
+pub fn draw(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>> {
     let shown =
         fit.coefficients.iter().flat_map(|own| own.curves.iter().map(move |curve| (own, curve)));
     let panels: Vec<Panel> = shown.take(MOST).map(|(own, curve)| panel(fit, own, curve)).collect();
     let columns = panels.len().clamp(1, 2);
-    save(&dir.join("fit"), columns, SIZE, (panels, None))
+    let sheet = Sheet { columns, size: SIZE, paper: &Paper::default() };
+    save(&dir.join("fit"), &sheet, (panels, None))
 }
 
 fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
@@ -37,23 +37,23 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
     let at = |place: usize| -> Vec<f64> {
         shown.points.iter().map(|point| point.1[place] * factor).collect()
     };
-    let band = |low: usize, high: usize, opacity: f64| {
-        let band = BandPlot::new(x.clone(), at(low), at(high)).with_color(COLOURS[1]);
-        Plot::Band(band.with_opacity(opacity))
+    let mut curves = Curves::new();
+    let mut band = |low: usize, high: usize, opacity: f64| {
+        let between = at(low).into_iter().zip(at(high));
+        let places = x.iter().zip(between).map(|(x, (low, high))| [*x, low, high]);
+        curves.band(places, COLOURS[1], opacity, None);
     };
-    let mut plots = vec![];
     if own.estimate.next.is_some() {
-        plots.push(band(0, 4, 0.16));
+        band(0, 4, 0.16);
     }
     if own.estimate.interval.is_some() {
-        plots.push(band(1, 3, 0.3));
+        band(1, 3, 0.3);
     }
     let bands = match (own.estimate.interval, own.estimate.next) {
         (Some(_), Some(_)) => "median, its 95 % interval, and that of the next test",
         (Some(_), None) => "median and its 95 % interval",
         _ => "median",
     };
-    let mut curves = Curves::new();
     curves.add(x.iter().copied().zip(at(2)), Pen::line(COLOURS[1]), Some(bands));
     let tests = own.tests.iter().filter(|test| test.load == shown.load);
     let readings: Vec<(f64, f64)> = tests
@@ -64,19 +64,15 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
     let most = readings.iter().map(|point| point.1).chain(at(3)).fold(0.0, f64::max);
     let legend = format!("{} readings", readings.len());
     curves.mark(readings, COLOURS[0], Some(&legend));
-    plots.extend(curves.into_plots());
     let title = match shown.load {
         Some(load) => format!("{} at {load} N", own.key),
         None => own.key.clone(),
     };
     let labels = [&*title, &along.label(fit.progress), &format!("{name} ({unit})")];
-    Panel::new(plots, labels, |layout| {
-        layout
-            .with_x_axis_min(0.0)
-            .with_x_axis_max(end * along.factor)
-            .with_y_axis_min(0.0)
-            .with_y_axis_max(1.25 * most)
-            .with_legend_box(false)
-            .with_legend_position(LegendPosition::InsideTopLeft)
+    curves.panel(labels, |view| {
+        view.along_x([0.0, end * along.factor])
+            .above_y(0.0)
+            .below_y(1.25 * most)
+            .legend(LegendPosition::InsideTopLeft)
     })
 }

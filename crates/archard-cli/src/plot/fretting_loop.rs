@@ -3,9 +3,8 @@
 use anyhow::Result;
 use archard::closed_form::cattaneo_mindlin::{Branch, PartialSlip};
 use archard::simulation::history::{FORCE, SHIFT};
-use kuva::plot::LegendPosition;
 
-use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
+use super::figure::{Curves, LegendPosition, OTHERS, PALE, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
 use super::tables::{Axis, SAME, Table, size};
@@ -16,7 +15,7 @@ const NEGLIGIBLE: f64 = 0.01;
 const POINTS: usize = 100;
 
 /// The loops along each axis along which the bodies are shifted; none where they are not.
-pub(super) fn panels(results: &Results) -> Result<Vec<Panel>> {
+pub(crate) fn panels(results: &Results) -> Result<Vec<Panel>> {
     let (Some(first), Some(last)) = (results.loops.first(), results.loops.last()) else {
         return Ok(Vec::new());
     };
@@ -48,13 +47,13 @@ fn panel(results: &Results, loops: &[&Table], axis: Axis) -> Result<Panel> {
     for (index, table) in loops.iter().enumerate() {
         let cycle = table.first().1.last().copied().unwrap_or_default();
         let points = points(table, axis)?.into_iter().map(shown);
-        curves.add(points, Pen::line(COLOURS[1 + index]), Some(&format!("cycle {cycle:.0}")));
+        curves.add(points, Pen::line(OTHERS[index]), Some(&format!("cycle {cycle:.0}")));
     }
     let body = results.bodies.first().map_or("body 1", |body| body);
     let title = format!("Fretting loop along {}", axis.name());
     let force = force.label(&format!("Force on {body}"));
     let labels = [&*title, &along.label("Displacement"), &force];
-    Ok(curves.panel(labels, |layout| layout.with_legend_position(LegendPosition::InsideTopLeft)))
+    Ok(curves.panel(labels, |view| view.legend(LegendPosition::InsideTopLeft)))
 }
 
 /// Shift (m) and force (N) from increment to increment. A loop whose beginning was jumped over begins where

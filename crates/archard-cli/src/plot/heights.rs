@@ -4,14 +4,14 @@ use anyhow::Result;
 
 use super::figure::{Curves, Panel, Pen, moment};
 use super::pressure::{MOMENTS, along_axis};
-use super::results::Results;
+use super::results::{Results, reach, within};
 use super::scale::Unit;
 use super::tables::{Axis, Profile};
 
 /// The sections of both bodies along an axis at several outputs.
 ///
 /// Body 1 is drawn above, so that a pin stands on its disc; the files have it below.
-pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
+pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
     let sections = results.sections(axis, MOMENTS);
     let window = results.worn_window(axis)?;
     let mut highest = 0.0_f64;
@@ -23,7 +23,7 @@ pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
             lines.push((profile, line));
         }
     }
-    let (across, height) = (Unit::across(window), Unit::depth(highest));
+    let (across, height) = (Unit::across(reach(window)), Unit::depth(highest));
     let progress = results.progress_unit();
     let mut curves = Curves::new();
     let bodies = results.bodies.len().max(1);
@@ -39,16 +39,16 @@ pub(super) fn section(results: &Results, axis: Axis) -> Result<Panel> {
     };
     let labels = [&*title, &across.label(axis.name()), &height.label("Height")];
     let margin = -0.08 * highest * height.factor;
-    Ok(curves.panel(labels, |layout| {
-        let layout = along_axis(layout, results, window * across.factor);
-        if results.worn_below() { layout } else { layout.with_y_axis_min(margin) }
+    Ok(curves.panel(labels, |view| {
+        let view = along_axis(view, results, window.map(|end| end * across.factor));
+        if results.worn_below() { view } else { view.above_y(margin) }
     }))
 }
 
 /// Height over place (m) of a body within the window, upside down.
-fn heights(profile: &Profile, body: &str, window: f64) -> Result<Vec<(f64, f64)>> {
+fn heights(profile: &Profile, body: &str, window: [f64; 2]) -> Result<Vec<(f64, f64)>> {
     let places = profile.table.column("coordinate_m")?.iter();
     let heights = profile.table.column(&format!("height_{body}_m"))?;
     let points = places.zip(heights).map(|(x, z)| (*x, -z));
-    Ok(points.filter(|(x, _)| x.abs() <= window).collect())
+    Ok(points.filter(|(x, _)| within(window, *x)).collect())
 }

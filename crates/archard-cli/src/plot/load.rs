@@ -2,20 +2,22 @@
 
 use anyhow::Result;
 use archard::simulation::history::{APPROACH, LOAD};
-use kuva::plot::LegendPosition;
 
-use super::figure::{COLOURS, Curves, Panel, Pen};
+use super::figure::{Curves, LegendPosition, OTHERS, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
-use super::tables::largest;
+use super::tables::{largest, size};
 
 /// Points of the curve of the closed form.
 const POINTS: usize = 100;
 
-/// The load over the approach of the bodies.
-pub(super) fn panel(results: &Results) -> Result<Panel> {
+/// The load over the approach of the bodies; nothing where there is none.
+pub(crate) fn panel(results: &Results) -> Result<Option<Panel>> {
     let load = results.history.column(LOAD)?;
     let approach = results.history.column(APPROACH)?;
+    if size(load) == 0.0 || size(approach) == 0.0 {
+        return Ok(None);
+    }
     let (unit, force) = (Unit::depth(largest(approach)), Unit::force(largest(load)));
     let mut curves = Curves::new();
     let hertz: Vec<_> = (0..=POINTS)
@@ -27,8 +29,8 @@ pub(super) fn panel(results: &Results) -> Result<Panel> {
         curves.add(hertz, Pen::closed_form(), Some("Hertz"));
     }
     let points = approach.iter().zip(load).map(|(d, f)| (d * unit.factor, f * force.factor));
-    curves.mark(points, COLOURS[1], Some("computed"));
-    Ok(curves.panel(["Load", &unit.label("Approach"), &force.label("Load")], |layout| {
-        layout.with_legend_position(LegendPosition::InsideTopLeft)
-    }))
+    curves.mark(points, OTHERS[0], Some("computed"));
+    Ok(Some(curves.panel(["Load", &unit.label("Approach"), &force.label("Load")], |view| {
+        view.legend(LegendPosition::InsideTopLeft)
+    })))
 }

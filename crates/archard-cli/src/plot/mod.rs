@@ -1,23 +1,26 @@
-//! Pictures of a result folder, as SVG and PNG.
+//! Pictures of a result folder, as SVG, PNG and PDF.
 //!
 //! Everything is read from the files of the folder; no solver is involved, so a folder can be
 //! plotted while its run goes on and long after.
 
-mod cells;
+pub(crate) mod cells;
 mod comparison;
+mod course;
 mod creep_force;
-mod figure;
+pub(crate) mod draw;
+pub(crate) mod figure;
 mod fit;
 mod fretting_loop;
 mod heights;
+mod lengths;
 mod load;
 mod outline;
 mod pressure;
 mod raster;
-mod results;
-mod scale;
+pub(crate) mod results;
+pub(crate) mod scale;
 mod study;
-mod tables;
+pub(crate) mod tables;
 mod traction;
 mod transverse;
 mod wear;
@@ -30,7 +33,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, ensure};
 
-use figure::{Panel, save};
+use archard::simulation::history::FORCE;
+use draw::{Paper, Sheet, save};
+use figure::Panel;
 pub use fit::draw as draw_fit;
 use pressure::MOMENTS;
 use results::Results;
@@ -43,7 +48,7 @@ const MAP: [f64; 2] = [680.0, 600.0];
 const OVERVIEW: [f64; 2] = [700.0, 500.0];
 
 /// A picture under its name.
-struct Picture {
+pub(crate) struct Picture {
     name: &'static str,
     /// Panels side by side.
     columns: usize,
@@ -54,7 +59,7 @@ struct Picture {
 
 impl Picture {
     /// A picture of panels of the usual size, up to three in a row and four in two rows.
-    fn new(name: &'static str, panels: Vec<Panel>) -> Self {
+    pub(crate) fn new(name: &'static str, panels: Vec<Panel>) -> Self {
         let columns = if panels.len() > 3 { 2 } else { panels.len() };
         Self { name, columns, size: PANEL, panels }
     }
@@ -70,10 +75,10 @@ impl Picture {
 ///
 /// # Errors
 /// If a folder is not a result folder, has no results yet, cannot be compared or cannot be written.
-pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
+pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<PathBuf>> {
     if study::is_one(dir) {
         ensure!(others.is_empty(), "a study is not compared with runs");
-        return study::run(dir);
+        return study::run(dir, paper);
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
@@ -81,18 +86,81 @@ pub fn run(dir: &Path, others: &[PathBuf]) -> anyhow::Result<Vec<PathBuf>> {
         let compared = comparison::panel(dir, &results, others)?;
         pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
     }
-    write(dir, pictures, results.mark.as_deref())
+    write(dir, pictures, (results.mark.as_deref(), paper))
 }
 
 /// Writes pictures into `dir/plots`, each below a mark if there is one.
-fn write(dir: &Path, pictures: Vec<Picture>, mark: Option<&str>) -> anyhow::Result<Vec<PathBuf>> {
+pub(crate) fn write(
+    dir: &Path,
+    pictures: Vec<Picture>,
+    (mark, paper): (Option<&str>, &Paper),
+) -> anyhow::Result<Vec<PathBuf>> {
     let plots = dir.join("plots");
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();
     for Picture { name, columns, size, panels } in pictures {
-        files.extend(save(&plots.join(name), columns, size, (panels, mark))?);
+        let sheet = Sheet { columns, size, paper };
+        files.extend(save(&plots.join(name), &sheet, (panels, mark))?);
     }
     Ok(files)
+}
+
+/// Whether a folder is that of a study.
+pub(crate) fn is_study(dir: &Path) -> bool {
+    study::is_one(dir)
+}
+
+/// The wear of a run beside that of others.
+///
+/// # Errors
+/// If one of them is no result folder, or they cannot be compared.
+pub(crate) fn compared(dir: &Path, results: &Results, others: &[PathBuf]) -> anyhow::Result<Panel> {
+    comparison::panel(dir, results, others)
+}
+
+/// All panels that make sense for a run, under the names of the sections of a report.
+pub(crate) fn groups(
+    results: &Results,
+) -> anyhow::Result<Vec<(&'static str, &'static str, Vec<Panel>)>> {
+    let mut history = Vec::new();
+    if results.wears() {
+        history.extend([wear::depth(results)?, wear::worn_off(results)?]);
+    } else if results.loops.is_empty() && !results.rolls() {
+        history.extend(load::panel(results)?);
+    }
+    if results.sweeps() {
+        history.push(creep_force::panel(results)?);
+    }
+    history.extend(course::panels(results)?);
+    let loops = fretting_loop::panels(results)?;
+    let (mut profiles, mut tractions) = (Vec::new(), Vec::new());
+    if !results.profiles.is_empty() {
+        let axes = results.shown_axes();
+        for axis in &axes {
+            profiles.push(pressure::section(results, *axis, MOMENTS)?);
+        }
+        if results.wears() {
+            for axis in &axes {
+                profiles.push(heights::section(results, *axis)?);
+            }
+        }
+        if results.rubs() || results.rolls() && results.history.column(FORCE[0]).is_ok() {
+            tractions = traction::sections(results, MOMENTS)?;
+        }
+    }
+    if let Some(profile) = results.worn_profile.as_ref().filter(|_| results.wears()) {
+        profiles.push(transverse::panel(results, profile)?);
+    }
+    if let Some(profile) = &results.lengths {
+        profiles.extend(lengths::panel(results, profile)?);
+    }
+    let groups = [
+        ("history", "History", history),
+        ("loops", "Fretting loops", loops),
+        ("profiles", "Profiles", profiles),
+        ("tractions", "Tractions", tractions),
+    ];
+    Ok(groups.into_iter().filter(|(_, _, panels)| !panels.is_empty()).collect())
 }
 
 /// The pictures of bodies that slide or are pressed and shifted against each other.
@@ -101,7 +169,10 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
     if results.wears() {
         pictures.push(Picture::new("wear", vec![wear::depth(results)?, wear::worn_off(results)?]));
     } else if results.loops.is_empty() {
-        pictures.push(Picture::new("load", vec![load::panel(results)?]));
+        let panels: Vec<Panel> = load::panel(results)?.into_iter().collect();
+        if !panels.is_empty() {
+            pictures.push(Picture::new("load", panels));
+        }
     }
     let loops = fretting_loop::panels(results)?;
     if !loops.is_empty() {
@@ -152,10 +223,10 @@ fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
         return Ok(vec![wear::depth(results)?, map, shapes, last]);
     }
     let first = match fretting {
-        Some(fretting) => fretting,
+        Some(fretting) => Some(fretting),
         None => load::panel(results)?,
     };
-    let mut panels = vec![first];
+    let mut panels: Vec<Panel> = first.into_iter().collect();
     if !line {
         panels.push(pressure::map(results)?);
     }

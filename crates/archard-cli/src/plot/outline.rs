@@ -5,7 +5,7 @@ type Line = [(f64, f64); 2];
 
 /// The edges of the cells whose values are above a half towards those whose values are not, in runs as long
 /// as they are straight; `edges` are the lowest and highest place along x and along y.
-pub(super) fn around(rows: &[Vec<f64>], edges: [[f64; 2]; 2]) -> Vec<Line> {
+pub(crate) fn around(rows: &[Vec<f64>], edges: [[f64; 2]; 2]) -> Vec<Line> {
     let counts = [rows.first().map_or(0, Vec::len), rows.len()];
     let place = |axis: usize, index: usize| {
         let [low, high] = edges[axis];

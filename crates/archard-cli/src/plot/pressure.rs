@@ -1,23 +1,19 @@
 //! The pressure: along the axes at several outputs, and over the frame at the last.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use anyhow::{Context, Result};
 use archard::simulation::history::LOAD;
-use kuva::plot::{ColorMap, Heatmap, LegendPosition};
-use kuva::render::layout::Layout;
-use kuva::render::plots::Plot;
 
 use super::cells::Cells;
-use super::figure::{COLOURS, Curves, Panel, Pen, moment};
+use super::figure::{COLOURS, Curves, Map, Panel, Pen, View, moment};
 use super::outline;
-use super::results::Results;
+use super::results::{Results, reach, within};
 use super::scale::{Unit, phrase};
 use super::tables::Axis;
 
 /// Most outputs shown in one panel.
-pub(super) const MOMENTS: usize = 6;
+pub(crate) const MOMENTS: usize = 6;
 /// Length over width from which a map is stretched across: to scale it would be a mere stroke.
 const SLENDER: f64 = 4.0;
 /// How far above the later pressures the first may be for all to be shown, and how far above them a picture reaches that
@@ -28,11 +24,11 @@ const ABOVE: f64 = 1.3;
 const POINTS: usize = 200;
 
 /// The pressure along an axis at that many outputs, and Hertz's for the unworn bodies.
-pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Panel> {
+pub(crate) fn section(results: &Results, axis: Axis, count: usize) -> Result<Panel> {
     let sections = results.sections(axis, count);
     let progress = results.progress_unit();
     let window = results.window(axis)?;
-    let (across, unit) = (Unit::across(window), Unit::pressure());
+    let (across, unit) = (Unit::across(reach(window)), Unit::pressure());
     let mut curves = Curves::new();
     let peaks: Vec<f64> = sections.iter().map(|profile| profile.peak()).collect::<Result<_>>()?;
     let top = top(&peaks);
@@ -45,7 +41,7 @@ pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Pan
     for (index, profile) in sections.iter().enumerate() {
         let places = profile.table.column("coordinate_m")?.iter();
         let pressures = profile.table.column("pressure_Pa")?;
-        let points = places.zip(pressures).filter(|(x, _)| x.abs() <= window);
+        let points = places.zip(pressures).filter(|(x, _)| within(window, **x));
         let points = below(points.map(|(x, p)| (*x, *p)).collect(), top);
         let points = points.into_iter().map(|(x, p)| (x * across.factor, p * unit.factor));
         let pen = Pen::line(moment(index, sections.len()));
@@ -58,9 +54,9 @@ pub(super) fn section(results: &Results, axis: Axis, count: usize) -> Result<Pan
     };
     let title = format!("Pressure along {}{cut}", axis.name());
     let labels = [&*title, &across.label(axis.name()), &unit.label("Pressure")];
-    Ok(curves.panel(labels, |layout| {
-        let layout = along_axis(layout, results, window * across.factor).with_y_axis_min(0.0);
-        if top.is_finite() { layout.with_y_axis_max(top * unit.factor) } else { layout }
+    Ok(curves.panel(labels, |view| {
+        let view = along_axis(view, results, window.map(|end| end * across.factor)).above_y(0.0);
+        if top.is_finite() { view.below_y(top * unit.factor) } else { view }
     }))
 }
 
@@ -77,49 +73,41 @@ fn below(points: Vec<(f64, f64)>, top: f64) -> Vec<(f64, f64)> {
     points.into_iter().map(|(x, y)| (x, y.min(top))).collect()
 }
 
-/// The layout of sections out to `window` on either side, with the outputs named beside them.
-pub(super) fn along_axis(layout: Layout, results: &Results, window: f64) -> Layout {
-    layout
-        .with_x_axis_min(-window)
-        .with_x_axis_max(window)
-        .with_legend_title(phrase(results.progress().0))
-        .with_legend_position(LegendPosition::OutsideRightTop)
+/// The view of sections within a window, with the outputs named beside them.
+pub(crate) fn along_axis(view: View, results: &Results, window: [f64; 2]) -> View {
+    view.along_x(window).legend_title(phrase(results.progress().0))
 }
 
-/// Hertz's pressure (Pa) over the place (m) under the last load, out to `reach`.
-fn hertz(results: &Results, axis: Axis, reach: f64) -> Result<Option<Vec<(f64, f64)>>> {
+/// Hertz's pressure (Pa) over the place (m) under the last load, within a window.
+fn hertz(results: &Results, axis: Axis, window: [f64; 2]) -> Result<Option<Vec<(f64, f64)>>> {
     let load = results.history.column(LOAD)?.last().copied().unwrap_or_default();
     let Some(hertz) = results.hertz(load) else { return Ok(None) };
-    let semi_axis = hertz.semi_axes[axis.index()].min(reach);
+    let semi_axis = hertz.semi_axes[axis.index()].min(reach(window));
     let pressure = |place: f64| match axis {
         Axis::X => hertz.pressure([place, 0.0]),
         Axis::Y => hertz.pressure([0.0, place]),
     };
     // Points by angle: dense at the edge, where the curve is steep.
     let angles = (0..=POINTS).map(|point| PI * point as f64 / POINTS as f64);
-    Ok(Some(angles.map(|angle| -semi_axis * angle.cos()).map(|x| (x, pressure(x))).collect()))
+    let places = angles.map(|angle| -semi_axis * angle.cos()).filter(|x| within(window, *x));
+    Ok(Some(places.map(|x| (x, pressure(x))).collect()))
 }
 
 /// The pressure over the frame at the last output, white where there is none.
-pub(super) fn map(results: &Results) -> Result<Panel> {
+pub(crate) fn map(results: &Results) -> Result<Panel> {
     let image = results.image.as_ref().context("there is no output of fields")?;
     let pressure = image.field("pressure_Pa").context("the fields have no `pressure_Pa`")?;
     let windows = [results.window(Axis::X)?, results.window(Axis::Y)?];
     let cells = Cells::of(image, pressure, windows);
-    let (across, unit) = (Unit::across(windows[0].max(windows[1])), Unit::pressure());
+    let (across, unit) = (Unit::across(reach(windows[0]).max(reach(windows[1]))), Unit::pressure());
     let [x, y] = cells.edges.map(|edges| edges.map(|place| place * across.factor));
-    let rows = cells.rows.iter().map(|row| row.iter().map(|p| p * unit.factor));
-    let plot = Heatmap::new()
-        .with_data(rows)
-        .with_x_range(x[0], x[1])
-        .with_y_range(y[0], y[1])
-        .with_cell_size(1.0)
-        .with_color_map(ColorMap::Custom(Arc::new(colour)));
-    let mut plots = vec![Plot::from(plot)];
+    let scaled = |row: &Vec<f64>| row.iter().map(|p| p * unit.factor).collect();
+    let mut curves = Curves::new();
+    curves.map(Map { edges: [x, y], rows: cells.rows.iter().map(scaled).collect() });
     let stick = image.field("stick").map(|stick| Cells::of(image, stick, windows).rows);
     let outline = stick.map(|rows| outline::around(&rows, [x, y])).unwrap_or_default();
     let outlined = if outline.is_empty() { "" } else { ", stick outlined" };
-    plots.extend(outline.into_iter().map(|line| Pen::line(COLOURS[2]).draw(line)));
+    outline.into_iter().for_each(|line| curves.add(line, Pen::line(COLOURS[2]), None));
     let name = unit.label("Pressure");
     let title = match results.profiles.last() {
         Some(last) => {
@@ -131,14 +119,7 @@ pub(super) fn map(results: &Results) -> Result<Panel> {
     };
     let title = title + outlined;
     let labels = [&*title, &across.label("x"), &across.label("y")];
-    let slender = windows[0].max(windows[1]) > SLENDER * windows[0].min(windows[1]);
-    Ok(Panel::new(plots, labels, |layout| {
-        let layout = layout.with_show_grid(false);
-        if slender { layout } else { layout.with_equal_aspect() }
-    }))
-}
-
-/// The colour of a pressure relative to the largest: none for none.
-fn colour(share: f64) -> String {
-    if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
+    let [one, other] = windows.map(|[low, high]| high - low);
+    let to_scale = one.max(other) <= SLENDER * one.min(other);
+    Ok(curves.panel(labels, |view| View { to_scale, ..view }))
 }

@@ -10,7 +10,9 @@ use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
 use archard::motion::{Progress, Rolling};
 use archard::output::{Collection, Image};
-use archard::simulation::history::{BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body};
+use archard::simulation::history::{
+    BODY_DEPTH, CREEPAGE, ERRORS, FORCE, SHIFT, WEAR_DEPTH, of_body,
+};
 use serde_json::{Map, Value};
 
 use super::scale::Unit;
@@ -22,38 +24,60 @@ use super::tables::{
 const EDGE: f64 = 1e-3;
 
 /// What a result folder holds.
-pub(super) struct Results {
+pub(crate) struct Results {
     /// A value a step and column.
-    pub(super) history: Table,
+    pub(crate) history: Table,
     /// The sections of all outputs, in the order of time.
-    pub(super) profiles: Vec<Profile>,
+    pub(crate) profiles: Vec<Profile>,
     /// The transverse profiles of bodies that roll, at the last output.
-    pub(super) worn_profile: Option<Profile>,
+    pub(crate) worn_profile: Option<Profile>,
     /// Force over shift of bodies that are shifted against each other, a table a cycle.
-    pub(super) loops: Vec<Table>,
+    pub(crate) loops: Vec<Table>,
     /// The fields of the last output, if there is one.
-    pub(super) image: Option<Image>,
+    pub(crate) image: Option<Image>,
     /// The names of the bodies; body 1 first.
-    pub(super) bodies: Vec<String>,
+    pub(crate) bodies: Vec<String>,
     /// The case, where it can still be read.
-    pub(super) case: Option<Case>,
+    pub(crate) case: Option<Case>,
+    /// Surfaces that swing, from end to end, at the last output.
+    pub(crate) lengths: Option<Profile>,
+    /// What the run ended with; null until it has.
+    pub(crate) summary: Value,
     /// What closed forms start from; null until a run has ended.
-    closed_form: Value,
+    pub(crate) closed_form: Value,
     /// What pictures have to say of a run that is incomplete, doubtful or wrong.
-    pub(super) mark: Option<String>,
+    pub(crate) mark: Option<String>,
+}
+
+/// Share of the width of a contact that is shown on either side of it.
+const MARGIN: f64 = 0.125;
+
+/// The ends of what holds a place too.
+fn with([low, high]: [f64; 2], place: f64) -> [f64; 2] {
+    [low.min(place), high.max(place)]
+}
+
+/// Whether a place lies in a window.
+pub(crate) fn within([low, high]: [f64; 2], place: f64) -> bool {
+    (low..=high).contains(&place)
+}
+
+/// How far a window reaches from the centre.
+pub(crate) fn reach([low, high]: [f64; 2]) -> f64 {
+    low.abs().max(high.abs())
 }
 
 /// A sphere worn on a flat, as eq. 55 takes it.
-pub(super) struct WornSphere {
+pub(crate) struct WornSphere {
     /// Radius (m).
-    pub(super) radius: f64,
+    pub(crate) radius: f64,
     /// Wear coefficient of both bodies together (1/Pa).
-    pub(super) coefficient: f64,
+    pub(crate) coefficient: f64,
 }
 
 impl Results {
     /// Reads a result folder.
-    pub(super) fn read(dir: &Path) -> anyhow::Result<Self> {
+    pub(crate) fn read(dir: &Path) -> anyhow::Result<Self> {
         let history = dir.join("history.csv");
         ensure!(
             !dir.join("surface.vtu").is_file(),
@@ -73,7 +97,8 @@ impl Results {
         let worn_profiles = dir.join("worn_profiles.csv");
         let loops = dir.join("fretting_loop.csv");
         let summary = dir.join("summary.json");
-        let mut summary = if summary.is_file() { Some(read_summary(&summary)?) } else { None };
+        let summary = if summary.is_file() { Some(read_summary(&summary)?) } else { None };
+        let lengths = dir.join("length_profiles.csv");
         Ok(Self {
             bodies: history.bodies(),
             profiles: if profiles.is_file() { read_profiles(&profiles)? } else { Vec::new() },
@@ -86,37 +111,49 @@ impl Results {
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
             mark: mark(summary.as_ref()),
+            lengths: if lengths.is_file() { last_profile(&lengths)? } else { None },
             closed_form: summary
-                .as_mut()
-                .and_then(|summary| summary.remove("closed_form"))
+                .as_ref()
+                .and_then(|summary| summary.get("closed_form").cloned())
                 .unwrap_or_default(),
+            summary: summary.map_or(Value::Null, Value::Object),
             history,
         })
     }
 
     /// Whether any body has worn.
-    pub(super) fn wears(&self) -> bool {
+    pub(crate) fn wears(&self) -> bool {
         self.history.column(WEAR_DEPTH).is_ok_and(|depths| largest(depths) > 0.0)
     }
 
+    /// The error that a run states for a column, by its elements and steps together, in the unit of the column; `None` where
+    /// it states none.
+    pub(crate) fn error(&self, column: &str) -> Option<Vec<f64>> {
+        let stated =
+            ERRORS.iter().filter_map(|of| self.history.column(&format!("{of}{column}")).ok());
+        stated
+            .map(<[f64]>::to_vec)
+            .reduce(|one, other| one.iter().zip(&other).map(|(a, b)| a + b).collect())
+    }
+
     /// The column that measures how far the motion has gone.
-    pub(super) fn progress(&self) -> (&str, &[f64]) {
+    pub(crate) fn progress(&self) -> (&str, &[f64]) {
         self.history.first()
     }
 
     /// The unit to show the progress in.
-    pub(super) fn progress_unit(&self) -> Unit {
+    pub(crate) fn progress_unit(&self) -> Unit {
         let (column, values) = self.progress();
         Unit::of_column(column, largest(values))
     }
 
     /// Whether there is one element along an axis only, of which a section shows nothing.
-    pub(super) fn is_one_element(&self, axis: Axis) -> bool {
+    pub(crate) fn is_one_element(&self, axis: Axis) -> bool {
         self.image.as_ref().is_some_and(|image| image.elements[axis.index()] == 1)
     }
 
     /// The axes of which sections show something: all of them, or that across a line of contact.
-    pub(super) fn shown_axes(&self) -> Vec<Axis> {
+    pub(crate) fn shown_axes(&self) -> Vec<Axis> {
         [Axis::X, Axis::Y].into_iter().filter(|axis| !self.is_one_element(*axis)).collect()
     }
 
@@ -128,7 +165,7 @@ impl Results {
     }
 
     /// The axis along which the worn shapes say most: across a track, along the motion else.
-    pub(super) fn shape_axis(&self) -> Axis {
+    pub(crate) fn shape_axis(&self) -> Axis {
         match self.track() {
             Some(Axis::X) => Axis::Y,
             Some(Axis::Y) => Axis::X,
@@ -137,34 +174,34 @@ impl Results {
     }
 
     /// Whether the bodies roll.
-    pub(super) fn rolls(&self) -> bool {
+    pub(crate) fn rolls(&self) -> bool {
         self.history.column(CREEPAGE[0]).is_ok()
     }
 
     /// Whether friction acts between bodies that are pressed and shifted against each other.
-    pub(super) fn rubs(&self) -> bool {
+    pub(crate) fn rubs(&self) -> bool {
         !self.rolls() && self.history.column(FORCE[0]).is_ok()
     }
 
     /// The axis along which they are shifted most; x where they are not.
-    pub(super) fn shift_axis(&self) -> Axis {
+    pub(crate) fn shift_axis(&self) -> Axis {
         let reach = |column: &str| size(self.history.column(column).unwrap_or_default());
         if reach(SHIFT[1]) > reach(SHIFT[0]) { Axis::Y } else { Axis::X }
     }
 
     /// Whether they roll at creepages raised step by step.
-    pub(super) fn sweeps(&self) -> bool {
+    pub(crate) fn sweeps(&self) -> bool {
         self.rolls() && self.progress().0 == Progress::SHARE.column
     }
 
     /// How they roll.
-    pub(super) fn rolling(&self) -> Option<Rolling> {
+    pub(crate) fn rolling(&self) -> Option<Rolling> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
         motion.rolling().copied()
     }
 
     /// The axis along which they roll or are shifted and the one across.
-    pub(super) fn axes(&self) -> [Axis; 2] {
+    pub(crate) fn axes(&self) -> [Axis; 2] {
         let along = match self.rolling() {
             Some(rolling) if rolling.direction.axis == 1 => Axis::Y,
             Some(_) => Axis::X,
@@ -174,24 +211,28 @@ impl Results {
     }
 
     /// The largest tractions (Pa) along an axis under these pressures (Pa), where the law of friction is known.
-    pub(super) fn friction_limits(&self, pressures: &[f64], axis: Axis) -> Option<Vec<f64>> {
+    pub(crate) fn friction_limits(&self, pressures: &[f64], axis: Axis) -> Option<Vec<f64>> {
         let law = self.case.as_ref()?.friction.as_ref()?.build().ok()?;
         let direction = if axis == Axis::X { [1.0, 0.0] } else { [0.0, 1.0] };
         let resistance = law.map().resistance(direction);
         Some(pressures.iter().map(|pressure| resistance * law.limit(*pressure)).collect())
     }
 
+    /// Whether the body of that index has worn.
+    pub(crate) fn has_worn(&self, body: usize) -> bool {
+        let column = self.bodies.get(body).map(|body| of_body(BODY_DEPTH, body));
+        let depths = column.and_then(|name| self.history.column(&name).ok());
+        depths.is_some_and(|depths| largest(depths) > 0.0)
+    }
+
     /// Whether body 2 has worn.
-    pub(super) fn worn_below(&self) -> bool {
-        let column = self.bodies.get(1).map(|body| of_body(BODY_DEPTH, body));
-        column
-            .and_then(|name| self.history.column(&name).ok())
-            .is_some_and(|depths| largest(depths) > 0.0)
+    pub(crate) fn worn_below(&self) -> bool {
+        self.has_worn(1)
     }
 
     /// The outputs to show along an axis: at most `count`, spread over the run with its first and
     /// last, without those before the bodies touch.
-    pub(super) fn sections(&self, axis: Axis, count: usize) -> Vec<&Profile> {
+    pub(crate) fn sections(&self, axis: Axis, count: usize) -> Vec<&Profile> {
         let touches = |profile: &Profile| {
             profile.table.column("pressure_Pa").is_ok_and(|values| largest(values) > 0.0)
         };
@@ -204,26 +245,32 @@ impl Results {
         (0..shown).map(|i| all[i * (all.len() - 1) / (shown - 1).max(1)]).collect()
     }
 
-    /// How far (m) from the centre pictures need to reach along an axis: a quarter beyond the widest
-    /// contact of any output, within the frame.
-    pub(super) fn window(&self, axis: Axis) -> anyhow::Result<f64> {
-        let (mut contact, mut frame) = (0.0_f64, 0.0_f64);
+    /// The places (m) from which to which pictures need to reach along an axis: the contacts of all outputs and an eighth of
+    /// their width on either side, within the frame.
+    pub(crate) fn window(&self, axis: Axis) -> anyhow::Result<[f64; 2]> {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let (mut contact, mut frame) = (none, none);
         for profile in self.profiles.iter().filter(|profile| profile.axis == axis) {
             let places = profile.table.column("coordinate_m")?;
             let pressures = profile.table.column("pressure_Pa")?;
             for (place, pressure) in places.iter().zip(pressures) {
-                frame = frame.max(place.abs());
+                frame = with(frame, *place);
                 if *pressure > 0.0 {
-                    contact = contact.max(place.abs());
+                    contact = with(contact, *place);
                 }
             }
         }
-        Ok(if contact > 0.0 { frame.min(1.25 * contact) } else { frame })
+        let [low, high] = contact;
+        Ok(match low < high {
+            true => [low - MARGIN * (high - low), high + MARGIN * (high - low)],
+            false => frame,
+        }
+        .map(|end| end.clamp(frame[0], frame[1])))
     }
 
-    /// How far (m) from the centre worn shapes need to be shown along an axis: as far as the contact, and a tenth beyond
-    /// the widest scar, which is wider where surfaces swing.
-    pub(super) fn worn_window(&self, axis: Axis) -> anyhow::Result<f64> {
+    /// The places (m) from which to which worn shapes need to be shown along an axis: as far as the contact, and a twentieth
+    /// of its width beyond the widest scar, which is wider where surfaces swing.
+    pub(crate) fn worn_window(&self, axis: Axis) -> anyhow::Result<[f64; 2]> {
         let mut window = self.window(axis)?;
         for profile in self.profiles.iter().filter(|profile| profile.axis == axis) {
             let places = profile.table.column("coordinate_m")?;
@@ -233,8 +280,14 @@ impl Results {
                 let scar = || places.iter().zip(worn).filter(|(_, worn)| **worn > least);
                 // What passes along the axis is worn all along it.
                 if scar().count() < places.len() {
-                    let reach = scar().fold(0.0, |most, (place, _)| place.abs().max(most));
-                    window = window.max((1.1 * reach).min(size(places)));
+                    let none = [f64::INFINITY, f64::NEG_INFINITY];
+                    let [low, high] = scar().fold(none, |ends, (place, _)| with(ends, *place));
+                    let ends = places.iter().fold(none, |ends, place| with(ends, *place));
+                    let margin = 0.05 * (high - low);
+                    if low < high {
+                        window[0] = window[0].min((low - margin).max(ends[0]));
+                        window[1] = window[1].max((high + margin).min(ends[1]));
+                    }
                 }
             }
         }
@@ -242,14 +295,14 @@ impl Results {
     }
 
     /// The Hertz contact of the unworn bodies under a load (N), where they have one.
-    pub(super) fn hertz(&self, load: f64) -> Option<Hertz> {
+    pub(crate) fn hertz(&self, load: f64) -> Option<Hertz> {
         let curvature = |axis: usize| self.closed_form["curvatures_per_m"][axis].as_f64();
         let modulus = self.closed_form["contact_modulus_Pa"].as_f64()?;
         Hertz::from_load([curvature(0)?, curvature(1)?], modulus, load)
     }
 
     /// The worn sphere of eq. 55, where the run was one.
-    pub(super) fn worn_sphere(&self) -> Option<WornSphere> {
+    pub(crate) fn worn_sphere(&self) -> Option<WornSphere> {
         let block = &self.closed_form["pin_on_disc"];
         Some(WornSphere {
             radius: block["radius_m"].as_f64()?,
@@ -258,7 +311,7 @@ impl Results {
     }
 
     /// Cattaneo's sphere between the extremes of its shift (m), and the axis along which it goes.
-    pub(super) fn partial_slip(&self) -> Option<(PartialSlip, f64, Axis)> {
+    pub(crate) fn partial_slip(&self) -> Option<(PartialSlip, f64, Axis)> {
         let block = &self.closed_form["cattaneo_mindlin"];
         let number = |key: &str| block[key].as_f64();
         let contact = PartialSlip {
@@ -273,13 +326,13 @@ impl Results {
     }
 
     /// The end of fretting wear: its greatest depth (m) and volume (m^3).
-    pub(super) fn worn_out(&self) -> Option<[f64; 2]> {
+    pub(crate) fn worn_out(&self) -> Option<[f64; 2]> {
         let block = &self.closed_form["fretting_wear"];
         Some([block["wear_depth_m"].as_f64()?, block["worn_volume_m3"].as_f64()?])
     }
 
     /// The worn discs of the incremental model, where the run was one of those.
-    pub(super) fn worn_discs(&self) -> Option<TwinDiscs> {
+    pub(crate) fn worn_discs(&self) -> Option<TwinDiscs> {
         let number = |key: &str| self.closed_form["twin_discs"][key].as_f64();
         Some(TwinDiscs {
             coefficient: number("coefficient_per_Pa")?,

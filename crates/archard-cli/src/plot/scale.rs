@@ -4,11 +4,11 @@ use archard::motion::Progress;
 
 /// A unit and how many of it are in one SI unit.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Unit {
+pub(crate) struct Unit {
     /// As shown beside an axis; empty for pure numbers.
-    pub(super) name: String,
+    pub(crate) name: String,
     /// Factor from SI.
-    pub(super) factor: f64,
+    pub(crate) factor: f64,
 }
 
 impl Unit {
@@ -18,17 +18,27 @@ impl Unit {
     }
 
     /// Megapascals.
-    pub(super) fn pressure() -> Self {
+    pub(crate) fn pressure() -> Self {
         Self::new("MPa", 1e-6)
     }
 
+    /// For masses up to `largest` (kg).
+    pub(crate) fn mass(largest: f64) -> Self {
+        if largest >= 1e-3 { Self::new("g", 1e3) } else { Self::new("mg", 1e6) }
+    }
+
+    /// Kelvin.
+    pub(crate) fn kelvin() -> Self {
+        Self::new("K", 1.0)
+    }
+
     /// For lengths across the contact up to `largest` (m): mm, or µm where those would be tiny.
-    pub(super) fn across(largest: f64) -> Self {
+    pub(crate) fn across(largest: f64) -> Self {
         if largest >= 0.05e-3 { Self::new("mm", 1e3) } else { Self::new("µm", 1e6) }
     }
 
     /// For depths and approaches up to `largest` (m): µm, or nm or mm where those fit better.
-    pub(super) fn depth(largest: f64) -> Self {
+    pub(crate) fn depth(largest: f64) -> Self {
         match largest {
             large if large >= 1e-3 => Self::new("mm", 1e3),
             small if small < 0.05e-6 => Self::new("nm", 1e9),
@@ -37,7 +47,7 @@ impl Unit {
     }
 
     /// For forces up to `largest` (N).
-    pub(super) fn force(largest: f64) -> Self {
+    pub(crate) fn force(largest: f64) -> Self {
         match largest {
             large if large >= 1e6 => Self::new("MN", 1e-6),
             large if large >= 1e4 => Self::new("kN", 1e-3),
@@ -47,12 +57,12 @@ impl Unit {
     }
 
     /// For volumes up to `largest` (m^3).
-    pub(super) fn volume(largest: f64) -> Self {
+    pub(crate) fn volume(largest: f64) -> Self {
         Self::by_thousands("mm³", 1e9, largest)
     }
 
     /// For worn sections up to `largest` (m^2).
-    pub(super) fn section(largest: f64) -> Self {
+    pub(crate) fn section(largest: f64) -> Self {
         Self::by_thousands("mm²", 1e6, largest)
     }
 
@@ -71,7 +81,7 @@ impl Unit {
     }
 
     /// The power of a thousand that leaves readable numbers, of values up to `largest` in a unit that is named elsewhere.
-    pub(super) fn by_powers(largest: f64) -> Self {
+    pub(crate) fn by_powers(largest: f64) -> Self {
         let power = match largest {
             none if none <= 0.0 => 0,
             middle if (0.01..1e4).contains(&middle) => 0,
@@ -82,7 +92,7 @@ impl Unit {
     }
 
     /// Per cent.
-    pub(super) fn share() -> Self {
+    pub(crate) fn share() -> Self {
         Self::new("%", 100.0)
     }
 
@@ -96,7 +106,7 @@ impl Unit {
     }
 
     /// For a column whose name ends in its SI unit, with values up to `largest`.
-    pub(super) fn of_column(column: &str, largest: f64) -> Self {
+    pub(crate) fn of_column(column: &str, largest: f64) -> Self {
         if column.ends_with("_m") {
             Self::distance(largest)
         } else if column.ends_with("_s") {
@@ -109,12 +119,12 @@ impl Unit {
     }
 
     /// "what (unit)".
-    pub(super) fn label(&self, what: &str) -> String {
+    pub(crate) fn label(&self, what: &str) -> String {
         if self.name.is_empty() { what.to_owned() } else { format!("{what} ({})", self.name) }
     }
 
     /// A value (SI) with this unit, to three digits.
-    pub(super) fn show(&self, value: f64) -> String {
+    pub(crate) fn show(&self, value: f64) -> String {
         let value = value * self.factor;
         let decimals = match value.abs() {
             large if large >= 100.0 || large == 0.0 => 0,
@@ -131,7 +141,7 @@ impl Unit {
 }
 
 /// A whole number in raised digits.
-fn superscript(number: i32) -> String {
+pub(crate) fn superscript(number: i32) -> String {
     let raise = |digit: char| match digit {
         '-' => '⁻',
         '1' => '¹',
@@ -143,14 +153,14 @@ fn superscript(number: i32) -> String {
 }
 
 /// A tick without superfluous zeros.
-pub(super) fn tick(value: f64) -> String {
+pub(crate) fn tick(value: f64) -> String {
     let rounded = format!("{value:.4}");
     let short = rounded.trim_end_matches('0').trim_end_matches('.');
     if short == "-0" { "0".to_owned() } else { short.replace('-', "\u{2212}") }
 }
 
 /// A column name as a phrase: "share" is "Share", "distance_m" is "Distance".
-pub(super) fn phrase(column: &str) -> String {
+pub(crate) fn phrase(column: &str) -> String {
     let words = column.strip_suffix("_m").or(column.strip_suffix("_s")).unwrap_or(column);
     let words = words.replace('_', " ");
     let mut letters = words.chars();

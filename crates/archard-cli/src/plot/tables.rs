@@ -7,7 +7,7 @@ use archard::simulation::history::{BODY_DEPTH, body_of};
 
 /// An axis of the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Axis {
+pub(crate) enum Axis {
     /// Along x.
     X,
     /// Along y.
@@ -16,7 +16,7 @@ pub(super) enum Axis {
 
 impl Axis {
     /// As the files and the pictures call it.
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Axis::X => "x",
             Axis::Y => "y",
@@ -24,7 +24,7 @@ impl Axis {
     }
 
     /// Its place in arrays.
-    pub(super) fn index(self) -> usize {
+    pub(crate) fn index(self) -> usize {
         match self {
             Axis::X => 0,
             Axis::Y => 1,
@@ -34,47 +34,52 @@ impl Axis {
 
 /// Numbers by column.
 #[derive(Debug, Default)]
-pub(super) struct Table {
+pub(crate) struct Table {
     columns: Vec<(String, Vec<f64>)>,
 }
 
 /// The sections of one output along one axis.
 #[derive(Debug)]
-pub(super) struct Profile {
+pub(crate) struct Profile {
     /// Progress of the output (SI).
-    pub(super) progress: f64,
+    pub(crate) progress: f64,
     /// Along which axis.
-    pub(super) axis: Axis,
+    pub(crate) axis: Axis,
     /// `coordinate_m` and the fields.
-    pub(super) table: Table,
+    pub(crate) table: Table,
 }
 
 impl Profile {
     /// The highest pressure (Pa).
-    pub(super) fn peak(&self) -> anyhow::Result<f64> {
+    pub(crate) fn peak(&self) -> anyhow::Result<f64> {
         Ok(largest(self.table.column("pressure_Pa")?))
     }
 }
 
 impl Table {
     /// The values of a column.
-    pub(super) fn column(&self, name: &str) -> anyhow::Result<&[f64]> {
+    pub(crate) fn column(&self, name: &str) -> anyhow::Result<&[f64]> {
         let column = self.columns.iter().find(|(known, _)| known == name);
         column.map(|(_, values)| &**values).with_context(|| format!("there is no column `{name}`"))
     }
 
+    /// The names of all columns.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        self.columns.iter().map(|(name, _)| &**name)
+    }
+
     /// The first column with its name.
-    pub(super) fn first(&self) -> (&str, &[f64]) {
+    pub(crate) fn first(&self) -> (&str, &[f64]) {
         self.columns.first().map_or(("", &[]), |(name, values)| (name, values))
     }
 
     /// Number of rows.
-    pub(super) fn rows(&self) -> usize {
+    pub(crate) fn rows(&self) -> usize {
         self.columns.first().map_or(0, |(_, values)| values.len())
     }
 
     /// The names of the bodies, out of the columns named after them.
-    pub(super) fn bodies(&self) -> Vec<String> {
+    pub(crate) fn bodies(&self) -> Vec<String> {
         self.columns
             .iter()
             .filter_map(|(name, _)| body_of(BODY_DEPTH, name))
@@ -94,12 +99,12 @@ impl Table {
 }
 
 /// Largest value that is a number.
-pub(super) fn largest(values: &[f64]) -> f64 {
+pub(crate) fn largest(values: &[f64]) -> f64 {
     values.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Largest value regardless of its sign, zero at least.
-pub(super) fn size(values: &[f64]) -> f64 {
+pub(crate) fn size(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, value| most.max(value.abs()))
 }
 
@@ -136,7 +141,7 @@ fn numbers<'a>(cells: &[(&'a str, &str)]) -> anyhow::Result<Vec<(&'a str, f64)>>
 }
 
 /// The history of a run.
-pub(super) fn read_history(path: &Path) -> anyhow::Result<Table> {
+pub(crate) fn read_history(path: &Path) -> anyhow::Result<Table> {
     let mut table = Table::default();
     read_rows(path, |cells| {
         table.push(numbers(cells)?.into_iter());
@@ -146,7 +151,7 @@ pub(super) fn read_history(path: &Path) -> anyhow::Result<Table> {
 }
 
 /// The sections of a run: rows of the same progress and axis belong together.
-pub(super) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
+pub(crate) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
     let mut profiles: Vec<Profile> = Vec::new();
     read_rows(path, |cells| {
         let [(_, progress), (_, axis), fields @ ..] = cells else {
@@ -165,10 +170,10 @@ pub(super) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
 }
 
 /// What rounding may make of a whole cycle (cycles).
-pub(super) const SAME: f64 = 1e-6;
+pub(crate) const SAME: f64 = 1e-6;
 
 /// The loops of force over shift, one a cycle.
-pub(super) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
+pub(crate) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
     let mut loops: Vec<Table> = Vec::new();
     let mut before = 0.0_f64;
     read_rows(path, |cells| {
@@ -190,7 +195,7 @@ pub(super) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
 }
 
 /// The last of the transverse profiles of a run.
-pub(super) fn last_profile(path: &Path) -> anyhow::Result<Option<Profile>> {
+pub(crate) fn last_profile(path: &Path) -> anyhow::Result<Option<Profile>> {
     let mut last: Option<Profile> = None;
     read_rows(path, |cells| {
         let [(_, progress), (across, place), heights @ ..] = cells else {

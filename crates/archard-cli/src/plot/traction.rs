@@ -4,7 +4,7 @@ use anyhow::Result;
 
 use super::figure::{Curves, Panel, Pen, moment};
 use super::pressure::along_axis;
-use super::results::Results;
+use super::results::{Results, reach, within};
 use super::scale::Unit;
 use super::tables::{Axis, Profile, largest};
 
@@ -15,7 +15,7 @@ const NEAR: f64 = 0.5;
 
 /// The traction on body 1 along the direction of the motion at that many outputs: a panel for each of
 /// its components, but for one that is next to nothing.
-pub(super) fn sections(results: &Results, count: usize) -> Result<Vec<Panel>> {
+pub(crate) fn sections(results: &Results, count: usize) -> Result<Vec<Panel>> {
     let [along, across] = results.axes();
     let sections = results.sections(along, count);
     let largest = |axis: Axis| -> Result<f64> {
@@ -43,7 +43,7 @@ fn traction(section: &Profile, axis: Axis) -> Result<&[f64]> {
 fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Panel> {
     let [along, _] = results.axes();
     let window = results.window(along)?;
-    let (across, unit) = (Unit::across(window), Unit::pressure());
+    let (across, unit) = (Unit::across(reach(window)), Unit::pressure());
     let progress = results.progress_unit();
     let mut curves = Curves::new();
     let mut named = false;
@@ -67,7 +67,8 @@ fn panel(results: &Results, sections: &[&Profile], component: Axis) -> Result<Pa
     let body = results.bodies.first().map_or("body 1", |body| body);
     let title = format!("Traction along {} on {body}{}", component.name(), towards(results, along));
     let labels = [&*title, &across.label(along.name()), &unit.label("Traction")];
-    Ok(curves.panel(labels, |layout| along_axis(layout, results, window * across.factor)))
+    Ok(curves
+        .panel(labels, |view| along_axis(view, results, window.map(|end| end * across.factor))))
 }
 
 /// What friction bears (Pa) on a section, on the sides to which the traction points.
@@ -94,10 +95,10 @@ fn limits(results: &Results, section: &Profile, component: Axis) -> Result<Vec<V
 }
 
 /// Values over places (m) within the window.
-fn points(section: &Profile, values: &[f64], window: f64) -> Result<Vec<(f64, f64)>> {
+fn points(section: &Profile, values: &[f64], window: [f64; 2]) -> Result<Vec<(f64, f64)>> {
     let places = section.table.column("coordinate_m")?.iter();
     let points = places.zip(values).map(|(x, value)| (*x, *value));
-    Ok(points.filter(|(x, _)| x.abs() <= window).collect())
+    Ok(points.filter(|(x, _)| within(window, *x)).collect())
 }
 
 /// Where the contact rolls to, as the end of a title.

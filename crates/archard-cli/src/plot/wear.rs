@@ -7,9 +7,9 @@ use archard::closed_form::twin_discs::TwinDiscs;
 use archard::simulation::history::{
     BODY_DEPTH, LOAD, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
 };
-use kuva::plot::LegendPosition;
 
-use super::figure::{COLOURS, Curves, Panel, Pen};
+use super::course::band;
+use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::results::{Results, WornSphere};
 use super::scale::{Unit, phrase};
 use super::tables::largest;
@@ -18,7 +18,7 @@ use super::tables::largest;
 const POINTS: usize = 200;
 
 /// Deepest wear, in all and of each body that wears.
-pub(super) fn depth(results: &Results) -> Result<Panel> {
+pub(crate) fn depth(results: &Results) -> Result<Panel> {
     let total = results.history.column(WEAR_DEPTH)?;
     let unit = Unit::depth(largest(total));
     let end = results.worn_out().map(|[depth, _]| depth);
@@ -33,7 +33,7 @@ pub(super) fn depth(results: &Results) -> Result<Panel> {
 }
 
 /// Worn volume, in rolling worn section, in all and of each body that wears.
-pub(super) fn worn_off(results: &Results) -> Result<Panel> {
+pub(crate) fn worn_off(results: &Results) -> Result<Panel> {
     let rolls = results.rolls();
     let column = if rolls { WORN_SECTION } else { WORN_VOLUME };
     let mut total = vec![0.0; results.progress().1.len()];
@@ -112,34 +112,31 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
         curves.add(ends, Pen::closed_form(), Some("closed-form end"));
     }
     let mut worn = Vec::new();
-    for body in &results.bodies {
-        let values = results.history.column(&of_body(quantity.column, body))?;
+    for (index, body) in results.bodies.iter().enumerate() {
+        let column = of_body(quantity.column, body);
+        let values = results.history.column(&column)?;
         if largest(values) > 0.0 {
-            worn.push((body, points(values)));
+            band(results, &mut curves, (&column, values), (unit, COLOURS[1 + index % 2]));
+            worn.push((index, body, points(values)));
         }
     }
     let both = worn.len() > 1;
     if both {
         curves.add(points(quantity.total), Pen::line(COLOURS[0]), Some("both bodies"));
     }
-    for (index, (body, points)) in worn.into_iter().enumerate() {
-        let pen = match index {
-            0 if both => Pen::broad(COLOURS[1]),
-            0 => Pen::line(COLOURS[1]),
-            _ => Pen::line(COLOURS[2]),
-        };
+    for (index, body, points) in worn {
+        let colour = COLOURS[1 + index % 2];
+        let pen = if both && index == 0 { Pen::broad(colour) } else { Pen::line(colour) };
         curves.add(points, pen, Some(body));
     }
     let labels = [quantity.name, &along.label(&phrase(name)), &unit.label(quantity.name)];
     let end = largest(progress) * along.factor;
-    Ok(curves.panel(labels, |layout| {
-        layout.with_x_axis_max(end).with_y_axis_min(0.0).with_legend_position(
-            match results.rubs() {
-                // Fretting wears fast at first.
-                true => LegendPosition::InsideBottomRight,
-                false => LegendPosition::InsideTopLeft,
-            },
-        )
+    Ok(curves.panel(labels, |view| {
+        view.below_x(end).above_y(0.0).legend(match results.rubs() {
+            // Fretting wears fast at first.
+            true => LegendPosition::InsideBottomRight,
+            false => LegendPosition::InsideTopLeft,
+        })
     }))
 }
 

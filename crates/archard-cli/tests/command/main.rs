@@ -1,9 +1,13 @@
 //! The command as a user meets it: exit codes, what it says, what it leaves behind.
 
 mod accuracy;
+mod browser;
+mod compare;
 mod finite;
 mod memory;
+mod report;
 mod sweep;
+mod tasks;
 mod verdict;
 
 use std::fs;

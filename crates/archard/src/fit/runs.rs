@@ -97,6 +97,7 @@ impl Runner<'_> {
             threads: rayon::current_num_threads(),
             warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
             failure: ran.as_ref().err().map(ToString::to_string),
+            ..Totals::default()
         };
         let rows = recorder.rows;
         recorder.folder.finish(&totals).map_err(|error| failed(error.to_string()))?;

@@ -19,6 +19,8 @@ pub struct Totals {
     pub warnings: Vec<String>,
     /// Why the run stopped before its end, if it did.
     pub failure: Option<String>,
+    /// The command that asked for the run, if one did.
+    pub command: Option<String>,
 }
 
 /// The state of a run after a step, as far as a summary needs it.
@@ -60,6 +62,7 @@ pub(super) fn text(
     let summary = json!({
         "program": "archard",
         "version": env!("CARGO_PKG_VERSION"),
+        "command": totals.command,
         "complete": totals.failure.is_none(),
         "failure": totals.failure,
         "verdict": json_of(verdict),

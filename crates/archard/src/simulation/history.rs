@@ -21,7 +21,7 @@ pub const APPROACH: &str = "approach_m";
 /// Largest pressure (Pa).
 pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
 /// Pressure at the centre of the frame (Pa).
-const CENTRE_PRESSURE: &str = "centre_pressure_Pa";
+pub const CENTRE_PRESSURE: &str = "centre_pressure_Pa";
 /// Moment on body 1 about the normal (N m).
 const MOMENT: &str = "moment_z_Nm";
 /// Energy dissipated in a cycle so far (J).

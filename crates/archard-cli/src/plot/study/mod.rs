@@ -4,17 +4,13 @@ mod statistics;
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
-use kuva::plot::{BandPlot, LegendPosition};
-use kuva::render::annotations::TextAnnotation;
-use kuva::render::layout::{Layout, TickFormat};
-use kuva::render::plots::Plot;
 use serde_json::Value;
 
-use super::figure::{COLOURS, Curves, PALE, Panel, Pen};
+use super::draw::Paper;
+use super::figure::{COLOURS, Curves, LegendPosition, PALE, Panel, Pen, View};
 use super::scale::{Unit, phrase};
 use super::tables::{Table, largest, read_history, size};
 use super::{Picture, write};
@@ -57,7 +53,7 @@ pub(super) fn is_one(dir: &Path) -> bool {
 }
 
 /// Draws the pictures of a study; returns their files.
-pub(super) fn run(dir: &Path) -> Result<Vec<PathBuf>> {
+pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
     let study = Study::read(dir)?;
     let mut pictures = vec![];
     if !study.sampled.is_empty() {
@@ -73,7 +69,7 @@ pub(super) fn run(dir: &Path) -> Result<Vec<PathBuf>> {
     let all = study.rows.len();
     let mark = (whole < all)
         .then(|| format!("{} of {all} rows are left out: failed, wrong or not run", all - whole));
-    write(dir, pictures, mark.as_deref())
+    write(dir, pictures, (mark.as_deref(), paper))
 }
 
 fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {
@@ -173,25 +169,20 @@ impl Study {
             columns.iter().map(|(_, values)| self.unit.factor * quantile(values, share)).collect()
         };
         let x: Vec<f64> = columns.iter().map(|column| column.0).collect();
-        let band = |[low, high]: [f64; 2], opacity: f64| {
-            let band = BandPlot::new(x.clone(), at(low), at(high)).with_color(COLOURS[1]);
-            Plot::Band(band.with_opacity(opacity))
-        };
-        let mut plots = vec![band([0.05, 0.95], 0.18), band([0.25, 0.75], 0.3)];
+        let mut curves = Curves::new();
+        for ([low, high], opacity) in [([0.05, 0.95], 0.18), ([0.25, 0.75], 0.3)] {
+            let ends = at(low).into_iter().zip(at(high));
+            let places = x.iter().zip(ends).map(|(x, (low, high))| [*x, low, high]);
+            curves.band(places, COLOURS[1], opacity, None);
+        }
         let legend = format!("median of {}, with 50 % and 90 % of them", histories.len());
-        let mut median = Curves::new();
-        median.add(x.iter().copied().zip(at(0.5)), Pen::line(COLOURS[1]), Some(&legend));
-        plots.extend(median.into_plots());
+        curves.add(x.iter().copied().zip(at(0.5)), Pen::line(COLOURS[1]), Some(&legend));
         let values = self.over.iter().zip(&rows[0].values);
         let title: Vec<String> = values.map(|(key, value)| format!("{key} = {value}")).collect();
         let title = if title.is_empty() { self.name().to_owned() } else { title.join(", ") };
         let labels = [&*title, &along.label(&phrase(&name)), &self.unit.label(self.name())];
-        Ok(Panel::new(plots, labels, |layout| {
-            layout
-                .with_x_axis_max(end * along.factor)
-                .with_y_axis_min(0.0)
-                .with_legend_box(false)
-                .with_legend_position(LegendPosition::InsideTopLeft)
+        Ok(curves.panel(labels, |view| {
+            view.below_x(end * along.factor).above_y(0.0).legend(LegendPosition::InsideTopLeft)
         }))
     }
 
@@ -219,9 +210,7 @@ impl Study {
         let title = format!("{:.0} % of the variance", 100.0 * effect.share);
         let label =
             if scale.name.is_empty() { key.to_owned() } else { format!("{key} ({})", scale.name) };
-        curves.panel([&title, &label, &self.unit.label(self.name())], |layout| {
-            layout.with_legend_position(LegendPosition::OutsideRightTop)
-        })
+        curves.panel([&title, &label, &self.unit.label(self.name())], |view| view)
     }
 
     /// The Sobol indices of the sampled keys.
@@ -254,19 +243,14 @@ impl Study {
             let note =
                 format!("{key}: {first:.2} ± {:.2}, {total:.2} ± {:.2}", within[0], within[1]);
             let height = (self.sampled.len() - place) as f64 + 0.25;
-            notes.push(TextAnnotation::new(note, 0.5 * end, height).with_font_size(14));
+            notes.push((note, [0.5 * end, height]));
         }
         let title = format!("Sobol indices of the {}", self.name().to_lowercase());
         let labels = [&*title, "share of the variance, with the 95 % interval", ""];
         let top = known.len() as f64 + 0.5;
-        Ok(curves.panel(labels, |layout| {
-            let layout = layout
-                .with_x_axis_max(end)
-                .with_y_axis_min(0.5)
-                .with_y_axis_max(top)
-                .with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())))
-                .with_legend_position(LegendPosition::OutsideRightTop);
-            notes.into_iter().fold(layout, Layout::with_annotation)
+        Ok(curves.panel(labels, |view| {
+            let view = View { named: false, ..view.below_x(end).above_y(0.5).below_y(top) };
+            notes.into_iter().fold(view, |view, (words, place)| view.note(words, place))
         }))
     }
 }

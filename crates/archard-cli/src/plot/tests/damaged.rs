@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use archard::problem::ContactState;
 use tempfile::tempdir;
 
+use super::super::draw::Paper;
 use super::super::results::Results;
 use super::super::{rolling, run, sliding};
 use super::damage::{attempt, damaged};
@@ -48,7 +49,7 @@ fn folders(quick: u64, long: bool) {
             let made = if results.rolls() { rolling(&results) } else { sliding(&results) };
             // Drawing takes a hundred times as long as all before it.
             if made.is_ok() && random.chance(0.02) {
-                let _ = run(dir, &[]);
+                let _ = run(dir, &[], &Paper::default());
             }
         }
         fs::write(path, whole).unwrap();

@@ -1,0 +1,169 @@
+//! `archard compare`: a run beside measurements and other runs, in numbers and as pictures.
+
+mod course;
+mod level;
+mod profile;
+mod runs;
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use archard::measured::Table;
+
+use crate::plot::draw::Paper;
+use crate::plot::figure::Panel;
+use crate::plot::results::Results;
+use crate::plot::tables::{Axis, largest};
+use crate::plot::{self, Picture};
+
+/// What came of a comparison.
+#[derive(Debug)]
+pub(crate) struct Comparison {
+    /// What was compared.
+    pub(crate) title: String,
+    /// What came out: names and values in words.
+    pub(crate) lines: Vec<[String; 2]>,
+    /// What was left out or has to be known.
+    pub(crate) remarks: Vec<String>,
+    pub(crate) panels: Vec<Panel>,
+}
+
+/// How a run is compared.
+#[derive(Debug, Clone, Default, clap::Args)]
+pub struct Options {
+    /// The column of a measured table that has a name, e.g. z="Tiefe [um]"; a profile has x (or y) and z, readings over the
+    /// motion have distance, revolutions, cycle or time, and depth, volume, section or mass
+    #[arg(long = "column", value_name = "NAME=TITLE")]
+    pub columns: Vec<String>,
+    /// The body that was measured; the one that wears deepest if not given
+    #[arg(long, value_name = "BODY")]
+    pub body: Option<String>,
+    /// The measured profiles are level and placed as the run has them: they are not levelled and aligned
+    #[arg(long)]
+    pub levelled: bool,
+}
+
+/// Compares the run in a folder with each of the others, prints what came out and draws it; returns the pictures.
+///
+/// # Errors
+/// If a folder or table cannot be read, or says nothing that can be compared.
+pub fn run(
+    dir: &Path,
+    others: &[PathBuf],
+    options: &Options,
+) -> Result<(Vec<String>, Vec<PathBuf>)> {
+    let results = Results::read(dir)?;
+    let mut words = Vec::new();
+    words.extend(results.mark.as_ref().map(|mark| format!("`{}`: {mark}", dir.display())));
+    let mut panels = Vec::new();
+    for comparison in of(dir, &results, others, options)? {
+        words.push(comparison.title);
+        words.extend(comparison.lines.iter().map(|[name, value]| format!("  {name:<34}{value}")));
+        words.extend(comparison.remarks.iter().map(|remark| format!("  {remark}")));
+        panels.extend(comparison.panels);
+    }
+    let pictures = vec![Picture::new("compare", panels)];
+    let files = plot::write(dir, pictures, (results.mark.as_deref(), &Paper::default()))?;
+    Ok((words, files))
+}
+
+/// What came of comparing a run with each of some tables and folders.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn of(
+    dir: &Path,
+    results: &Results,
+    others: &[PathBuf],
+    options: &Options,
+) -> Result<Vec<Comparison>> {
+    let (folders, tables): (Vec<PathBuf>, Vec<PathBuf>) =
+        others.iter().cloned().partition(|path| path.is_dir());
+    let mut all = Vec::new();
+    if !folders.is_empty() {
+        all.push(runs::compare(dir, results, &folders)?);
+    }
+    for path in tables {
+        all.push(measured(results, &path, options)?);
+    }
+    Ok(all)
+}
+
+/// A run beside a measured table.
+fn measured(results: &Results, path: &Path, options: &Options) -> Result<Comparison> {
+    let bytes = std::fs::read(path).with_context(|| format!("cannot read `{}`", path.display()))?;
+    let names: Vec<(&str, &str)> = options
+        .columns
+        .iter()
+        .map(|given| {
+            let (name, title) = given.split_once('=').with_context(|| {
+                format!("--column {given}: write a name and a title, like z=\"Tiefe [um]\"")
+            })?;
+            Ok((bare(name), title.trim_matches('"')))
+        })
+        .collect::<Result<_>>()?;
+    let table = Table::read(&path.display().to_string(), &bytes)?.naming(&names)?;
+    let has = |name: &str| table.names().any(|known| known == name);
+    let body = body(results, options)?;
+    let axis = match (has("x"), has("y")) {
+        (true, true) => bail!(
+            "`{}` has columns x and y: leave one of them out, a profile goes along one",
+            path.display()
+        ),
+        (true, false) => Some(Axis::X),
+        (false, true) => Some(Axis::Y),
+        (false, false) => None,
+    };
+    match axis {
+        Some(axis) => profile::compare(results, &table, (body, axis), options.levelled),
+        None => course::compare(results, &table, body),
+    }
+}
+
+/// The name of a column without a unit behind it: `depth_um` is `depth`.
+fn bare(name: &str) -> &str {
+    let units = ["_um", "_mm", "_m", "_nm", "_mm3", "_m3", "_mm2", "_mg", "_g", "_s", "_km"];
+    units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
+}
+
+/// The index of the body that is compared.
+fn body(results: &Results, options: &Options) -> Result<usize> {
+    if let Some(name) = &options.body {
+        let known = results.bodies.iter().position(|body| body == name);
+        return known.with_context(|| {
+            format!("--body {name}: the bodies are {}", results.bodies.join(" and "))
+        });
+    }
+    let depth = |body: &usize| {
+        let column = archard::simulation::history::of_body(
+            archard::simulation::history::BODY_DEPTH,
+            &results.bodies[*body],
+        );
+        results.history.column(&column).map_or(0.0, largest)
+    };
+    let deepest =
+        (0..results.bodies.len()).max_by(|one, other| depth(one).total_cmp(&depth(other)));
+    let deepest = deepest.context("the run has no bodies")?;
+    // Of two that wear alike the first would be a guess.
+    let others = (0..results.bodies.len()).filter(|body| *body != deepest);
+    let alike =
+        others.map(|body| depth(&body)).any(|other| other > 0.99 * depth(&deepest) && other > 0.0);
+    ensure!(!alike, "both bodies wear alike: say which was measured by --body");
+    Ok(deepest)
+}
+
+/// What has to be said of the columns of a table that are not used.
+fn unused(table: &Table, used: &[&str]) -> Option<String> {
+    let others = table.others(used);
+    let others: Vec<String> = others.iter().map(|title| format!("`{title}`")).collect();
+    (!others.is_empty()).then(|| format!("not used: column {}", others.join(", ")))
+}
+
+/// A difference relative to a value, in per cent.
+fn percent(measured: f64, computed: f64) -> String {
+    let difference = 100.0 * (computed / measured - 1.0);
+    match difference.is_finite() {
+        true => format!("computed {difference:+.1} % against measured"),
+        false => "no ratio".to_owned(),
+    }
+}

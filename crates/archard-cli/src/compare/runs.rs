@@ -1,0 +1,78 @@
+//! A run beside other runs.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::Result;
+use archard::simulation::history::{
+    BODY_DEPTH, PEAK_PRESSURE, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
+};
+
+use super::Comparison;
+use crate::plot::results::Results;
+use crate::plot::tables::largest;
+use crate::plot::{self};
+use crate::report::measured as shown;
+
+/// Compares the ends of runs, and shows their wear over the progress.
+pub(super) fn compare(dir: &Path, results: &Results, others: &[PathBuf]) -> Result<Comparison> {
+    let panels = vec![plot::compared(dir, results, others)?];
+    let mut columns = vec![(WEAR_DEPTH.to_owned(), "wear depth".to_owned(), "m")];
+    for body in &results.bodies {
+        for (column, name, unit) in [
+            (BODY_DEPTH, "depth", "m"),
+            (WORN_VOLUME, "volume", "m3"),
+            (WORN_SECTION, "section", "m2"),
+        ] {
+            columns.push((of_body(column, body), format!("{name} of {body}"), unit));
+        }
+    }
+    columns.push((PEAK_PRESSURE.to_owned(), "peak pressure".to_owned(), "Pa"));
+    let mut comparison = Comparison {
+        title: format!("`{}` beside other runs, each at its end", dir.display()),
+        lines: vec![],
+        remarks: vec![],
+        panels,
+    };
+    let last = |run: &Results, column: &str| {
+        run.history.column(column).ok().and_then(|values| values.last().copied())
+    };
+    for path in others {
+        let other = Results::read(path)?;
+        let [end, own] = [&other, results].map(|run| largest(run.progress().1));
+        if (end / own - 1.0).abs() > 1e-9 {
+            let unit = results.progress_unit();
+            let words = format!(
+                "`{}` ends at {}, this run at {}",
+                path.display(),
+                unit.show(end),
+                unit.show(own)
+            );
+            comparison.remarks.push(words);
+        }
+        comparison
+            .remarks
+            .extend(other.mark.as_ref().map(|mark| format!("`{}`: {mark}", path.display())));
+        for (column, name, unit) in &columns {
+            let Some((one, there)) = last(results, column).zip(last(&other, column)) else {
+                continue;
+            };
+            if one == 0.0 && there == 0.0 {
+                continue;
+            }
+            let difference = 100.0 * (there / one - 1.0);
+            let difference = if difference.is_finite() {
+                format!("{difference:+.2} %")
+            } else {
+                "none here".to_owned()
+            };
+            let value = format!(
+                "{} here, {} in `{}`: {difference}",
+                shown(one, unit),
+                shown(there, unit),
+                path.display()
+            );
+            comparison.lines.push([name.clone(), value]);
+        }
+    }
+    Ok(comparison)
+}

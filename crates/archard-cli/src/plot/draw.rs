@@ -1,0 +1,243 @@
+//! Panels as files, drawn by `kuva`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use anyhow::{Context, anyhow};
+use kuva::backend::pdf::{PageSize, PdfBackend};
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{self, BandPlot, ColorMap, Heatmap, LinePlot, ScatterPlot};
+use kuva::render::annotations::TextAnnotation;
+use kuva::render::figure::Figure;
+use kuva::render::layout::{Layout, TickFormat};
+use kuva::render::plots::Plot;
+
+use super::figure::{LegendPosition, Map, Mark, Panel, Shape, View};
+use super::raster;
+use super::scale::tick;
+use kuva::render::render::Scene;
+
+/// Width of a PNG (px).
+const PNG_WIDTH: f64 = 1600.0;
+
+/// The size (px) of panels, how many stand side by side, and what the files are for.
+pub(crate) struct Sheet<'a> {
+    pub(crate) columns: usize,
+    pub(crate) size: [f64; 2],
+    pub(crate) paper: &'a Paper,
+}
+
+/// What pictures are drawn for.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Paper {
+    /// The width they fill; that of a screen if not given.
+    pub(crate) width: Option<Width>,
+    /// Kinds of files; SVG and PNG if none is named.
+    pub(crate) formats: Vec<Format>,
+}
+
+/// The width of a picture in print, with letters of about eight points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Width {
+    /// A column of a journal, 85 mm
+    Column,
+    /// A page of a journal, 175 mm
+    Page,
+}
+
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum Format {
+    /// Scalable, for browsers and drawing programs
+    Svg,
+    /// Pixels, 600 dpi where a width in print is given
+    Png,
+    /// Scalable, for LaTeX and print
+    Pdf,
+}
+
+impl Width {
+    /// The width (mm).
+    fn millimetres(self) -> f64 {
+        match self {
+            Width::Column => 85.0,
+            Width::Page => 175.0,
+        }
+    }
+
+    /// Panels side by side: one, or two.
+    fn columns(self) -> usize {
+        match self {
+            Width::Column => 1,
+            Width::Page => 2,
+        }
+    }
+}
+
+impl Format {
+    fn extension(self) -> &'static str {
+        match self {
+            Format::Svg => "svg",
+            Format::Png => "png",
+            Format::Pdf => "pdf",
+        }
+    }
+}
+
+/// Pixels that 85 mm have while a picture is laid out: letters of 16 px are printed with eight points.
+const COLUMN: f64 = 480.0;
+/// Dots per millimetre of a PNG for print.
+const DOTS: f64 = 600.0 / 25.4;
+/// Points (1/72 inch) per millimetre.
+const POINTS: f64 = 72.0 / 25.4;
+
+/// Writes panels as `path.svg` and so on, below a mark if there is one; returns the files.
+pub(crate) fn save(
+    path: &Path,
+    sheet: &Sheet<'_>,
+    (panels, mark): (Vec<Panel>, Option<&str>),
+) -> anyhow::Result<Vec<PathBuf>> {
+    let width = sheet.paper.width;
+    let columns = width.map_or(sheet.columns, |width| width.columns()).min(panels.len()).max(1);
+    let [across, up] = match width {
+        None => sheet.size,
+        Some(width) => {
+            let across = COLUMN * width.millimetres() / 85.0 / width.columns() as f64;
+            [across, across * sheet.size[1] / sheet.size[0]]
+        }
+    };
+    let rows = panels.len().div_ceil(columns);
+    let several = panels.len() > 1;
+    let (plots, layouts) = panels.iter().map(drawn).unzip();
+    let mut figure = Figure::new(rows, columns)
+        .with_cell_size(across, up)
+        .with_plots(plots)
+        .with_layouts(layouts);
+    if let Some(mark) = mark {
+        figure = figure.with_title(mark).with_title_size(20);
+    }
+    if several {
+        figure = figure.with_labels_lowercase();
+    }
+    let scene = figure.render();
+    let both = [Format::Svg, Format::Png];
+    let formats = if sheet.paper.formats.is_empty() { &both[..] } else { &sheet.paper.formats };
+    let draw = |format: &Format| {
+        let file = path.with_extension(format.extension());
+        let millimetres =
+            width.map(|width| width.millimetres() * columns as f64 / width.columns() as f64);
+        let bytes = match format {
+            Format::Svg => Ok(svg(&scene, millimetres).into_bytes()),
+            Format::Png => raster::png(&scene, millimetres.map_or(PNG_WIDTH, |mm| mm * DOTS)),
+            Format::Pdf => pdf(&scene, millimetres),
+        };
+        let bytes = bytes.with_context(|| format!("cannot draw `{}`", file.display()))?;
+        fs::write(&file, bytes).with_context(|| format!("cannot write `{}`", file.display()))?;
+        Ok(file)
+    };
+    formats.iter().map(draw).collect()
+}
+
+/// The scene as SVG, of that width (mm) if it is given.
+fn svg(scene: &Scene, millimetres: Option<f64>) -> String {
+    let text = SvgBackend::new().render_scene(scene);
+    let Some(width) = millimetres else { return text };
+    let (x, y) = (scene.width, scene.height);
+    let sized =
+        format!(r#"width="{width}mm" height="{:.3}mm" viewBox="0 0 {x} {y}""#, width * y / x);
+    text.replacen(&format!(r#"width="{x}" height="{y}""#), &sized, 1)
+}
+
+/// The scene as a PDF, of that width (mm) if it is given.
+fn pdf(scene: &Scene, millimetres: Option<f64>) -> anyhow::Result<Vec<u8>> {
+    let width = millimetres.map_or(scene.width, |mm| mm * POINTS);
+    let size = PageSize::points(width, width * scene.height / scene.width);
+    let drawn = PdfBackend::new().with_page_size(size).render_scenes(std::slice::from_ref(scene));
+    drawn.map_err(|message| anyhow!(message))
+}
+
+/// A panel as the library that draws takes it.
+fn drawn(panel: &Panel) -> (Vec<Plot>, Layout) {
+    let plots: Vec<Plot> = panel.marks.iter().map(plot).collect();
+    let layout = Layout::auto_from_plots(&plots)
+        .with_title(&*panel.title)
+        .with_x_label(&*panel.labels[0])
+        .with_y_label(&*panel.labels[1])
+        .with_title_size(18)
+        .with_label_size(16)
+        .with_tick_size(14)
+        .with_body_size(14)
+        .with_legend_box(false)
+        .with_tick_format(TickFormat::Custom(Arc::new(tick)));
+    let maps = panel.marks.iter().any(|mark| matches!(mark.shape, Shape::Map(_)));
+    (plots, framed(layout.with_show_grid(!maps), &panel.view))
+}
+
+/// Sets an end of an axis.
+type End = fn(Layout, f64) -> Layout;
+
+/// A layout with what is particular to a panel.
+fn framed(layout: Layout, view: &View) -> Layout {
+    let mut layout = layout.with_legend_position(match view.legend {
+        LegendPosition::OutsideRightTop => plot::LegendPosition::OutsideRightTop,
+        LegendPosition::InsideTopLeft => plot::LegendPosition::InsideTopLeft,
+        LegendPosition::InsideBottomRight => plot::LegendPosition::InsideBottomRight,
+    });
+    let ends = view.ends;
+    let set: [(Option<f64>, End); 4] = [
+        (ends[0][0], Layout::with_x_axis_min),
+        (ends[0][1], Layout::with_x_axis_max),
+        (ends[1][0], Layout::with_y_axis_min),
+        (ends[1][1], Layout::with_y_axis_max),
+    ];
+    for (end, set) in set {
+        layout = end.into_iter().fold(layout, set);
+    }
+    if let Some(title) = &view.legend_title {
+        layout = layout.with_legend_title(&**title);
+    }
+    if view.to_scale {
+        layout = layout.with_equal_aspect();
+    }
+    if !view.named {
+        layout = layout.with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())));
+    }
+    view.notes.iter().fold(layout, |layout, (words, [x, y])| {
+        layout.with_annotation(TextAnnotation::new(&**words, *x, *y).with_font_size(14))
+    })
+}
+
+fn plot(Mark { shape, legend }: &Mark) -> Plot {
+    let legend = legend.as_deref();
+    match shape {
+        Shape::Line(points, pen) => {
+            let line = LinePlot::new().with_data(points.iter().copied());
+            let line = line.with_color(&*pen.colour).with_stroke_width(pen.width);
+            legend.into_iter().fold(line, LinePlot::with_legend).into()
+        }
+        Shape::Dots(points, colour) => {
+            let dots = ScatterPlot::new().with_data(points.iter().copied());
+            let dots = dots.with_color(&**colour).with_size(5.0);
+            legend.into_iter().fold(dots, ScatterPlot::with_legend).into()
+        }
+        Shape::Band { places, colour, opacity } => {
+            let of = |index: usize| places.iter().map(move |place| place[index]);
+            let band = BandPlot::new(of(0), of(1), of(2)).with_color(&**colour);
+            let band = band.with_opacity(*opacity);
+            Plot::Band(legend.into_iter().fold(band, BandPlot::with_legend))
+        }
+        Shape::Map(Map { edges: [x, y], rows }) => Heatmap::new()
+            .with_data(rows.iter().map(|row| row.iter().copied()))
+            .with_x_range(x[0], x[1])
+            .with_y_range(y[0], y[1])
+            .with_cell_size(1.0)
+            .with_color_map(ColorMap::Custom(Arc::new(colour)))
+            .into(),
+    }
+}
+
+/// The colour of a value relative to the largest: none for none.
+fn colour(share: f64) -> String {
+    if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
+}

@@ -1,0 +1,144 @@
+//! Panels as the page draws them: traces and axes for plotly.js, with words for who cannot see them.
+
+use serde_json::{Value, json};
+
+use super::words::plain;
+use crate::plot::figure::{Map, Mark, Panel, Pen, Points, Shape};
+
+/// Most points of a curve: more cannot be told apart on a page.
+const MOST: usize = 1500;
+
+/// A figure: what draws it, and what it shows in words.
+pub(super) struct Figure {
+    pub(super) title: String,
+    pub(super) words: String,
+    pub(super) data: Vec<Value>,
+    pub(super) layout: Value,
+}
+
+impl Figure {
+    /// A panel as a figure.
+    pub(super) fn of(panel: &Panel) -> Self {
+        let [x, y] = &panel.labels;
+        let view = &panel.view;
+        let mut layout = json!({
+            "xaxis": axis(x, view.ends[0]),
+            "yaxis": axis(y, view.ends[1]),
+            "showlegend": panel.marks.iter().any(|mark| mark.legend.is_some()),
+        });
+        if let Some(title) = &view.legend_title {
+            layout["legend"] = json!({ "title": { "text": title } });
+        }
+        if view.to_scale {
+            layout["yaxis"]["scaleanchor"] = json!("x");
+        }
+        let note = |(words, [x, y]): &(String, [f64; 2])| json!({ "text": words, "x": x, "y": y, "showarrow": false });
+        layout["annotations"] = view.notes.iter().map(note).collect();
+        Self {
+            title: panel.title.clone(),
+            words: words(panel),
+            data: panel.marks.iter().map(trace).collect(),
+            layout,
+        }
+    }
+}
+
+/// An axis with its label; ends that are not given follow from what is drawn.
+fn axis(label: &str, [low, high]: [Option<f64>; 2]) -> Value {
+    match (low, high) {
+        (None, None) => json!({ "title": { "text": label } }),
+        (low, high) => json!({
+            "title": { "text": label },
+            "autorangeoptions": { "minallowed": low, "maxallowed": high, "include": [low, high] },
+        }),
+    }
+}
+
+fn trace(Mark { shape, legend }: &Mark) -> Value {
+    let mut trace = match shape {
+        Shape::Line(points, Pen { colour, width }) => {
+            let (x, y) = columns(points);
+            let width = 0.8 * width;
+            json!({ "type": "scatter", "mode": "lines", "x": x, "y": y, "line": { "color": colour, "width": width } })
+        }
+        Shape::Dots(points, colour) => {
+            let (x, y) = columns(points);
+            json!({ "type": "scatter", "mode": "markers", "x": x, "y": y, "marker": { "color": colour, "size": 6 } })
+        }
+        Shape::Band { places, colour, opacity } => {
+            let forth = places.iter().map(|[x, low, _]| (*x, *low));
+            let back = places.iter().rev().map(|[x, _, high]| (*x, *high));
+            let points: Points = forth.chain(back).collect();
+            let x: Vec<f64> = points.iter().map(|point| rounded(point.0)).collect();
+            let y: Vec<f64> = points.iter().map(|point| rounded(point.1)).collect();
+            json!({
+                "type": "scatter", "mode": "lines", "x": x, "y": y, "fill": "toself", "fillcolor": colour,
+                "opacity": opacity, "line": { "width": 0 }, "hoverinfo": "skip",
+            })
+        }
+        Shape::Map(Map { edges: [x, y], rows }) => {
+            let places = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
+                let step = (high - low) / count.max(1) as f64;
+                (0..count).map(|i| rounded(low + (i as f64 + 0.5) * step)).collect()
+            };
+            let cell =
+                |value: &f64| if *value > 0.0 { json!(rounded(*value)) } else { Value::Null };
+            let z: Vec<Vec<Value>> =
+                rows.iter().map(|row| row.iter().map(cell).collect()).collect();
+            json!({
+                "type": "heatmap", "colorscale": "Viridis", "z": z,
+                "x": places(*x, rows.first().map_or(0, Vec::len)), "y": places(*y, rows.len()),
+            })
+        }
+    };
+    trace["showlegend"] = json!(legend.is_some());
+    if let Some(legend) = legend {
+        trace["name"] = json!(legend);
+    }
+    trace
+}
+
+/// Places and values of points, no more than can be told apart.
+fn columns(points: &Points) -> (Vec<f64>, Vec<Value>) {
+    let every = points.len().div_ceil(MOST).max(1);
+    let last = points.len().saturating_sub(1);
+    let shown = points.iter().enumerate().filter(|(place, _)| place % every == 0 || *place == last);
+    shown.map(|(_, (x, y))| (rounded(*x), number(*y))).unzip()
+}
+
+/// A number, or nothing where there is none.
+fn number(value: f64) -> Value {
+    if value.is_finite() { json!(rounded(value)) } else { Value::Null }
+}
+
+/// Six digits, which is more than a page shows.
+pub(super) fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
+}
+
+/// What a panel shows, in words: its curves with their ends.
+fn words(panel: &Panel) -> String {
+    let [x, y] = &panel.labels;
+    let mut parts = Vec::new();
+    for Mark { shape, legend } in &panel.marks {
+        let (Some(legend), Shape::Line(points, _) | Shape::Dots(points, _)) = (legend, shape)
+        else {
+            continue;
+        };
+        let finite = || points.iter().filter(|point| point.1.is_finite());
+        let (Some(first), Some(last)) = (finite().next(), finite().next_back()) else { continue };
+        let high = finite().map(|point| point.1).fold(f64::NEG_INFINITY, f64::max);
+        let most = if high > first.1.max(last.1) {
+            format!(", at most {}", plain(high))
+        } else {
+            String::new()
+        };
+        parts.push(format!("{legend}: from {} to {}{most}", plain(first.1), plain(last.1)));
+    }
+    // Many sections begin and end alike: their values are seen, not told.
+    if parts.len() > 3 {
+        return format!("{y} over {x}, {} curves.", parts.len());
+    }
+    let curves = if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) };
+    format!("{y} over {x}.{curves}")
+}

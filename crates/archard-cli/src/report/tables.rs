@@ -1,0 +1,375 @@
+//! What a run came to, in tables: its numbers, its verdict, and closed forms beside both.
+
+use archard::closed_form::Hertz;
+use archard::simulation::history::{
+    APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, Column, ERRORS,
+    FLASH_TEMPERATURE, FORCE, LOAD, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, WEAR_DEPTH,
+    WORN_SECTION, WORN_VOLUME, body_of, of_body,
+};
+use serde_json::Value;
+
+use super::page::Table;
+use super::words::{measured, plain};
+use crate::number::count;
+use crate::plot::results::Results;
+use crate::plot::scale::phrase;
+use crate::plot::tables::size;
+
+/// Columns that say how a run was computed, not what came of it.
+const WORK: [&str; 7] =
+    ["iterations", "residual", "solves", "rejected", "true_cycles", "time_error", "space_error"];
+
+/// The last row of the history, each number with the error that is stated for it.
+pub(super) fn results(results: &Results) -> Table {
+    let history = &results.history;
+    let last = |column: &str| history.column(column).ok().and_then(|values| values.last().copied());
+    let mut rows = Vec::new();
+    for name in history.names() {
+        let errors = ERRORS.iter().any(|of| name.starts_with(of));
+        let Some(value) = last(name).filter(|value| value.is_finite() && !errors) else { continue };
+        if WORK.contains(&name) {
+            continue;
+        }
+        let (label, unit) = label(results, name);
+        let value = if unit.is_empty() { count(value) } else { measured(value, unit) };
+        let error = results.error(name).and_then(|errors| errors.last().copied());
+        let error = error
+            .map_or_else(|| NOT_STATED.to_owned(), |error| format!("± {}", measured(error, unit)));
+        rows.push(vec![label, value, error]);
+    }
+    let (column, values) = results.progress();
+    let end = values.last().copied().unwrap_or_default();
+    let end = measured(
+        end,
+        COLUMNS_OF_PROGRESS.iter().find(|(known, _)| *known == column).map_or("", |(_, unit)| unit),
+    );
+    let stated = rows.iter().any(|row: &Vec<String>| row[2] != NOT_STATED);
+    let mut heads = vec!["Quantity", "Value", "Stated error"];
+    if !stated {
+        heads.pop();
+        rows.iter_mut().for_each(|row| row.truncate(2));
+    }
+    Table { caption: format!("Numbers at {} {end}", phrase(column).to_lowercase()), heads, rows }
+}
+
+/// What stands beside a number without an error.
+const NOT_STATED: &str = "not stated";
+
+/// The columns of the progress that have units.
+const COLUMNS_OF_PROGRESS: [(&str, &str); 2] = [("distance_m", "m"), ("time_s", "s")];
+
+/// What a column is called, with its body where it belongs to one, and its unit.
+fn label(results: &Results, name: &str) -> (String, &'static str) {
+    let called = |name: &str, unit: &str| {
+        let bare = name.strip_suffix(unit).map_or(name, |bare| bare.trim_end_matches('_'));
+        phrase(if unit.is_empty() { name } else { bare })
+    };
+    if let Some(column) = COLUMNS.iter().find(|column| column.name == name) {
+        return (called(name, column.unit), column.unit);
+    }
+    for body in &results.bodies {
+        let belongs = |column: &&Column| body_of(column.name, name) == Some(body.as_str());
+        if let Some(column) = COLUMNS.iter().find(belongs) {
+            let bare = column.name.replacen("_BODY", "", 1);
+            return (format!("{} of {body}", called(&bare, column.unit)), column.unit);
+        }
+    }
+    let unit = COLUMNS_OF_PROGRESS.iter().find(|(known, _)| *known == name);
+    let unit = unit.map_or("", |(_, unit)| unit);
+    (called(name, unit), unit)
+}
+
+/// What is read first: name and value of a few numbers at the end.
+pub(super) fn first(results: &Results) -> Vec<[String; 2]> {
+    let last = |column: &str| {
+        let values = results.history.column(column).ok()?;
+        values.last().copied().filter(|value| *value != 0.0)
+    };
+    let mut names: Vec<String> = Vec::new();
+    for body in &results.bodies {
+        names.extend([BODY_DEPTH, WORN_VOLUME, WORN_SECTION].map(|column| of_body(column, body)));
+    }
+    if names.iter().all(|name| last(name).is_none()) {
+        names.extend([LOAD, APPROACH, CONTACT_AREA, FORCE[0]].map(str::to_owned));
+    }
+    names.extend([PEAK_PRESSURE, FLASH_TEMPERATURE].map(str::to_owned));
+    let shown = |name: String| {
+        let value = last(&name)?;
+        let (label, unit) = label(results, &name);
+        Some([label, measured(value, unit)])
+    };
+    names.into_iter().filter_map(shown).collect()
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    first + letters.as_str()
+}
+
+/// The verdict, line by line.
+pub(super) fn verdict(summary: &Value) -> Table {
+    let lines = summary["verdict"]["lines"].as_array().map_or(&[][..], Vec::as_slice);
+    let row = |line: &Value| {
+        let text = |key: &str| line[key].as_str().unwrap_or_default().to_owned();
+        let number = |key: &str| line[key].as_f64();
+        let bound = |side: &str, words: &str| {
+            number(&format!("doubtful_{side}")).map(|bound| format!("{words} {}", plain(bound)))
+        };
+        let bound = bound("above", "at most").or_else(|| bound("below", "at least"));
+        let value = number("value").map_or_else(|| "no number".to_owned(), plain);
+        vec![
+            capital(&text("subject")),
+            text("word"),
+            value,
+            bound.unwrap_or_default(),
+            text("text"),
+        ]
+    };
+    Table {
+        caption: "What was judged, by which bound".to_owned(),
+        heads: vec!["Subject", "Word", "Number", "Good if", "What the number is"],
+        rows: lines.iter().map(row).collect(),
+    }
+}
+
+/// A closed form beside what was computed.
+struct Pair<'a> {
+    what: String,
+    theory: &'static str,
+    unit: &'a str,
+    expected: f64,
+    computed: f64,
+}
+
+impl Pair<'_> {
+    fn row(self) -> Vec<String> {
+        let Self { what, theory, unit, expected, computed } = self;
+        let difference = 100.0 * (computed / expected - 1.0);
+        let difference = match difference {
+            none if !none.is_finite() => "\u{2013}".to_owned(),
+            small if small.abs() < 0.005 => "below 0.01 %".to_owned(),
+            other => format!("{other:+.2} %").replace('-', "\u{2212}"),
+        };
+        vec![
+            what,
+            theory.to_owned(),
+            measured(expected, unit),
+            measured(computed, unit),
+            difference,
+        ]
+    }
+}
+
+/// Every closed form that is known of the run beside what came of it.
+pub(super) fn closed_forms(results: &Results) -> Table {
+    let mut pairs = Vec::new();
+    contact(results, &mut pairs);
+    shifted(results, &mut pairs);
+    rolled(results, &mut pairs);
+    worn(results, &mut pairs);
+    let row = |pair: Pair<'_>| pair.row();
+    let known = |pair: &Pair<'_>| pair.expected.is_finite() && pair.expected != 0.0;
+    Table {
+        caption: "What theory says and what was computed".to_owned(),
+        heads: vec!["Quantity", "Theory", "Says", "Computed", "Difference"],
+        rows: pairs.into_iter().filter(known).map(row).collect(),
+    }
+}
+
+/// Hertz's contact beside the unworn one.
+fn contact(results: &Results, pairs: &mut Vec<Pair<'_>>) {
+    if results.closed_form["hertz"].is_null() {
+        return;
+    }
+    let history = &results.history;
+    let row = if results.wears() { 0 } else { history.rows() - 1 };
+    let at = |column: &str| history.column(column).ok().and_then(|values| values.get(row).copied());
+    let Some(hertz) = at(LOAD).and_then(|load| results.hertz(load)) else { return };
+    let Hertz { semi_axes: [a, b], peak_pressure, approach, load } = hertz;
+    let when = if results.wears() { " of the unworn bodies" } else { "" };
+    let mut add = |what: &str, column: &str, unit, expected: f64| {
+        if let Some(computed) = at(column).filter(|_| load > 0.0) {
+            let what = format!("{what}{when}");
+            pairs.push(Pair { what, theory: "Hertz, no friction", unit, expected, computed });
+        }
+    };
+    add("Pressure at the centre", CENTRE_PRESSURE, "Pa", peak_pressure);
+    let known = results.closed_form["hertz"]["approach_m"].as_f64();
+    if known.is_some() {
+        let line = !b.is_finite();
+        add("Approach", APPROACH, "m", if line { known.unwrap_or_default() } else { approach });
+    }
+    if b.is_finite() {
+        add("Contact area", CONTACT_AREA, "m2", std::f64::consts::PI * a * b);
+    }
+}
+
+/// Bodies that are pressed and shifted with friction.
+fn shifted(results: &Results, pairs: &mut Vec<Pair<'_>>) {
+    let last = |column: &str| {
+        results.history.column(column).ok().and_then(|values| values.last().copied())
+    };
+    let block = &results.closed_form["spence"];
+    for (what, key, column, unit) in
+        [("Load", "load_N", LOAD, "N"), ("Approach", "approach_m", APPROACH, "m")]
+    {
+        if let Some((expected, computed)) = block[key].as_f64().zip(last(column)) {
+            let (what, theory) = (format!("{what} of the bonded edge"), "Spence, with friction");
+            let what = what.replace(" of the bonded edge", "");
+            pairs.push(Pair { what, theory, unit, expected, computed });
+        }
+    }
+    let block = &results.closed_form["cattaneo_mindlin"];
+    if block.is_null() || results.wears() {
+        return;
+    }
+    let axis = if block["axis"] == "y" { 1 } else { 0 };
+    let force = results.loops.last().and_then(|table| table.column(FORCE[axis]).ok().map(size));
+    let theory = "Cattaneo and Mindlin";
+    if let Some((expected, computed)) = block["force_amplitude_N"].as_f64().zip(force) {
+        pairs.push(Pair {
+            what: "Amplitude of the force".into(),
+            theory,
+            unit: "N",
+            expected,
+            computed,
+        });
+    }
+    let dissipated = last("dissipated_J");
+    if let Some((expected, computed)) = block["dissipated_per_cycle_J"].as_f64().zip(dissipated) {
+        pairs.push(Pair {
+            what: "Dissipated in a cycle".into(),
+            theory,
+            unit: "J",
+            expected,
+            computed,
+        });
+    }
+}
+
+/// Bodies that roll.
+fn rolled(results: &Results, pairs: &mut Vec<Pair<'_>>) {
+    let last = |column: &str| {
+        results.history.column(column).ok().and_then(|values| values.last().copied())
+    };
+    let block = &results.closed_form["flash_temperature"];
+    for (what, key, column) in [
+        ("Largest flash temperature", "largest_K", FLASH_TEMPERATURE),
+        ("Mean flash temperature", "mean_K", MEAN_FLASH_TEMPERATURE),
+    ] {
+        if let Some((expected, computed)) = block[key].as_f64().zip(last(column)) {
+            let theory = "uniform band of heat, unworn";
+            pairs.push(Pair { what: what.into(), theory, unit: "K", expected, computed });
+        }
+    }
+    if !results.rolls() {
+        return;
+    }
+    let end = last(results.progress().0).unwrap_or_default();
+    let estimates =
+        results.case.as_ref().map_or(vec![], |case| case.estimates(std::iter::once(end)));
+    let Some(rolled) = estimates.first().and_then(|estimate| estimate.rolled) else { return };
+    let (Some([along, across]), Some((x, y))) = (rolled.force, last(FORCE[0]).zip(last(FORCE[1])))
+    else {
+        return;
+    };
+    let theory = if rolled.line { "Carter" } else { "Vermeulen and Johnson" };
+    let what = "Creep force".to_owned();
+    pairs.push(Pair {
+        what,
+        theory,
+        unit: "N",
+        expected: along.hypot(across),
+        computed: x.hypot(y),
+    });
+}
+
+/// Bodies that wear.
+fn worn(results: &Results, pairs: &mut Vec<Pair<'_>>) {
+    let last = |column: &str| {
+        results.history.column(column).ok().and_then(|values| values.last().copied())
+    };
+    for body in &results.bodies {
+        let block = &results.summary["wear"][&**body];
+        for (column, key, what, unit) in [
+            (WORN_VOLUME, "expected_volume_m3", "Worn volume", "m3"),
+            (WORN_SECTION, "expected_section_m2", "Worn section", "m2"),
+        ] {
+            if let Some((expected, computed)) =
+                block[key].as_f64().zip(last(&of_body(column, body)))
+            {
+                pairs.push(Pair {
+                    what: format!("{what} of {body}"),
+                    theory: "k F s",
+                    unit,
+                    expected,
+                    computed,
+                });
+            }
+        }
+        let standard = &block["standard"];
+        if let Some((expected, computed)) =
+            standard["volume_m3"].as_f64().zip(last(&of_body(WORN_VOLUME, body)))
+        {
+            let name = ["ASTM G99", "ASTM G133", "ASTM G77"]
+                .into_iter()
+                .find(|name| standard["name"] == *name);
+            let theory = name.unwrap_or("standard");
+            let what = format!(
+                "Worn volume of {body} from its {}",
+                standard["measured"].as_str().unwrap_or("scar")
+            );
+            pairs.push(Pair { what, theory, unit: "m3", expected, computed });
+        }
+    }
+    let known = |block: &str, key: &str| results.closed_form[block][key].as_f64();
+    let mut add = |what: &str, theory, expected: Option<f64>, computed: Option<f64>| {
+        if let Some((expected, computed)) = expected.zip(computed) {
+            pairs.push(Pair { what: what.to_owned(), theory, unit: "m", expected, computed });
+        }
+    };
+    let depth = last(WEAR_DEPTH);
+    add("Wear depth", "sphere worn flat, no elasticity", known("pin_on_disc", "depth_m"), depth);
+    add(
+        "Wear depth",
+        "discs, incremental model",
+        known("twin_discs", "incremental_depth_m"),
+        depth,
+    );
+    add("Wear depth", "discs, uniform line load", known("twin_discs", "line_load_depth_m"), depth);
+    add(
+        "Wear depth at last",
+        "end of fretting wear, stick zone kept",
+        known("fretting_wear", "wear_depth_m"),
+        depth,
+    );
+    let passes = |body: &&String| last(&of_body(WORN_SECTION, body)).is_some();
+    let (passing, staying) =
+        (results.bodies.iter().find(passes), results.bodies.iter().find(|body| !passes(body)));
+    let of = |body: Option<&String>| last(&of_body(BODY_DEPTH, body?));
+    add(
+        "Depth of the scar",
+        "rigid bodies on a track",
+        known("worn_track", "scar_depth_m"),
+        of(staying),
+    );
+    add(
+        "Depth of the groove",
+        "rigid bodies on a track",
+        known("worn_track", "groove_depth_m"),
+        of(passing),
+    );
+    add(
+        "Length of the scar",
+        "rigid bodies on a track",
+        known("worn_track", "contact_length_m"),
+        last(SCAR[0]),
+    );
+    add(
+        "Width of the scar",
+        "rigid bodies on a track",
+        known("worn_track", "contact_width_m"),
+        last(SCAR[1]),
+    );
+}

@@ -1,0 +1,175 @@
+//! A case in words, from its printed form: a key a line, in SI.
+
+use super::page::escape;
+use crate::plot::scale::superscript;
+use archard::verdict::four;
+
+/// The case as a list of what it is made of, in HTML.
+pub(super) fn case(case: &str) -> String {
+    let mut groups: Vec<(String, Vec<(String, String)>)> = Vec::new();
+    for (key, value) in case.lines().filter_map(|line| line.split_once(" = ")) {
+        let parts: Vec<&str> = key.split('.').collect();
+        let (group, rest) = match &*parts {
+            ["body", name, rest @ ..] => (format!("Body {name}"), rest),
+            ["title" | "solver" | "friction_solver", ..] => continue,
+            [_, "boundary_elements", ..] => continue,
+            [first, rest @ ..] => (capital(first), rest),
+            [] => continue,
+        };
+        let place = groups.iter().position(|(known, _)| *known == group);
+        let place = place.unwrap_or_else(|| {
+            groups.push((group, Vec::new()));
+            groups.len() - 1
+        });
+        put(&mut groups[place].1, rest, &shown(value));
+    }
+    let mut html = String::from("<dl>\n");
+    for (group, parts) in groups {
+        let parts: Vec<String> = parts
+            .iter()
+            .map(|(name, text)| match &**name {
+                "" => escape(text),
+                name => format!("<b>{}</b>: {}", escape(name), escape(text)),
+            })
+            .collect();
+        html += &format!("<dt>{}</dt><dd>{}</dd>\n", escape(&group), parts.join("<br>"));
+    }
+    html + "</dl>\n"
+}
+
+/// Adds a value below its part: `profile.sphere.radius` is "profile: sphere, radius 50 mm".
+fn put(parts: &mut Vec<(String, String)>, keys: &[&str], value: &str) {
+    let (part, words) = match keys {
+        [] => (String::new(), value.to_owned()),
+        [part @ ("material" | "thermal" | "symmetry" | "supports"), rest @ ..] => {
+            ((*part).to_owned(), phrase(rest, value))
+        }
+        ["boundary_elements", ..] => return,
+        [part @ ("profile" | "wear" | "mesh"), choice, rest @ ..] => {
+            let choice = choice.replace('_', " ");
+            let known = parts.iter().any(|(known, _)| known == part);
+            let words = match (known, rest.is_empty()) {
+                (true, _) => phrase(rest, value),
+                (false, true) => choice,
+                (false, false) => format!("{choice}, {}", phrase(rest, value)),
+            };
+            ((*part).to_owned(), words)
+        }
+        rest => (String::new(), phrase(rest, value)),
+    };
+    match parts.iter_mut().find(|(known, _)| *known == part) {
+        Some((_, text)) => *text += &format!(", {words}"),
+        None => parts.push((part, words)),
+    }
+}
+
+/// "sliding.load" and "10 N" are "sliding load 10 N"; tables without values have none.
+fn phrase(keys: &[&str], value: &str) -> String {
+    let word = |key: &&str| match *key {
+        "young" => "Young's modulus".to_owned(),
+        "poisson" => "Poisson's ratio".to_owned(),
+        key => key.replace('_', " "),
+    };
+    let name = keys.iter().map(word).collect::<Vec<_>>().join(" ");
+    match value {
+        "{}" | "true" => name,
+        value => format!("{name} {value}"),
+    }
+}
+
+fn capital(word: &str) -> String {
+    let mut letters = word.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string());
+    first.unwrap_or_default() + letters.as_str()
+}
+
+/// A printed value in the units of a tribologist.
+fn shown(value: &str) -> String {
+    if let Some(list) = value.strip_prefix('[').and_then(|rest| rest.strip_suffix(']')) {
+        let values: Vec<String> = list.split(", ").map(shown).collect();
+        return values.join(" × ");
+    }
+    let text = value.trim_matches('"');
+    match text.split_once(' ') {
+        Some((number, unit)) if value.starts_with('"') => match number.parse::<f64>() {
+            Ok(number) => measured(number, unit),
+            Err(_) => text.to_owned(),
+        },
+        _ => text.strip_suffix(".0").unwrap_or(text).to_owned(),
+    }
+}
+
+/// A value in SI as it is usually written.
+pub(crate) fn measured(value: f64, unit: &str) -> String {
+    let size = value.abs();
+    let (factor, unit) = match unit {
+        "m" if size >= 2e3 => (1e-3, "km"),
+        "m" if size >= 2.0 => (1.0, "m"),
+        "m" if size >= 1e-4 || size == 0.0 => (1e3, "mm"),
+        "m" if size >= 1e-7 => (1e6, "µm"),
+        "m" => (1e9, "nm"),
+        "m^2" | "m2" => (1e6, "mm²"),
+        "m^3" | "m3" => (1e9, "mm³"),
+        "Pa" if size >= 5e9 => (1e-9, "GPa"),
+        "Pa" => (1e-6, "MPa"),
+        "1/Pa" | "m3_per_Nm" => (1e9, "mm³/(N m)"),
+        "kg" => (1e6, "mg"),
+        "J" if size >= 1.0 || size == 0.0 => (1.0, "J"),
+        "J" if size >= 1e-3 => (1e3, "mJ"),
+        "J" if size >= 1e-6 => (1e6, "µJ"),
+        "J" => (1e9, "nJ"),
+        "Nm" => (1e3, "N mm"),
+        "rad" => (180.0 / std::f64::consts::PI, "°"),
+        other => (1.0, other),
+    };
+    format!("{} {unit}", plain(value * factor)).trim_end().to_owned()
+}
+
+/// Four digits without superfluous zeros.
+pub(super) fn plain(value: f64) -> String {
+    let digits = four(value);
+    if digits.contains('e') {
+        let (digits, power) = digits.split_once('e').unwrap_or((&digits, "0"));
+        let digits = digits.trim_end_matches('0').trim_end_matches('.');
+        return format!("{digits}·10{}", superscript(power.parse().unwrap_or_default()));
+    }
+    match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => digits,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{case, measured};
+
+    #[test]
+    fn a_case_reads_as_a_list() {
+        let printed = "title = \"t\"\n\nbody.pin.material.young = \"2.1e11 Pa\"\n\
+             body.pin.material.poisson = 0.3\nbody.pin.profile.sphere.radius = \"0.05 m\"\n\
+             body.pin.wear.archard.coefficient = \"1.33e-13 1/Pa\"\nbody.disc.profile.flat = {}\n\
+             frame.size = [\"0.0012 m\", \"0.0012 m\"]\nframe.elements = [30, 30]\n\
+             motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"0.5 m\"\n\
+             solver.conjugate_gradient = {}\n";
+        let words = case(printed);
+        for part in [
+            "<dt>Body pin</dt><dd><b>material</b>: Young's modulus 210 GPa, Poisson's ratio 0.3<br><b>profile</b>: sphere, radius 50 mm",
+            "coefficient 1.33·10⁻⁴ mm³/(N m)",
+            "<b>profile</b>: flat",
+            "size 1.2 mm × 1.2 mm, elements 30 × 30",
+            "sliding load 10.2 N, sliding distance 500 mm",
+        ] {
+            assert!(words.contains(part), "{part} is not in\n{words}");
+        }
+        assert!(!words.contains("conjugate"));
+    }
+
+    #[test]
+    fn values_have_usual_units() {
+        assert_eq!(measured(2.05e-6, "m"), "2.05 µm");
+        assert_eq!(measured(219.05e6, "Pa"), "219.1 MPa");
+        assert_eq!(measured(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
+        assert_eq!(measured(0.0, "m"), "0 mm");
+        assert_eq!(measured(25.0, ""), "25");
+    }
+}

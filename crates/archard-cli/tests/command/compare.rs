@@ -1,0 +1,168 @@
+//! `archard compare`: measurements made from a run itself, tilted and moved, are found again.
+
+use std::fs;
+use std::path::Path;
+
+use tempfile::TempDir;
+
+use super::{archard, case, printed, said};
+
+const RADIUS: f64 = 50e-3;
+
+/// Runs a pin on a disc into `run`.
+fn run(dir: &TempDir, name: &str) {
+    let case = case(name);
+    let settings = ["--set", "frame.elements=[48, 48]", "--set", "motion.sliding.step=10 mm"];
+    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", name, "--quiet"];
+    arguments.extend(settings);
+    archard(dir, &arguments).success();
+}
+
+/// Columns of a table of results, of the rows that are asked for.
+fn column(path: &Path, name: &str, keep: impl Fn(&csv::StringRecord) -> bool) -> Vec<f64> {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    let place = reader.headers().unwrap().iter().position(|known| known == name).unwrap();
+    let rows = reader.records().map(Result::unwrap).filter(keep);
+    rows.map(|row| row[place].parse().unwrap()).collect()
+}
+
+/// A value behind a name in what was printed: the first number after it.
+fn number(text: &str, name: &str) -> f64 {
+    let line = text.lines().find(|line| line.trim().starts_with(name));
+    let line = line.unwrap_or_else(|| panic!("no `{name}` in\n{text}"));
+    let words = line.trim()[name.len()..].split_whitespace();
+    words.filter_map(|word| word.trim_end_matches(',').parse().ok()).next().unwrap()
+}
+
+/// The worn pin along x, with the sphere beside the frame, shifted by 0.4 mm, tilted by 2 um/mm and 30 um high, in the
+/// units and with the commas of a German instrument; the pin's own depth times a factor.
+fn profile(dir: &TempDir, factor: f64) -> String {
+    let path = dir.path().join("pin_on_disc/profiles.csv");
+    let last = |row: &csv::StringRecord| &row[0] == "0.5" && &row[1] == "x";
+    let places = column(&path, "coordinate_m", last);
+    let worn = column(&path, "wear_pin_m", last);
+    let mut text = String::from("Ort [mm];Tiefe [um];Kommentar\n");
+    for i in -150..=150 {
+        let x = 8e-6 * f64::from(i);
+        let next = places.partition_point(|known| *known < x).clamp(1, places.len() - 1);
+        let share = (x - places[next - 1]) / (places[next] - places[next - 1]);
+        let within = (0.0..=1.0).contains(&share);
+        let depth =
+            if within { worn[next - 1] + share * (worn[next] - worn[next - 1]) } else { 0.0 };
+        let z = -RADIUS + (RADIUS * RADIUS - x * x).sqrt() - factor * depth;
+        let place = x + 0.4e-3;
+        let z = z + 30e-6 + 2e-3 * place;
+        text += &format!("{:.6};{:.6};\n", place * 1e3, z * 1e6).replace('.', ",");
+    }
+    text
+}
+
+const TITLES: [&str; 4] = ["--column", "x=Ort [mm]", "--column", "z_um=\"Tiefe [um]\""];
+
+#[test]
+fn a_tilted_profile_of_the_run_itself_is_the_run() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc");
+    fs::write(dir.path().join("scar.csv"), profile(&dir, 1.0)).unwrap();
+    let mut arguments = vec!["compare", "pin_on_disc", "scar.csv"];
+    arguments.extend(TITLES);
+    let said = printed(&archard(&dir, &arguments).success());
+    // The depth is 2.06 um.
+    assert!(number(&said, "difference, RMS") < 0.02, "{said}");
+    assert!(said.contains("not used: column `Kommentar`"), "{said}");
+    assert!(said.contains("on a curved body a shift and a tilt"), "{said}");
+    for name in ["compare.svg", "compare.png"] {
+        assert!(dir.path().join("pin_on_disc/plots").join(name).is_file(), "{name}");
+    }
+    let svg = fs::read_to_string(dir.path().join("pin_on_disc/plots/compare.svg")).unwrap();
+    assert!(svg.contains(">measured<") && svg.contains(">computed<"));
+}
+
+/// Half as deep again: the run is a third too shallow, and the section says the same.
+#[test]
+fn a_deeper_scar_is_told() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc");
+    fs::write(dir.path().join("scar.csv"), profile(&dir, 1.5)).unwrap();
+    let mut arguments = vec!["compare", "pin_on_disc", "scar.csv"];
+    arguments.extend(TITLES);
+    let said = printed(&archard(&dir, &arguments).success());
+    for name in ["deepest", "worn section"] {
+        let line = said.lines().find(|line| line.trim().starts_with(name)).unwrap();
+        let share = line.split("computed ").last().unwrap().split(' ').next().unwrap();
+        let share: f64 = share.parse().unwrap();
+        assert!((share + 33.3).abs() < 1.5, "{line}");
+    }
+    archard(
+        &dir,
+        &[
+            "report",
+            "pin_on_disc",
+            "--measured",
+            "scar.csv",
+            TITLES[0],
+            TITLES[1],
+            TITLES[2],
+            TITLES[3],
+        ],
+    )
+    .success();
+    let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
+    assert!(page.contains("pin along x beside `scar.csv`") && page.contains("tilt taken off"));
+}
+
+#[test]
+fn depths_over_the_distance_are_held_against_the_history() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc");
+    let path = dir.path().join("pin_on_disc/history.csv");
+    let (distance, depth) =
+        (column(&path, "distance_m", |_| true), column(&path, "wear_depth_pin_m", |_| true));
+    let mut text = String::from("distance [m],depth [um]\n");
+    for i in (0..distance.len()).step_by(5) {
+        text += &format!("{},{}\n", distance[i], 1.1e6 * depth[i]);
+    }
+    fs::write(dir.path().join("wear.csv"), text + "0.7,3\n").unwrap();
+    let said = printed(&archard(&dir, &["compare", "pin_on_disc", "wear.csv"]).success());
+    // 1/1.1 - 1.
+    assert!(said.contains("computed -9.1 % against measured"), "{said}");
+    assert!(
+        said.contains("1 readings of the depth beyond the end of the run are left out"),
+        "{said}"
+    );
+}
+
+#[test]
+fn runs_are_compared_at_their_ends() {
+    let dir = TempDir::new().unwrap();
+    ["pin_on_disc", "pin_on_disc_both"].iter().for_each(|name| run(&dir, name));
+    let said = printed(&archard(&dir, &["compare", "pin_on_disc", "pin_on_disc_both"]).success());
+    assert!(said.contains("wear depth") && said.contains("in `pin_on_disc_both`"), "{said}");
+}
+
+#[test]
+fn what_cannot_be_compared_is_refused_in_words() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc");
+    let refused = |text: &str, more: &[&str]| {
+        fs::write(dir.path().join("bad.csv"), text).unwrap();
+        let mut arguments = vec!["compare", "pin_on_disc", "bad.csv"];
+        arguments.extend(more);
+        said(&archard(&dir, &arguments).code(2))
+    };
+    let message = refused("a [mm],b [mm]\n1,2\n", &[]);
+    assert!(
+        message.contains("neither a column x or y") && message.contains("`a [mm]`"),
+        "{message}"
+    );
+    let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &[]);
+    assert!(message.contains("measure wider"), "{message}");
+    let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &["--body", "ball"]);
+    assert!(message.contains("the bodies are pin and disc"), "{message}");
+    let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &[]);
+    assert!(message.contains("columns x and y"), "{message}");
+    let message = refused("distance [m],mass [mg]\n0.1,1\n", &[]);
+    assert!(message.contains("no reading of depth"), "{message}");
+    let message = said(&archard(&dir, &["compare", "pin_on_disc", "nowhere.csv"]).code(2));
+    assert!(message.contains("cannot read `nowhere.csv`"), "{message}");
+}

@@ -1,0 +1,180 @@
+//! `archard report`: the page, read as text and in a browser.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::browser::Page;
+use super::{archard, case, printed, said};
+
+/// Runs a case with settings and reports it; the page.
+fn reported(dir: &TempDir, name: &str, settings: &[&str]) -> PathBuf {
+    let case = case(name);
+    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", name, "--report"];
+    settings.iter().for_each(|setting| arguments.extend(["--set", setting]));
+    archard(dir, &arguments).success();
+    dir.path().join(name).join("report.html")
+}
+
+const PIN: [&str; 2] = ["frame.elements=[24, 24]", "motion.sliding.step=10 mm"];
+
+#[test]
+fn the_page_has_case_verdict_theory_and_command() {
+    let dir = TempDir::new().unwrap();
+    let page = fs::read_to_string(reported(&dir, "pin_on_disc", &PIN)).unwrap();
+    assert!(page.len() < 5_000_000, "{} bytes", page.len());
+    for part in [
+        "<html lang=\"en\">",
+        "<h1>Pin on disc: the pin wears</h1>",
+        "profile</b>: sphere, radius 50 mm",
+        "Good if",
+        "sphere worn flat, no elasticity",
+        "Worn volume of pin",
+        "archard run",
+        "--report",
+        "<caption>",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    for source in ["<script src", "<link", "@import", "url("] {
+        let words = page.split("<script type=\"text/plain\"").next().unwrap();
+        assert!(!words.contains(source), "{source}");
+    }
+}
+
+#[test]
+fn folders_without_results_are_refused() {
+    let dir = TempDir::new().unwrap();
+    fs::create_dir(dir.path().join("empty")).unwrap();
+    let refused = archard(&dir, &["report", "empty"]).code(2);
+    assert!(said(&refused).contains("`empty` is not a result folder"), "{}", said(&refused));
+    archard(&dir, &["report"]).code(2);
+}
+
+#[test]
+fn an_incomplete_run_says_so_at_the_top() {
+    let dir = TempDir::new().unwrap();
+    let page = reported(&dir, "pin_on_disc", &PIN);
+    let summary = page.with_file_name("summary.json");
+    fs::remove_file(&summary).unwrap();
+    let said = archard(&dir, &["report", "pin_on_disc", "-o", "page.html"]).success();
+    assert_eq!(printed(&said).trim(), "page.html");
+    let page = fs::read_to_string(dir.path().join("page.html")).unwrap();
+    let header = page.split("</header>").next().unwrap();
+    assert!(header.contains("Incomplete: the run has not ended"));
+    assert!(header.contains("Verdict: <strong>incomplete</strong>"));
+}
+
+#[test]
+fn other_runs_stand_beside_the_first() {
+    let dir = TempDir::new().unwrap();
+    reported(&dir, "pin_on_disc", &PIN);
+    reported(&dir, "pin_on_disc_both", &PIN);
+    archard(&dir, &["report", "pin_on_disc", "pin_on_disc_both"]).success();
+    let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
+    assert!(page.contains("beside other runs"));
+}
+
+/// Every place of a plot, and whether something was drawn in it.
+const PLOTS: &str = "Array.from(document.querySelectorAll('.plot')).map((place) => \
+    [place.id, place.querySelectorAll('.plotly svg, .plotly canvas').length > 0 && place.getBoundingClientRect().width > 0])";
+
+/// What a screen reader, a keyboard and a reader of small screens need; what is missing, in words.
+const ACCESS: &str = "(() => { const missing = []; \
+    const all = (what) => Array.from(document.querySelectorAll(what)); \
+    const luminance = (colour) => { const parts = colour.match(/[\\d.]+/g).slice(0, 3).map((part) => { const c = part / 255; \
+      return c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4; }); return 0.2126 * parts[0] + 0.7152 * parts[1] + 0.0722 * parts[2]; }; \
+    const ground = (place) => { for (let up = place; up; up = up.parentElement) { const colour = getComputedStyle(up).backgroundColor; \
+      if (!/rgba\\(.*, 0\\)/.test(colour)) return colour; } return 'rgb(255, 255, 255)'; }; \
+    for (const place of all('main *, header *')) { if (place.closest('.plot') || !Array.from(place.childNodes).some((one) => one.nodeType === 3 && one.textContent.trim())) continue; \
+      const [one, other] = [luminance(getComputedStyle(place).color), luminance(ground(place))]; \
+      const contrast = (Math.max(one, other) + 0.05) / (Math.min(one, other) + 0.05); \
+      if (contrast < 4.5) missing.push('contrast ' + contrast.toFixed(2) + ' of ' + place.outerHTML.slice(0, 80)); } \
+    if (!document.documentElement.lang) missing.push('lang'); if (!document.title) missing.push('title'); \
+    if (all('h1').length !== 1 || all('main').length !== 1) missing.push('one h1, one main'); \
+    let level = 1; for (const heading of all('h1, h2, h3, h4')) { const next = Number(heading.tagName[1]); if (next > level + 1) missing.push('level of ' + heading.textContent); level = next; } \
+    for (const table of all('table')) { if (!table.caption || !table.querySelector('th[scope=col]')) missing.push('caption or heads of a table'); } \
+    for (const control of all('input, select')) { if (!control.labels.length) missing.push('label of ' + control.id); } \
+    for (const picture of all('.plot')) { if ((picture.getAttribute('aria-label') || '').length < 20) missing.push('words for ' + picture.id); } \
+    for (const picture of all('img')) { if (!picture.alt) missing.push('alt of an img'); } \
+    const ids = all('[id]').filter((one) => !one.closest('.plot .plotly')).map((one) => one.id); if (new Set(ids).size !== ids.length) missing.push('an id twice'); \
+    return missing; })()";
+
+/// What is wider than the page.
+const WIDE: &str = "Array.from(document.querySelectorAll('body *')).filter((one) => !one.closest('.wide, pre, .plot') && \
+    getComputedStyle(one).position !== 'absolute' && one.getBoundingClientRect().right > document.documentElement.clientWidth + 1).map((one) => one.outerHTML.slice(0, 80))";
+
+/// Moves the slider to an output; what it says and how high the pressures are that are drawn then.
+fn slid(page: &mut Page, output: usize) -> Value {
+    page.value(&format!(
+        "new Promise((done) => {{ const slider = document.getElementById('output'); slider.value = '{output}'; \
+         slider.dispatchEvent(new Event('input')); const look = () => document.body.dataset.output === '{output}' ? \
+         done([document.getElementById('output-label').textContent, Math.max(...document.getElementById('map-pressure').data[0].z.flat().filter((p) => p !== null))]) : \
+         setTimeout(look, 30); look(); }})"
+    ))
+}
+
+/// Looks at a page at both widths; the pictures it has, by their number.
+fn look(page: &mut Page, file: &Path, name: &str) -> usize {
+    let mut count = 0;
+    for width in [1280, 375] {
+        page.resize(width);
+        page.visit(file);
+        let plots = page.value(PLOTS);
+        let plots = plots.as_array().unwrap();
+        count = plots.len();
+        for plot in plots {
+            assert_eq!(plot[1], json!(true), "{name} at {width}: {} is blank", plot[0]);
+        }
+        assert_eq!(page.value(ACCESS), json!([]), "{name} at {width}");
+        assert_eq!(page.value(WIDE), json!([]), "{name} at {width}");
+        page.picture(&format!("{name}-{width}"));
+    }
+    assert_eq!(page.complaints, Vec::<String>::new(), "{name}");
+    count
+}
+
+#[test]
+fn pages_of_all_motions_open_in_a_browser() {
+    let Some(mut page) = Page::open() else { return };
+    let dir = TempDir::new().unwrap();
+    let runs: [(&str, &[&str], usize); 7] = [
+        ("pin_on_disc", &PIN, 10),
+        ("hertz", &["frame.elements=[24, 24]"], 3),
+        ("cattaneo_mindlin", &["frame.elements=[24, 24]"], 6),
+        ("twin_disc", &["frame.elements=[21, 41]"], 10),
+        ("mccoll_fretting", &[], 6),
+        ("kalker_creepage", &["frame.elements=[21, 21]"], 5),
+        ("pin_in_bush", &[], 6),
+    ];
+    for (name, settings, least) in runs {
+        let file = reported(&dir, name, settings);
+        let count = look(&mut page, &file, name);
+        assert!(count >= least, "{name} has {count} pictures");
+    }
+}
+
+#[test]
+fn the_slider_goes_through_the_outputs() {
+    let Some(mut page) = Page::open() else { return };
+    let dir = TempDir::new().unwrap();
+    let file = reported(&dir, "pin_on_disc", &PIN);
+    page.resize(1280);
+    page.visit(&file);
+    let (last, first) = (slid(&mut page, 10), slid(&mut page, 0));
+    assert_eq!((&last[0], &first[0]), (&json!("distance 500 mm"), &json!("distance 0 mm")));
+    // Hertz's 219 MPa falls as the pin wears flat.
+    let [first, last] = [first, last].map(|one| one[1].as_f64().unwrap());
+    assert!(first > 180.0 && last < 30.0, "{first} {last}");
+    // By the keyboard too.
+    page.value("document.getElementById('output').focus()");
+    let turned = page.value(
+        "new Promise((done) => { document.querySelector('button[data-view=above]').click(); \
+         setTimeout(() => done(document.getElementById('surface')._fullLayout.scene.camera.eye.z), 500); })",
+    );
+    assert_eq!(turned, json!(2.1));
+    assert!(page.printed().starts_with(b"%PDF"));
+    assert_eq!(page.complaints, Vec::<String>::new());
+}
