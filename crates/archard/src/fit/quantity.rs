@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::simulation::history::{
-    BODY_DEPTH, MASS_LOSS, SCAR, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, number, of_body,
+    BODY_DEPTH, MASS_LOSS, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, number, of_body,
 };
 use crate::simulation::{Report, worn_extent};
 use crate::units::Measure;
@@ -81,15 +81,9 @@ impl Quantity {
         }
     }
 
-    /// Along and across the motion.
+    /// Along and across the motion; of a body that passes the width of its track alone.
     fn extents(&self, report: &Report<'_>, row: &[(String, f64)]) -> Option<[f64; 2]> {
-        let track = report.problem.motion.sliding().and_then(|sliding| sliding.track);
-        match track.map(|track| track.body == self.body) {
-            Some(true) => {
-                number(row, TRACK_WIDTH).filter(|_| self.kind == Kind::Width).map(|w| [w; 2])
-            }
-            Some(false) => Some([number(row, SCAR[0])?, number(row, SCAR[1])?]),
-            None => worn_extent(report, self.body),
-        }
+        let track = || number(row, TRACK_WIDTH).filter(|_| self.kind == Kind::Width);
+        worn_extent(report, self.body).or_else(|| track().map(|width| [width; 2]))
     }
 }

@@ -14,15 +14,15 @@ use crate::case::{Case, CaseFile};
 use crate::measured::Table;
 use crate::output::Store;
 
-/// Rounds of runs at most, and the relative change of k that ends them.
-const ROUNDS: usize = 8;
-const SETTLED: f64 = 1e-3;
+/// Rounds of runs at most, and the relative change of k that ends them: where one run tells all k, and where it does not.
+const ROUNDS: usize = 10;
+const SETTLED: [f64; 2] = [1e-3, 5e-3];
 /// Part of a run beyond its end that readings may reach into before the run is made longer.
 const BEYOND: f64 = 1.02;
 /// The change of k by which the slopes of a law that is not linear are found.
 const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
-const FITTED: [f64; 2] = [1e-7, 1e-4];
+const FITTED: [f64; 2] = [1e-7, 1e-3];
 
 /// What a fit is asked for beside case and table.
 pub struct Request<'a> {
@@ -122,11 +122,13 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         others,
         by_k_s,
         reference: measured.targets.iter().map(|own| own.value).collect(),
+        ratio: None,
         variant: Variant::default(),
         known: HashMap::new(),
         scale: HashMap::new(),
         shares: HashMap::new(),
         name: "run",
+        of: None,
     };
     let first = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
@@ -182,6 +184,8 @@ struct Variant {
     /// Factors of loads and of how far readings are.
     load: Option<f64>,
     far: Option<f64>,
+    /// Factor of the coefficient of the other body.
+    other: Option<f64>,
     coarse_steps: bool,
     coarse_elements: bool,
 }
@@ -196,6 +200,8 @@ struct Search<'a> {
     by_k_s: bool,
     /// The coefficients at which the scale of a run is one.
     reference: Vec<f64>,
+    /// By how much the logarithm of their ratio was changed last, and how far off it had been.
+    ratio: Option<(f64, f64)>,
     variant: Variant,
     /// Runs by what they were run with.
     known: HashMap<String, Run>,
@@ -203,6 +209,8 @@ struct Search<'a> {
     scale: HashMap<u64, f64>,
     shares: HashMap<u64, Vec<f64>>,
     name: &'static str,
+    /// The coefficient whose tests are held against runs.
+    of: Option<usize>,
 }
 
 /// The place of a load in maps.
@@ -226,28 +234,27 @@ impl Search<'_> {
                     logs(&found).into_iter().zip(last).map(|(new, old)| (new - old).abs());
                 changes.fold(0.0, f64::max)
             });
-            let ratio = self.ratio_change(&found);
+            let off = self.ratio_off(&found);
+            let settled = SETTLED[usize::from(!self.by_k_s)];
             let reaches = !self.by_k_s || self.reaches(&found);
             let alone = !self.by_k_s && self.targets.len() == 1;
-            if alone || change <= SETTLED && ratio <= SETTLED && reaches {
+            if alone || change <= settled && off.abs() <= settled && reaches {
                 return Ok(found);
             }
-            self.adapt(&found);
+            self.adapt(&found, off);
             last = Some(found);
         }
         Err(Error::Unsettled { rounds: ROUNDS, change })
     }
 
-    /// How much the ratios of the coefficients of both bodies differ from those of the runs.
-    fn ratio_change(&self, found: &[Estimate]) -> f64 {
-        let changes: Vec<f64> = found
-            .iter()
-            .zip(&self.reference)
-            .map(|(own, known)| (own.median / known).ln())
-            .collect();
-        let fixed = (self.by_k_s && !self.others.is_empty()).then_some(0.0);
-        let all = || changes.iter().copied().chain(fixed);
-        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+    /// How far the logarithm of the ratio of both coefficients is from that of the runs: zero where there is one coefficient.
+    fn ratio_off(&self, found: &[Estimate]) -> f64 {
+        let change = |place: usize| (found[place].median / self.reference[place]).ln();
+        match found.len() {
+            2 => change(1) - change(0),
+            _ if self.by_k_s && !self.others.is_empty() => -change(0),
+            _ => 0.0,
+        }
     }
 
     /// Whether the runs go as far as the readings, and not much farther.
@@ -274,9 +281,27 @@ impl Search<'_> {
         needed
     }
 
-    /// Runs of the next round: their coefficients, how far they go, and where their steps end.
-    fn adapt(&mut self, found: &[Estimate]) {
-        self.reference = found.iter().map(|own| own.median).collect();
+    /// Runs of the next round: their coefficients, how far they go, and where their steps end. The ratio of both coefficients
+    /// goes by secants: each may change what the readings of the other ask for.
+    fn adapt(&mut self, found: &[Estimate], off: f64) {
+        let change = match self.ratio {
+            Some((moved, last)) if moved != 0.0 && (off - last).abs() > 0.2 * moved.abs() => {
+                (-off * moved / (off - last)).clamp(-2.0, 2.0)
+            }
+            _ => off.clamp(-2.0, 2.0),
+        };
+        self.ratio = Some((change, off));
+        let logs: Vec<f64> = self.reference.iter().map(|known| known.ln()).collect();
+        self.reference = match found {
+            [one, other] => {
+                let middle = 0.5 * (one.median.ln() + other.median.ln());
+                let half = 0.5 * (logs[1] - logs[0] + change);
+                vec![(middle - half).exp(), (middle + half).exp()]
+            }
+            // The other coefficient keeps its value.
+            [_] if self.by_k_s && !self.others.is_empty() => vec![(logs[0] - change).exp()],
+            all => all.iter().map(|own| own.median).collect(),
+        };
         if !self.by_k_s {
             return;
         }
@@ -325,6 +350,7 @@ impl Search<'_> {
             let common = commons.get(place).map_or(&[][..], Vec::as_slice);
             let guess = self.reference[place];
             let settled = FITTED[usize::from(!self.by_k_s)];
+            self.of = Some(place);
             let mut model =
                 |test: usize, log_k: f64| self.expected(place, &target.tests[test], log_k);
             let found = study.estimate((guess, settled), common, &mut model);
@@ -374,8 +400,10 @@ impl Search<'_> {
     /// The run at a scale of the coefficients.
     fn run(&mut self, scale: f64, load: Option<f64>) -> Result<Run, Error> {
         let mut settings = vec![];
-        for (target, reference) in self.targets.iter().zip(&self.reference) {
-            settings.push((target.key.clone(), reference * scale, target.unit.clone()));
+        let other = self.variant.other.unwrap_or(1.0);
+        for (place, (target, reference)) in self.targets.iter().zip(&self.reference).enumerate() {
+            let factor = if self.of != Some(place) { other } else { 1.0 };
+            settings.push((target.key.clone(), factor * reference * scale, target.unit.clone()));
         }
         // What only counts as k s is scaled as a whole.
         let factor = if self.by_k_s { scale } else { 1.0 };

@@ -100,12 +100,13 @@ impl Fitted {
                 return Err(Unfitted::Flat);
             }
             let change = sum(&|j| fitted.slopes[j] * fitted.residuals[j]) / information;
-            if change.abs() <= settled {
+            // Runs jump a little with k: between two sides of a jump there is no better k.
+            if change.abs() <= settled || change * last < 0.0 && last.abs() <= settled {
                 return Ok(fitted);
             }
-            // To and fro: shorter, so that it ends.
+            // To and fro: by half, so that it ends.
             if change * last < 0.0 {
-                stride *= 0.7;
+                stride = 0.5 * last.abs();
             }
             last = change.clamp(-stride, stride);
             log_k += last;

@@ -9,8 +9,18 @@ use crate::verdict::Word;
 
 /// Points of a curve that is shown.
 const POINTS: usize = 60;
+/// The factor by which the coefficient of the other body is changed to see what that does, its name in the budget, and the
+/// elasticity above which it is remarked upon.
+const OTHER: f64 = 1.1;
+const BOTH: &str = "coefficient of the other body";
+const COUPLED: f64 = 0.1;
 /// A coefficient so many times that of the case is remarked upon.
 const FAR: f64 = 100.0;
+
+/// Standard uncertainty of a median, relative.
+fn half_width(own: &Estimate) -> f64 {
+    own.interval.map_or(0.0, |[low, high]| (high / low).ln() / 4.0)
+}
 
 impl Search<'_> {
     /// Standard uncertainties of each coefficient that all tests have in common: by the steps and elements of the runs, and by
@@ -32,6 +42,10 @@ impl Search<'_> {
             variants.push(("elements of the run".to_owned(), elements));
         }
         let computed = variants.len();
+        if found.len() == 2 {
+            let other = Variant { other: Some(OTHER), ..Variant::default() };
+            variants.push((BOTH.to_owned(), other));
+        }
         for (key, relative) in uncertain {
             variants.push((key.clone(), self.changed(case, key, *relative)?));
         }
@@ -42,8 +56,21 @@ impl Search<'_> {
             self.known = HashMap::new();
             match self.estimates(&[]) {
                 Ok(other) => {
-                    for ((common, own), other) in commons.iter_mut().zip(found).zip(other) {
-                        common.push((name.clone(), (other.median / own.median).ln().abs()));
+                    for (place, other) in other.iter().enumerate() {
+                        let changed = (other.median / found[place].median).ln().abs();
+                        let own = match name == BOTH {
+                            // By how much the other coefficient may be off.
+                            true => changed / OTHER.ln() * half_width(&found[1 - place]),
+                            false => changed,
+                        };
+                        if name == BOTH && changed > COUPLED * OTHER.ln() {
+                            remarks.push(format!(
+                                "{}: its readings depend on the coefficient of the other body too; the ratio of both is taken \
+                                 to be the same in all tests (worn volumes would not ask for it)",
+                                self.targets[place].key
+                            ));
+                        }
+                        commons[place].push((name.clone(), own));
                     }
                 }
                 Err(error) if index < computed => {

@@ -1,0 +1,259 @@
+//! Coefficients of tests that were made up by runs of their own, with readings that are off, are found again.
+
+use std::error::Error as StdError;
+use std::fmt::Write;
+use std::path::Path;
+
+use archard::case::CaseFile;
+use archard::fit::{Coefficient, Error, Fit, Request, fit};
+use archard::measured::Table;
+use archard::simulation::history::{self, number};
+use archard::simulation::{Observer, Report};
+
+/// Numbers of a normal distribution, by Box and Muller.
+struct Normal(fastrand::Rng);
+
+impl Normal {
+    fn draw(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.0.f64()).ln()).sqrt();
+        radius * (std::f64::consts::TAU * self.0.f64()).cos()
+    }
+}
+
+#[derive(Default)]
+struct Rows(Vec<Vec<(String, f64)>>);
+
+impl Observer for Rows {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        self.0.push(history::row(report));
+        Ok(())
+    }
+}
+
+fn published(name: &str, options: &[&str]) -> CaseFile {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let file = CaseFile::read(&path).unwrap();
+    options.iter().fold(file, |file, option| file.set(*option))
+}
+
+/// How tests are made: what scatters between them, and by how much readings are off.
+struct Made<'a> {
+    file: CaseFile,
+    /// The bodies with the median of their coefficients (1/Pa).
+    bodies: &'a [(&'a str, f64)],
+    /// Columns of the table, of the history, and the factor between them.
+    columns: &'a [(&'a str, &'a str, f64)],
+    tests: usize,
+    seed: u64,
+}
+
+const SCATTER: f64 = 0.2;
+const READING: f64 = 0.04;
+
+impl Made<'_> {
+    /// Tests, each a run with coefficients of its own, read four times.
+    fn table(&self, progress: &str) -> String {
+        let mut random = Normal(fastrand::Rng::with_seed(self.seed));
+        let names: Vec<&str> = self.columns.iter().map(|column| column.0).collect();
+        let mut text = format!("test,{progress},{}\n", names.join(","));
+        for test in 0..self.tests {
+            let with = |file: CaseFile, (body, median): &(&str, f64)| {
+                let k = median * (SCATTER * random.draw()).exp();
+                file.set(format!("body.{body}.wear.archard.coefficient=\"{k:e} 1/Pa\""))
+            };
+            let file = self.bodies.iter().fold(self.file.clone(), with);
+            let mut rows = Rows::default();
+            file.resolve().unwrap().case.build().unwrap().run(&mut [&mut rows]).unwrap();
+            let count = rows.0.len() - 1;
+            for reading in 1..=4 {
+                let row = &rows.0[reading * count / 4];
+                let mut cells = format!("{test},{}", row[0].1);
+                for (_, column, factor) in self.columns {
+                    let off = (READING * random.draw()).exp();
+                    let _ = write!(cells, ",{}", number(row, column).unwrap() * factor * off);
+                }
+                let _ = writeln!(text, "{cells}");
+            }
+        }
+        text
+    }
+}
+
+fn fitted(file: &CaseFile, text: &str, parameter: Option<&str>) -> Result<Fit, Error> {
+    let table = Table::read("tests.csv", text.as_bytes()).unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    let tell = &mut |_: &str| {};
+    let request = Request { parameter, uncertain: &[], dir: dir.path(), store: None, tell };
+    fit(file, &table, request)
+}
+
+/// The median lies in its interval, the interval is one of tests that scatter as these, and the law is not rejected.
+fn assert_found(own: &Coefficient, median: f64) {
+    let estimate = &own.estimate;
+    let [low, high] = estimate.interval.unwrap();
+    assert!(low < median && median < high, "{median:e}: {low:e} {high:e}");
+    let [next_low, next_high] = estimate.next.unwrap();
+    assert!(next_low < low && high < next_high);
+    // By chance a deviation of few tests is a third to twice that of all.
+    let between = estimate.between.unwrap();
+    assert!((0.3 * SCATTER..2.2 * SCATTER).contains(&between), "{between}");
+    for reading in estimate.readings.iter().flatten() {
+        assert!(
+            (0.5 * READING..2.0 * READING).contains(reading) || own.tests.len() < 4,
+            "{reading}"
+        );
+    }
+    assert_eq!(own.rejected(), None);
+}
+
+const FAR_OFF: &str = "body.pin.wear.archard.coefficient=\"3e-15 1/Pa\"";
+
+/// From a guess forty times too small, by depths, volumes and the diameter of the scar.
+#[test]
+fn a_pin_is_fitted() {
+    let columns =
+        [("depth_um", "wear_depth_pin_m", 1e6), ("volume_mm3", "worn_volume_pin_m3", 1e9)];
+    let file = published("pin_on_disc", &[]);
+    let made = Made {
+        file: file.clone(),
+        bodies: &[("pin", 1.33e-13)],
+        columns: &columns,
+        tests: 5,
+        seed: 1,
+    };
+    let text = made.table("distance_m");
+    let found = fitted(&file.clone().set(FAR_OFF), &text, None).unwrap();
+    assert!(found.by_k_s);
+    assert_found(&found.coefficients[0], 1.33e-13);
+    // Where it began makes no difference.
+    let again = fitted(&file, &text, None).unwrap();
+    let [one, other] = [&found, &again].map(|fit| fit.coefficients[0].estimate.median);
+    assert!((one / other - 1.0).abs() < 1e-3, "{one:e} {other:e}");
+}
+
+/// Volumes follow k F s of each body, whatever the other does.
+#[test]
+fn both_bodies_are_fitted() {
+    let columns = [
+        ("volume_pin_mm3", "worn_volume_pin_m3", 1e9),
+        ("volume_disc_mm3", "worn_volume_disc_m3", 1e9),
+    ];
+    let bodies = [("pin", 8.87e-14), ("disc", 4.435e-14)];
+    let file = published("pin_on_disc_both", &[]);
+    let made = Made { file: file.clone(), bodies: &bodies, columns: &columns, tests: 6, seed: 4 };
+    let found = fitted(&file, &made.table("distance_m"), None).unwrap();
+    assert_eq!(found.coefficients.len(), 2);
+    for (own, (_, median)) in found.coefficients.iter().zip(bodies) {
+        assert_found(own, median);
+        let other = own.estimate.budget.iter().find(|part| part.0.contains("other body")).unwrap();
+        assert!(other.1 < 1e-3, "{other:?}");
+    }
+}
+
+/// Twin discs by their worn sections, over revolutions.
+#[test]
+fn twin_discs_are_fitted() {
+    let columns = [
+        ("section_disc1_mm2", "worn_section_disc1_m2", 1e6),
+        ("section_disc2_mm2", "worn_section_disc2_m2", 1e6),
+    ];
+    let bodies = [("disc1", 1.333333e-12), ("disc2", 0.666667e-12)];
+    let coarse = ["frame.elements=[21, 41]", "motion.rolling.tolerance=0.01"];
+    let file = published("twin_disc", &coarse);
+    let made = Made { file: file.clone(), bodies: &bodies, columns: &columns, tests: 4, seed: 5 };
+    let found = fitted(&file, &made.table("revolutions"), None).unwrap();
+    for (own, (_, median)) in found.coefficients.iter().zip(bodies) {
+        assert_found(own, median);
+    }
+}
+
+/// Fretting goes through jumps over cycles: each k is run by itself.
+#[test]
+fn fretting_is_fitted_by_runs_of_its_own() {
+    let columns = [("volume_cylinder_mm3", "worn_volume_cylinder_m3", 1e9)];
+    let bodies = [("cylinder", 1.9e-14)];
+    let file = published("mccoll_fretting", &["frame.elements=80"]);
+    let made = Made { file: file.clone(), bodies: &bodies, columns: &columns, tests: 4, seed: 3 };
+    let key = "body.cylinder.wear.archard.coefficient";
+    let from = file.set(format!("{key}=\"3e-8 1/MPa\""));
+    let found = fitted(&from, &made.table("cycles"), Some(key)).unwrap();
+    assert!(!found.by_k_s);
+    assert!(found.runs > 8, "{}", found.runs);
+    assert_found(&found.coefficients[0], 1.9e-14);
+}
+
+/// Loads of their own are runs of their own: k that goes with the load is told from one that does not.
+#[test]
+fn a_coefficient_that_goes_with_the_load_is_rejected() {
+    let text = |exponent: f64| {
+        let mut text = "test,load [N],distance_m,volume_mm3\n".to_owned();
+        for (test, (load, off)) in
+            [(5.0, 1.0), (5.0, 1.1), (10.0, 1.05), (10.0, 0.95), (20.0, 1.0), (20.0, 1.1)]
+                .into_iter()
+                .enumerate()
+        {
+            for distance in [0.1, 0.2, 0.3] {
+                let k = 1.33e-4 * off * (load / 10.0_f64).powf(exponent);
+                let _ = writeln!(text, "{test},{load},{distance},{}", k * load * distance);
+            }
+        }
+        text
+    };
+    let file = published("pin_on_disc", &[]);
+    let constant = fitted(&file, &text(0.0), None).unwrap();
+    assert_eq!(constant.rejected(), None);
+    let growing = fitted(&file, &text(1.0), None).unwrap();
+    let why = growing.rejected().unwrap();
+    assert!(why.contains("from 5.000 N to 20.00 N it would have to grow"), "{why}");
+    assert!(growing.to_string().contains("k               none"), "{growing}");
+}
+
+#[test]
+fn what_cannot_be_fitted_is_told_with_its_line() {
+    let file = published("pin_on_disc", &[]);
+    let both = published("pin_on_disc_both", &[]);
+    let head = "test,distance_m,depth_um\n";
+    let on = |rows: &str| fitted(&file, &format!("{head}{rows}"), None).unwrap_err().to_string();
+    for (rows, said) in [
+        ("A,0.2,1\nA,0.1,2\n", "tests.csv, line 3: `distance` goes back within test `A`"),
+        ("A,0.1,-1\n", "tests.csv, line 2: `depth` is negative"),
+        ("A,-0.1,1\n", "line 2: `distance` is negative"),
+        ("A,0.1,0\n", "line 2: `depth` is zero after some wear"),
+        (
+            "A,0.1,1\nA,0.6,2\n",
+            "line 3: `distance` is 0.6 (SI) and the run of the case ends at 0.5",
+        ),
+        (",0.1,1\n", "line 2: the column `test` needs a name"),
+        ("A,0,1\n", "no reading tells any wear"),
+    ] {
+        let error = on(rows);
+        assert!(error.contains(said), "{error}");
+    }
+    let whole = |text: &str, said: &str| {
+        let error = fitted(&file, text, None).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    };
+    whole("distance_m,depth_um\n0.1,1\n0.2,2\n", "a column `test` is needed");
+    whole("test,depth_um\nA,1\n", "a column `distance [m]` is needed");
+    whole("test,distance_m,tiefe_um\nA,0.1,1\n", "nothing that wears was measured");
+    whole("test,distance_m,depth_N\nA,0.1,1\n", "expected a length");
+    whole("test,distance_m,depth\nA,0.1,1\n", "has no unit: title it like `depth [mm]`");
+    whole("test,distance_m,mass_mg\nA,0.1,1\n", "body.pin.density");
+    whole("test,distance_m,section_mm2\nA,0.1,1\n", "do not tell the `section`");
+    whole("test,distance_m,depth_disc_um\nA,0.1,1\n", "`disc`, which does not wear");
+    whole("test,distance_m,depth_um,volume_mm3,u_depth_um\nA,0.1,1,1,0.1\n", "`u_volume`");
+    let error = fitted(&both, &format!("{head}A,0.1,1\n"), None).unwrap_err().to_string();
+    assert!(error.contains("name it `depth_pin` or `depth_disc`"), "{error}");
+    let key = "body.pin.profile.sphere.radii";
+    let error = fitted(&file, &format!("{head}A,0.1,1\n"), Some(key)).unwrap_err().to_string();
+    assert!(error.contains("is no number in the case"), "{error}");
+}
+
+/// Poisson's ratio hardly changes any depth: no reading tells it.
+#[test]
+fn a_parameter_that_the_data_cannot_tell_is_refused() {
+    let file = published("pin_on_disc", &["motion.sliding.step=\"25 mm\""]);
+    let text = "test,distance_m,volume_mm3\nA,0.1,1e-4\nA,0.2,2e-4\n";
+    let error = fitted(&file, text, Some("body.pin.material.poisson")).unwrap_err().to_string();
+    assert!(error.contains("cannot tell"), "{error}");
+}
