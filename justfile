@@ -48,6 +48,10 @@ python:
 wheel:
     maturin build --release --locked --manifest-path python/Cargo.toml
 
+# run the published cases and write what they give into the book
+pages:
+    ARCHARD_PAGES=1 cargo test --test cases every_case_gives
+
 # time whole solves, in padded round trips
 bench:
     cargo bench -p archard

@@ -41,9 +41,18 @@ pub enum Command {
     /// Hold a run against measured profiles, readings over the motion, or other runs
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Compare),
+    /// Write the worn surfaces of a result folder for ParaView, and a macro that shows them
+    Paraview {
+        /// A folder written by `run`; the files go into its folder `paraview`
+        #[arg(value_hint = ValueHint::DirPath)]
+        dir: PathBuf,
+    },
     /// Run a study: a case over lists, ranges and distributions of its values
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(Sweep),
+    /// Find wear coefficients from measured tests: median, interval, and where the next test will lie
+    #[command(after_help = FIT_EXAMPLES)]
+    Fit(Fit),
     /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
     Doctor,
     /// Print what completes the command line in a shell
@@ -269,7 +278,7 @@ Examples:
 The same command goes on where it was interrupted. `archard plot DIR` draws the study.";
 
 /// The arguments of `sweep`.
-#[derive(Debug, Args)]
+#[derive(Debug, Clone, Args)]
 pub struct Sweep {
     /// A case file, or a folder with a `case.toml`
     pub case: PathBuf,
@@ -283,8 +292,11 @@ pub struct Sweep {
     /// uniform(from, to)
     #[arg(long, value_name = "KEY=DISTRIBUTION", requires = "samples")]
     pub sample: Vec<String>,
+    /// Draw the coefficients of a fit (a `fit.json`) as the next test will have them
+    #[arg(long, value_name = "FILE", requires = "samples")]
+    pub from: Option<PathBuf>,
     /// Number of samples, at each value of --over
-    #[arg(long, value_name = "N", requires = "sample")]
+    #[arg(long, value_name = "N")]
     pub samples: Option<NonZeroUsize>,
     /// Tells sets of samples apart
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -307,6 +319,50 @@ pub struct Sweep {
     /// Run each row by itself, those too that one run could tell because only k s counts
     #[arg(long)]
     pub separate: bool,
+    /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
+    /// given
+    #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]
+    pub cache: Option<PathBuf>,
+    /// Print errors only
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+const FIT_EXAMPLES: &str = "\
+Data: a row a reading, with columns like
+  test,distance_m,depth_um,u_depth_um
+  A,100,1.21,0.05
+`test` says which readings are of one test. How far a reading is: distance, turns, revolutions, cycles or time, as the
+motion of the case goes. What was measured: volume, depth, width, section, length, diameter or mass, followed by _BODY
+where both bodies wear, and u_... for its standard uncertainty. `load` where tests have loads of their own. Headers may
+be like `Distance [mm]`, separators `,` `;` or tabs, numbers with decimal commas.
+
+Examples:
+    archard fit cases/pin_on_disc --data scars.csv -o results/fit
+    archard fit CASE --data scars.csv --column depth=\"Tiefe [um]\" --uncertain motion.sliding.load=1%
+    archard sweep CASE --from results/fit/fit.json --samples 200 -o results/prediction";
+
+/// The arguments of `fit`.
+#[derive(Debug, Args)]
+pub struct Fit {
+    /// The case of the tests.
+    #[command(flatten)]
+    pub case: Case,
+    /// The measured tests, as CSV
+    #[arg(long, value_name = "FILE")]
+    pub data: PathBuf,
+    /// The key to be fitted; if not given, the wear coefficient of each body of which there are readings
+    #[arg(long, value_name = "KEY")]
+    pub parameter: Option<String>,
+    /// Use a column of another header, e.g. depth="Tiefe [um]"
+    #[arg(long, value_name = "NAME=HEADER")]
+    pub column: Vec<String>,
+    /// A standard uncertainty that all tests have in common, e.g. motion.sliding.load=1% or distance=0.5%
+    #[arg(long, value_name = "KEY=PERCENT")]
+    pub uncertain: Vec<String>,
+    /// Where `fit.json`, `fit.csv`, the picture and the runs go; results/NAME_fit if not given
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
     /// Where compliances of meshed bodies are kept for later runs; the user's folder of caches if not
     /// given
     #[arg(long, value_name = "DIR", env = "ARCHARD_CACHE")]

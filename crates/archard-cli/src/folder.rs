@@ -30,7 +30,7 @@ pub fn claim(arguments: &Run, case_toml: &str) -> Result<Claim, Failure> {
 
 /// `results/NAME`: the name of the case file, or of its folder where the file is a `case.toml`. Settings laid over the
 /// case follow: `results/NAME--frame.elements=3x3`.
-fn default(case: &Path, settings: &[String]) -> PathBuf {
+pub fn default(case: &Path, settings: &[String]) -> PathBuf {
     let case = case.canonicalize().unwrap_or_else(|_| case.to_owned());
     let named_by_folder = case.file_name().is_some_and(|name| name == "case.toml");
     let name = match case.parent().and_then(Path::file_name) {

@@ -12,11 +12,13 @@ mod diagnose;
 mod doctor;
 mod elastic;
 mod failure;
+mod fit;
 mod folder;
 mod interrupt;
 mod laws;
 mod new;
 mod number;
+mod paraview;
 mod plot;
 mod progress;
 mod report;
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Command::Doctor => doctor::doctor(),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { dir } => shell::man(&dir),
+        Command::Paraview { dir } => paraview::write(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Report(arguments) => report::run(&arguments)
             .map_err(|error| Failure::wrong(format!("{error:#}")))
@@ -57,6 +60,7 @@ fn main() -> ExitCode {
                     files.iter().try_for_each(|file| say::say(&file.display().to_string()))
                 })
         }
+        Command::Fit(arguments) => fit::fit(&arguments),
         Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with, &arguments.paper())
             .map_err(|error| Failure::wrong(format!("{error:#}")))
             .and_then(|files| {

@@ -16,8 +16,9 @@
 //! ```
 
 mod common;
-mod asked {
-    mod table;
+mod published {
+    mod accuracy;
+    pub mod validation;
 }
 
 use std::fs;
@@ -35,8 +36,10 @@ use archard::units::{self, Dimension, Measure};
 use toml::de::{DeTable, DeValue};
 
 use common::Rows;
+use published::validation::{Line, held};
 
 /// A number a case has to give.
+#[derive(Clone)]
 struct Expected {
     options: Vec<String>,
     column: String,
@@ -45,6 +48,7 @@ struct Expected {
     value: String,
     within: f64,
     known_to: Option<f64>,
+    source: String,
 }
 
 /// The folders of the cases.
@@ -85,7 +89,7 @@ fn expected(file: &str) -> Vec<Expected> {
     let entry = |table: &DeTable<'_>| {
         let known = ["column", "at", "point", "value", "within", "known_to", "source", "set"];
         assert!(table.keys().all(|key| known.contains(&&**key.get_ref())), "{table:?}");
-        assert!(text(table, "source").is_some_and(|source| !source.is_empty()), "{table:?}");
+        let source = text(table, "source").filter(|source| !source.is_empty());
         Expected {
             options: [&coarse[..], &texts(table, "set")[..]].concat(),
             column: text(table, "column").expect("`column`"),
@@ -94,6 +98,7 @@ fn expected(file: &str) -> Vec<Expected> {
             value: text(table, "value").expect("`value`"),
             within: float(table, "within").expect("`within`"),
             known_to: float(table, "known_to"),
+            source: source.unwrap_or_else(|| panic!("no source in {table:?}")),
         }
     };
     let entries = entries.as_array().expect("`[[expect]]`").iter();
@@ -176,59 +181,60 @@ fn number(Results { points, rows }: &Results, expected: &Expected) -> Option<f64
     row.iter().find_map(|(known, value)| (known == column).then_some(*value))
 }
 
-/// What a case gives otherwise than it has to.
-fn mismatches(folder: &Path, store: &Store) -> Vec<String> {
+/// What a case gives, and what it gives otherwise than it has to.
+fn outcome(folder: &Path, store: &Store) -> (Vec<Line>, Vec<String>) {
+    let case = folder.file_name().unwrap().to_string_lossy().into_owned();
     let Ok(file) = fs::read_to_string(folder.join("expected.toml")) else {
-        return vec!["there is no expected.toml".to_owned()];
+        return (vec![], vec![format!("{case}: there is no expected.toml")]);
     };
-    let expected = expected(&file);
-    let mut runs: Vec<(&[String], Result<Results, String>)> = vec![];
-    let mut mismatches = vec![];
-    for one in &expected {
+    let mut runs: Vec<(Vec<String>, Result<Results, String>)> = vec![];
+    let (mut lines, mut mismatches) = (vec![], vec![]);
+    for one in expected(&file) {
         if !runs.iter().any(|(options, _)| *options == one.options) {
-            runs.push((&one.options, run(folder, &one.options, store)));
+            runs.push((one.options.clone(), run(folder, &one.options, store)));
         }
         let results = &runs.iter().find(|(options, _)| *options == one.options).unwrap().1;
         let at = one.at.as_ref().or(one.point.as_ref());
-        let name = format!("{} at {at:?} with {:?}", one.column, one.options);
+        let name = format!("{case}: {} at {at:?} with {:?}", one.column, one.options);
         let found = match results {
             Err(error) => {
                 mismatches.push(format!("{name}: {error}"));
                 continue;
             }
-            Ok(results) => number(results, one),
+            Ok(results) => number(results, &one),
         };
         let value = read(&one.value, &one.column);
-        match found {
-            None => mismatches.push(format!("{name}: no such number")),
-            Some(found) if (found - value).abs() <= one.within * value.abs() => {}
-            Some(found) => {
-                let difference = found / value - 1.0;
-                mismatches
-                    .push(format!("{name}: {found:e} is {difference:+.2e} from {}", one.value));
-            }
+        let Some(found) = found else {
+            mismatches.push(format!("{name}: no such number"));
+            continue;
+        };
+        if (found - value).abs() > one.within * value.abs() {
+            let difference = found / value - 1.0;
+            mismatches.push(format!("{name}: {found:e} is {difference:+.2e} from {}", one.value));
         }
+        lines.push(Line { case: case.clone(), expected: one, found });
     }
-    if expected.is_empty() {
-        mismatches.push("expects nothing".to_owned());
+    if lines.is_empty() && mismatches.is_empty() {
+        mismatches.push(format!("{case}: expects nothing"));
     }
-    mismatches
+    (lines, mismatches)
 }
 
 #[test]
-fn every_case_gives_what_it_has_to() {
+fn every_case_gives_what_it_has_to_and_the_page_says_so() {
     let folders = folders();
     let kept = tempfile::tempdir().unwrap();
     let store = Store::new(kept.path());
     assert!(folders.len() >= 3, "{folders:?}");
     // Most cases are too small to keep several processors busy: each takes one after the other.
-    let (waiting, report) = (Mutex::new(folders.iter()), Mutex::new(vec![]));
+    let (waiting, report) = (Mutex::new(folders.iter()), Mutex::new((vec![], vec![])));
     let work = || {
         loop {
             let Some(folder) = waiting.lock().unwrap().next() else { return };
-            let name = folder.file_name().unwrap().to_string_lossy();
-            let found = mismatches(folder, &store);
-            report.lock().unwrap().extend(found.iter().map(|found| format!("{name}: {found}")));
+            let (lines, mismatches) = outcome(folder, &store);
+            let mut report = report.lock().unwrap();
+            report.0.extend(lines);
+            report.1.extend(mismatches);
         }
     };
     thread::scope(|scope| {
@@ -236,8 +242,10 @@ fn every_case_gives_what_it_has_to() {
             scope.spawn(work);
         }
     });
-    let report = report.into_inner().unwrap();
-    assert!(report.is_empty(), "\n{}", report.join("\n"));
+    let (lines, mismatches) = report.into_inner().unwrap();
+    assert!(mismatches.is_empty(), "\n{}", mismatches.join("\n"));
+    let stale = held(lines);
+    assert!(stale.is_empty(), "\n{}", stale.join("\n"));
 }
 
 /// The options of the commands a `README.md` shows: `--set KEY=VALUE`, quoted as for a shell.

@@ -9,6 +9,7 @@ mod course;
 mod creep_force;
 pub(crate) mod draw;
 pub(crate) mod figure;
+mod fit;
 mod fretting_loop;
 mod heights;
 mod lengths;
@@ -35,6 +36,7 @@ use anyhow::{Context, ensure};
 use archard::simulation::history::FORCE;
 use draw::{Paper, Sheet, save};
 use figure::Panel;
+pub use fit::draw as draw_fit;
 use pressure::MOMENTS;
 use results::Results;
 

@@ -5,6 +5,7 @@
 //! numbers. Last, `sweep.csv` is made of the folders.
 
 mod design;
+mod fitted;
 pub mod points;
 mod row;
 mod shared;
@@ -32,6 +33,7 @@ use table::Status;
 /// Runs a study, or goes on with it.
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let requests = Requests::set();
+    let arguments = &fitted::with(arguments).map_err(Failure::wrong)?;
     let design = design::design(arguments)?;
     let study = &arguments.output;
     begin(study, &design)?;

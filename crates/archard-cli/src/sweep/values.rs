@@ -1,6 +1,6 @@
 //! What a study puts at a key: a list of values, a range of them, or a distribution to draw them from.
 
-use statrs::distribution::{ContinuousCDF, Normal};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
 /// A distribution of a value, in the unit that it is given in.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,6 +17,8 @@ enum Kind {
     LogNormal(f64, f64),
     /// From the one to the other.
     Uniform(f64, f64),
+    /// Median, scale of the natural logarithm and degrees of freedom: what the next test is like, seen from a few.
+    LogStudent(f64, f64, f64),
 }
 
 /// A number and its unit, which may be empty.
@@ -66,7 +68,11 @@ pub fn distribution(text: &str) -> Result<Distribution, String> {
     let malformed = || format!("`{text}`: write a distribution like {known}");
     let (name, inside) = text.trim().split_once('(').ok_or_else(malformed)?;
     let inside = inside.strip_suffix(')').ok_or_else(malformed)?;
-    let [one, other] = arguments(inside)[..] else { return Err(malformed()) };
+    let parts = arguments(inside);
+    if let ("logstudent", [one, other, degrees]) = (name.trim(), &parts[..]) {
+        return log_student(text, [one, other, degrees]);
+    }
+    let [one, other] = parts[..] else { return Err(malformed()) };
     let ((first, unit), (second, second_unit)) = (number(one)?, number(other)?);
     let kind = match name.trim() {
         "normal" => Kind::Normal(first, second),
@@ -94,6 +100,21 @@ pub fn distribution(text: &str) -> Result<Distribution, String> {
     }
 }
 
+/// The distribution of `logstudent(median, scale of the logarithm, degrees of freedom)`.
+fn log_student(text: &str, [one, other, degrees]: [&str; 3]) -> Result<Distribution, String> {
+    let ((median, unit), (scale, none), (degrees, also)) =
+        (number(one)?, number(other)?, number(degrees)?);
+    if !none.is_empty() || !also.is_empty() {
+        return Err(format!("`{text}`: scale and degrees of freedom have no unit"));
+    }
+    if median <= 0.0 || scale <= 0.0 || degrees < 1.0 {
+        return Err(format!(
+            "`{text}`: median and scale are greater than zero, degrees of freedom one at least"
+        ));
+    }
+    Ok(Distribution { kind: Kind::LogStudent(median, scale, degrees), unit: unit.to_owned() })
+}
+
 impl Distribution {
     /// The value, as a case takes it, below which that share of all is, between zero and one.
     pub fn quantile(&self, share: f64) -> String {
@@ -102,6 +123,11 @@ impl Distribution {
             Kind::Normal(mean, deviation) => mean + deviation * deviate,
             Kind::LogNormal(median, deviation) => median * (deviation * deviate).exp(),
             Kind::Uniform(from, to) => from + share * (to - from),
+            Kind::LogStudent(median, scale, degrees) => {
+                let student = StudentsT::new(0.0, 1.0, degrees);
+                let deviate = student.map_or(deviate, |student| student.inverse_cdf(share));
+                median * (scale * deviate).exp()
+            }
         };
         written(value, &self.unit)
     }
@@ -174,6 +200,8 @@ mod tests {
             ("normal(1 N, 0 N)", "greater than zero"),
             ("lognormal(1 N, 0.2 N)", "has no unit"),
             ("lognormal(-1 N, 0.2)", "a median is greater than zero"),
+            ("logstudent(2 N, 0.1, 0.5)", "one at least"),
+            ("logstudent(2 N, 0.1 N, 3)", "have no unit"),
             ("uniform(2 N, 1 N)", "an empty range"),
             ("uniform(1 N, 2 kN)", "in one unit"),
         ] {
@@ -194,6 +222,9 @@ mod tests {
         assert!((value("normal(10 N, 1 N)", 0.975) - 11.959963984540054).abs() < 1e-9);
         let k = value("lognormal(1.42e-4 mm^3/(N m), 0.4)", 0.025);
         assert!((k / (1.42e-4 * (-0.4 * 1.959963984540054_f64).exp()) - 1.0).abs() < 1e-9);
+        // Student's t of two degrees of freedom: 4.303.
+        let k = value("logstudent(2 1/Pa, 0.1, 2)", 0.975);
+        assert!((k / (2.0 * 0.430_265_f64.exp()) - 1.0).abs() < 1e-5, "{k}");
         let median = distribution("lognormal(1.42e-4 mm^3/(N m), 0.4)").unwrap().quantile(0.5);
         assert_eq!(median, "0.000142 mm^3/(N m)");
     }

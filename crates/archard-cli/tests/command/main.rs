@@ -430,3 +430,21 @@ fn a_summary_that_is_none_is_refused() {
     fs::remove_file(dir.path().join("out/summary.json")).unwrap();
     archard(&dir, &["plot", "out"]).success();
 }
+
+#[test]
+fn worn_surfaces_are_written_for_paraview() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc");
+    archard(&dir, &["run", case.to_str().unwrap(), "-o", "out", "-q"]).success();
+    let said = printed(&archard(&dir, &["paraview", "out"]).success());
+    assert!(said.contains("11 outputs of pin and disc"), "{said}");
+    let script = fs::read_to_string(dir.path().join("out/paraview/open.py")).unwrap();
+    assert!(script.contains("[\"pin\", \"disc\"]") && script.contains("wear_um"), "{script}");
+    for body in ["pin", "disc"] {
+        let list = fs::read_to_string(dir.path().join(format!("out/paraview/{body}.pvd"))).unwrap();
+        assert_eq!(list.matches("<DataSet").count(), 11, "{list}");
+        assert!(dir.path().join(format!("out/paraview/{body}_0010.vtu")).is_file());
+    }
+    let refused = archard(&dir, &["paraview", "."]).code(2);
+    assert!(crate::said(&refused).contains("fields.pvd"), "{}", crate::said(&refused));
+}

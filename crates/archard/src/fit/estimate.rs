@@ -70,20 +70,22 @@ pub struct NoEstimate<E: std::error::Error + 'static> {
 }
 
 impl Study {
-    /// The coefficient of these tests by a model, from a guess on; `common` is what is uncertain in all tests alike.
+    /// The coefficient of these tests by a model, from a guess on and settled to a relative change; `common` is what is
+    /// uncertain in all tests alike.
     ///
     /// # Errors
     /// If the model fails, or a test cannot tell k.
     pub fn estimate<E: std::error::Error>(
         &self,
-        guess: f64,
+        (guess, settled): (f64, f64),
         common: &[Common],
         model: Model<'_, E>,
     ) -> Result<Estimate, NoEstimate<E>> {
         let stated =
             self.tests.iter().flat_map(|test| &test.readings).all(|r| r.uncertainty.is_some());
         let mut of_quantity = vec![1.0; self.quantities.len()];
-        let mut fitted = self.fit(&of_quantity, &vec![guess.ln(); self.tests.len()], model)?;
+        let mut fitted =
+            self.fit((&of_quantity, settled), &vec![guess.ln(); self.tests.len()], model)?;
         let mut found = None;
         for _ in 0..if stated { 0 } else { ROUNDS } {
             found = shown(&self.tests, &fitted, &of_quantity);
@@ -95,7 +97,7 @@ impl Study {
                 break;
             }
             let from: Vec<f64> = fitted.iter().map(|fitted| fitted.log_k).collect();
-            fitted = self.fit(&of_quantity, &from, model)?;
+            fitted = self.fit((&of_quantity, settled), &from, model)?;
         }
         let readings = if stated { Some(self.mean_uncertainties()) } else { found };
         Ok(self.conclude((fitted, of_quantity), readings, stated, common))
@@ -103,13 +105,13 @@ impl Study {
 
     fn fit<E: std::error::Error>(
         &self,
-        of_quantity: &[f64],
+        (of_quantity, settled): (&[f64], f64),
         from: &[f64],
         model: Model<'_, E>,
     ) -> Result<Vec<Fitted>, NoEstimate<E>> {
         let one = |(index, test): (usize, &Test)| {
             let mut own = |log_k: f64| model(index, log_k);
-            Fitted::find(test, &weights(test, of_quantity), from[index], &mut own)
+            Fitted::find(test, &weights(test, of_quantity), (from[index], settled), &mut own)
                 .map_err(|cause| NoEstimate { test: test.name.clone(), cause })
         };
         self.tests.iter().enumerate().map(one).collect()

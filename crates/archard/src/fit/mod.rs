@@ -1,12 +1,24 @@
 //! Wear coefficients from what was measured.
+//!
+//! [`fit`] holds a table of tests against runs of a case; [`Study::estimate`] is the statistics, for any model that says what
+//! readings should be at a k.
 
+mod curve;
 mod effects;
+mod error;
 mod estimate;
+mod measurement;
+mod quantity;
+mod report;
+mod runs;
+mod search;
 mod shape;
 mod within;
 
 pub use effects::Effects;
+pub use error::Error;
 pub use estimate::{Common, Estimate, Model, NoEstimate, Study};
+pub use search::{Coefficient, Fit, Request, Shown, fit};
 pub use shape::{Exponent, REJECTED};
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
 

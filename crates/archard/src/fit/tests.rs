@@ -69,7 +69,7 @@ fn estimate(study: &Study, exponent: f64) -> Estimate {
         };
         Ok::<_, Infallible>(study.tests[test].readings.iter().map(of).collect())
     };
-    study.estimate(1e-12, &[], &mut model).unwrap()
+    study.estimate((1e-12, 1e-9), &[], &mut model).unwrap()
 }
 
 fn holds(interval: Option<[f64; 2]>, value: f64) -> bool {
@@ -207,7 +207,7 @@ fn what_is_common_adds_up() {
         Ok::<_, Infallible>(study.tests[test].readings.iter().map(of).collect())
     };
     let common = [("load".to_owned(), 0.03), ("radius".to_owned(), 0.04)];
-    let estimate = study.estimate(K, &common, &mut model).unwrap();
+    let estimate = study.estimate((K, 1e-9), &common, &mut model).unwrap();
     let [low, high] = estimate.interval.unwrap();
     assert!(((high / low).ln() / (2.0 * 1.959964 * 0.05) - 1.0).abs() < 1e-3);
     assert_eq!(estimate.budget[2..], common);
@@ -222,7 +222,7 @@ fn a_flat_likelihood_is_said() {
         let of = |r: &Reading| Expected { log: 1e-3 * (log_k + r.progress.ln()), slope: 1e-3 };
         Ok::<_, Infallible>(study.tests[test].readings.iter().map(of).collect())
     };
-    let error = study.estimate(K, &[], &mut model).unwrap_err().to_string();
+    let error = study.estimate((K, 1e-9), &[], &mut model).unwrap_err().to_string();
     assert!(error.contains("cannot tell k"), "{error}");
 }
 
@@ -277,7 +277,7 @@ fn widths_from(tests: &[Test], first: &[f64]) -> Option<Estimate> {
         };
         Ok::<_, Infallible>(tests[test].readings.iter().map(of).collect())
     };
-    study.estimate(1e-3, &[], &mut model).ok()
+    study.estimate((1e-3, 1e-9), &[], &mut model).ok()
 }
 
 /// The width from which the scars of tests grow with the least that is left of their readings.

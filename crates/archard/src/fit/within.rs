@@ -48,8 +48,6 @@ pub struct Fitted {
 
 /// Iterations of a fit; the last changes are far below any reading then.
 const ITERATIONS: usize = 60;
-/// Change of log k at which a fit is done.
-const SETTLED: f64 = 1e-7;
 /// Largest change of log k at once.
 const STRIDE: f64 = 1.0;
 /// Sum of squares of the slopes below which readings do not tell k: a change of k by a factor of e is one of 1 % then.
@@ -79,14 +77,14 @@ pub fn weights(test: &Test, of_quantity: &[f64]) -> Vec<f64> {
 }
 
 impl Fitted {
-    /// The best k of a test by Gauss and Newton, from a guess of its logarithm on.
+    /// The best k of a test by Gauss and Newton, from a guess of its logarithm on until it changes by less than given.
     ///
     /// # Errors
     /// If the model fails, or the readings do not tell k.
     pub fn find<E>(
         test: &Test,
         weights: &[f64],
-        guess: f64,
+        (guess, settled): (f64, f64),
         model: &mut dyn FnMut(f64) -> Result<Vec<Expected>, E>,
     ) -> Result<Self, Unfitted<E>> {
         let mut log_k = guess;
@@ -102,7 +100,7 @@ impl Fitted {
                 return Err(Unfitted::Flat);
             }
             let change = sum(&|j| fitted.slopes[j] * fitted.residuals[j]) / information;
-            if change.abs() <= SETTLED {
+            if change.abs() <= settled {
                 return Ok(fitted);
             }
             // To and fro: shorter, so that it ends.

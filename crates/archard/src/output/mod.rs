@@ -43,6 +43,7 @@ mod surface;
 mod table;
 mod vtk;
 mod worn_profiles;
+mod worn_surface;
 
 #[cfg(test)]
 mod fixture;
@@ -64,6 +65,7 @@ pub use summary::Totals;
 pub(crate) use summary::json_of as verdict_json;
 pub use surface::Surface;
 pub use vtk::Collection;
+pub use worn_surface::{RELIEF, WornSurface, bodies};
 
 /// The file that lists the outputs.
 const COLLECTION: &str = "fields.pvd";

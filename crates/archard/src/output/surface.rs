@@ -118,7 +118,7 @@ impl Surface {
     }
 
     /// The pairs and their mirror images: whether they are reflected along x and y.
-    fn sides(&self) -> Vec<[bool; 2]> {
+    pub(super) fn sides(&self) -> Vec<[bool; 2]> {
         let all = [[false, false], [true, false], [false, true], [true, true]];
         let there = |sides: &[bool; 2]| (0..2).all(|axis| self.mirrored[axis] || !sides[axis]);
         all.into_iter().filter(there).collect()
@@ -190,12 +190,12 @@ fn mean(points: &[(f64, Vec<f64>)]) -> (f64, Vec<f64>) {
 }
 
 /// A place reflected along x and y, seen along z.
-fn reflected([x, y, _]: [f64; 3], sides: [bool; 2]) -> [f64; 2] {
+pub(super) fn reflected([x, y, _]: [f64; 3], sides: [bool; 2]) -> [f64; 2] {
     [if sides[0] { -x } else { x }, if sides[1] { -y } else { y }]
 }
 
 /// The sign of a field in a mirror image: components along the axis of reflection turn round.
-fn sign(name: &str, sides: [bool; 2]) -> f64 {
+pub(super) fn sign(name: &str, sides: [bool; 2]) -> f64 {
     let odd = [name.contains("_x_"), name.contains("_y_")];
     let vector = name.starts_with("traction_") || name.starts_with("slip_");
     let turns = |axis: usize| vector && sides[axis] && odd[axis];

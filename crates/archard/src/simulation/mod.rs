@@ -32,6 +32,7 @@ pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
 pub use run::Run;
+pub use scar::worn_extent;
 pub(crate) use swing::solves_of_a_step;
 
 use crate::closed_form::flash_temperature::FAST;

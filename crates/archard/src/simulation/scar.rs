@@ -15,13 +15,29 @@ pub(super) fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
     let track = sliding.track?;
     let stays = 1 - track.body;
     problem.bodies[stays].wear.as_ref()?;
-    let (frame, worn) = (&problem.frame, &state.worn[stays]);
+    Some(zone(&problem.frame, &state.worn[stays], sliding.direction.axis))
+}
+
+/// Extent (m) of the worn zone of a body that keeps its place under the contact, along the motion and across, as that of a
+/// scar on a track; of bodies that are shifted along x. `None` where the body does not wear, passes or swings.
+pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
+    let Report { problem, state, .. } = report;
+    problem.bodies[body].wear.as_ref()?;
+    let passes = problem.motion.passing().is_some_and(|passing| passing.bodies[body]);
+    if passes || state.swung.is_some() || problem.motion.rolling().is_some() {
+        return None;
+    }
+    let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);
+    Some(zone(&problem.frame, &state.worn[body], axis))
+}
+
+/// Extent (m) of the worn zone along an axis and across.
+fn zone(frame: &ContactFrame, worn: &[f64], axis: usize) -> [f64; 2] {
     let least = EDGE * deepest(worn);
     let zone: Vec<usize> = (0..worn.len()).filter(|&pair| worn[pair] > least).collect();
-    let axis = sliding.direction.axis;
     let shape = if frame.is_line() { 12f64.sqrt() } else { 4.0 };
     let extent = |axis: usize| shape * gyration(frame, &zone, axis);
-    Some(if zone.is_empty() { [0.0; 2] } else { [extent(axis), extent(1 - axis)] })
+    if zone.is_empty() { [0.0; 2] } else { [extent(axis), extent(1 - axis)] }
 }
 
 /// Radius of gyration (m) of a zone of pairs along an axis.

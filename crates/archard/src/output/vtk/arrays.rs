@@ -40,6 +40,15 @@ pub(super) const BYTES: Kind = ["UInt8", ""];
 /// Two answers that hold for the whole file.
 pub(super) const FLAGS: Kind = ["Int64", " NumberOfTuples=\"2\""];
 
+/// VTK's number for a cell of so many corners: a triangle, a quadrilateral, a polygon.
+pub(super) fn cell(corners: usize) -> u8 {
+    match corners {
+        3 => 5,
+        4 => 9,
+        _ => 7,
+    }
+}
+
 /// Arrays on their way into a file.
 #[derive(Debug, Default)]
 pub(super) struct Writer {
@@ -69,14 +78,24 @@ impl Writer {
         ))
     }
 
-    /// The element of all that is known of each cell; the first field is shown when the file is opened.
+    /// The element of all that is known of each cell.
     pub(super) fn cell_data<'a>(
         &mut self,
         fields: &[Field],
         vectors: impl IntoIterator<Item = (&'a str, &'a [[f64; 3]])>,
     ) -> io::Result<String> {
+        self.data("CellData", fields, vectors)
+    }
+
+    /// The element of all that is known of each cell, or of each point; the first field is shown when the file is opened.
+    pub(super) fn data<'a>(
+        &mut self,
+        of: &str,
+        fields: &[Field],
+        vectors: impl IntoIterator<Item = (&'a str, &'a [[f64; 3]])>,
+    ) -> io::Result<String> {
         let first = fields.first().map_or_else(String::new, |field| escape(&field.name));
-        let mut text = format!("      <CellData Scalars=\"{first}\">\n");
+        let mut text = format!("      <{of} Scalars=\"{first}\">\n");
         for Field { name, values } in fields {
             let element =
                 self.add(NUMBERS, name, values.iter().map(|value| value.to_le_bytes()))?;
@@ -86,7 +105,7 @@ impl Writer {
             let values = vectors.iter().flatten().map(|value| value.to_le_bytes());
             text += &format!("        {}\n", self.add(VECTORS, name, values)?);
         }
-        Ok(text + "      </CellData>\n")
+        Ok(text + &format!("      </{of}>\n"))
     }
 
     /// The file of that type with that description of the arrays.

@@ -11,6 +11,7 @@
 mod arrays;
 mod collection;
 mod image_data;
+mod points;
 mod unstructured_grid;
 
 use std::fs;
@@ -19,7 +20,7 @@ use std::path::Path;
 
 pub use collection::Collection;
 
-use super::{Error, file};
+use super::{Error, WornSurface, file};
 
 /// What is kept in a file of its own kind.
 pub(super) trait Kept: Sized {
@@ -33,6 +34,13 @@ pub(super) trait Kept: Sized {
 /// Writes a file.
 pub(super) fn write(kept: &impl Kept, path: &Path) -> Result<(), Error> {
     let bytes = kept.encode().map_err(|source| Error::Write { path: path.to_owned(), source })?;
+    file::write_whole(path, &bytes)
+}
+
+/// Writes the file of a worn surface, which this program does not read.
+pub(super) fn write_points(surface: &WornSurface, path: &Path) -> Result<(), Error> {
+    let bytes =
+        points::encode(surface).map_err(|source| Error::Write { path: path.to_owned(), source })?;
     file::write_whole(path, &bytes)
 }
 

@@ -3,16 +3,11 @@
 use std::io;
 
 use super::Kept;
-use super::arrays::{BYTES, FLAGS, INTEGERS, Reader, VECTORS, Writer, number};
+use super::arrays::{BYTES, FLAGS, INTEGERS, Reader, VECTORS, Writer, cell, number};
 use crate::output::Surface;
 
 /// What VTK calls these files.
 const KIND: &str = "UnstructuredGrid";
-
-/// VTK's numbers for cells of three, four and more corners.
-const TRIANGLE: u8 = 5;
-const QUADRILATERAL: u8 = 9;
-const POLYGON: u8 = 7;
 
 /// The arrays that are no fields.
 const CORNERS: &str = "corners_m";
@@ -30,18 +25,14 @@ impl Kept for Surface {
             *end += outline.len() as i64;
             Some(*end)
         });
-        let kind = |outline: &Vec<[f64; 3]>| match outline.len() {
-            3 => TRIANGLE,
-            4 => QUADRILATERAL,
-            _ => POLYGON,
-        };
         let mut arrays = Writer::default();
         let corners = outlines.iter().flatten().flatten().map(|value| value.to_le_bytes());
         let points = arrays.add(VECTORS, CORNERS, corners)?;
         let connectivity =
             arrays.add(INTEGERS, CONNECTIVITY, (0..count as i64).map(i64::to_le_bytes))?;
         let offsets = arrays.add(INTEGERS, OFFSETS, ends.map(i64::to_le_bytes))?;
-        let types = arrays.add(BYTES, TYPES, outlines.iter().map(|outline| [kind(outline)]))?;
+        let types =
+            arrays.add(BYTES, TYPES, outlines.iter().map(|outline| [cell(outline.len())]))?;
         let mirrored = mirrored.iter().map(|&mirrored| i64::from(mirrored).to_le_bytes());
         let mirrored = arrays.add(FLAGS, MIRRORED, mirrored)?;
         let vectors = vectors.iter().map(|(name, vectors)| (name.as_str(), vectors.as_slice()));

@@ -1,0 +1,125 @@
+//! `archard fit`: wear coefficients of a case from measured tests.
+
+use std::fs;
+use std::path::Path;
+
+use archard::case::{CaseFile, Task};
+use archard::fit::{self, Error, Fit, Request};
+use archard::measured::Table;
+use archard::output::{Store, write_whole};
+
+use crate::arguments::{Case, Fit as Arguments};
+use crate::diagnose;
+use crate::failure::Failure;
+use crate::folder;
+use crate::plot;
+use crate::say::{say, tell};
+
+/// Fits a case to a table.
+pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
+    let Case { case, set } = &arguments.case;
+    if let Task::Elastic(_) = diagnose::resolve(&arguments.case, arguments.quiet)? {
+        return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
+    }
+    let file = CaseFile::read(case).map_err(|error| Failure::wrong(error.to_string()))?;
+    let file = set.iter().fold(file, |file, option| file.set(option));
+    let table = read(&arguments.data, &arguments.column).map_err(Failure::wrong)?;
+    let dir = arguments.output.clone().unwrap_or_else(|| {
+        let mut name = folder::default(case, set).into_os_string();
+        name.push("_fit");
+        name.into()
+    });
+    let uncertain: Vec<(String, f64)> = arguments
+        .uncertain
+        .iter()
+        .map(|option| relative(option))
+        .collect::<Result<_, _>>()
+        .map_err(Failure::wrong)?;
+    fs::create_dir_all(&dir)
+        .map_err(|error| Failure::wrong(format!("cannot make `{}`: {error}", dir.display())))?;
+    let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
+    let mut follow = |text: &str| {
+        if !arguments.quiet {
+            tell(text);
+        }
+    };
+    let request = Request {
+        parameter: arguments.parameter.as_deref(),
+        uncertain: &uncertain,
+        dir: &dir,
+        store: store.as_ref(),
+        tell: &mut follow,
+    };
+    let found = fit::fit(&file, &table, request).map_err(|error| failed(&error))?;
+    write(&dir, &found).map_err(Failure::wrong)?;
+    if !arguments.quiet {
+        say(found.to_string().trim_end())?;
+        say(&format!("runs              {}", found.runs))?;
+        say(&format!("results           {}", dir.display()))?;
+    }
+    match found.rejected() {
+        Some(why) => Err(Failure::NotConverged(why)),
+        None => Ok(()),
+    }
+}
+
+/// The table in a file, with the names that options give its columns.
+fn read(path: &Path, columns: &[String]) -> Result<Table, String> {
+    let bytes =
+        fs::read(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
+    let names: Vec<(&str, &str)> = columns
+        .iter()
+        .map(|option| {
+            option.split_once('=').ok_or(format!("`{option}`: write --column depth=\"Tiefe [um]\""))
+        })
+        .collect::<Result<_, _>>()?;
+    let table = Table::read(&path.display().to_string(), &bytes);
+    table.and_then(|table| table.naming(&names)).map_err(|error| error.to_string())
+}
+
+/// A key and its relative uncertainty, of `motion.sliding.load=1%`.
+fn relative(option: &str) -> Result<(String, f64), String> {
+    let like = || {
+        format!("`{option}`: write a key and its standard uncertainty, like motion.sliding.load=1%")
+    };
+    let (key, text) = option.split_once('=').ok_or_else(like)?;
+    let number = text.trim().strip_suffix('%').ok_or_else(like)?;
+    let percent: f64 = number.trim().parse().map_err(|_| like())?;
+    match percent > 0.0 && percent < 50.0 {
+        true => Ok((key.trim().to_owned(), percent / 100.0)),
+        false => Err(format!("`{option}`: an uncertainty lies between 0 % and 50 %")),
+    }
+}
+
+fn write(dir: &Path, found: &Fit) -> Result<(), String> {
+    let text = |name: &str, text: String| {
+        let path = dir.join(name);
+        write_whole(&path, text.as_bytes()).map_err(|error| error.to_string())
+    };
+    text("fit.csv", found.csv())?;
+    text("fit.json", format!("{:#}\n", found.json()))?;
+    plot::draw_fit(dir, found).map(|_| ()).map_err(|error| format!("{error:#}"))
+}
+
+fn failed(error: &Error) -> Failure {
+    match error.is_of_convergence() {
+        true => Failure::NotConverged(error.to_string()),
+        false => Failure::wrong(error.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::relative;
+
+    #[test]
+    fn uncertainties_are_percentages() {
+        assert_eq!(
+            relative("motion.sliding.load=1 %"),
+            Ok(("motion.sliding.load".to_owned(), 0.01))
+        );
+        for wrong in ["load", "load=1 N", "load=x%", "load=-1%", "load=80%"] {
+            assert!(relative(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! `archard paraview`: the worn surfaces of a result folder as geometry in mm with point data, and a macro that opens them well
+//! framed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use archard::output::{Collection, Error, Image, RELIEF, Surface, WornSurface, bodies};
+
+use crate::failure::Failure;
+use crate::say::say;
+
+/// The folder of the files, and the macro in it.
+const FOLDER: &str = "paraview";
+const MACRO: &str = "open.py";
+/// How high the relief stands, relative to how wide the surface is, once it is exaggerated.
+const HEIGHT: f64 = 0.15;
+
+/// Writes the files of a result folder.
+pub fn write(dir: &Path) -> Result<(), Failure> {
+    let wrong = |error: Error| Failure::wrong(error.to_string());
+    let collection = Collection::read(&dir.join("fields.pvd")).map_err(|error| {
+        Failure::wrong(format!(
+            "{error}; `archard paraview` wants a folder that `archard run` has written"
+        ))
+    })?;
+    let folder = dir.join(FOLDER);
+    let made = if folder.exists() { fs::remove_dir_all(&folder) } else { Ok(()) };
+    made.and_then(|()| fs::create_dir_all(&folder)).map_err(|error| {
+        Failure::wrong(format!("cannot write into `{}`: {error}", folder.display()))
+    })?;
+    let mut written: BTreeMap<usize, (String, Collection, [f64; 4])> = BTreeMap::new();
+    for (index, (progress, file)) in collection.outputs.iter().enumerate() {
+        for (place, (body, surface)) in
+            surfaces(&dir.join(file)).map_err(wrong)?.into_iter().enumerate()
+        {
+            let name = format!("{body}_{index:04}.vtu");
+            surface.write(&folder.join(&name)).map_err(wrong)?;
+            let found = extents(&surface);
+            let entry =
+                written.entry(place).or_insert_with(|| (body, Collection::default(), [0.0; 4]));
+            entry.1.outputs.push((*progress, name));
+            entry.2 = [0, 1, 2, 3].map(|which| entry.2[which].max(found[which]));
+        }
+    }
+    for (body, collection, _) in written.values() {
+        collection.write(&folder.join(format!("{body}.pvd"))).map_err(wrong)?;
+    }
+    let most = |which: usize| written.values().map(|body| body.2[which]).fold(0.0, f64::max);
+    let names: Vec<&str> = written.values().map(|body| body.0.as_str()).collect();
+    let shown = if most(2) > 0.0 { (SHOWN[0], most(2)) } else { (SHOWN[1], most(3)) };
+    let script = script(&names, most(0), factor(most(0), most(1)), shown);
+    let path = folder.join(MACRO);
+    fs::write(&path, script)
+        .map_err(|error| Failure::wrong(format!("cannot write `{}`: {error}", path.display())))?;
+    say(&format!(
+        "{} outputs of {} written into {}; next: paraview --script={}",
+        collection.outputs.len(),
+        names.join(" and "),
+        folder.display(),
+        path.display()
+    ))
+}
+
+/// The surfaces of both bodies at an output, body 1 first.
+fn surfaces(path: &Path) -> Result<Vec<(String, WornSurface)>, Error> {
+    let meshed = path.extension().is_some_and(|extension| extension == "vtu");
+    let of = |fields: &[archard::output::Field], make: &dyn Fn(&str) -> Option<WornSurface>| {
+        let named = |body: &&str| Some(((*body).to_owned(), make(body)?));
+        bodies(fields).iter().filter_map(named).collect()
+    };
+    Ok(if meshed {
+        let surface = Surface::read(path)?;
+        of(&surface.fields, &|body| WornSurface::of_surface(&surface, body))
+    } else {
+        let image = Image::read(path)?;
+        of(&image.fields, &|body| WornSurface::of_image(&image, body))
+    })
+}
+
+/// What the surfaces are coloured by, where nothing has worn the second.
+const SHOWN: [&str; 2] = ["wear_um", "pressure_MPa"];
+
+/// How wide a surface is (mm), how much its relief differs (mm), and the most of what it may be coloured by.
+fn extents(surface: &WornSurface) -> [f64; 4] {
+    let range = |values: &mut dyn Iterator<Item = f64>| {
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+            (low.min(value), high.max(value))
+        });
+        (high - low).max(0.0)
+    };
+    let width = [0, 1].map(|axis| range(&mut surface.points.iter().map(|point| point[axis])));
+    let relief = surface.vectors.iter().find(|(name, _)| name == RELIEF);
+    let relief = relief.map_or(0.0, |(_, vectors)| {
+        [0, 1, 2]
+            .map(|axis| range(&mut vectors.iter().map(|vector| vector[axis])))
+            .into_iter()
+            .fold(0.0, f64::max)
+    });
+    let [wear, pressure] = SHOWN.map(|name| {
+        let field = surface.fields.iter().find(|field| field.name == name);
+        field.map_or(0.0, |field| field.values.iter().copied().fold(0.0, f64::max))
+    });
+    [width[0].max(width[1]), relief, wear, pressure]
+}
+
+/// How many times as high the relief is drawn: one, two or five times a power of ten, one at least.
+fn factor(width: f64, relief: f64) -> f64 {
+    let wanted = HEIGHT * width / relief;
+    if !wanted.is_finite() || wanted <= 1.0 {
+        return 1.0;
+    }
+    let power = 10f64.powf(wanted.log10().floor());
+    let step = [5.0, 2.0, 1.0].into_iter().find(|step| step * power <= wanted);
+    step.unwrap_or(1.0) * power
+}
+
+/// The macro, for these bodies in that width (mm), with the relief that many times as high.
+fn script(bodies: &[&str], width: f64, factor: f64, (shown, most): (&str, f64)) -> String {
+    format!(
+        r#"# Shows the worn surfaces beside this file: paraview --script=open.py, or Macros > Import new macro in ParaView.
+# Lengths are in mm. Heights are drawn {factor} times as high; the second body is lifted off the first.
+import os
+
+from paraview.simple import *
+
+try:
+    here = os.path.dirname(os.path.abspath(__file__))
+except NameError:
+    here = os.getcwd()
+bodies = {bodies:?}
+view = GetActiveViewOrCreate("RenderView")
+for index, body in enumerate(bodies):
+    reader = PVDReader(FileName=os.path.join(here, body + ".pvd"), registrationName=body)
+    times = reader.TimestepValues
+    relief = WarpByVector(Input=reader, registrationName=body + " x {factor}")
+    relief.Vectors = ["POINTS", "{RELIEF}"]
+    relief.ScaleFactor = {} * 1.0
+    display = Show(relief, view)
+    display.Position = [0.0, 0.0, {lift:?} * index]
+    ColorBy(display, ("POINTS", "{shown}"))
+    Hide(reader, view)
+animation = GetAnimationScene()
+animation.UpdateAnimationUsingDataTimeSteps()
+animation.GoToLast()
+colours = GetColorTransferFunction("{shown}")
+colours.RescaleTransferFunction(0.0, {most:?})
+bar = GetScalarBar(colours, view)
+bar.Title = "{shown}"
+bar.ComponentTitle = ""
+bar.Visibility = 1
+view.ViewSize = [1200, 800]
+view.CameraViewUp = [0.0, 0.0, 1.0]
+view.CameraPosition = [-2.0, -3.0, 2.0]
+view.CameraFocalPoint = [0.0, 0.0, 0.0]
+view.ResetCamera()
+Render(view)
+"#,
+        factor - 1.0,
+        lift = 0.4 * width,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::factor;
+
+    #[test]
+    fn reliefs_are_drawn_in_round_multiples() {
+        for (width, relief, expected) in
+            [(1.0, 1e-3, 100.0), (1.0, 0.5, 1.0), (0.5, 2e-3, 20.0), (1.0, 0.0, 1.0)]
+        {
+            assert_eq!(factor(width, relief), expected, "{width} {relief}");
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Why there is no fit.
+
+use super::Unfitted;
+use crate::measured;
+
+/// Why a case cannot be fitted to what was measured.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The table cannot be used.
+    #[error(transparent)]
+    Table(#[from] measured::Error),
+    /// A reading cannot be used.
+    #[error("{table}, line {line}: {why}")]
+    Reading {
+        /// What the table is called.
+        table: String,
+        /// The line.
+        line: u64,
+        /// Why, and what to do.
+        why: String,
+    },
+    /// Case, parameter and columns do not go together.
+    #[error("{0}")]
+    Mismatch(String),
+    /// A case with a value in place of its own is wrong.
+    #[error("the case with {settings} cannot be run: {why}")]
+    Case {
+        /// What was put into it.
+        settings: String,
+        /// What is wrong with it.
+        why: String,
+    },
+    /// A run failed, or what came out of it cannot be right.
+    #[error("the run with {settings}: {why}")]
+    Run {
+        /// What was put into the case.
+        settings: String,
+        /// Why.
+        why: String,
+    },
+    /// A test has no coefficient.
+    #[error("test `{test}`: {why}")]
+    Untold {
+        /// The test.
+        test: String,
+        /// Why.
+        why: String,
+    },
+    /// Rounds of runs did not settle.
+    #[error(
+        "the coefficients did not settle after {rounds} rounds of runs; they still change by {change:.1e}"
+    )]
+    Unsettled {
+        /// How many.
+        rounds: usize,
+        /// The last relative change.
+        change: f64,
+    },
+}
+
+impl Error {
+    /// Whether something did not converge, rather than being wrong from the start.
+    pub fn is_of_convergence(&self) -> bool {
+        matches!(self, Self::Run { .. } | Self::Unsettled { .. })
+    }
+
+    pub(super) fn untold(test: &str, cause: Unfitted<Error>) -> Self {
+        match cause {
+            Unfitted::Model(error) => error,
+            other => Self::Untold { test: test.to_owned(), why: other.to_string() },
+        }
+    }
+}

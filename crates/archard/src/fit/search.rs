@@ -1,0 +1,420 @@
+//! The coefficients of a case from measured tests: rounds of runs until model and readings agree.
+//!
+//! Where the worn state follows from k s alone, one run tells all k: a reading at s of a test with k is what the run shows at
+//! s k / k_run, and the last round's steps end there. Other laws are run anew at each k that is tried. Where both bodies wear,
+//! tests are held against runs in which the ratio of the coefficients is that of their medians.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use super::measurement::{Measurement, Target};
+use super::runs::{Changes, Run, Runner};
+use super::{Common, Error, Estimate, Expected, Study, Test};
+use crate::case::{Case, CaseFile};
+use crate::measured::Table;
+use crate::output::Store;
+
+/// Rounds of runs at most, and the relative change of k that ends them.
+const ROUNDS: usize = 8;
+const SETTLED: f64 = 1e-3;
+/// Part of a run beyond its end that readings may reach into before the run is made longer.
+const BEYOND: f64 = 1.02;
+/// The change of k by which the slopes of a law that is not linear are found.
+const TRIED: f64 = 1.1;
+/// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
+const FITTED: [f64; 2] = [1e-7, 1e-4];
+
+/// What a fit is asked for beside case and table.
+pub struct Request<'a> {
+    /// The key to be fitted; if not given, the coefficient of each body of which there are readings.
+    pub parameter: Option<&'a str>,
+    /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
+    pub uncertain: &'a [(String, f64)],
+    /// Where runs go.
+    pub dir: &'a Path,
+    /// Kept compliances.
+    pub store: Option<&'a Store>,
+    /// Told of each run.
+    pub tell: &'a mut dyn FnMut(&str),
+}
+
+/// A coefficient that was fitted.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coefficient {
+    /// Its key.
+    pub key: String,
+    /// Its unit (SI).
+    pub unit: String,
+    /// Its value in the case.
+    pub before: f64,
+    /// What the tests say.
+    pub estimate: Estimate,
+    /// The tests.
+    pub tests: Vec<Test>,
+    /// What the case shows: each load, each quantity by its place, and points of progress and value (SI) at the median.
+    pub curves: Vec<Shown>,
+}
+
+/// A curve to be drawn beside readings.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shown {
+    /// The load (N), where tests have loads of their own.
+    pub load: Option<f64>,
+    /// The quantity, as its place in the list.
+    pub quantity: usize,
+    /// How far, and for each the values at the ends of the 95 % intervals of the next test, of the median, and the median: SI;
+    /// `next low, low, median, high, next high`.
+    pub points: Vec<(f64, [f64; 5])>,
+}
+
+/// A fit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fit {
+    /// What says how far readings are: the name of the column.
+    pub progress: &'static str,
+    /// What was measured: the names of the columns, a factor from SI to the unit shown, and that unit.
+    pub quantities: Vec<(String, f64, &'static str)>,
+    /// The coefficients.
+    pub coefficients: Vec<Coefficient>,
+    /// What has to be said.
+    pub remarks: Vec<String>,
+    /// Number of runs.
+    pub runs: usize,
+    /// Whether one run told all k.
+    pub by_k_s: bool,
+}
+
+/// Fits the coefficients of a case to a table of measured tests.
+///
+/// # Errors
+/// If case and table do not go together, a reading cannot be used, a run fails, or the tests do not tell a coefficient.
+pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
+    let case = file.resolve().map_err(|problems| {
+        let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
+        Error::Mismatch(why.join("\n"))
+    })?;
+    let case = case.case;
+    if case.accuracy.is_some() {
+        let why = "a fit takes a case with a frame and a step or tolerance: one with an `accuracy` looks for its elements by \
+                   runs of its own";
+        return Err(Error::Mismatch(why.to_owned()));
+    }
+    let mut measured = Measurement::of(table, &case, request.parameter)?;
+    let load = load_key(&case, &measured)?;
+    let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
+    let by_k_s = linear && case.wears_by_k_s().is_some();
+    let runner = Runner {
+        file,
+        quantities: &measured.quantities,
+        columns: measured.progress.1,
+        dir: request.dir,
+        store: request.store,
+        tell: request.tell,
+        count: 0,
+    };
+    let others = others(&case, &measured.targets);
+    let mut search = Search {
+        runner,
+        table,
+        progress: measured.progress.0,
+        targets: &measured.targets,
+        load,
+        others,
+        by_k_s,
+        reference: measured.targets.iter().map(|own| own.value).collect(),
+        variant: Variant::default(),
+        known: HashMap::new(),
+        scale: HashMap::new(),
+        shares: HashMap::new(),
+        name: "run",
+    };
+    let first = search.settle()?;
+    let mut remarks = std::mem::take(&mut measured.remarks);
+    let commons = search.commons(&case, &first, request.uncertain, &mut remarks)?;
+    let coefficients = search.conclude(&commons)?;
+    remarks.extend(search.doubts());
+    let quantities = measured.quantities.iter().map(|own| {
+        let (factor, unit) = own.kind.shown();
+        (own.name.clone(), factor, unit)
+    });
+    Ok(Fit {
+        progress: measured.progress.0,
+        quantities: quantities.collect(),
+        runs: search.runner.count,
+        coefficients,
+        remarks,
+        by_k_s,
+    })
+}
+
+/// The key of the load, where tests have loads of their own.
+fn load_key(case: &Case, measured: &Measurement) -> Result<Option<String>, Error> {
+    let own =
+        measured.targets.iter().flat_map(|target| &target.tests).any(|test| test.load.is_some());
+    if !own {
+        return Ok(None);
+    }
+    let key = format!("motion.{}.load", case.motion.choice.name);
+    match case.number_at(&key) {
+        Some((_, unit)) if unit == "N" => Ok(Some(key)),
+        _ => Err(Error::Mismatch(format!(
+            "tests have loads (N), and the case has no such `{key}`: leave the column `load` out, or fit load by load"
+        ))),
+    }
+}
+
+/// Coefficients of bodies that wear and are not fitted: keys, values and units.
+fn others(case: &Case, targets: &[Target]) -> Vec<(String, f64, String)> {
+    let own = |body: &crate::case::BodyCase| {
+        let key =
+            format!("body.{}.wear.{}.coefficient", body.name, body.wear.as_ref()?.choice.name);
+        let (value, unit) = case.number_at(&key)?;
+        (value > 0.0 && targets.iter().all(|target| target.key != key))
+            .then_some((key, value, unit))
+    };
+    case.bodies.iter().filter_map(own).collect()
+}
+
+/// How the runs differ from those of the fit, to see what that does to k.
+#[derive(Debug, Clone, Default)]
+struct Variant {
+    settings: Vec<(String, f64, String)>,
+    /// Factors of loads and of how far readings are.
+    load: Option<f64>,
+    far: Option<f64>,
+    coarse_steps: bool,
+    coarse_elements: bool,
+}
+
+struct Search<'a> {
+    runner: Runner<'a>,
+    table: &'a Table,
+    progress: &'static str,
+    targets: &'a [Target],
+    load: Option<String>,
+    others: Vec<(String, f64, String)>,
+    by_k_s: bool,
+    /// The coefficients at which the scale of a run is one.
+    reference: Vec<f64>,
+    variant: Variant,
+    /// Runs by what they were run with.
+    known: HashMap<String, Run>,
+    /// By load: the scale of the run that tells all k, and the places its steps end at.
+    scale: HashMap<u64, f64>,
+    shares: HashMap<u64, Vec<f64>>,
+    name: &'static str,
+}
+
+/// The place of a load in maps.
+fn of_load(load: Option<f64>) -> u64 {
+    load.unwrap_or(0.0).to_bits()
+}
+
+impl Search<'_> {
+    /// Rounds of runs until the coefficients settle.
+    fn settle(&mut self) -> Result<Vec<Estimate>, Error> {
+        let mut last: Option<Vec<Estimate>> = None;
+        let mut change = f64::INFINITY;
+        for _ in 0..ROUNDS {
+            let found = self.estimates(&[])?;
+            let logs = |all: &[Estimate]| -> Vec<f64> {
+                all.iter().flat_map(|own| own.tests.iter().map(|test| test.1.ln())).collect()
+            };
+            let last_logs = last.as_deref().map(logs);
+            change = last_logs.map_or(f64::INFINITY, |last| {
+                let changes =
+                    logs(&found).into_iter().zip(last).map(|(new, old)| (new - old).abs());
+                changes.fold(0.0, f64::max)
+            });
+            let ratio = self.ratio_change(&found);
+            let reaches = !self.by_k_s || self.reaches(&found);
+            let alone = !self.by_k_s && self.targets.len() == 1;
+            if alone || change <= SETTLED && ratio <= SETTLED && reaches {
+                return Ok(found);
+            }
+            self.adapt(&found);
+            last = Some(found);
+        }
+        Err(Error::Unsettled { rounds: ROUNDS, change })
+    }
+
+    /// How much the ratios of the coefficients of both bodies differ from those of the runs.
+    fn ratio_change(&self, found: &[Estimate]) -> f64 {
+        let changes: Vec<f64> = found
+            .iter()
+            .zip(&self.reference)
+            .map(|(own, known)| (own.median / known).ln())
+            .collect();
+        let fixed = (self.by_k_s && !self.others.is_empty()).then_some(0.0);
+        let all = || changes.iter().copied().chain(fixed);
+        all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether the runs go as far as the readings, and not much farther.
+    fn reaches(&self, found: &[Estimate]) -> bool {
+        self.loads().into_iter().all(|load| {
+            let needed = self.needed(found, load);
+            let share = needed / self.scale.get(&of_load(load)).copied().unwrap_or(1.0);
+            (0.5..=BEYOND).contains(&share)
+        })
+    }
+
+    /// The scale of a run that ends where the last reading of a load asks for.
+    fn needed(&self, found: &[Estimate], load: Option<f64>) -> f64 {
+        let end = self.end();
+        let mut needed = 0.0_f64;
+        for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
+            for (test, (_, k, _)) in
+                target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
+            {
+                let far = test.readings.last().map_or(0.0, |reading| reading.progress);
+                needed = needed.max(k / reference * far / end);
+            }
+        }
+        needed
+    }
+
+    /// Runs of the next round: their coefficients, how far they go, and where their steps end.
+    fn adapt(&mut self, found: &[Estimate]) {
+        self.reference = found.iter().map(|own| own.median).collect();
+        if !self.by_k_s {
+            return;
+        }
+        let end = self.end();
+        for load in self.loads() {
+            let scale = 1.001 * self.needed(found, load);
+            let mut shares = vec![];
+            for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
+                for (test, (_, k, _)) in
+                    target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
+                {
+                    let far = test.readings.iter().map(|reading| reading.progress);
+                    shares.extend(far.map(|far| k / reference * far / end / scale));
+                }
+            }
+            self.scale.insert(of_load(load), scale);
+            self.shares.insert(of_load(load), shares);
+        }
+        self.known.clear();
+    }
+
+    /// All loads of tests.
+    fn loads(&self) -> Vec<Option<f64>> {
+        let mut loads: Vec<Option<f64>> = vec![];
+        for test in self.targets.iter().flat_map(|target| &target.tests) {
+            if !loads.contains(&test.load) {
+                loads.push(test.load);
+            }
+        }
+        loads
+    }
+
+    /// How far runs go, by the column of the readings.
+    fn end(&self) -> f64 {
+        self.known.values().next().map_or(1.0, |run| run.end)
+    }
+
+    /// What the tests say with the runs as they are now.
+    fn estimates(&mut self, commons: &[Vec<Common>]) -> Result<Vec<Estimate>, Error> {
+        let targets = self.targets;
+        let quantities: Vec<String> =
+            self.runner.quantities.iter().map(|own| own.name.clone()).collect();
+        let mut all = vec![];
+        for (place, target) in targets.iter().enumerate() {
+            let study = Study { quantities: quantities.clone(), tests: target.tests.clone() };
+            let common = commons.get(place).map_or(&[][..], Vec::as_slice);
+            let guess = self.reference[place];
+            let settled = FITTED[usize::from(!self.by_k_s)];
+            let mut model =
+                |test: usize, log_k: f64| self.expected(place, &target.tests[test], log_k);
+            let found = study.estimate((guess, settled), common, &mut model);
+            all.push(found.map_err(|error| Error::untold(&error.test, error.cause))?);
+        }
+        Ok(all)
+    }
+
+    /// What runs say of the readings of a test at a logarithm of its coefficient.
+    fn expected(&mut self, place: usize, test: &Test, log_k: f64) -> Result<Vec<Expected>, Error> {
+        let scale = log_k.exp() / self.reference[place];
+        let far = 1.0 + self.variant.far.unwrap_or(0.0);
+        if self.by_k_s {
+            let own = self.scale.get(&of_load(test.load)).copied().unwrap_or(1.0);
+            let run = self.run(own, test.load)?;
+            self.within(&run, test)?;
+            let at = |reading: &super::Reading| {
+                run.at(reading.quantity, reading.progress * far * scale / own)
+            };
+            return Ok(test.readings.iter().map(at).collect());
+        }
+        let [here, tried] = [self.run(1.0, test.load)?, self.run(TRIED, test.load)?];
+        self.within(&here, test)?;
+        let run = self.run(scale, test.load)?;
+        let at = |reading: &super::Reading| {
+            let log = |run: &Run| run.at(reading.quantity, reading.progress * far).log;
+            Expected { log: log(&run), slope: (log(&tried) - log(&here)) / TRIED.ln() }
+        };
+        Ok(test.readings.iter().map(at).collect())
+    }
+
+    /// Refuses readings beyond the run.
+    fn within(&self, run: &Run, test: &Test) -> Result<(), Error> {
+        match test.readings.iter().find(|reading| reading.progress > run.end * (1.0 + 1e-9)) {
+            None => Ok(()),
+            Some(reading) => Err(Error::Reading {
+                table: self.table.source().to_owned(),
+                line: reading.line,
+                why: format!(
+                    "`{}` is {} (SI) and the run of the case ends at {}: let the case go as far as the readings",
+                    self.progress, reading.progress, run.end
+                ),
+            }),
+        }
+    }
+
+    /// The run at a scale of the coefficients.
+    fn run(&mut self, scale: f64, load: Option<f64>) -> Result<Run, Error> {
+        let mut settings = vec![];
+        for (target, reference) in self.targets.iter().zip(&self.reference) {
+            settings.push((target.key.clone(), reference * scale, target.unit.clone()));
+        }
+        // What only counts as k s is scaled as a whole.
+        let factor = if self.by_k_s { scale } else { 1.0 };
+        settings.extend(
+            self.others
+                .iter()
+                .map(|(key, value, unit)| (key.clone(), factor * value, unit.clone())),
+        );
+        if let (Some(key), Some(load)) = (&self.load, load) {
+            settings.push((
+                key.clone(),
+                load * (1.0 + self.variant.load.unwrap_or(0.0)),
+                "N".to_owned(),
+            ));
+        }
+        settings.extend(self.variant.settings.iter().cloned());
+        let id = format!("{settings:?}");
+        if let Some(run) = self.known.get(&id) {
+            return Ok(run.clone());
+        }
+        let shares = match self.by_k_s {
+            true => self.shares.get(&of_load(load)).cloned().unwrap_or_default(),
+            false => self.places(load),
+        };
+        let Variant { coarse_steps, coarse_elements, .. } = self.variant;
+        let run = self
+            .runner
+            .run(&Changes { settings, shares, coarse_steps, coarse_elements }, self.name)?;
+        self.known.insert(id, run.clone());
+        Ok(run)
+    }
+
+    /// The places of readings in a run, once it is known how far it goes.
+    fn places(&self, load: Option<f64>) -> Vec<f64> {
+        let Some(run) = self.known.values().next() else { return vec![] };
+        let tests = self.targets.iter().flat_map(|target| &target.tests);
+        let readings = tests.filter(|test| test.load == load).flat_map(|test| &test.readings);
+        readings.map(|reading| reading.progress / run.end).collect()
+    }
+}
+
+mod conclude;

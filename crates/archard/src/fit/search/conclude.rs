@@ -1,0 +1,173 @@
+//! What follows once the coefficients have settled: what is uncertain in all tests alike, and what is shown.
+
+use std::collections::HashMap;
+
+use super::super::{Common, Error, Estimate};
+use super::{Coefficient, Search, Shown, Variant, of_load};
+use crate::case::Case;
+use crate::verdict::Word;
+
+/// Points of a curve that is shown.
+const POINTS: usize = 60;
+/// A coefficient so many times that of the case is remarked upon.
+const FAR: f64 = 100.0;
+
+impl Search<'_> {
+    /// Standard uncertainties of each coefficient that all tests have in common: by the steps and elements of the runs, and by
+    /// what was said to be uncertain.
+    pub(super) fn commons(
+        &mut self,
+        case: &Case,
+        found: &[Estimate],
+        uncertain: &[(String, f64)],
+        remarks: &mut Vec<String>,
+    ) -> Result<Vec<Vec<Common>>, Error> {
+        let mut commons = vec![vec![]; found.len()];
+        let mut variants = vec![(
+            "steps of the run".to_owned(),
+            Variant { coarse_steps: true, ..Variant::default() },
+        )];
+        if !case.is_meshed() {
+            let elements = Variant { coarse_elements: true, ..Variant::default() };
+            variants.push(("elements of the run".to_owned(), elements));
+        }
+        let computed = variants.len();
+        for (key, relative) in uncertain {
+            variants.push((key.clone(), self.changed(case, key, *relative)?));
+        }
+        let known = std::mem::take(&mut self.known);
+        self.name = "check";
+        for (index, (name, variant)) in variants.into_iter().enumerate() {
+            self.variant = variant;
+            self.known = HashMap::new();
+            match self.estimates(&[]) {
+                Ok(other) => {
+                    for ((common, own), other) in commons.iter_mut().zip(found).zip(other) {
+                        common.push((name.clone(), (other.median / own.median).ln().abs()));
+                    }
+                }
+                Err(error) if index < computed => {
+                    remarks.push(format!("the error by the {name} is not known: {error}"));
+                }
+                Err(error) => return Err(error),
+            }
+        }
+        (self.variant, self.known, self.name) = (Variant::default(), known, "run");
+        Ok(commons)
+    }
+
+    /// The runs with a value off by its uncertainty.
+    fn changed(&self, case: &Case, key: &str, relative: f64) -> Result<Variant, Error> {
+        if key == self.progress {
+            return Ok(Variant { far: Some(relative), ..Variant::default() });
+        }
+        if self.load.as_deref() == Some(key) {
+            return Ok(Variant { load: Some(relative), ..Variant::default() });
+        }
+        let extents = ["distance", "revolutions", "cycles"];
+        if extents.iter().any(|name| key == format!("motion.{}.{name}", case.motion.choice.name)) {
+            return Err(Error::Mismatch(format!(
+                "`{key}` is how far the run goes; the uncertainty of how far readings are is that of `{}`",
+                self.progress
+            )));
+        }
+        let Some((value, unit)) = case.number_at(key) else {
+            return Err(Error::Mismatch(format!(
+                "`{key}` is no number in the case that could be uncertain"
+            )));
+        };
+        let settings = vec![(key.to_owned(), value * (1.0 + relative), unit)];
+        Ok(Variant { settings, ..Variant::default() })
+    }
+
+    /// The coefficients with all that is known, and their curves.
+    pub(super) fn conclude(&mut self, commons: &[Vec<Common>]) -> Result<Vec<Coefficient>, Error> {
+        let estimates = self.estimates(commons)?;
+        let targets = self.targets;
+        let mut coefficients = vec![];
+        for (place, (target, estimate)) in targets.iter().zip(estimates).enumerate() {
+            if estimate.is_flat() {
+                let test = target.tests[0].name.clone();
+                let why = "readings cannot tell the coefficient: it may as well be a tenth or ten times as large".to_owned();
+                return Err(Error::Untold { test, why });
+            }
+            let mut curves = vec![];
+            for load in self.loads() {
+                curves.extend(self.curves(place, load, &estimate)?);
+            }
+            coefficients.push(Coefficient {
+                key: target.key.clone(),
+                unit: target.unit.clone(),
+                before: target.value,
+                tests: target.tests.clone(),
+                estimate,
+                curves,
+            });
+        }
+        Ok(coefficients)
+    }
+
+    /// What the case shows at the median and the ends of the intervals, of each quantity with readings at a load.
+    fn curves(
+        &mut self,
+        place: usize,
+        load: Option<f64>,
+        own: &Estimate,
+    ) -> Result<Vec<Shown>, Error> {
+        let targets = self.targets;
+        let tests: Vec<_> = targets[place].tests.iter().filter(|test| test.load == load).collect();
+        let readings = || tests.iter().flat_map(|test| &test.readings);
+        let [low, high] = own.interval.unwrap_or([own.median; 2]);
+        let [next_low, next_high] = own.next.unwrap_or([low, high]);
+        let ks = [next_low, low, own.median, high, next_high];
+        let far = readings().map(|reading| reading.progress).fold(0.0, f64::max);
+        let near = readings().map(|reading| reading.progress).fold(far, f64::min);
+        let (first, last) = ((0.5 * near).min(0.02 * far), 1.05 * far);
+        let mut runs = vec![];
+        for k in ks {
+            let scale = k / self.reference[place];
+            runs.push(match self.by_k_s {
+                true => {
+                    let own = self.scale.get(&of_load(load)).copied().unwrap_or(1.0);
+                    (self.run(own, load)?, scale / own)
+                }
+                false => (self.run(scale, load)?, 1.0),
+            });
+        }
+        let quantities = (0..self.runner.quantities.len())
+            .filter(|&quantity| readings().any(|reading| reading.quantity == quantity));
+        let point = |quantity: usize, index: usize| {
+            let at = first * (last / first).powf(index as f64 / (POINTS - 1) as f64);
+            let value = |(run, scale): &(super::Run, f64)| run.at(quantity, at * scale).log.exp();
+            (at, std::array::from_fn(|i| value(&runs[i])))
+        };
+        let shown = |quantity: usize| {
+            let points = (0..POINTS).map(|index| point(quantity, index)).collect();
+            Shown { load, quantity, points }
+        };
+        Ok(quantities.map(shown).collect())
+    }
+
+    /// What is doubtful about the runs, and about what came out.
+    pub(super) fn doubts(&self) -> Vec<String> {
+        let mut doubts: Vec<String> = vec![];
+        for run in self.known.values().filter(|run| run.verdict.word() != Word::Good) {
+            for line in run.verdict.complaints() {
+                let text = format!("the run of the model is {}: {line}", line.word().text());
+                if !doubts.contains(&text) {
+                    doubts.push(text);
+                }
+            }
+        }
+        for (target, reference) in self.targets.iter().zip(&self.reference) {
+            let times = reference / target.value;
+            if self.by_k_s && !(1.0 / FAR..FAR).contains(&times) {
+                doubts.push(format!(
+                    "{} is {times:.1e} times what the case has: see that the units of the readings are right",
+                    target.key
+                ));
+            }
+        }
+        doubts
+    }
+}
