@@ -42,7 +42,7 @@
     separators: ".\u2009",
     xaxis: { ...frame, ...layout.xaxis },
     yaxis: { ...frame, ...layout.yaxis },
-    legend: { orientation: "h", x: 0, xanchor: "left", y: -0.2, yanchor: "top", ...layout.legend },
+    legend: { orientation: "h", x: 0, xanchor: "left", y: -0.27, yanchor: "top", ...layout.legend },
   });
   // A picture of what is drawn stands in its place in print.
   const printed = async (place) => {

@@ -123,7 +123,7 @@ fn add(
     );
     if within.len() < taken.len() {
         comparison.remarks.push(format!(
-            "{} readings of the {called} beyond the end of the run are left out",
+            "readings of the {called} beyond the end of the run, left out: {}",
             taken.len() - within.len()
         ));
     }

@@ -7,7 +7,6 @@ use archard::units::Measure;
 
 use super::level::{FEWEST, Level, Reading, least};
 use super::{Comparison, percent, unused};
-use crate::number::count;
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::{Unit, phrase};
@@ -81,7 +80,7 @@ pub(super) fn compare(
                 shown(level.scatter, "m")
             ),
         ));
-        lines.push(line("tilt taken off", format!("{:.4} um/mm", 1e3 * level.tilt)));
+        lines.push(line("tilt taken off", format!("{:.4} µm/mm", 1e3 * level.tilt)));
         lines.push(line("offset taken off", shown(level.offset, "m")));
         lines.push(line("shift", format!("{} along {}", shown(level.shift, "m"), axis.name())));
     }
@@ -130,11 +129,13 @@ pub(super) fn compare(
     }
     let mut remarks: Vec<String> = unused(table, &[axis.name(), "z"]).into_iter().collect();
     let beyond = readings.len() - inside.len();
-    if beyond > 0 {
-        remarks.push(format!(
-            "{} readings beside the scar count for the level alone",
-            count(beyond as f64)
-        ));
+    if beyond > 0 && levelled {
+        remarks.push(format!("readings beside the scar, not compared: {beyond}"));
+    }
+    if !levelled {
+        let debris = beyond.saturating_sub(level.used);
+        remarks.push(format!("readings beside the scar, for the level alone: {}", level.used));
+        remarks.push(format!("debris beside the scar, left out: {debris}"));
     }
     if !levelled && curved(&nominal, &section) {
         remarks.push("on a curved body a shift and a tilt are nearly the same: their sum counts, not each of them".to_owned());

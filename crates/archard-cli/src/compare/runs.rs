@@ -9,6 +9,7 @@ use archard::simulation::history::{
 
 use super::Comparison;
 use crate::plot::results::Results;
+use crate::plot::scale::Unit;
 use crate::plot::tables::largest;
 use crate::plot::{self};
 use crate::report::measured as shown;
@@ -40,13 +41,9 @@ pub(super) fn compare(dir: &Path, results: &Results, others: &[PathBuf]) -> Resu
         let other = Results::read(path)?;
         let [end, own] = [&other, results].map(|run| largest(run.progress().1));
         if (end / own - 1.0).abs() > 1e-9 {
-            let unit = results.progress_unit();
-            let words = format!(
-                "`{}` ends at {}, this run at {}",
-                path.display(),
-                unit.show(end),
-                unit.show(own)
-            );
+            let column = results.progress().0;
+            let [there, here] = [end, own].map(|end| Unit::of_column(column, end).show(end));
+            let words = format!("`{}` ends at {there}, this run at {here}", path.display());
             comparison.remarks.push(words);
         }
         comparison

@@ -13,6 +13,8 @@ use super::tables::size;
 
 /// Share of its size by which a quantity has to change to be worth a panel.
 const CHANGE: f64 = 1e-3;
+/// Share of the largest below which a quantity is rounding.
+const ROUNDING: f64 = 1e-6;
 /// How dark the band of the stated error is.
 pub(crate) const ERROR: f64 = 0.25;
 
@@ -35,8 +37,9 @@ const COURSES: [Course; 5] = [
 
 /// A panel for each quantity that changes.
 pub(crate) fn panels(results: &Results) -> Result<Vec<Panel>> {
-    let swept = results.sweeps();
-    let shown = COURSES.iter().filter(|course| !(swept && course.0 == "Force"));
+    // Forces over a sweep and of cycles have pictures of their own.
+    let apart = results.sweeps() || results.rubs();
+    let shown = COURSES.iter().filter(|course| !(apart && course.0 == "Force"));
     shown.filter_map(|course| panel(results, course).transpose()).collect()
 }
 
@@ -47,8 +50,11 @@ fn panel(results: &Results, (name, columns, unit): &Course) -> Result<Option<Pan
         .filter_map(|(column, legend)| {
             Some((*column, *legend, results.history.column(column).ok()?))
         })
-        .filter(|(_, _, values)| size(values) > 0.0)
+        // What sticks changes within each cycle.
+        .filter(|known| !(results.rubs() && known.0 == STICK_AREA))
         .collect();
+    let most = known.iter().map(|known| size(known.2)).fold(0.0, f64::max);
+    let known: Vec<_> = known.into_iter().filter(|known| size(known.2) > ROUNDING * most).collect();
     let changes = |values: &&[f64]| {
         let first = values.first().copied().unwrap_or_default();
         values.iter().any(|value| (value - first).abs() > CHANGE * size(values))
@@ -56,10 +62,7 @@ fn panel(results: &Results, (name, columns, unit): &Course) -> Result<Option<Pan
     if !known.iter().any(|(_, _, values)| changes(values)) {
         return Ok(None);
     }
-    let (along, unit) = (
-        results.progress_unit(),
-        unit(known.iter().map(|known| size(known.2)).fold(0.0, f64::max)),
-    );
+    let (along, unit) = (results.progress_unit(), unit(most));
     let mut curves = Curves::new();
     for (index, (column, legend, values)) in known.iter().enumerate() {
         let colour = if index == 0 { COLOURS[0] } else { OTHERS[0] };

@@ -25,7 +25,7 @@ use archard::simulation::{Effort, Observer, Report, Simulation};
 use archard::wear::Archard;
 use tempfile::tempdir;
 
-use super::draw::Paper;
+use super::draw::{Format, Paper, Width};
 use super::results::Results;
 use super::run;
 use super::tables::Axis;
@@ -205,7 +205,38 @@ fn a_run_that_has_only_begun_is_drawn() {
     let dir = tempdir().unwrap();
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
     write(dir.path(), "", &problem, &[ContactState::untouched(problem.frame.gap())], false);
-    assert_eq!(drawn(dir.path()).len(), 8);
+    // There is no load yet to draw over the approach.
+    assert_eq!(drawn(dir.path()).len(), 6);
+}
+
+#[test]
+fn pictures_for_a_column_are_as_wide_as_one() {
+    let dir = tempdir().unwrap();
+    slide(dir.path(), [1.33e-13, 0.0], true);
+    let paper = Paper { width: Some(Width::Column), formats: vec![Format::Svg, Format::Pdf] };
+    let files = run(dir.path(), &[], &paper).unwrap();
+    let named = |name: &str| files.iter().find(|file| file.ends_with(name)).unwrap();
+    let svg = fs::read_to_string(named("wear.svg")).unwrap();
+    assert!(svg.contains("width=\"85mm\"") && svg.contains("viewBox=\"0 0 "), "{}", &svg[..200]);
+    assert!(fs::read(named("wear.pdf")).unwrap().starts_with(b"%PDF"));
+    assert!(files.iter().all(|file| file.extension().unwrap() != "png"));
+}
+
+/// A contact from 0.2 to 0.5 mm is shown with an eighth of its width on either side, not from the middle of the frame on.
+#[test]
+fn pictures_are_framed_by_the_contact() {
+    let dir = tempdir().unwrap();
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    let mut aside = state(&problem, 10.2, 0.0, [0.0; 2]);
+    let within = |pair: usize| (0.2e-3..0.5e-3).contains(&problem.frame.place(pair)[0]);
+    aside.pressure = (0..problem.frame.len()).map(|pair| f64::from(within(pair)) * 1e8).collect();
+    write(dir.path(), "", &problem, &[aside], true);
+    let [low, high] = Results::read(dir.path()).unwrap().window(Axis::X).unwrap();
+    // Centres of elements of 20 um from 0.21 to 0.49 mm.
+    assert!(
+        (low - (0.21e-3 - 0.035e-3)).abs() < 1e-9 && (high - 0.525e-3).abs() < 1e-9,
+        "{low} {high}"
+    );
 }
 
 /// A scar of 0.4 mm to either side, wider than the contact, is shown with a tenth of room; a track all along x is not.

@@ -128,7 +128,7 @@ fn words(panel: &Panel) -> String {
         let finite = || points.iter().filter(|point| point.1.is_finite());
         let (Some(first), Some(last)) = (finite().next(), finite().next_back()) else { continue };
         let high = finite().map(|point| point.1).fold(f64::NEG_INFINITY, f64::max);
-        let most = if high > first.1.max(last.1) {
+        let most = if high > first.1.max(last.1) + 1e-3 * high.abs() {
             format!(", at most {}", plain(high))
         } else {
             String::new()
@@ -136,7 +136,7 @@ fn words(panel: &Panel) -> String {
         parts.push(format!("{legend}: from {} to {}{most}", plain(first.1), plain(last.1)));
     }
     // Many sections begin and end alike: their values are seen, not told.
-    if parts.len() > 3 {
+    if parts.len() > 4 {
         return format!("{y} over {x}, {} curves.", parts.len());
     }
     let curves = if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) };

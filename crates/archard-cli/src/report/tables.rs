@@ -31,7 +31,11 @@ pub(super) fn results(results: &Results) -> Table {
             continue;
         }
         let (label, unit) = label(results, name);
-        let value = if unit.is_empty() { count(value) } else { measured(value, unit) };
+        // Components that are nothing but rounding beside the load.
+        let rounding = ROUNDING * last(LOAD).unwrap_or_default();
+        let value = if ["N", "Nm"].contains(&unit) && value.abs() < rounding { 0.0 } else { value };
+        let whole = unit.is_empty() && value == value.round();
+        let value = if whole { count(value) } else { measured(value, unit) };
         let error = results.error(name).and_then(|errors| errors.last().copied());
         let error = error
             .map_or_else(|| NOT_STATED.to_owned(), |error| format!("± {}", measured(error, unit)));
@@ -51,6 +55,9 @@ pub(super) fn results(results: &Results) -> Table {
     }
     Table { caption: format!("Numbers at {} {end}", phrase(column).to_lowercase()), heads, rows }
 }
+
+/// Share of the load below which a force (N) or moment (N m) is rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What stands beside a number without an error.
 const NOT_STATED: &str = "not stated";
@@ -266,16 +273,21 @@ fn rolled(results: &Results, pairs: &mut Vec<Pair<'_>>) {
     if !results.rolls() {
         return;
     }
-    let end = last(results.progress().0).unwrap_or_default();
+    let row = if results.wears() { 0 } else { results.history.rows() - 1 };
+    let at = |column: &str| {
+        results.history.column(column).ok().and_then(|values| values.get(row).copied())
+    };
+    let when = if results.wears() { " of the unworn bodies" } else { "" };
+    let end = at(results.progress().0).unwrap_or_default();
     let estimates =
         results.case.as_ref().map_or(vec![], |case| case.estimates(std::iter::once(end)));
     let Some(rolled) = estimates.first().and_then(|estimate| estimate.rolled) else { return };
-    let (Some([along, across]), Some((x, y))) = (rolled.force, last(FORCE[0]).zip(last(FORCE[1])))
+    let (Some([along, across]), Some((x, y))) = (rolled.force, at(FORCE[0]).zip(at(FORCE[1])))
     else {
         return;
     };
     let theory = if rolled.line { "Carter" } else { "Vermeulen and Johnson" };
-    let what = "Creep force".to_owned();
+    let what = format!("Creep force{when}");
     pairs.push(Pair {
         what,
         theory,

