@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod finite;
+mod fit;
 mod memory;
 mod sweep;
 mod verdict;
