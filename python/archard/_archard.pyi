@@ -63,7 +63,6 @@ class Run:
 
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...
-
 def fit(
     case: CaseFile,
     table: tuple[str, bytes],
