@@ -21,6 +21,7 @@ from archard._errors import (
     RunError,
     WrongResult,
 )
+from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
 from archard._sweep import Row, Sweep, sweep
 from archard.case import Case, Forecast, cases
@@ -33,6 +34,9 @@ __all__ = [
     "Case",
     "CaseError",
     "CaseWarning",
+    "Coefficient",
+    "Exponent",
+    "Fit",
     "Forecast",
     "Law",
     "NotConverged",
@@ -51,5 +55,6 @@ __all__ = [
     "WrongResult",
     "__version__",
     "cases",
+    "fit",
     "sweep",
 ]

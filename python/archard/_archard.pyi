@@ -7,7 +7,7 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["UNITS", "CaseFile", "Checked", "Run", "__version__", "read_fields", "solve_elastic"]
+__all__ = ["UNITS", "CaseFile", "Checked", "Run", "__version__", "fit", "read_fields", "solve_elastic"]
 __version__: str
 UNITS: list[str]
 
@@ -63,3 +63,11 @@ class Run:
 
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...
+def fit(
+    case: CaseFile,
+    table: tuple[str, bytes],
+    columns: Sequence[tuple[str, str]],
+    parameter: str | None,
+    uncertain: Sequence[tuple[str, float]],
+    dir: str | PathLike[str],
+) -> tuple[str, str, str]: ...

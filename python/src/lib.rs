@@ -6,6 +6,7 @@
 mod away;
 mod case;
 mod fields;
+mod fit;
 mod friction;
 mod law;
 mod run;
@@ -28,6 +29,8 @@ mod _archard {
     use super::case::{CaseFile, Checked};
     #[pymodule_export]
     use super::fields::read_fields;
+    #[pymodule_export]
+    use super::fit::fit;
     #[pymodule_export]
     use super::run::{Run, solve_elastic};
 

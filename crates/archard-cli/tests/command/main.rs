@@ -4,6 +4,7 @@ mod accuracy;
 mod browser;
 mod compare;
 mod finite;
+mod fit;
 mod memory;
 mod report;
 mod sweep;

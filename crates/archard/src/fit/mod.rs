@@ -8,6 +8,7 @@ mod effects;
 mod error;
 mod estimate;
 mod measurement;
+mod outcome;
 mod quantity;
 mod report;
 mod runs;
@@ -18,8 +19,9 @@ mod within;
 pub use effects::Effects;
 pub use error::Error;
 pub use estimate::{Common, Estimate, Model, NoEstimate, Study};
-pub use search::{Coefficient, Fit, Request, Shown, fit};
-pub use shape::{Exponent, REJECTED};
+pub use outcome::{Coefficient, Fit, Shown};
+pub use search::{Request, fit};
+pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use serde_json::{Value, json};
 
-use super::search::{Coefficient, Fit};
+use super::outcome::{Coefficient, Fit};
 use super::{Estimate, Exponent};
 use crate::verdict::four;
 

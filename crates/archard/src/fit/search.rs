@@ -4,21 +4,20 @@
 //! s k / k_run, and the last round's steps end there. Other laws are run anew at each k that is tried. Where both bodies wear,
 //! tests are held against runs in which the ratio of the coefficients is that of their medians.
 
+mod conclude;
+mod rounds;
+
 use std::collections::HashMap;
 use std::path::Path;
 
 use super::measurement::{Measurement, Target};
+use super::outcome::Fit;
 use super::runs::{Changes, Run, Runner};
 use super::{Common, Error, Estimate, Expected, Study, Test};
 use crate::case::{Case, CaseFile};
 use crate::measured::Table;
 use crate::output::Store;
 
-/// Rounds of runs at most, and the relative change of k that ends them: where one run tells all k, and where it does not.
-const ROUNDS: usize = 10;
-const SETTLED: [f64; 2] = [1e-3, 5e-3];
-/// Part of a run beyond its end that readings may reach into before the run is made longer.
-const BEYOND: f64 = 1.02;
 /// The change of k by which the slopes of a law that is not linear are found.
 const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
@@ -36,52 +35,6 @@ pub struct Request<'a> {
     pub store: Option<&'a Store>,
     /// Told of each run.
     pub tell: &'a mut dyn FnMut(&str),
-}
-
-/// A coefficient that was fitted.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Coefficient {
-    /// Its key.
-    pub key: String,
-    /// Its unit (SI).
-    pub unit: String,
-    /// Its value in the case.
-    pub before: f64,
-    /// What the tests say.
-    pub estimate: Estimate,
-    /// The tests.
-    pub tests: Vec<Test>,
-    /// What the case shows: each load, each quantity by its place, and points of progress and value (SI) at the median.
-    pub curves: Vec<Shown>,
-}
-
-/// A curve to be drawn beside readings.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Shown {
-    /// The load (N), where tests have loads of their own.
-    pub load: Option<f64>,
-    /// The quantity, as its place in the list.
-    pub quantity: usize,
-    /// How far, and for each the values at the ends of the 95 % intervals of the next test, of the median, and the median: SI;
-    /// `next low, low, median, high, next high`.
-    pub points: Vec<(f64, [f64; 5])>,
-}
-
-/// A fit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fit {
-    /// What says how far readings are: the name of the column.
-    pub progress: &'static str,
-    /// What was measured: the names of the columns, a factor from SI to the unit shown, and that unit.
-    pub quantities: Vec<(String, f64, &'static str)>,
-    /// The coefficients.
-    pub coefficients: Vec<Coefficient>,
-    /// What has to be said.
-    pub remarks: Vec<String>,
-    /// Number of runs.
-    pub runs: usize,
-    /// Whether one run told all k.
-    pub by_k_s: bool,
 }
 
 /// Fits the coefficients of a case to a table of measured tests.
@@ -219,110 +172,6 @@ fn of_load(load: Option<f64>) -> u64 {
 }
 
 impl Search<'_> {
-    /// Rounds of runs until the coefficients settle.
-    fn settle(&mut self) -> Result<Vec<Estimate>, Error> {
-        let mut last: Option<Vec<Estimate>> = None;
-        let mut change = f64::INFINITY;
-        for _ in 0..ROUNDS {
-            let found = self.estimates(&[])?;
-            let logs = |all: &[Estimate]| -> Vec<f64> {
-                all.iter().flat_map(|own| own.tests.iter().map(|test| test.1.ln())).collect()
-            };
-            let last_logs = last.as_deref().map(logs);
-            change = last_logs.map_or(f64::INFINITY, |last| {
-                let changes =
-                    logs(&found).into_iter().zip(last).map(|(new, old)| (new - old).abs());
-                changes.fold(0.0, f64::max)
-            });
-            let off = self.ratio_off(&found);
-            let settled = SETTLED[usize::from(!self.by_k_s)];
-            let reaches = !self.by_k_s || self.reaches(&found);
-            let alone = !self.by_k_s && self.targets.len() == 1;
-            if alone || change <= settled && off.abs() <= settled && reaches {
-                return Ok(found);
-            }
-            self.adapt(&found, off);
-            last = Some(found);
-        }
-        Err(Error::Unsettled { rounds: ROUNDS, change })
-    }
-
-    /// How far the logarithm of the ratio of both coefficients is from that of the runs: zero where there is one coefficient.
-    fn ratio_off(&self, found: &[Estimate]) -> f64 {
-        let change = |place: usize| (found[place].median / self.reference[place]).ln();
-        match found.len() {
-            2 => change(1) - change(0),
-            _ if self.by_k_s && !self.others.is_empty() => -change(0),
-            _ => 0.0,
-        }
-    }
-
-    /// Whether the runs go as far as the readings, and not much farther.
-    fn reaches(&self, found: &[Estimate]) -> bool {
-        self.loads().into_iter().all(|load| {
-            let needed = self.needed(found, load);
-            let share = needed / self.scale.get(&of_load(load)).copied().unwrap_or(1.0);
-            (0.5..=BEYOND).contains(&share)
-        })
-    }
-
-    /// The scale of a run that ends where the last reading of a load asks for.
-    fn needed(&self, found: &[Estimate], load: Option<f64>) -> f64 {
-        let end = self.end();
-        let mut needed = 0.0_f64;
-        for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
-            for (test, (_, k, _)) in
-                target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
-            {
-                let far = test.readings.last().map_or(0.0, |reading| reading.progress);
-                needed = needed.max(k / reference * far / end);
-            }
-        }
-        needed
-    }
-
-    /// Runs of the next round: their coefficients, how far they go, and where their steps end. The ratio of both coefficients
-    /// goes by secants: each may change what the readings of the other ask for.
-    fn adapt(&mut self, found: &[Estimate], off: f64) {
-        let change = match self.ratio {
-            Some((moved, last)) if moved != 0.0 && (off - last).abs() > 0.2 * moved.abs() => {
-                (-off * moved / (off - last)).clamp(-2.0, 2.0)
-            }
-            _ => off.clamp(-2.0, 2.0),
-        };
-        self.ratio = Some((change, off));
-        let logs: Vec<f64> = self.reference.iter().map(|known| known.ln()).collect();
-        self.reference = match found {
-            [one, other] => {
-                let middle = 0.5 * (one.median.ln() + other.median.ln());
-                let half = 0.5 * (logs[1] - logs[0] + change);
-                vec![(middle - half).exp(), (middle + half).exp()]
-            }
-            // The other coefficient keeps its value.
-            [_] if self.by_k_s && !self.others.is_empty() => vec![(logs[0] - change).exp()],
-            all => all.iter().map(|own| own.median).collect(),
-        };
-        if !self.by_k_s {
-            return;
-        }
-        let end = self.end();
-        for load in self.loads() {
-            let scale = 1.001 * self.needed(found, load);
-            let mut shares = vec![];
-            for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
-                for (test, (_, k, _)) in
-                    target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
-                {
-                    let far = test.readings.iter().map(|reading| reading.progress);
-                    shares.extend(far.map(|far| k / reference * far / end / scale));
-                }
-            }
-            self.scale.insert(of_load(load), scale);
-            self.shares.insert(of_load(load), shares);
-        }
-        self.known.clear();
-    }
-
     /// All loads of tests.
     fn loads(&self) -> Vec<Option<f64>> {
         let mut loads: Vec<Option<f64>> = vec![];
@@ -444,5 +293,3 @@ impl Search<'_> {
         readings.map(|reading| reading.progress / run.end).collect()
     }
 }
-
-mod conclude;

@@ -5,12 +5,16 @@ use super::within::{Fitted, Test};
 
 /// A law is rejected where chance would show what was seen less often than this.
 pub const REJECTED: f64 = 0.01;
+/// An exponent closer to the law than this is none to reject it by: over a decade it changes k by 12 %.
+pub const NEGLIGIBLE: f64 = 0.05;
 
 /// An exponent with its interval and how probable it is if the law holds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Exponent {
     /// The exponent found.
     pub value: f64,
+    /// The exponent of the law.
+    pub law: f64,
     /// Its 95 % interval.
     pub interval: [f64; 2],
     /// The probability of something at least as far off, if the law holds.
@@ -18,9 +22,9 @@ pub struct Exponent {
 }
 
 impl Exponent {
-    /// Whether the law is rejected.
+    /// Whether the law is rejected: what was seen is no chance, and not negligible.
     pub fn rejects(&self) -> bool {
-        self.p < REJECTED
+        self.p < REJECTED && (self.value - self.law).abs() > NEGLIGIBLE
     }
 
     fn of(law: f64, difference: f64, deviation: f64, degrees: f64) -> Self {
@@ -30,7 +34,7 @@ impl Exponent {
             true => chance(difference / deviation, degrees),
             false => f64::from(u8::from(difference == 0.0)),
         };
-        Self { value, interval: [value - half, value + half], p }
+        Self { value, law, interval: [value - half, value + half], p }
     }
 }
 

@@ -2,8 +2,9 @@
 
 use std::collections::HashMap;
 
+use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Error, Estimate};
-use super::{Coefficient, Search, Shown, Variant, of_load};
+use super::{Search, Variant, of_load};
 use crate::case::Case;
 use crate::verdict::Word;
 

@@ -1,0 +1,75 @@
+//! `archard fit`: from a table to a coefficient, its files, and a prediction.
+
+use std::fs;
+
+use tempfile::TempDir;
+
+use super::{archard, case, printed, said};
+
+/// Volumes of three tests, k F s with k = 1e-4, 1.3e-4 and 1.6e-4 mm3/(N m), each read three times, with small errors.
+fn tests(exponent: f64) -> String {
+    let mut text = "Versuch;Weg [mm];Volumen [mm^3]\n".to_owned();
+    let off = [[1.02, 0.98, 1.01], [0.99, 1.03, 0.98], [0.98, 1.0, 1.02]];
+    for ((test, k), off) in [("A", 1.0e-4), ("B", 1.3e-4), ("C", 1.6e-4)].into_iter().zip(off) {
+        for (distance, off) in [0.1_f64, 0.2, 0.4].into_iter().zip(off) {
+            let volume = k * 10.2 * 0.2 * (distance / 0.2).powf(exponent) * off;
+            text += &format!("{test};{};{volume:.6e}\n", 1e3 * distance).replace('.', ",");
+        }
+    }
+    text
+}
+
+const NAMES: [&str; 6] = [
+    "--column",
+    "test=Versuch",
+    "--column",
+    "distance=Weg [mm]",
+    "--column",
+    "volume=Volumen [mm^3]",
+];
+
+#[test]
+fn a_table_becomes_a_coefficient_and_a_prediction() {
+    let (dir, case) = (TempDir::new().unwrap(), case("pin_on_disc"));
+    let case = case.to_str().unwrap();
+    fs::write(dir.path().join("tests.csv"), tests(1.0)).unwrap();
+    let arguments = [&["fit", case, "--data", "tests.csv", "-o", "fit"][..], &NAMES].concat();
+    let text = printed(&archard(&dir, &arguments).success());
+    // The geometric mean of the three is 1.276e-4; so is that of a k p s at each.
+    assert!(
+        text.contains("  k               1.27") || text.contains("  k               1.28"),
+        "{text}"
+    );
+    assert!(
+        text.contains("another test, read as these, lies there with 95 % probability"),
+        "{text}"
+    );
+    for name in ["fit.json", "fit.csv", "fit.svg", "fit.png", "run/history.csv"] {
+        assert!(dir.path().join("fit").join(name).is_file(), "{name}");
+    }
+    let predict = ["sweep", case, "--from", "fit/fit.json", "--samples", "6", "-o", "study"];
+    let larger = ["--set", "frame.size=[\"2 mm\", \"2 mm\"]", "--set", "frame.elements=[50, 50]"];
+    archard(&dir, &[&predict[..], &larger].concat()).success();
+    let design = fs::read_to_string(dir.path().join("study/design.csv")).unwrap();
+    let value = |line: &str| line.split(',').nth(1).and_then(|cell| cell.parse::<f64>().ok());
+    let values: Vec<f64> = design.lines().skip(1).filter_map(value).collect();
+    let below = values.iter().filter(|value| **value < 1.277e-13).count();
+    assert_eq!((values.len(), below), (6, 3), "{design}");
+}
+
+#[test]
+fn tests_that_are_not_of_the_law_give_no_coefficient() {
+    let (dir, case) = (TempDir::new().unwrap(), case("pin_on_disc"));
+    let case = case.to_str().unwrap();
+    fs::write(dir.path().join("tests.csv"), tests(0.5)).unwrap();
+    let arguments = ["fit", case, "--data", "tests.csv", "-o", "fit"];
+    let failed = said(&archard(&dir, &[&arguments[..], &NAMES].concat()).code(1));
+    assert!(failed.contains("the tests do not wear as the law says"), "{failed}");
+    let predict = ["sweep", case, "--from", "fit/fit.json", "--samples", "4", "-o", "study"];
+    let refused = said(&archard(&dir, &predict).code(2));
+    assert!(refused.contains("to predict with"), "{refused}");
+    // A header that is not there is told with those that are.
+    let wrong = [&arguments[..], &["--column", "depth=Tiefe"]].concat();
+    let wrong = said(&archard(&dir, &wrong).code(2));
+    assert!(wrong.contains("there are `Versuch`, `Weg [mm]`, `Volumen [mm^3]`"), "{wrong}");
+}

@@ -1,0 +1,185 @@
+"""Wear coefficients of a case from measured tests."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from archard import _archard
+from archard.case import Case
+
+
+class Exponent(NamedTuple):
+    """An exponent that the law says, as the tests show it."""
+
+    exponent: float
+    """What the tests show."""
+    interval: tuple[float, float]
+    """Its 95 % interval."""
+    p: float
+    """How probable something so far off is if the law holds."""
+    rejected: bool
+    """Whether the law is rejected: ``p < 0.01``, and the exponent off by more than 0.05."""
+
+
+class Coefficient(NamedTuple):
+    """A coefficient that was fitted, in SI (wear coefficients in 1/Pa)."""
+
+    key: str
+    """Its key in the case."""
+    unit: str
+    """Its unit."""
+    median: float
+    """The median of the coefficients of tests."""
+    interval: tuple[float, float] | None
+    """The 95 % interval of the median; ``None`` where nothing tells the errors."""
+    next_test: tuple[float, float] | None
+    """Where another test, read as these, lies with 95 % probability; ``None`` of one test."""
+    scatter: float | None
+    """Scatter between tests without that of readings: standard deviation of the natural logarithm."""
+    readings: dict[str, float] | None
+    """Relative standard uncertainty of a reading of each column."""
+    tests: dict[str, float]
+    """The coefficient of each test."""
+    distance: Exponent | None
+    """The exponent of the distance, 1 by the law; ``None`` where readings cannot tell."""
+    load: Exponent | None
+    """The exponent of the load that the coefficient goes by, 0 by the law; ``None`` without several loads."""
+    budget: dict[str, float]
+    """Relative standard uncertainties of the median by their sources."""
+    rejected: str | None
+    """Why the tests have no one coefficient, if so."""
+
+
+class Fit:
+    """What measured tests say of a case; prints what ``archard fit`` prints."""
+
+    def __init__(self, json_text: str, words: str, table: str) -> None:
+        self.json: dict[str, Any] = json.loads(json_text)
+        """All of it, as ``fit.json`` has it."""
+        self._words, self._csv = words, table
+        self.coefficients = [_coefficient(one) for one in self.json["coefficients"]]
+        """The coefficients, in the order of the bodies."""
+        self.remarks: list[str] = self.json["remarks"]
+        """What has to be said of the data and the runs."""
+
+    def __getitem__(self, key: str) -> Coefficient:
+        """Return the coefficient of that key."""
+        for coefficient in self.coefficients:
+            if coefficient.key == key:
+                return coefficient
+        raise KeyError(key)
+
+    def __repr__(self) -> str:
+        return self._words.rstrip()
+
+    def write(self, out: str | os.PathLike[str]) -> None:
+        """Write ``fit.json``, which ``archard sweep --from`` reads, and ``fit.csv`` into a folder."""
+        folder = Path(out)
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "fit.json").write_text(json.dumps(self.json, indent=2) + "\n", "utf-8")
+        (folder / "fit.csv").write_text(self._csv, "utf-8")
+
+
+def fit(
+    case: Case | str | os.PathLike[str] | Mapping[str, Any],
+    data: str | os.PathLike[str] | Mapping[str, Sequence[Any]] | Any,
+    *,
+    parameter: str | None = None,
+    columns: Mapping[str, str] | None = None,
+    uncertain: Mapping[str, float] | None = None,
+    out: str | os.PathLike[str] | None = None,
+) -> Fit:
+    """Find the wear coefficients of a case from measured tests.
+
+    Args:
+        case: the case, or what makes one.
+        data: a CSV file, a dict of columns or a data frame, a row a reading: ``test``, ``distance_m`` (or
+            ``turns``, ``cycles``, ``time_s``), any of ``volume_mm3``, ``depth_um``, ``width_mm``,
+            ``length_mm``, ``diameter_mm``, ``section_mm2`` and ``mass_mg``, followed by ``_BODY`` before the
+            unit where both bodies wear, ``u_...`` for standard uncertainties, and ``load_N`` where tests have
+            loads of their own.
+        parameter: the key to be fitted; if not given the coefficient of each body of which there are readings.
+        columns: headers of other names, as ``{"depth": "Tiefe [um]"}``.
+        uncertain: relative standard uncertainties that all tests have in common, as
+            ``{"motion.sliding.load": 0.01, "distance": 0.005}``.
+        out: folder for ``fit.json``, ``fit.csv`` and the runs of the case; nothing is kept if not given.
+
+    Raises:
+        CaseError: all that is wrong with the case.
+        ValueError: a reading or a column that cannot be used, with its line, or data that do not tell the
+            coefficient.
+        NotConverged: a run failed, or the coefficients did not settle.
+
+    """
+    one = case if isinstance(case, Case) else Case(case)
+    one.check()
+    table = _table(data)
+    named = list((columns or {}).items())
+    common = [(key, float(value)) for key, value in (uncertain or {}).items()]
+
+    def run(folder: str | os.PathLike[str]) -> Fit:
+        return Fit(*_archard.fit(one._compiled(), table, named, parameter, common, folder))
+
+    if out is None:
+        with tempfile.TemporaryDirectory() as folder:
+            return run(folder)
+    found = run(out)
+    found.write(out)
+    return found
+
+
+def _table(data: Any) -> tuple[str, bytes]:
+    """Return the name and the bytes of a table."""
+    if isinstance(data, (str, os.PathLike)):
+        return os.fspath(data), Path(data).read_bytes()
+    if hasattr(data, "to_dict") and hasattr(data, "columns"):
+        data = {str(name): list(data[name]) for name in data.columns}
+    if not isinstance(data, Mapping) or not data:
+        raise ValueError("data are a CSV file, a dict of columns or a data frame")
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow(data)
+    writer.writerows([_cell(value) for value in row] for row in zip(*data.values(), strict=True))
+    return "data", text.getvalue().encode()
+
+
+def _cell(value: Any) -> str:
+    """Return the text of a value; what is not a number was not measured."""
+    if value is None or value != value:
+        return ""
+    return str(value) if isinstance(value, (str, int)) else repr(float(value))
+
+
+def _coefficient(own: dict[str, Any]) -> Coefficient:
+    return Coefficient(
+        key=own["key"],
+        unit=own["unit"],
+        median=own["median"],
+        interval=_pair(own["interval_95"]),
+        next_test=_pair(own["next_test_95"]),
+        scatter=own["scatter_between_tests"],
+        readings=own["readings"],
+        tests={test["test"]: test["k"] for test in own["tests"]},
+        distance=_exponent(own["distance"]),
+        load=_exponent(own["load"]),
+        budget={part["source"]: part["relative"] for part in own["budget"]},
+        rejected=own["rejected"],
+    )
+
+
+def _exponent(own: dict[str, Any] | None) -> Exponent | None:
+    if own is None:
+        return None
+    low, high = own["interval_95"]
+    return Exponent(own["exponent"], (low, high), own["p"], own["rejected"])
+
+
+def _pair(own: list[float] | None) -> tuple[float, float] | None:
+    return None if own is None else (own[0], own[1])
