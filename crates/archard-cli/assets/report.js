@@ -35,14 +35,15 @@
     }
     return layout;
   };
-  const styled = (layout) => noted({
+  // The legend stands below the label of the axis, however low the plot is.
+  const styled = (layout, height = 400) => noted({
     ...layout,
     font: { family: "system-ui, 'Segoe UI', Roboto, 'Liberation Sans', sans-serif", size: 13, color: ink },
     margin: { l: 56, r: 16, t: mark ? 48 : 34, b: 44 },
     separators: ".\u2009",
     xaxis: { ...frame, ...layout.xaxis },
     yaxis: { ...frame, ...layout.yaxis },
-    legend: { orientation: "h", x: 0, xanchor: "left", y: -0.27, yanchor: "top", ...layout.legend },
+    legend: { orientation: "h", x: 0, xanchor: "left", y: -58 / Math.max(90, height - 180), yanchor: "top", ...layout.legend },
   });
   // A picture of what is drawn stands in its place in print.
   const printed = async (place) => {
@@ -64,7 +65,7 @@
 
   for (let i = 0; i < figures.length; i += 1) {
     const place = document.getElementById(`figure-${i + 1}`);
-    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout), config);
+    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout, place.clientHeight), config);
   }
   if (maps) await mapped();
   document.body.dataset.state = "drawn";

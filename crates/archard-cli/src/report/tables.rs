@@ -178,7 +178,7 @@ pub(super) fn closed_forms(results: &Results) -> Table {
     let row = |pair: Pair<'_>| pair.row();
     let known = |pair: &Pair<'_>| pair.expected.is_finite() && pair.expected != 0.0;
     Table {
-        caption: "What theory says and what was computed".to_owned(),
+        caption: "What theory says and what was computed; areas count whole elements".to_owned(),
         heads: vec!["Quantity", "Theory", "Says", "Computed", "Difference"],
         rows: pairs.into_iter().filter(known).map(row).collect(),
     }
