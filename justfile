@@ -51,6 +51,21 @@ wheel:
 # run the published cases and write what they give into the book
 pages:
     ARCHARD_PAGES=1 cargo test --test cases every_case_gives
+    ARCHARD_PAGES=1 cargo test --test cases the_gallery
+
+# run the published cases and draw their pictures into the book; takes rsvg-convert
+gallery:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    mkdir -p book/src/gallery
+    for case in cases/*; do
+        name=$(basename "$case")
+        results=target/gallery/$name
+        cargo run --release --quiet -- run "$case" --quiet --force --output "$results"
+        cargo run --release --quiet -- plot "$results" > /dev/null || continue
+        picture=$(ls "$results"/plots/{overview,creep_force,fretting_loop,profiles,pressure_map}.svg 2> /dev/null | head -n 1)
+        rsvg-convert --width 900 "$picture" --output "book/src/gallery/$name.png"
+    done
 
 # time whole solves, in padded round trips
 bench:

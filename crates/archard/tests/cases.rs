@@ -18,6 +18,7 @@
 mod common;
 mod published {
     mod accuracy;
+    pub mod gallery;
     pub mod validation;
 }
 
@@ -267,6 +268,11 @@ fn unquoted(text: &str) -> String {
         }
     }
     word
+}
+
+#[test]
+fn the_gallery_shows_every_case() {
+    assert_eq!(published::gallery::held(&folders()), None);
 }
 
 #[test]

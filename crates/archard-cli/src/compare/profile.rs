@@ -39,6 +39,13 @@ pub(super) fn compare(
     let profile =
         profile.with_context(|| format!("the run has no profile along {}", axis.name()))?;
     let section = Section::of(profile, name)?;
+    let shallowest = section.worn.iter().copied().fold(f64::INFINITY, f64::min);
+    ensure!(
+        shallowest < (1.0 - EDGE) * largest(section.worn),
+        "`{name}` passes along {}, and its track is as deep all along: a profile across the track goes along {}; if this is one, say --column {1}=\"TITLE\" with the title of its places",
+        axis.name(),
+        axis.other().name(),
+    );
     let nominal = nominal(results, body, axis)?;
     let level = match levelled {
         true => Level { offset: 0.0, tilt: 0.0, shift: 0.0, used: 0, scatter: 0.0 },

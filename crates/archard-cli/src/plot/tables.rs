@@ -15,6 +15,14 @@ pub(crate) enum Axis {
 }
 
 impl Axis {
+    /// The one across.
+    pub(crate) fn other(self) -> Self {
+        match self {
+            Axis::X => Axis::Y,
+            Axis::Y => Axis::X,
+        }
+    }
+
     /// As the files and the pictures call it.
     pub(crate) fn name(self) -> &'static str {
         match self {

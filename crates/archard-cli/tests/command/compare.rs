@@ -166,3 +166,25 @@ fn what_cannot_be_compared_is_refused_in_words() {
     let message = said(&archard(&dir, &["compare", "pin_on_disc", "nowhere.csv"]).code(2));
     assert!(message.contains("cannot read `nowhere.csv`"), "{message}");
 }
+
+/// A track is as deep all along: a profile said to go along it was taken across it.
+#[test]
+fn a_profile_along_a_track_is_refused() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_on_disc_track");
+    let coarse = ["--set", "frame.elements=[32, 32]"];
+    let run = ["run", case.to_str().unwrap(), "-o", "track", "--quiet"];
+    archard(&dir, &[&run[..], &coarse].concat()).success();
+    let row = |i: i32| {
+        let y = 0.05 * f64::from(i);
+        format!("{y:.3},{:.3}\n", -2.4 * (1.0 - (y / 0.27).powi(2)).max(0.0))
+    };
+    let rows: String = (-16..=16).map(row).collect();
+    fs::write(dir.path().join("scar.csv"), format!("x [mm],z [um]\n{rows}")).unwrap();
+    let arguments = ["compare", "track", "scar.csv", "--body", "disc"];
+    let refused = said(&archard(&dir, &arguments).code(2));
+    assert!(refused.contains("as deep all along") && refused.contains("--column y="), "{refused}");
+    let across = archard(&dir, &[&arguments[..], &["--column", "y=x [mm]"]].concat()).success();
+    let deepest = printed(&across);
+    assert!((number(&deepest, "deepest") - 2.4).abs() < 0.1, "{deepest}");
+}

@@ -1,0 +1,45 @@
+//! The gallery of the book: every case with its picture and what it is about, from its own files.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// What the page begins with.
+const HEAD: &str = "\
+# Gallery
+
+Every case of the repository: what it is about, what it looks like, and a link to its own page, with its commands. What its source says and
+what Archard gives stands under [validation](validation.md). `archard new NAME` writes a case out to start from. The page is written
+by `just pages`, the pictures by `just gallery`.
+";
+
+fn book() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src")
+}
+
+/// The part of a case: its title, its picture if it has one, the first paragraph of its own page.
+fn part(folder: &Path) -> String {
+    let name = folder.file_name().unwrap().to_string_lossy();
+    let about = fs::read_to_string(folder.join("README.md")).expect("a README.md");
+    let title = about.lines().next().and_then(|line| line.strip_prefix("# ")).expect("a title");
+    let paragraph = about.split("\n\n").nth(1).expect("a paragraph").trim_end_matches(':');
+    let picture = match book().join(format!("gallery/{name}.png")).is_file() {
+        true => format!("![{title}](gallery/{name}.png)\n\n"),
+        false => String::new(),
+    };
+    format!(
+        "\n## {title}\n\n{picture}{paragraph}\n\n[`{name}`](../../cases/{name}/README.md), [what it gives](validation.md#{name})\n"
+    )
+}
+
+/// Writes the page where `ARCHARD_PAGES` is set; otherwise says whether it is not current.
+pub fn held(folders: &[PathBuf]) -> Option<String> {
+    let page = book().join("gallery.md");
+    let text: String =
+        [HEAD.to_owned()].into_iter().chain(folders.iter().map(|folder| part(folder))).collect();
+    if std::env::var_os("ARCHARD_PAGES").is_some() {
+        fs::write(&page, text).expect("a page that can be written");
+        return None;
+    }
+    let known = fs::read_to_string(&page).unwrap_or_default();
+    (known != text).then(|| "book/src/gallery.md is not current; `just pages`".to_owned())
+}
