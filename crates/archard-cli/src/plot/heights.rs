@@ -23,6 +23,10 @@ pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
             lines.push((profile, line));
         }
     }
+    // Walls beside the scar say nothing of it.
+    let scar = scar(&sections, &results.bodies)?;
+    let walled = scar > 0.0 && highest > WALL * scar;
+    let highest = if walled { BESIDE_WALLS * scar } else { highest };
     let (across, height) = (Unit::across(reach(window)), Unit::depth(highest));
     let progress = results.progress_unit();
     let mut curves = Curves::new();
@@ -41,8 +45,32 @@ pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
     let margin = -0.08 * highest * height.factor;
     Ok(curves.panel(labels, |view| {
         let view = along_axis(view, results, window.map(|end| end * across.factor));
-        if results.worn_below() { view } else { view.above_y(margin) }
+        let view = if walled { view.below_y(highest * height.factor) } else { view };
+        match (results.worn_below(), walled) {
+            (false, _) => view.above_y(margin),
+            (true, true) => view.above_y(-highest * height.factor),
+            (true, false) => view,
+        }
     }))
+}
+
+/// How many times as high as in the scar a body is where it rises as a wall, and how much of it is shown then.
+const WALL: f64 = 20.0;
+const BESIDE_WALLS: f64 = 2.0;
+
+/// The greatest height (m) of the bodies where one of them is worn.
+fn scar(sections: &[&Profile], bodies: &[String]) -> Result<f64> {
+    let mut highest = 0.0_f64;
+    for profile in sections {
+        let of = |what: &str, body: &String| profile.table.column(&format!("{what}_{body}_m"));
+        let worn = bodies.iter().map(|body| of("wear", body)).collect::<Result<Vec<_>>>()?;
+        for body in bodies {
+            let heights = of("height", body)?.iter().enumerate();
+            let there = heights.filter(|(place, _)| worn.iter().any(|worn| worn[*place] > 0.0));
+            highest = there.fold(highest, |highest, (_, z)| highest.max(z.abs()));
+        }
+    }
+    Ok(highest)
 }
 
 /// Height over place (m) of a body within the window, upside down.

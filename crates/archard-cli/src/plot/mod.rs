@@ -269,7 +269,9 @@ fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
         panels.push(pressure::section(results, across, MOMENTS)?);
     }
     if results.wears() {
-        panels.push(heights::section(results, across)?);
+        if !line {
+            panels.push(heights::section(results, across)?);
+        }
         panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
     }
     pictures.push(Picture::new("profiles", panels));

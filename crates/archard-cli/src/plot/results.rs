@@ -102,10 +102,10 @@ impl Results {
         Ok(Self {
             bodies: history.bodies(),
             profiles: if profiles.is_file() { read_profiles(&profiles)? } else { Vec::new() },
-            worn_profile: if worn_profiles.is_file() {
-                last_profile(&worn_profiles)?
-            } else {
-                None
+            worn_profile: match worn_profiles.is_file() {
+                // The one place of a line of contact shows no shape.
+                true => last_profile(&worn_profiles)?.filter(|profile| profile.table.rows() > 1),
+                false => None,
             },
             loops: if loops.is_file() { read_loops(&loops)? } else { Vec::new() },
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
