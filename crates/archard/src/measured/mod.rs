@@ -38,7 +38,8 @@ impl Table {
     /// # Errors
     /// If there is no header or no row below it, two columns have one name, or a row has not as many cells as the header.
     pub fn read(source: &str, bytes: &[u8]) -> Result<Self, Error> {
-        let text = decoded(bytes);
+        // With both signs at the end of a line the reader counts lines from the one before.
+        let text = decoded(bytes).replace("\r\n", "\n");
         let (source, separator) = (source.to_owned(), separator(&text));
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator)

@@ -56,6 +56,8 @@ fn names_are_given_to_foreign_headers() {
     assert_eq!(table.texts("test").unwrap(), ["1", "2"]);
     assert_eq!(table.others(&["test", "depth"]), ["Ort"]);
     assert_eq!(table.lines(), [2, 3]);
+    let other_ends = Table::read("a.csv", b"depth [um]\r\n1\r\n\r\n2\r\n").unwrap();
+    assert_eq!(other_ends.lines(), [2, 4]);
     let error = table.clone().naming(&[("width", "Breite")]).unwrap_err();
     assert_eq!(
         error.to_string(),
