@@ -31,6 +31,26 @@ struct Row {
     cells: Vec<String>,
 }
 
+/// The lines of a text, counted on from record to record: the reader says where it went on, not where the record stands, which
+/// empty lines and comments may be before.
+struct Lines<'a> {
+    text: &'a str,
+    byte: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// The line (from one on) of the record that is read from that byte on.
+    fn at(&mut self, byte: usize) -> u64 {
+        let passed = self.text.get(self.byte..byte).unwrap_or_default();
+        self.line += passed.matches('\n').count() as u64;
+        self.byte = byte.max(self.byte);
+        let rest = self.text.get(self.byte..).unwrap_or_default();
+        let passed_over = rest.lines().take_while(|line| line.is_empty() || line.starts_with('#'));
+        self.line + passed_over.count() as u64
+    }
+}
+
 impl Table {
     /// Reads a table. Its text is UTF-8, UTF-16 with a byte order mark, or Latin-1; lines that begin with `#`, and rows
     /// without any value, are passed over. `source` is what messages call it.
@@ -38,7 +58,6 @@ impl Table {
     /// # Errors
     /// If there is no header or no row below it, two columns have one name, or a row has not as many cells as the header.
     pub fn read(source: &str, bytes: &[u8]) -> Result<Self, Error> {
-        // With both signs at the end of a line the reader counts lines from the one before.
         let text = decoded(bytes).replace("\r\n", "\n");
         let (source, separator) = (source.to_owned(), separator(&text));
         let mut reader = csv::ReaderBuilder::new()
@@ -54,9 +73,10 @@ impl Table {
         }
         let headings: Vec<Heading> = titles.iter().map(Heading::of).collect();
         let mut rows = vec![];
+        let mut lines = Lines { text: &text, byte: 0, line: 1 };
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
-            let line = record.position().map_or(0, csv::Position::line);
+            let line = lines.at(record.position().map_or(0, csv::Position::byte) as usize);
             if record.iter().all(str::is_empty) {
                 continue;
             }
