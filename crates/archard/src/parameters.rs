@@ -73,6 +73,8 @@ pub enum Quantity {
     Table(&'static [(&'static str, Quantity)]),
     /// The name of a file that is read as it is.
     File,
+    /// A name of the user's, or a table of parameters.
+    TextOr(&'static [Parameter]),
     /// A table of parameters inside the table; the bound of the parameter itself has no meaning.
     Section(&'static [Parameter]),
 }
@@ -100,6 +102,7 @@ impl Quantity {
             | Quantity::Count
             | Quantity::Body
             | Quantity::Text
+            | Quantity::TextOr(_)
             | Quantity::Truth
             | Quantity::Formula
             | Quantity::Constants

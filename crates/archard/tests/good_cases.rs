@@ -7,6 +7,7 @@ mod good_cases {
     mod estimate;
     mod expression;
     mod extremes;
+    mod files;
     pub mod fretting;
     mod meshed;
     pub mod rolling;

@@ -191,7 +191,10 @@ impl FiniteCase {
     pub fn build(&self) -> Result<Finite, BuildError> {
         let shape = self.mesh.build()?;
         let meshed = shape.mesh(self.mirrored, &self.held())?;
-        let curvatures = shape.curvatures();
+        let curvatures = match meshed.placed {
+            true => meshed.curvatures(self.mirrored),
+            false => shape.curvatures(),
+        };
         let surface = |name: &str| meshed.mesh.surfaces.iter().position(|known| known == name);
         let supports = self
             .supports

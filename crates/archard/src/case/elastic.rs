@@ -27,7 +27,7 @@ pub struct ElasticCase {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ElasticForecast {
     /// The surfaces with their numbers of elements.
-    pub surfaces: Vec<(String, usize)>,
+    pub surfaces: Vec<Listed>,
     /// Number of unknowns.
     pub unknowns: usize,
     /// Number of points inside.
@@ -82,11 +82,9 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
     let memory = BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
     let long = body.slenderness.and_then(|longest| slender::problem(&case.body, longest));
     let problems = problems.chain(memory::of_body(&case.body, memory)).chain(long).collect();
-    let mesh = &body.finite.meshed.mesh;
-    let elements = |index: usize| mesh.faces.iter().filter(|face| face.surface == index).count();
-    let names = mesh.surfaces.iter().enumerate();
+    let Meshed { mesh, zone, .. } = &body.finite.meshed;
     let forecast = ElasticForecast {
-        surfaces: names.map(|(index, name)| (name.clone(), elements(index))).collect(),
+        surfaces: mesh.listed(zone),
         unknowns,
         points: body.points.len(),
         slenderness: body.slenderness,
@@ -97,10 +95,10 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
 
 impl Display for ElasticForecast {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let total: usize = self.surfaces.iter().map(|(_, elements)| elements).sum();
+        let total: usize = self.surfaces.iter().map(|surface| surface.elements).sum();
         writeln!(f, "elements          {total}")?;
-        for (name, elements) in &self.surfaces {
-            writeln!(f, "                  {elements} on `{name}`")?;
+        for surface in &self.surfaces {
+            writeln!(f, "                  {surface}")?;
         }
         writeln!(f, "unknowns          {}", self.unknowns)?;
         writeln!(f, "points            {}", self.points)?;

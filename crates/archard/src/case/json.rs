@@ -6,6 +6,7 @@ use super::check::{Forecast, Solves};
 use super::elastic::ElasticForecast;
 use super::file::{CaseFile, Task};
 use super::problem::{Location, Problem};
+use crate::body::mesh::Listed;
 use crate::output::{estimate_json, verdict_json};
 
 impl CaseFile {
@@ -69,24 +70,43 @@ fn contact(forecast: &Forecast) -> Value {
     };
     let unknowns: Map<String, Value> =
         forecast.unknowns.iter().map(|(body, count)| (body.clone(), json!(count))).collect();
+    let surfaces: Map<String, Value> =
+        forecast.files.iter().map(|(body, list)| (body.clone(), listed(list))).collect();
     json!({
         "closed_form": estimate_json(&forecast.estimate),
         "elements_across": forecast.cells_across,
         "contact_solves": { "known": known, "count": solves },
         "pairs": forecast.pairs,
         "unknowns": unknowns,
+        "surfaces": surfaces,
         "memory_bytes": forecast.memory,
         "verdict_foreseen": verdict_json(&forecast.verdict),
     })
 }
 
 fn elastic(forecast: &ElasticForecast) -> Value {
+    let surfaces = forecast.surfaces.iter();
     let elements: Map<String, Value> =
-        forecast.surfaces.iter().map(|(name, count)| (name.clone(), json!(count))).collect();
+        surfaces.map(|one| (one.name.clone(), json!(one.elements))).collect();
     json!({
         "elements": elements,
+        "surfaces": listed(&forecast.surfaces),
         "unknowns": forecast.unknowns,
         "points": forecast.points,
         "memory_bytes": forecast.memory,
     })
+}
+
+/// The surfaces of a mesh, with the boxes around them (m).
+fn listed(surfaces: &[Listed]) -> Value {
+    let one = |one: &Listed| {
+        json!({
+            "name": one.name,
+            "elements": one.elements,
+            "touching": one.touching,
+            "middle_m": one.middle,
+            "size_m": one.size,
+        })
+    };
+    surfaces.iter().map(one).collect()
 }

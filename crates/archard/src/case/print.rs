@@ -184,7 +184,10 @@ impl Printed<'_> {
             let key = format!("{table}.{}", parameter.name);
             match (self.values.get(parameter.name), parameter.quantity) {
                 (None, _) => {}
-                (Some(Value::Section(values)), Quantity::Section(inner)) => {
+                (
+                    Some(Value::Section(values)),
+                    Quantity::Section(inner) | Quantity::TextOr(inner),
+                ) => {
                     Printed { values, ..*self }.print(f, &key, inner)?;
                 }
                 (Some(Value::Constants(constants)), _) => {

@@ -70,7 +70,8 @@ pub(super) fn read(
             table(node, surroundings.folder, columns)
         }
         Quantity::File => file(node, surroundings.folder),
-        Quantity::Text => text(node).map(|text| (Value::Word(text), None)),
+        // The reader of tables has gone into one.
+        Quantity::Text | Quantity::TextOr(_) => text(node).map(|text| (Value::Word(text), None)),
         Quantity::Formula => match &node.item {
             Item::Text(text) => formula(text, surroundings.folder).map(|value| (value, None)),
             other => Err(format!("expected a formula in quotes, found {}", other.kind()).into()),
@@ -140,6 +141,7 @@ pub(super) fn measure(quantity: Quantity, values: &Values) -> Option<Measure> {
         | Quantity::Count
         | Quantity::Body
         | Quantity::Text
+        | Quantity::TextOr(_)
         | Quantity::Truth
         | Quantity::Formula
         | Quantity::Constants

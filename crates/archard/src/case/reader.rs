@@ -178,7 +178,12 @@ impl Reader<'_> {
                 }
                 None => {}
                 Some((key, entry)) => {
-                    if let Quantity::Section(inner) = parameter.quantity {
+                    let inner = match (parameter.quantity, &entry.node.item) {
+                        (Quantity::Section(inner), _)
+                        | (Quantity::TextOr(inner), Item::Table(_)) => Some(inner),
+                        _ => None,
+                    };
+                    if let Some(inner) = inner {
                         if let Some(section) = self.as_table(key, &entry.node) {
                             let (inside, inner_files) = self.values(&section, inner);
                             values.insert(parameter.name, Value::Section(inside));

@@ -9,5 +9,6 @@ pub mod large;
 pub mod piecewise;
 pub mod quadrature;
 pub mod single;
+pub(crate) mod triangle;
 pub mod upwind;
 pub mod vector;

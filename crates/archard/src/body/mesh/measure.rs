@@ -1,6 +1,6 @@
 //! Areas and enclosed volumes.
 
-use super::{Corners, Face, Mesh, Meshed};
+use super::{Corners, Mesh, Meshed};
 
 impl Mesh {
     /// Area of the elements (m^2); mirror images do not count.
@@ -14,6 +14,15 @@ impl Mesh {
     /// One third of the flux of the place through the surface (the divergence theorem). The cut planes
     /// of symmetry, where nothing is meshed, give nothing since the origin lies on them.
     pub fn volume(&self, mirrored: [bool; 2]) -> f64 {
+        self.volume_under(0..self.faces.len(), mirrored)
+    }
+
+    /// The same of some elements, which are closed by themselves.
+    pub(super) fn volume_under(
+        &self,
+        faces: impl Iterator<Item = usize>,
+        mirrored: [bool; 2],
+    ) -> f64 {
         // Close to the body, so that little cancels.
         let near = self.vertices.first().copied().unwrap_or_default();
         let origin = [
@@ -23,7 +32,7 @@ impl Mesh {
         ];
         let place = |corner: usize| difference(self.vertices[corner], origin);
         let tetrahedron = |a, b, c| dot(place(a), cross(place(b), place(c))) / 6.0;
-        let under = |face: &Face| match face.corners {
+        let under = |face: usize| match self.faces[face].corners {
             Corners::Triangle([a, b, c]) => tetrahedron(a, b, c),
             // The bilinear surface lies halfway between the two ways to fold the element.
             Corners::Quad([a, b, c, d]) => {
@@ -32,7 +41,7 @@ impl Mesh {
             }
         };
         let images = mirrored.iter().map(|&mirrored| if mirrored { 2.0 } else { 1.0 });
-        images.product::<f64>() * self.faces.iter().map(under).sum::<f64>()
+        images.product::<f64>() * faces.map(under).sum::<f64>()
     }
 
     /// The centre of an element (m), the mean of its corners.

@@ -9,14 +9,20 @@
 
 mod axis;
 mod block;
+mod bounds;
 mod builder;
 mod check;
 mod contact;
+mod curvatures;
 mod cylinder;
 mod file;
 mod free;
+mod listed;
 mod measure;
+mod refine;
 mod rings;
+mod shells;
+mod smooth;
 mod sphere;
 mod tensor;
 mod thickness;
@@ -24,6 +30,9 @@ mod thickness;
 pub use check::MeshProblem;
 pub use file::{Fault, MeshFileError, Place};
 pub use free::Supported;
+pub use listed::Listed;
+
+pub(crate) use curvatures::axes;
 
 use std::fmt::Debug;
 
@@ -119,7 +128,7 @@ pub const MESHES: &[Choice<Box<dyn Shape>>] =
 
 /// Why a body cannot be divided as asked for.
 #[non_exhaustive]
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// A plane of symmetry would cut through elements of the zone.
     #[error(
@@ -139,6 +148,29 @@ pub enum MeshError {
         /// The divisions asked for.
         count: usize,
     },
+    /// No element near the place where a file may touch.
+    #[error(
+        "no element has its middle in the box of {}, the nearest place of the surface is {:.4e} m away from its middle: {}",
+        sides(.size), .distance, advice(*.distance, .size, *.divided, .extent)
+    )]
+    NothingNear {
+        /// The sides of the box (m).
+        size: [f64; 3],
+        /// Distance (m) of the surface from its middle.
+        distance: f64,
+        /// Whether elements have been divided there.
+        divided: bool,
+        /// The lowest and the highest corner of the box around the surface (m).
+        extent: [[f64; 3]; 2],
+    },
+    /// More elements than anyone can compute with.
+    #[error(
+        "more than 100000 elements would be needed for edges of {width:.4e} m there: take fewer, or a smaller box"
+    )]
+    TooFine {
+        /// The longest edge allowed (m).
+        width: f64,
+    },
     /// A file has no surface of that name.
     #[error("the file has no surface `{name}`; it has {}", listed(.known))]
     NoSurface {
@@ -155,6 +187,8 @@ impl MeshError {
         match self {
             MeshError::OddElements { .. } => "contact.elements",
             MeshError::OddDivisions { .. } => "divisions",
+            MeshError::NothingNear { .. } => "contact.near",
+            MeshError::TooFine { .. } => "contact.elements",
             MeshError::NoSurface { .. } => "contact",
         }
     }
@@ -169,4 +203,22 @@ impl From<MeshError> for Invalid {
 fn listed(names: &[String]) -> String {
     let names: Vec<String> = names.iter().map(|name| format!("`{name}`")).collect();
     names.join(", ")
+}
+
+fn sides([x, y, z]: &[f64; 3]) -> String {
+    format!("{x:.4e} by {y:.4e} by {z:.4e} m")
+}
+
+/// What to do where a box holds nothing.
+fn advice(distance: f64, size: &[f64; 3], divided: bool, [low, high]: &[[f64; 3]; 2]) -> String {
+    let reach = size.iter().map(|side| 0.25 * side * side).sum::<f64>().sqrt();
+    if distance <= reach && !divided {
+        return "take a larger `size`, or divide the elements there by `elements`".to_owned();
+    }
+    let place = |[x, y, z]: &[f64; 3]| format!("({x:.4e}, {y:.4e}, {z:.4e}) m");
+    format!(
+        "the body reaches from {} to {}; a file says nothing of its `unit`",
+        place(low),
+        place(high)
+    )
 }

@@ -112,6 +112,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
 fn coarse(finite: &FiniteCase) -> Option<Chosen<Box<dyn Shape>>> {
     let mut mesh = finite.mesh.clone();
     let mut contact: Values = mesh.values.section("contact")?.clone();
+    contact.pair("elements")?;
     contact.insert("elements", Value::Pair([ELEMENTS; 2]));
     contact.insert("growth", Value::Number(GROWTH));
     mesh.values.insert("contact", Value::Section(contact));

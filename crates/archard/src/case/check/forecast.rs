@@ -10,6 +10,7 @@ use super::footprint::memory;
 use super::surfaces::Surfaces;
 use super::words::{length, three};
 use super::{Parts, foreseen, size};
+use crate::body::mesh::{Listed, Meshed};
 use crate::body::{Elasticity, Finite};
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::Stepping;
@@ -36,6 +37,8 @@ pub struct Forecast {
     pub pairs: usize,
     /// Meshed bodies that are computed by boundary elements, with their numbers of unknowns.
     pub unknowns: Vec<(String, usize)>,
+    /// Bodies whose mesh is a file, with their surfaces.
+    pub files: Vec<(String, Vec<Listed>)>,
     /// What meshed bodies may differ by from half-spaces; empty where no closed form tells.
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
@@ -78,6 +81,7 @@ impl Forecast {
             solves: Solves::of(parts),
             pairs: parts.pairs(),
             unknowns: unknowns(parts),
+            files: files(parts),
             finiteness: Finiteness::of(parts, estimate.contact.as_ref()),
             memory: memory(parts),
             verdict: Verdict::default(),
@@ -91,6 +95,17 @@ fn unknowns(parts: &Parts<'_>) -> Vec<(String, usize)> {
     let solved = |(_, finite): &(_, &Finite)| finite.elasticity == Elasticity::BoundaryElements;
     let meshed = parts.meshed().filter(solved);
     meshed.map(|(body, finite)| (body.name.clone(), size(finite).unknowns)).collect()
+}
+
+/// The surfaces of bodies whose mesh is a file.
+fn files(parts: &Parts<'_>) -> Vec<(String, Vec<Listed>)> {
+    let placed = parts.meshed().filter(|(_, finite)| finite.meshed.placed);
+    placed
+        .map(|(body, finite)| {
+            let Meshed { mesh, zone, .. } = &finite.meshed;
+            (body.name.clone(), mesh.listed(zone))
+        })
+        .collect()
 }
 
 impl Solves {
@@ -197,6 +212,11 @@ impl Forecast {
                 f,
                 "half-space        {share} % of the approach where `{body}` ends, {distance} away"
             )?;
+        }
+        for (body, surfaces) in &self.files {
+            let elements: usize = surfaces.iter().map(|surface| surface.elements).sum();
+            writeln!(f, "elements          {elements} of `{body}`")?;
+            surfaces.iter().try_for_each(|one| writeln!(f, "                  {one}"))?;
         }
         for (body, unknowns) in &self.unknowns {
             writeln!(f, "unknowns          {unknowns} of `{body}`")?;

@@ -199,13 +199,21 @@ fn too_small(parts: &Parts<'_>, contact: &Contact) -> Option<Problem> {
         );
         let needed = needed(size, contact.semi_axes);
         Problem::error(parts.frame_key("size"), message)
-            .help(format!("the contact needs about `size = {}`", size_list_up(needed)))
+            .help(format!("the contact needs about {}", wanted(parts, needed)))
     })
 }
 
 /// The size a frame should have around a contact; as it is along a line contact.
 fn needed(size: [f64; 2], semi_axes: [f64; 2]) -> [f64; 2] {
     [0, 1].map(|axis| if semi_axes[axis].is_finite() { ROOM * semi_axes[axis] } else { size[axis] })
+}
+
+/// A size of the frame, or of the zone of a file, as it is asked for.
+fn wanted(parts: &Parts<'_>, size: [f64; 2]) -> String {
+    match parts.zone_of_a_file() {
+        true => format!("{} by {}", length(size[0]), length(size[1])),
+        false => format!("`size = {}`", size_list_up(size)),
+    }
 }
 
 fn extents_in_words(extents: [f64; 2]) -> String {
@@ -253,7 +261,7 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         );
         let needed = reach.map(|axis| ROOM * axis);
         Problem::warning(key, message)
-            .help(format!("the worn contact needs about `size = {}`", size_list_up(needed)))
+            .help(format!("the worn contact needs about {}", wanted(parts, needed)))
     })
 }
 
@@ -280,8 +288,11 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             "only {} {pairs} lie across the contact at first: below {FEW_CELLS} its pressures are coarse",
             three(fewest)
         );
-        Problem::warning(parts.frame_key("elements"), message)
-            .help(format!("take more elements or a smaller {}", parts.frame_word()))
+        let help = match parts.zone_of_a_file() {
+            true => "take more elements there: `contact = { near = [x, y, z], size = .., elements = .. }` divides them, or mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)".to_owned(),
+            false => format!("take more elements or a smaller {}", parts.frame_word()),
+        };
+        Problem::warning(parts.frame_key("elements"), message).help(help)
     })
 }
 

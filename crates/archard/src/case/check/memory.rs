@@ -23,6 +23,9 @@ pub(in crate::case) fn too_large(memory: f64, free: f64) -> Option<Problem> {
 
 const FEWER: &str = "take fewer elements: half as many along both sides take a sixteenth; or halve the body by planes of `symmetry`, each of which leaves a quarter";
 
+/// The same for files.
+pub(in crate::case) const COARSER: &str = "mesh it coarser, in Gmsh by a larger `Mesh.MeshSizeMin` and `Mesh.MeshSizeMax`, and divide the elements of the contact by `contact.elements`; or halve the body by planes of `symmetry`";
+
 /// What is wrong with the memory (bytes) that a run takes.
 pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {
     if let Some(body) = parts.largest() {
@@ -43,7 +46,11 @@ pub(in crate::case) fn of_body(body: &BodyCase, memory: f64) -> Option<Problem> 
         Elasticity::HalfSpace => (&finite.mesh, free_memory()),
     };
     let key = key(Key::of(["body", &body.name, "mesh"]), mesh);
-    judged(memory, free).map(|problem| Problem { key, ..problem })
+    let problem = judged(memory, free).map(|problem| Problem { key, ..problem })?;
+    Some(match finite.mesh.values.get("path") {
+        Some(_) => problem.help(COARSER),
+        None => problem,
+    })
 }
 
 fn judged(memory: f64, free: f64) -> Option<Problem> {

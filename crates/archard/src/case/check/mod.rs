@@ -42,6 +42,7 @@ use crate::compliance::bem::Size;
 use crate::estimate::{Course, Estimate, Estimator, Subject};
 use crate::friction::Friction;
 use crate::motion::{Control, Motion, Schedule};
+use crate::parameters::Values;
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
@@ -140,7 +141,13 @@ impl<'a> Parts<'a> {
         let key = Key::of(["body", &body.name, "mesh"]);
         let Some(finite) = &body.finite else { return key };
         let zone = key.child(finite.mesh.choice.name).child("contact");
-        if finite.mesh.values.section("contact").is_some() { zone.child(name) } else { zone }
+        let has = |section: &Values| section.get(name).is_some();
+        if finite.mesh.values.section("contact").is_some_and(has) { zone.child(name) } else { zone }
+    }
+
+    /// Whether the zone of the pairs is one of a file, which has places and no size of its own.
+    fn zone_of_a_file(&self) -> bool {
+        self.meshed().next().is_some_and(|(_, finite)| finite.meshed.placed)
     }
 
     /// What the frame is called: the zone of a mesh is one too.

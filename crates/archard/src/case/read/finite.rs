@@ -1,5 +1,7 @@
 //! The mesh of a body and what holds it.
 
+use glam::DVec3;
+
 use crate::body::mesh::{MESHES, MeshProblem, Meshed, Zone};
 use crate::body::{Elasticity, Interpolation, Support};
 use crate::case::check::memory;
@@ -25,6 +27,9 @@ const BOUNDARY_ELEMENTS: &[Parameter] = &[
 
 /// Relative error of the integrals where a case says nothing.
 const TOLERANCE: f64 = 1e-6;
+
+/// Length (m) beyond which the unit of a file is in doubt.
+const LARGE: f64 = 10.0;
 
 impl Reader<'_> {
     /// The mesh of a body, `Some(None)` where it has none; `None` if it is wrong.
@@ -72,6 +77,10 @@ impl Reader<'_> {
         // A mesh that no memory holds is not even made.
         let least = Size::at_least(shape.at_least(finite.mirrored, &held), finite.interpolation);
         if let Some(problem) = memory::too_large(least.memory(), memory::free_memory()) {
+            let problem = match finite.mesh.values.get("path") {
+                Some(_) => problem.help(memory::COARSER),
+                None => problem,
+            };
             self.push(Problem { key: memory::key(section.key.clone(), &finite.mesh), ..problem });
             return None;
         }
@@ -83,6 +92,7 @@ impl Reader<'_> {
                 return None;
             }
         };
+        self.unit(&key, finite, &meshed);
         let mut sound = true;
         // Generators draw elements out on purpose, away from the zone.
         let slender = |problem: &MeshProblem| {
@@ -99,6 +109,18 @@ impl Reader<'_> {
             }
         }
         sound.then_some(meshed)
+    }
+
+    /// A warning where a file of no unit makes a body larger than most.
+    fn unit(&mut self, key: &Key, finite: &FiniteCase, meshed: &Meshed) {
+        let [low, high] = meshed.mesh.bounds(0..meshed.mesh.faces.len());
+        let longest = (high - low).max_element();
+        if meshed.placed && finite.mesh.values.get("unit").is_none() && longest > LARGE {
+            let message =
+                format!("the body is {longest:.4} m long: its file says nothing of the unit");
+            let help = "give `unit = \"mm\"` if its coordinates are in mm, `unit = \"m\"` if it is that large";
+            self.push(Problem::warning(key.child("path"), message).help(help));
+        }
     }
 
     /// What tells how the body deforms.
@@ -270,12 +292,18 @@ pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
         Some((finite, finite.meshed().ok()?))
     });
     let first = meshed.next()?;
-    let (finite, Meshed { mesh, zone: Zone { faces, grid }, .. }) = match first.1.has_plane_zone() {
+    let (finite, meshed) = match first.1.has_plane_zone() {
         true => first,
         false => meshed.find(|(_, other)| other.has_plane_zone()).unwrap_or(first),
     };
+    let Meshed { mesh, zone: Zone { faces, grid }, .. } = &meshed;
+    let axes = match meshed.placed {
+        true => meshed.axes(finite.mirrored)?,
+        false => DVec3::AXES,
+    };
     let corners = faces.iter().flat_map(|&face| mesh.faces[face].corners.as_slice());
-    let places: Vec<[f64; 3]> = corners.map(|&corner| mesh.vertices[corner]).collect();
+    let places: Vec<[f64; 3]> =
+        corners.map(|&corner| axes.map(|axis| axis.dot(mesh.vertices[corner].into()))).collect();
     let images = finite.mirrored.map(|mirrored| if mirrored { 2 } else { 1 });
     let size = [0, 1].map(|axis| {
         let values = places.iter().map(|place| place[axis]);
@@ -287,11 +315,12 @@ pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
         Interpolation::Discontinuous => 2 * elements,
         Interpolation::Continuous => elements + 1,
     };
-    let side = (faces.len() as f64).sqrt().ceil() as usize;
-    let elements = grid.unwrap_or([side; 2]);
-    Some(FrameCase {
-        size,
-        elements: [0, 1].map(|axis| images[axis] * pairs(elements[axis])),
-        line: false,
-    })
+    let elements = grid.map(|grid| [0, 1].map(|axis| images[axis] * pairs(grid[axis])));
+    let elements = elements.unwrap_or_else(|| {
+        // As many as there are, of about one width.
+        let count = Size::of(&meshed, finite.interpolation).contact / 3 * images[0] * images[1];
+        let across = |axis: usize| (count as f64 * size[axis] / size[1 - axis]).sqrt();
+        [0, 1].map(|axis| across(axis).round().clamp(1.0, count as f64) as usize)
+    });
+    Some(FrameCase { size, elements, line: false })
 }

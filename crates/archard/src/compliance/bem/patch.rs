@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::element::Element;
+use crate::numerics::triangle;
 
 /// An element on a face of the mesh.
 #[derive(Debug, Clone)]
@@ -110,44 +111,9 @@ impl Patch {
 
 /// Distance of a point from a face, of which each half is taken as plane.
 pub(crate) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
-    let first = from_triangle(point, [corners[0], corners[1], corners[2]]);
+    let first = triangle::distance(point, [corners[0], corners[1], corners[2]]);
     match corners.get(3) {
-        Some(&fourth) => first.min(from_triangle(point, [corners[0], corners[2], fourth])),
+        Some(&fourth) => first.min(triangle::distance(point, [corners[0], corners[2], fourth])),
         None => first,
     }
-}
-
-/// Distance of a point from a triangle.
-fn from_triangle(point: DVec3, corners: [DVec3; 3]) -> f64 {
-    let shares = on_triangle(point, corners);
-    let nearest: DVec3 =
-        shares.into_iter().zip(corners).map(|(share, corner)| share * corner).sum();
-    point.distance(nearest)
-}
-
-/// What the corners of a triangle count for at the place nearest to a point (C. Ericson, *Real-Time Collision
-/// Detection*, Morgan Kaufmann 2005, section 5.1.5).
-pub(super) fn on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
-    let (ab, ac, ap) = (b - a, c - a, point - a);
-    let normal = ab.cross(ac);
-    let square = normal.length_squared();
-    if square > 0.0 {
-        let v = ap.cross(ac).dot(normal) / square;
-        let w = ab.cross(ap).dot(normal) / square;
-        if v >= 0.0 && w >= 0.0 && v + w <= 1.0 {
-            return [1.0 - v - w, v, w];
-        }
-    }
-    let edge = |from: usize, to: usize| {
-        let corners = [a, b, c];
-        let along = corners[to] - corners[from];
-        let square = along.length_squared();
-        let share = (point - corners[from]).dot(along) / square;
-        let share = if square > 0.0 { share.clamp(0.0, 1.0) } else { 0.0 };
-        let mut shares = [0.0; 3];
-        (shares[from], shares[to]) = (1.0 - share, share);
-        (point.distance(corners[from] + share * along), shares)
-    };
-    let edges = [edge(0, 1), edge(1, 2), edge(2, 0)];
-    edges.into_iter().min_by(|a, b| a.0.total_cmp(&b.0)).map_or([1.0, 0.0, 0.0], |edge| edge.1)
 }

@@ -24,7 +24,7 @@ impl Mesh {
         if let Some(problem) = self.unusable() {
             return vec![problem];
         }
-        let planes = Planes { mirrored, tolerance: ON_PLANE * self.extent() };
+        let planes = self.planes(mirrored);
         let mut problems = self.beyond(&planes);
         problems.extend(self.flat());
         problems.extend(self.duplicates());
@@ -32,12 +32,28 @@ impl Mesh {
         if edges.is_empty() && problems.is_empty() {
             let volume = self.volume(mirrored);
             problems.extend((volume < 0.0).then_some(MeshProblem::Inverted { volume }));
+            let pieces = self.pieces(mirrored);
+            let second = pieces.get(1).map(|shell| self.centre(shell.faces[0]));
+            let pieces = pieces.len();
+            problems.extend(second.map(|place| MeshProblem::Pieces { pieces, place }));
         }
         problems.extend(edges);
         problems.extend(self.unused());
         problems.extend(self.bent());
         problems.extend(self.slender());
         problems
+    }
+
+    /// The planes of symmetry, and what counts as on them.
+    pub(super) fn planes(&self, mirrored: [bool; 2]) -> Planes {
+        Planes { mirrored, tolerance: ON_PLANE * self.extent() }
+    }
+
+    /// Whether an edge lies on a plane of symmetry, where the surface is cut open.
+    pub(super) fn is_cut(&self, planes: &Planes, edge: [usize; 2]) -> bool {
+        let on =
+            |axis: usize| edge.iter().all(|&v| self.vertices[v][axis].abs() <= planes.tolerance);
+        (0..2).any(|axis| planes.mirrored[axis] && on(axis))
     }
 
     /// What makes all else meaningless.
@@ -57,7 +73,7 @@ impl Mesh {
     }
 
     /// The longest side of the box around the vertices (m).
-    fn extent(&self) -> f64 {
+    pub(super) fn extent(&self) -> f64 {
         let side = |axis: usize| {
             let values = self.vertices.iter().map(|place| place[axis]);
             let (low, high) = values
@@ -121,20 +137,13 @@ impl Mesh {
         // How many elements pass the edge from its lower to its higher vertex, and the other way.
         let mut edges: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new();
         for face in &self.faces {
-            let corners = face.corners.as_slice();
-            for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            for [a, b] in face.corners.edges() {
                 edges.entry([a.min(b), a.max(b)]).or_default()[usize::from(a > b)] += 1;
             }
         }
         let middle = |[a, b]: [usize; 2]| {
             let (a, b) = (self.vertices[a], self.vertices[b]);
             [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]))
-        };
-        let cut = |edge: [usize; 2]| {
-            let on = |axis: usize| {
-                edge.iter().all(|&v| self.vertices[v][axis].abs() <= planes.tolerance)
-            };
-            (0..2).any(|axis| planes.mirrored[axis] && on(axis))
         };
         let such = |wanted: &dyn Fn([usize; 2], [usize; 2]) -> bool| {
             first(
@@ -144,7 +153,7 @@ impl Mesh {
                     .map(|(edge, _)| middle(*edge)),
             )
         };
-        let open = such(&|edge, [up, down]| up + down == 1 && !cut(edge));
+        let open = such(&|edge, [up, down]| up + down == 1 && !self.is_cut(planes, edge));
         let branching = such(&|_, [up, down]| up + down > 2);
         let unlike = such(&|_, [up, down]| up + down == 2 && up != 1);
         [
@@ -232,7 +241,7 @@ impl Mesh {
 }
 
 /// Planes of symmetry.
-struct Planes {
+pub(super) struct Planes {
     mirrored: [bool; 2],
     /// How close to a plane (m) is on it.
     tolerance: f64,

@@ -51,9 +51,20 @@ pub enum MeshProblem {
         /// The centre of the first of them (m).
         place: [f64; 3],
     },
+    /// Shells of which none lies within another.
+    #[error(
+        "the surface is that of {pieces} bodies, the second at {}: keep one (in Gmsh `BooleanUnion` makes one of parts that touch)",
+        at(.place)
+    )]
+    Pieces {
+        /// How many.
+        pieces: usize,
+        /// The centre of an element of the second (m).
+        place: [f64; 3],
+    },
     /// Edges of a single element.
     #[error(
-        "the surface is open: {edges} edges belong to one element only, the first at {}; mesh what is missing, or merge vertices that lie on one another",
+        "the surface is open: {edges} edges belong to one element only, the first at {}; mesh what is missing, or merge vertices that lie on one another (in Gmsh `Coherence Mesh;`, in Python `gmsh.model.mesh.removeDuplicateNodes()`)",
         at(.place)
     )]
     Open {
@@ -64,7 +75,7 @@ pub enum MeshProblem {
     },
     /// Edges of more than two elements.
     #[error(
-        "{edges} edges belong to more than two elements, the first at {}: remove the walls inside the body",
+        "{edges} edges belong to more than two elements, the first at {}: remove the walls inside the body (in Gmsh put the outer surfaces alone into a `Physical Surface`)",
         at(.place)
     )]
     Branching {
@@ -75,7 +86,7 @@ pub enum MeshProblem {
     },
     /// Neighbours of which one is seen from outside and one from inside.
     #[error(
-        "neighbours at {edges} edges are seen from different sides, the first at {}: orient all elements counter-clockwise seen from outside",
+        "neighbours at {edges} edges are seen from different sides, the first at {}: orient all elements counter-clockwise seen from outside (in Gmsh `gmsh.model.mesh.setOutwardOrientation(1)` for the volume 1, or `ReverseMesh Surface{{1}};` for the surface 1)",
         at(.place)
     )]
     Unlike {
@@ -86,14 +97,14 @@ pub enum MeshProblem {
     },
     /// A surface turned inside out.
     #[error(
-        "the surface encloses {volume:.3e} m^3, its inside is out: turn all elements (in Gmsh: Mesh > Reverse)"
+        "the surface encloses {volume:.3e} m^3, its inside is out: turn all elements (in Gmsh `gmsh.model.mesh.reverse()`)"
     )]
     Inverted {
         /// The volume (m^3).
         volume: f64,
     },
     /// Elements with the same corners.
-    #[error("{count} elements are there twice, the first at {}: keep one of each", at(.place))]
+    #[error("{count} elements are there twice, the first at {}: keep one of each (in Gmsh `gmsh.model.mesh.removeDuplicateElements()`)", at(.place))]
     Duplicate {
         /// How many.
         count: usize,
@@ -118,7 +129,7 @@ pub enum MeshProblem {
     },
     /// Quadrilaterals with a corner that points inwards.
     #[error(
-        "{count} quadrilaterals have a corner that points inwards, the first at {}: divide them into triangles",
+        "{count} quadrilaterals have a corner that points inwards, the first at {}: divide them into triangles (in Gmsh without `Mesh.RecombineAll`)",
         at(.place)
     )]
     Concave {
@@ -142,7 +153,7 @@ pub enum MeshProblem {
     },
     /// Elements much longer than wide.
     #[error(
-        "{count} elements are more than 20 times as long as wide, the worst {ratio:.0} times at {}: refine along the longer side",
+        "{count} elements are more than 20 times as long as wide, the worst {ratio:.0} times at {}: refine along the longer side (in Gmsh by a smaller `Mesh.MeshSizeMax`)",
         at(.place)
     )]
     Slender {

@@ -1,7 +1,9 @@
 //! Surfaces read from files: Gmsh's `.msh` (2.2 and 4.1) and STL, text or binary.
 
 mod error;
+mod faces;
 mod gmsh;
+mod near;
 mod source;
 mod stl;
 
@@ -10,8 +12,15 @@ pub use error::{Fault, MeshFileError, Place};
 #[cfg(test)]
 mod tests;
 
+use std::f64::consts::PI;
+
 use super::{Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use near::Near;
+
+/// Where elements turn by more (rad) is an edge of the body: a cylinder of ten plane strips has none along them, a
+/// chamfer of 45 degrees has two.
+const FEATURE_ANGLE: f64 = 40.0 * PI / 180.0;
 
 /// Units a file may be in, and how long they are (m).
 const UNITS: [(&str, f64); 6] =
@@ -24,9 +33,15 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         Parameter::required("path", Quantity::File, "the file"),
         Parameter::optional(
             "contact",
-            Quantity::Text,
-            "the surface that may touch: a physical group of the .msh, a solid of the .stl",
+            Quantity::TextOr(near::PARAMETERS),
+            "what may touch: the name of a surface, which is a physical group of the .msh, a solid or a face of the .stl; or a place on it",
         ),
+        Parameter::optional(
+            "feature_angle",
+            Quantity::Angle,
+            "edges of the body are where elements turn by more: surfaces are divided there; only an .stl of one solid unless given, at 40 degrees",
+        )
+        .bound(Bound::UpTo(0.0, PI)),
         Parameter::optional(
             "unit",
             Quantity::Word(&["m", "cm", "mm", "um", "nm", "in"]),
@@ -41,11 +56,18 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         let mut mesh =
             parse(bytes).map_err(|error| Invalid::new("path", format!("{name}, {error}")))?;
         mesh.vertices.as_flattened_mut().iter_mut().for_each(|value| *value *= scale);
-        let zone = match values.word("contact") {
-            Some(surface) => mesh.zone(surface)?,
-            None => Zone::default(),
+        let feature_angle = values.number("feature_angle").unwrap_or(FEATURE_ANGLE);
+        if values.get("feature_angle").is_some() {
+            mesh.split(feature_angle, str::to_owned);
+        } else if stl::is_stl(bytes) && mesh.surfaces.len() == 1 {
+            mesh.split(feature_angle, |_| "face".to_owned());
+        }
+        let contact = match (values.word("contact"), values.section("contact")) {
+            (Some(surface), _) => Contact::Surface(mesh.surface(surface)?),
+            (_, Some(place)) => Contact::Near(Near::read(place, &mesh)?),
+            (None, None) => Contact::None,
         };
-        Ok(Box::new(File { mesh, zone }))
+        Ok(Box::new(File { mesh, contact, feature_angle }))
     },
 };
 
@@ -68,12 +90,34 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshFileError> {
 #[derive(Debug)]
 struct File {
     mesh: Mesh,
-    zone: Zone,
+    contact: Contact,
+    /// Elements that turn by more (rad) meet in an edge of the body.
+    feature_angle: f64,
+}
+
+/// What of a file may touch.
+#[derive(Debug)]
+enum Contact {
+    None,
+    /// All of a surface, by its index.
+    Surface(usize),
+    /// What is near a place.
+    Near(Near),
 }
 
 impl Shape for File {
-    fn mesh(&self, _mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
-        Ok(Meshed { mesh: self.mesh.clone(), zone: self.zone.clone(), placed: true })
+    fn mesh(&self, mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
+        let mut mesh = self.mesh.clone();
+        mesh.orient(mirrored);
+        let (mesh, zone) = match &self.contact {
+            Contact::None => (mesh, Zone::default()),
+            Contact::Surface(surface) => {
+                let zone = mesh.zone_of(*surface);
+                (mesh, zone)
+            }
+            Contact::Near(near) => near.zone(mesh, self.feature_angle, mirrored)?,
+        };
+        Ok(Meshed { mesh, zone, placed: true })
     }
 
     fn at_least(&self, _mirrored: [bool; 2], _held: &Supported) -> usize {
@@ -91,12 +135,21 @@ impl Mesh {
     /// # Errors
     /// If there is no such surface.
     pub fn zone(&self, surface: &str) -> Result<Zone, MeshError> {
-        let Some(wanted) = self.surfaces.iter().position(|name| name == surface) else {
+        Ok(self.zone_of(self.surface(surface)?))
+    }
+
+    /// The index of the surface of that name.
+    fn surface(&self, surface: &str) -> Result<usize, MeshError> {
+        self.surfaces.iter().position(|name| name == surface).ok_or_else(|| {
             let (name, known) = (surface.to_owned(), self.surfaces.clone());
-            return Err(MeshError::NoSurface { name, known });
-        };
+            MeshError::NoSurface { name, known }
+        })
+    }
+
+    /// The elements of a surface.
+    fn zone_of(&self, surface: usize) -> Zone {
         let faces = self.faces.iter().enumerate();
-        let faces = faces.filter(|(_, face)| face.surface == wanted).map(|(index, _)| index);
-        Ok(Zone { faces: faces.collect(), grid: None })
+        let faces = faces.filter(|(_, face)| face.surface == surface).map(|(index, _)| index);
+        Zone { faces: faces.collect(), grid: None }
     }
 }

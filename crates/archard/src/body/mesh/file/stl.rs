@@ -134,6 +134,10 @@ impl Weld {
                 vertices.len() - 1
             })
         });
-        self.mesh.faces.push(Face { corners: Corners::Triangle(corners), surface });
+        // A triangle of two places leaves no gap when it is gone.
+        let [a, b, c] = corners;
+        if a != b && b != c && c != a {
+            self.mesh.faces.push(Face { corners: Corners::Triangle(corners), surface });
+        }
     }
 }

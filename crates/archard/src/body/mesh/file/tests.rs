@@ -1,3 +1,5 @@
+mod intake;
+
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 

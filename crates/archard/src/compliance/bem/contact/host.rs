@@ -195,14 +195,5 @@ fn axes(finite: &Finite, sign: f64, surface: &Surface, nodes: &[usize]) -> [DVec
         .iter()
         .map(|image| *image * nodes.iter().map(weighed).sum::<DVec3>())
         .sum();
-    let mut n = sign * mean.normalize_or(DVec3::Z);
-    // Along an axis where it nearly is.
-    for axis in DVec3::AXES {
-        if n.dot(axis).abs() > 1.0 - 1e-6 {
-            n = n.dot(axis).signum() * axis;
-        }
-    }
-    let x = if n.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
-    let t1 = (x - x.dot(n) * n).normalize();
-    [t1, n.cross(t1), n]
+    crate::body::mesh::axes(sign * mean)
 }

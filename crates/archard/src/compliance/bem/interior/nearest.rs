@@ -5,8 +5,9 @@ use std::f64::consts::TAU;
 
 use glam::{DMat2, DVec2, DVec3};
 
-use super::super::patch::{Patch, on_triangle};
+use super::super::patch::Patch;
 use super::super::surface::Surface;
+use crate::numerics::triangle::{on_triangle, solid_angle};
 
 /// The place of the surface nearest to a point.
 #[derive(Debug, Clone, Copy)]
@@ -94,16 +95,4 @@ fn on(patch: &Patch, point: DVec3) -> [f64; 2] {
         reference = (reference + step).clamp(DVec2::NEG_ONE, DVec2::ONE);
     }
     reference.into()
-}
-
-/// The solid angle a triangle fills as seen from the origin, positive from behind (A. Van Oosterom and J.
-/// Strackee, *IEEE Transactions on Biomedical Engineering* 30 (1983), 125-126).
-fn solid_angle([a, b, c]: [DVec3; 3]) -> f64 {
-    let lengths = [a, b, c].map(DVec3::length);
-    let volume = a.dot(b.cross(c));
-    let sum = lengths[0] * lengths[1] * lengths[2]
-        + a.dot(b) * lengths[2]
-        + b.dot(c) * lengths[0]
-        + c.dot(a) * lengths[1];
-    2.0 * volume.atan2(sum)
 }
