@@ -101,6 +101,7 @@ impl Run {
             return Err(taken(&folder));
         }
         let failed = Failed::default();
+        let kept = cache.clone().map(Store::new).or_else(Store::of_user);
         let built = build(py, &pool, &case, cache).and_then(|(mut simulation, doubts)| {
             simulation.companion = companion;
             put_laws(py, &pool, &mut simulation, (laws, friction), &failed)?;
@@ -123,7 +124,7 @@ impl Run {
         Ok(Self {
             pool,
             stage,
-            inside: Some(Inside::at(case.points)),
+            inside: Some(Inside::at(case.points).on(case.sections).keeping(kept)),
             results: Arc::new(Mutex::new(Some(results))),
             failed,
             warnings: warnings.chain(doubts.iter().cloned()).collect(),

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use archard::output::{Collection, Error, Image, RELIEF, Surface, WornSurface, bodies};
+use archard::output::{Collection, Error, Image, RELIEF, Sheet, Surface, WornSurface, bodies};
 
 use crate::failure::Failure;
 use crate::say::say;
@@ -19,7 +19,11 @@ const HEIGHT: f64 = 0.15;
 /// Writes the files of a result folder.
 pub fn write(dir: &Path) -> Result<(), Failure> {
     let wrong = |error: Error| Failure::wrong(error.to_string());
-    let collection = Collection::read(&dir.join("fields.pvd")).map_err(|error| {
+    // A body by itself has no contact to show.
+    let alone = dir.join("surface.vtu").exists() && !dir.join("fields.pvd").exists();
+    let read =
+        if alone { Ok(Collection::default()) } else { Collection::read(&dir.join("fields.pvd")) };
+    let collection = read.map_err(|error| {
         Failure::wrong(format!(
             "{error}; `archard paraview` wants a folder that `archard run` has written"
         ))
@@ -43,23 +47,53 @@ pub fn write(dir: &Path) -> Result<(), Failure> {
             entry.2 = [0, 1, 2, 3].map(|which| entry.2[which].max(found[which]));
         }
     }
+    let names: Vec<&str> = written.values().map(|body| body.0.as_str()).collect();
+    let inside = bodies_inside(dir, &folder, &names).map_err(wrong)?;
+    if alone {
+        let files = inside.join(" and ");
+        return say(&format!("{files} written into {}; open them in ParaView", folder.display()));
+    }
     for (body, collection, _) in written.values() {
         collection.write(&folder.join(format!("{body}.pvd"))).map_err(wrong)?;
     }
     let most = |which: usize| written.values().map(|body| body.2[which]).fold(0.0, f64::max);
-    let names: Vec<&str> = written.values().map(|body| body.0.as_str()).collect();
     let shown = if most(2) > 0.0 { (SHOWN[0], most(2)) } else { (SHOWN[1], most(3)) };
     let script = script(&names, most(0), factor(most(0), most(1)), shown);
     let path = folder.join(MACRO);
     fs::write(&path, script)
         .map_err(|error| Failure::wrong(format!("cannot write `{}`: {error}", path.display())))?;
+    let beside = if inside.is_empty() { String::new() } else { format!(", {}", inside.join(", ")) };
     say(&format!(
-        "{} outputs of {} written into {}; next: paraview --script={}",
+        "{} outputs of {}{beside} written into {}; next: paraview --script={}",
         collection.outputs.len(),
         names.join(" and "),
         folder.display(),
         path.display()
     ))
+}
+
+/// Writes what loads make of meshed bodies, on their surfaces and on sections; the names of the files.
+fn bodies_inside(dir: &Path, folder: &Path, bodies: &[&str]) -> Result<Vec<String>, Error> {
+    let mut written = vec![];
+    let mut write = |surface: &WornSurface, name: String| -> Result<(), Error> {
+        surface.write(&folder.join(&name))?;
+        written.push(name);
+        Ok(())
+    };
+    let surfaces = [("surface.vtu", None), ("surface_1.vtu", Some(0)), ("surface_2.vtu", Some(1))];
+    for (file, which) in surfaces.into_iter().filter(|(file, _)| dir.join(file).exists()) {
+        let body = which.and_then(|which: usize| bodies.get(which)).unwrap_or(&"body");
+        let surface = Surface::read(&dir.join(file))?;
+        write(&WornSurface::of_body(&surface), format!("stress_{body}.vtu"))?;
+    }
+    let sections = fs::read_dir(dir.join("sections")).into_iter().flatten().flatten();
+    let mut sections: Vec<_> = sections.map(|entry| entry.path()).collect();
+    sections.sort();
+    for path in sections.iter().filter(|path| path.extension().is_some_and(|end| end == "vtu")) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        write(&WornSurface::of_sheet(&Sheet::read(path)?), format!("section_{name}"))?;
+    }
+    Ok(written)
 }
 
 /// The surfaces of both bodies at an output, body 1 first.

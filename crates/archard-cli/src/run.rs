@@ -103,7 +103,8 @@ fn contact(
         Ok(Underway { folder, begun, warnings, bar: follower.bar() })
     };
     watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
-    let mut inside = Inside::at(case.points.clone());
+    let mut inside =
+        Inside::at(case.points.clone()).on(case.sections.clone()).keeping(arguments.store());
     let mut watching = watch.clone();
     let observers: &mut [&mut dyn Observer] = &mut [&mut watching, &mut follower, &mut inside];
     let outcome = match kept {

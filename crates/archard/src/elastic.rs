@@ -4,11 +4,17 @@
 //! tractions and stresses on the surface, and displacements and stresses at the points asked for. A body
 //! in contact is one too, once its tractions are known: [`Deformed::in_contact`].
 
+mod section;
+
+pub use section::{Sampled, Section, SectionError};
+
 use glam::{DMat3, DVec3};
 
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
-use crate::compliance::bem::{self, Conditions, Interior, Solid, Surface, advice, forces};
+use crate::compliance::bem::{
+    self, Boundary, Conditions, Interior, Solid, Surface, advice, forces,
+};
 use crate::compliance::{Balance, Undetermined, Unsolved};
 use crate::frame::VectorField;
 use crate::verdict::{self, Verdict};
@@ -25,6 +31,8 @@ pub struct ElasticBody {
     pub finite: Finite,
     /// Points where displacement and stress are wanted.
     pub points: Vec<Point>,
+    /// Plane sections on which they are wanted.
+    pub sections: Vec<Section>,
     /// The longest element along a free span beside the thickness there; `None` where nothing bends.
     pub slenderness: Option<f64>,
 }
@@ -52,6 +60,10 @@ pub struct Deformed {
     pub stress: Vec<[[f64; 3]; 3]>,
     /// Displacement and stress at each point.
     pub points: Vec<Response>,
+    /// Displacement and stress on each section.
+    pub sections: Vec<Sampled>,
+    /// Depth of wear (m), a value a node of tractions; empty where nothing touches the body.
+    pub worn: Vec<f64>,
     /// What is left of the balance of forces and moments.
     pub balance: Balance,
     forces: Vec<[f64; 3]>,
@@ -89,6 +101,14 @@ pub enum ElasticError {
         /// The point.
         point: Point,
     },
+    /// A section has no places.
+    #[error("the section `{name}` {cause}")]
+    Section {
+        /// Its name.
+        name: String,
+        /// What is wrong.
+        cause: SectionError,
+    },
     /// Its equations have no solution.
     #[error("{cause}; {}", advice(.cause))]
     Singular {
@@ -118,7 +138,11 @@ impl ElasticBody {
         let outside =
             self.points.iter().filter(|point| surface.depth(point.place.into()).is_none());
         let outside = outside.map(|point| ElasticError::Outside { point: point.clone() });
-        undetermined.into_iter().chain(outside).collect()
+        let sections = self.sections.iter().filter_map(|section| {
+            let cause = section.check(surface).err()?;
+            Some(ElasticError::Section { name: section.name.clone(), cause })
+        });
+        undetermined.into_iter().chain(outside).chain(sections).collect()
     }
 
     /// What can be believed of a result.
@@ -138,8 +162,27 @@ impl ElasticBody {
         let surface = self.surface();
         let conditions = self.conditions(&surface)?;
         let job = Job { surface: &surface, conditions: &conditions };
-        Deformed::of((material, finite.tolerance), &job, &[], &self.points)
+        let boundary = solve(finite, material, &job, &[])?;
+        let wanted = (&self.points[..], &self.sections[..]);
+        Deformed::of((material, finite.tolerance), &job, &boundary, wanted)
     }
+}
+
+/// Points and sections where displacement and stress are wanted.
+pub(crate) type Wanted<'a> = (&'a [Point], &'a [Section]);
+
+/// What finds displacements and tractions all over a body under tractions of contact (Pa), three a contact node.
+pub(crate) type Solve<'a> =
+    &'a dyn Fn(&Finite, &Material, &Job<'_>, &[f64]) -> Result<Boundary, Unsolved>;
+
+/// Solves the equations of a body.
+pub(crate) fn solve(
+    finite: &Finite,
+    material: &Material,
+    job: &Job<'_>,
+    acting: &[f64],
+) -> Result<Boundary, Unsolved> {
+    Ok(Solid::new(job.surface, material, job.conditions, finite.tolerance)?.boundary(acting))
 }
 
 impl Deformed {
@@ -154,26 +197,41 @@ impl Deformed {
         tractions: &VectorField,
         points: &[Point],
     ) -> Result<Option<Self>, ElasticError> {
+        Self::in_contact_by(bodies, which, (tractions, &[]), (points, &[]), &solve)
+    }
+
+    /// The same with depths of wear (m, a value a pair), sections, and something that solves the equations or knows that
+    /// they were.
+    ///
+    /// # Errors
+    /// As [`Deformed::in_contact`].
+    pub(crate) fn in_contact_by(
+        bodies: [&Body; 2],
+        which: usize,
+        (tractions, worn): (&VectorField, &[f64]),
+        wanted: Wanted<'_>,
+        solve: Solve<'_>,
+    ) -> Result<Option<Self>, ElasticError> {
         let meeting = Meeting::of(bodies)?;
         let Body { material: Some(material), finite: Some(finite), .. } = bodies[which] else {
             return Ok(None);
         };
         let Some((job, acting)) = meeting.acting_on(which, tractions) else { return Ok(None) };
-        Self::of((material, finite.tolerance), &job, &acting, points).map(Some)
+        let boundary = solve(finite, material, &job, &acting)?;
+        let mut deformed = Self::of((material, finite.tolerance), &job, &boundary, wanted)?;
+        deformed.worn = meeting.on_nodes(which, worn);
+        Ok(Some(deformed))
     }
 
-    /// Solves equations, integrals to that relative tolerance, under tractions of contact.
+    /// Stresses, integrals to that relative tolerance, from what is known all over the surface.
     fn of(
         (material, tolerance): (&Material, f64),
         job: &Job<'_>,
-        acting: &[f64],
-        points: &[Point],
+        boundary: &Boundary,
+        (points, sections): Wanted<'_>,
     ) -> Result<Self, ElasticError> {
         let surface = job.surface;
-        let solid = Solid::new(surface, material, job.conditions, tolerance)?;
-        let boundary = solid.boundary(acting);
-        drop(solid);
-        let interior = Interior::new(surface, material, &boundary, tolerance);
+        let interior = Interior::new(surface, material, boundary, tolerance);
         let stress = interior.surface_stress().iter().map(DMat3::to_cols_array_2d).collect();
         let outside = |point: &Point| ElasticError::Outside { point: point.clone() };
         let at = |point: &Point| {
@@ -181,12 +239,24 @@ impl Deformed {
             Ok(response.into())
         };
         let points = points.iter().map(at).collect::<Result<_, ElasticError>>()?;
+        let sections = sections.iter().map(|one| one.sample(surface, &interior)).collect();
         let balance = Balance::of(surface, job.conditions, &boundary.traction);
-        let forces = forces(surface, job.conditions, &boundary);
-        let [displacement, traction] = [boundary.displacement, boundary.traction]
+        let forces = forces(surface, job.conditions, boundary);
+        let [displacement, traction] = [&boundary.displacement, &boundary.traction]
             .map(|vectors| vectors.iter().map(DVec3::to_array).collect());
         let surface = surface.clone();
-        Ok(Self { surface, displacement, traction, stress, points, balance, forces })
+        let worn = vec![];
+        Ok(Self {
+            surface,
+            displacement,
+            traction,
+            stress,
+            points,
+            sections,
+            worn,
+            balance,
+            forces,
+        })
     }
 
     /// The number of unknowns of its equations.

@@ -71,7 +71,9 @@ fn attempt(
     let begun = Instant::now();
     let (folder, kept) = begin(dir, case_toml)?;
     let mut results = Following { folder, requests };
-    let mut inside = Inside::at(resolved.case.points.clone());
+    let beside = store.map(|store| Store::new(store.folder()));
+    let mut inside =
+        Inside::at(resolved.case.points.clone()).on(resolved.case.sections.clone()).keeping(beside);
     let mut stale = false;
     let failure = build(resolved, store).and_then(|simulation| {
         let observers: &mut [&mut dyn Observer] = &mut [&mut results, &mut inside];

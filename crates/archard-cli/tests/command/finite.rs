@@ -111,6 +111,80 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     assert!(!out.join("points.csv").exists() && !out.join("surface_2.vtu").exists());
 }
 
+/// A section and a point: what every traction makes of the body is kept beside its compliance, so that a second run solves
+/// nothing and writes the same bits.
+#[test]
+fn sections_are_put_out_and_shown_in_paraview() {
+    let dir = TempDir::new().unwrap();
+    let case = case("punch_indentation_block");
+    let run = |output: &str| {
+        let section = r#"output.sections.block.middle={ through = ["0 m", "0 m", "0 m"], normal = [0, 1, 0], spacing = "50 mm", size = ["0.4 m", "0.8 m"] }"#;
+        let options = [
+            "body.block.mesh.box.contact.elements=[4, 4]",
+            "motion.indentation.increments=4",
+            r#"output.points.block.below=["0 m", "0 m", "-50 mm"]"#,
+            section,
+        ];
+        let case = case.to_str().unwrap();
+        let mut arguments = vec!["run", case, "-o", output, "-q", "--force", "--cache", "kept"];
+        options.iter().for_each(|option| arguments.extend(["--set", option]));
+        archard(&dir, &arguments).success();
+        let read = |name: &str| fs::read(dir.path().join(output).join(name)).unwrap();
+        let files = ["points.csv", "surface_2.vtu", "sections/block_middle.vtu"].map(read);
+        let kept = fs::read_dir(dir.path().join("kept")).unwrap();
+        let mut kept: Vec<_> = kept.map(|entry| entry.unwrap().path()).collect();
+        kept.sort();
+        (files, kept)
+    };
+    let (first, kept) = run("first");
+    assert_eq!(kept.len(), 2, "{kept:?}");
+    // Were the equations solved again, they would be written again.
+    let written = |path: &PathBuf| fs::metadata(path).unwrap().modified().unwrap();
+    let times: Vec<_> = kept.iter().map(written).collect();
+    assert_eq!(run("second"), (first, kept.clone()));
+    assert_eq!(kept.iter().map(written).collect::<Vec<_>>(), times);
+    // A grid of 9 by 9 places below the surface, the middle of them at the point.
+    let sheet = archard::output::Sheet::read(&dir.path().join("first/sections/block_middle.vtu"));
+    let sheet = sheet.unwrap();
+    assert_eq!((sheet.points.len(), sheet.cells.len()), (9 * 9, 8 * 8));
+    let at = |place: &[f64; 3]| {
+        place[0].abs() < 1e-9 && place[1] == 0.0 && (place[2] + 0.05).abs() < 1e-9
+    };
+    let place = sheet.points.iter().position(at).expect("a place 50 mm below");
+    let stress = sheet.fields.iter().find(|field| field.name == "stress_zz_Pa").unwrap();
+    let table = fs::read_to_string(dir.path().join("first/points.csv")).unwrap();
+    let known: f64 = table.lines().nth(1).unwrap().split(',').nth(11).unwrap().parse().unwrap();
+    assert!((stress.values[place] / known - 1.0).abs() < 1e-9, "{known}");
+    let said = printed(&archard(&dir, &["paraview", "first"]).success());
+    assert!(said.contains("stress_block.vtu, section_block_middle.vtu"), "{said}");
+    for name in ["stress_block.vtu", "section_block_middle.vtu", "block.pvd", "open.py"] {
+        assert!(dir.path().join("first/paraview").join(name).is_file(), "{name}");
+    }
+    let refused = |options: &[&str]| {
+        let arguments = [&["check", case.to_str().unwrap()], options].concat();
+        crate::said(&archard(&dir, &arguments).code(2))
+    };
+    let plane = |rest: &str| {
+        format!(
+            "output.sections.block.a={{ through = [\"0 m\", \"0 m\", \"9 m\"], normal = {rest} }}"
+        )
+    };
+    for (rest, message) in [
+        ("[0, 0, 1], spacing = \"50 mm\"", "no square of the grid lies in it"),
+        ("[0, 0, 0], spacing = \"1 mm\"", "no direction"),
+        ("[0, 1, 0], spacing = \"0.1 mm\"", "take a larger `spacing`"),
+        ("[0, 1], spacing = \"1 mm\"", "expected three values"),
+    ] {
+        let said = refused(&["--set", &plane(rest)]);
+        assert!(said.contains(message), "{rest}: {said}");
+    }
+    let said = refused(&[
+        "--set",
+        r#"output.sections.punch.a={ through = ["0 m", "0 m", "0 m"], normal = [0, 1, 0], spacing = "1 mm" }"#,
+    ]);
+    assert!(said.contains("has no stress to put out"), "{said}");
+}
+
 #[test]
 fn check_compares_a_meshed_body_with_a_half_space() {
     let dir = TempDir::new().unwrap();
@@ -150,6 +224,8 @@ fn an_elastic_body_is_checked_and_run() {
     assert!(stress.iter().all(|stress| (stress - 1.5e6).abs() < 50.0), "{stress:?}");
     archard(&dir, &["run", "results/patch_test", "-o", "again", "-q"]).success();
     assert_eq!(fs::read_to_string(dir.path().join("again/points.csv")).unwrap(), points);
+    let shown = printed(&archard(&dir, &["paraview", "results/patch_test"]).success());
+    assert!(shown.contains("stress_body.vtu written into"), "{shown}");
     let refused = archard(&dir, &["plot", "results/patch_test"]).code(2);
     assert!(said(&refused).contains("open its surface.vtu"), "{}", said(&refused));
 }

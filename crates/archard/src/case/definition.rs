@@ -5,7 +5,7 @@ use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support, Thermal};
 use crate::compliance::bem::contact::{self, Condense};
-use crate::elastic::Point;
+use crate::elastic::{Point, Section};
 use crate::friction::Friction;
 use crate::motion::Planned;
 use crate::output::Store;
@@ -43,6 +43,8 @@ pub struct Case {
     pub output: Output,
     /// Points of each body where displacement and stress are put out at the end.
     pub points: [Vec<Point>; 2],
+    /// Sections of each body on which they are put out at the end.
+    pub sections: [Vec<Section>; 2],
 }
 
 /// One body of a case.

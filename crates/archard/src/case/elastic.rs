@@ -6,8 +6,9 @@ use super::check::{memory, slender};
 use super::definition::{BodyCase, BuildError};
 use super::key::Key;
 use super::problem::Problem;
+use crate::body::mesh::{Listed, Meshed};
 use crate::compliance::bem::Size;
-use crate::elastic::{ElasticBody, ElasticError, Point};
+use crate::elastic::{ElasticBody, ElasticError, Point, Section};
 use crate::parameters::Invalid;
 
 /// A checked case of one elastic body, in SI. It prints as a case file that reads back to the same bits.
@@ -20,6 +21,8 @@ pub struct ElasticCase {
     pub body: BodyCase,
     /// Points where displacement and stress are put out.
     pub points: Vec<Point>,
+    /// Sections on which they are put out.
+    pub sections: Vec<Section>,
 }
 
 /// What the computation of an elastic body will take.
@@ -52,8 +55,9 @@ impl ElasticCase {
         let finite = case.build()?;
         let slenderness = case.slenderness(&finite.meshed)?;
         let material = self.body.material.ok_or_else(|| missing("material"))?;
-        let (name, points) = (self.body.name.clone(), self.points.clone());
-        Ok(ElasticBody { name, material, finite, points, slenderness })
+        let name = self.body.name.clone();
+        let (points, sections) = (self.points.clone(), self.sections.clone());
+        Ok(ElasticBody { name, material, finite, points, sections, slenderness })
     }
 }
 
@@ -72,6 +76,10 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
         ElasticError::Outside { point } => {
             let key = Key::of(["output", "points", &point.name]);
             Problem::error(key, "lies outside of the body")
+        }
+        ElasticError::Section { name, cause } => {
+            let key = Key::of(["output", "sections", name, cause.parameter()]);
+            Problem::error(key, cause.to_string())
         }
         _ => {
             let key = Key::of(["body", &case.body.name, "supports"]);

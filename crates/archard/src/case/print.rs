@@ -10,7 +10,7 @@ use super::definition::{BodyCase, Case, FiniteCase, FrameCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
 use crate::body::{Elasticity, Interpolation, Support, Thermal};
-use crate::elastic::Point;
+use crate::elastic::{Point, Section};
 use crate::parameters::{Columns, Parameter, Quantity, Value, Values};
 use crate::units::Measure;
 
@@ -65,6 +65,9 @@ impl Display for Case {
         for (body, points) in self.bodies.iter().zip(&self.points) {
             print_points(f, &format!("output.points.{}", body.name), points)?;
         }
+        for (body, sections) in self.bodies.iter().zip(&self.sections) {
+            print_sections(f, &format!("output.sections.{}", body.name), sections)?;
+        }
         Ok(())
     }
 }
@@ -100,7 +103,8 @@ impl Display for ElasticCase {
             print_finite(f, &key, finite)?;
         }
         writeln!(f)?;
-        print_points(f, "output.points", &self.points)
+        print_points(f, "output.points", &self.points)?;
+        print_sections(f, "output.sections", &self.sections)
     }
 }
 
@@ -108,6 +112,19 @@ fn print_points(f: &mut Formatter<'_>, key: &str, points: &[Point]) -> fmt::Resu
     for Point { name, place } in points {
         let place = place.map(|one| si(one, "m")).join(", ");
         writeln!(f, "{key}.{name} = [{place}]")?;
+    }
+    Ok(())
+}
+
+fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt::Result {
+    for Section { name, through, normal, spacing, size } in sections {
+        let [through, normal] =
+            [through.map(|one| si(one, "m")), normal.map(number)].map(|three| three.join(", "));
+        writeln!(f, "{key}.{name}.through = [{through}]\n{key}.{name}.normal = [{normal}]")?;
+        writeln!(f, "{key}.{name}.spacing = {}", si(*spacing, "m"))?;
+        if let Some(size) = size {
+            writeln!(f, "{key}.{name}.size = [{}]", size.map(|one| si(one, "m")).join(", "))?;
+        }
     }
     Ok(())
 }

@@ -1,14 +1,16 @@
 //! The results of an elastic body: fields on its surface, and a row for each point inside.
 
+use std::path::Path;
+
 use serde_json::{Map, Value, json};
 
 use super::summary;
 use super::table::{Table, number};
-use super::{Claim, Error, Field, Surface, Totals, file};
-use crate::elastic::{Deformed, ElasticBody, Point, Response, row};
+use super::{Claim, Error, Field, Sheet, Surface, Totals, file};
+use crate::elastic::{Deformed, ElasticBody, Point, Response, Sampled, row};
 
-/// Writes `case.toml`, `surface.vtu`, `points.csv` where points were asked for, and `summary.json` into a folder; what
-/// earlier runs left there is removed.
+/// Writes `case.toml`, `surface.vtu`, `points.csv` and files in `sections` where points and sections were asked for, and
+/// `summary.json` into a folder; what earlier runs left there is removed.
 ///
 /// # Errors
 /// If a file cannot be removed or written.
@@ -28,6 +30,7 @@ pub fn write_elastic(
         table.flush()?;
         table.sync()?;
     }
+    write_sections(dir, "", deformed)?;
     let summary = format!("{:#}\n", summary(body, deformed, totals));
     file::write_whole(&dir.join("summary.json"), summary.as_bytes())
 }
@@ -36,6 +39,22 @@ pub fn write_elastic(
 pub(super) const SURFACE: &str = "surface.vtu";
 /// The file of what is found at points.
 pub(super) const POINTS: &str = "points.csv";
+
+/// The folder of sections.
+pub(super) const SECTIONS: &str = "sections";
+
+/// Writes a file a section, its name behind a prefix.
+pub(super) fn write_sections(dir: &Path, prefix: &str, deformed: &Deformed) -> Result<(), Error> {
+    if deformed.sections.is_empty() {
+        return Ok(());
+    }
+    let folder = dir.join(SECTIONS);
+    let refused = |source| Error::Write { path: folder.clone(), source };
+    std::fs::create_dir_all(&folder).map_err(refused)?;
+    deformed.sections.iter().try_for_each(|sampled| {
+        Sheet::of_section(sampled).write(&folder.join(format!("{prefix}{}.vtu", sampled.name)))
+    })
+}
 
 /// Adds a row a point, with the same cells in front of each.
 pub(super) fn write_points(
@@ -83,31 +102,55 @@ impl Surface {
     /// The surface of an elastic body: displacement, traction and stress at the nodes of every element.
     pub fn of_elastic(deformed: &Deformed) -> Self {
         let mut surface = Self { mirrored: deformed.surface.mirrored(), ..Self::default() };
-        let mut columns: Vec<Field> = vec![];
-        let (mut displacements, mut tractions) = (vec![], vec![]);
+        let (mut responses, mut tractions, mut worn) = (vec![], vec![], vec![]);
         let nodes = deformed.surface.traction_nodes();
         for face in 0..deformed.surface.elements() {
             let parts = deformed.surface.parts_of(face);
             for (node, part) in deformed.surface.tractions_of(face).zip(parts) {
                 let displacement = deformed.displacement[nodes[node].node];
-                let stress = deformed.stress[node];
                 surface.places.push(nodes[node].place.to_array());
                 surface.outlines.push(part.map(|corner| corner.to_array()).to_vec());
-                displacements.push(displacement);
+                responses.push(Response { displacement, stress: deformed.stress[node] });
                 tractions.push(deformed.traction[node]);
-                let row = row(&Response { displacement, stress });
-                columns.resize_with(row.len(), || Field { name: String::new(), values: vec![] });
-                for (column, (name, value)) in columns.iter_mut().zip(row) {
-                    column.name = name;
-                    column.values.push(value);
-                }
+                worn.extend(deformed.worn.get(node));
             }
         }
-        surface.fields = columns;
+        surface.fields = fields(&responses);
+        if !worn.is_empty() {
+            surface.fields.push(Field { name: "wear_m".to_owned(), values: worn });
+        }
+        let displacements = responses.iter().map(|response| response.displacement).collect();
         surface.vectors = vec![
             ("displacement_m".to_owned(), displacements),
             ("traction_Pa".to_owned(), tractions),
         ];
         surface
     }
+}
+
+impl Sheet {
+    /// A section of a body: displacement and stress at its places.
+    pub fn of_section(sampled: &Sampled) -> Self {
+        let displacements = sampled.responses.iter().map(|response| response.displacement);
+        Self {
+            points: sampled.places.clone(),
+            cells: sampled.cells.iter().map(|cell| cell.to_vec()).collect(),
+            fields: fields(&sampled.responses),
+            vectors: vec![("displacement_m".to_owned(), displacements.collect())],
+        }
+    }
+}
+
+/// Displacements, stresses and the equivalent stress as fields.
+fn fields(responses: &[Response]) -> Vec<Field> {
+    let mut fields: Vec<Field> = vec![];
+    for response in responses {
+        let row = row(response);
+        fields.resize_with(row.len(), || Field { name: String::new(), values: vec![] });
+        for (field, (name, value)) in fields.iter_mut().zip(row) {
+            field.name = name;
+            field.values.push(value);
+        }
+    }
+    fields
 }

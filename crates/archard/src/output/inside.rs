@@ -3,22 +3,27 @@
 use std::error::Error as StdError;
 use std::path::Path;
 
-use super::elastic::{POINTS, write_points};
+use super::elastic::{POINTS, write_points, write_sections};
 use super::table::Table;
-use super::{Error, Surface};
-use crate::body::Body;
-use crate::elastic::{Deformed, ElasticError, Point};
+use super::{Error, Store, Surface};
+use crate::body::{Body, Finite, Material};
+use crate::compliance::Unsolved;
+use crate::compliance::bem::Boundary;
+use crate::compliance::bem::contact::Job;
+use crate::elastic::{self, Deformed, ElasticError, Point, Section};
 use crate::frame::VectorField;
 use crate::simulation::{Observer, Report};
 
 /// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2.
 pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
 
-/// Keeps the last tractions of a run, for the stresses they cause where these are asked for.
+/// Keeps the last tractions and the wear of a run, for the stresses inside where these are asked for.
 #[derive(Debug)]
 pub struct Inside {
     points: [Vec<Point>; 2],
-    tractions: Option<VectorField>,
+    sections: [Vec<Section>; 2],
+    store: Option<Store>,
+    last: Option<(VectorField, [Vec<f64>; 2])>,
 }
 
 /// Why stresses inside are not there.
@@ -41,36 +46,78 @@ pub enum InsideError {
 impl Inside {
     /// Stresses at points of body 1 and body 2 (m, in their own coordinates).
     pub fn at(points: [Vec<Point>; 2]) -> Self {
-        Self { points, tractions: None }
+        Self { points, sections: [vec![], vec![]], store: None, last: None }
     }
 
-    /// Writes `points.csv`, a row a point, and for every body with points the fields on its surface,
-    /// `surface_1.vtu` or `surface_2.vtu`. The equations of these bodies are made and solved once more.
+    /// Stresses on sections of body 1 and body 2 as well.
+    #[must_use]
+    pub fn on(self, sections: [Vec<Section>; 2]) -> Self {
+        Self { sections, ..self }
+    }
+
+    /// The same with a store: equations are solved for all tractions of the contact once, and what comes out is kept
+    /// there, so that no later run of the body solves them.
+    #[must_use]
+    pub fn keeping(self, store: Option<Store>) -> Self {
+        Self { store, ..self }
+    }
+
+    /// Whether anything of a body is wanted.
+    fn wants(&self, which: usize) -> bool {
+        !self.points[which].is_empty() || !self.sections[which].is_empty()
+    }
+
+    /// Writes `points.csv`, a row a point, and for every body with points or sections the fields on its surface,
+    /// `surface_1.vtu` or `surface_2.vtu`, and a file a section in `sections`. Without a store the equations of these
+    /// bodies are made and solved once more.
     ///
     /// # Errors
     /// If a point lies outside of its body, equations have no solution, or a file cannot be written.
     pub fn write(&self, dir: &Path, bodies: [&Body; 2]) -> Result<(), InsideError> {
-        let Some(tractions) = &self.tractions else { return Ok(()) };
-        let mut table = Table::create(dir.join(POINTS))?;
-        for (which, points) in
-            self.points.iter().enumerate().filter(|(_, points)| !points.is_empty())
-        {
+        let Some((tractions, worn)) = &self.last else { return Ok(()) };
+        let any = self.points.iter().any(|points| !points.is_empty());
+        let mut table = any.then(|| Table::create(dir.join(POINTS))).transpose()?;
+        for which in (0..2).filter(|&which| self.wants(which)) {
             let body = &bodies[which].name;
-            let deformed = Deformed::in_contact(bodies, which, tractions, points)
+            let solve = |finite: &Finite, material: &Material, job: &Job<'_>, acting: &[f64]| {
+                self.solve(finite, material, job, acting)
+            };
+            let acting = (tractions, &worn[which][..]);
+            let wanted = (&self.points[which][..], &self.sections[which][..]);
+            let deformed = Deformed::in_contact_by(bodies, which, acting, wanted, &solve)
                 .map_err(|cause| InsideError::Body { body: body.clone(), cause })?;
             let Some(deformed) = deformed else { continue };
             Surface::of_elastic(&deformed).write(&dir.join(SURFACES[which]))?;
-            write_points(&mut table, &[("body", body.clone())], points, &deformed)?;
+            if let Some(table) = &mut table {
+                write_points(table, &[("body", body.clone())], &self.points[which], &deformed)?;
+            }
+            write_sections(dir, &format!("{body}_"), &deformed)?;
         }
-        table.flush()?;
-        Ok(table.sync()?)
+        if let Some(mut table) = table {
+            table.flush()?;
+            table.sync()?;
+        }
+        Ok(())
+    }
+
+    /// Displacements and tractions all over a body under tractions of contact.
+    fn solve(
+        &self,
+        finite: &Finite,
+        material: &Material,
+        job: &Job<'_>,
+        acting: &[f64],
+    ) -> Result<Boundary, Unsolved> {
+        let Some(store) = &self.store else { return elastic::solve(finite, material, job, acting) };
+        let responses = store.respond(finite, material, job)?;
+        Ok(responses.boundary((job.surface, job.conditions), material, acting))
     }
 }
 
 impl Observer for Inside {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        if self.points.iter().any(|points| !points.is_empty()) {
-            self.tractions = Some(report.state.tractions());
+        if (0..2).any(|which| self.wants(which)) {
+            self.last = Some((report.state.tractions(), report.state.worn.clone()));
         }
         Ok(())
     }

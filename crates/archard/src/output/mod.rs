@@ -14,11 +14,12 @@
 //! - `summary.json`: the last row, checks and totals;
 //! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
 //!
-//! Where points inside of bodies in contact are asked for, [`Inside`] adds `points.csv`, a row a point, and
-//! `surface_1.vtu` or `surface_2.vtu` with displacements, tractions and stresses, at the end.
+//! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end
+//! `points.csv`, a row a point, `surface_1.vtu` or `surface_2.vtu` with displacements, tractions, stresses and wear, and
+//! a [`Sheet`] a section, `sections/BODY_NAME.vtu`.
 //!
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
-//! tractions and stresses, `points.csv` with a row a point, and `summary.json`.
+//! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
 //!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
@@ -36,6 +37,7 @@ mod inside;
 mod length_profiles;
 mod limit;
 mod sections;
+mod sheet;
 mod standards;
 mod store;
 mod summary;
@@ -59,6 +61,7 @@ pub use file::write_whole;
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
+pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
 pub use summary::Totals;

@@ -1,4 +1,5 @@
-//! Compliances of meshed bodies, kept from one run to the next.
+//! Compliances of meshed bodies, kept from one run to the next, and what tractions of contact make of the whole body,
+//! where stresses inside are asked for.
 //!
 //! Each is a file of its own that says what it is ([`envelope`]), named by a hash of all that the compliance follows
 //! from. What is damaged, foreign, of another size or of another version is computed anew and replaced. What others may
@@ -17,11 +18,13 @@ use sha2::{Digest, Sha256};
 use super::file;
 use crate::body::{Finite, Material};
 use crate::compliance::bem::contact::{Job, condense};
-use crate::compliance::bem::{Balance, Condensed};
+use crate::compliance::bem::{Balance, Condensed, Responses, Solid};
 use crate::numerics::dense::Unsolved;
 
 /// What a file begins with; the version changes with the format and with the equations.
 const FORMAT: &[u8] = b"archard compliance 4\n";
+/// The same for what tractions make of the whole body.
+const RESPONSES: &[u8] = b"archard responses 1\n";
 
 /// A folder of compliances.
 #[derive(Debug)]
@@ -61,23 +64,66 @@ impl Store {
         material: &Material,
         job: &Job<'_>,
     ) -> Result<Condensed, Unsolved> {
-        if let Err(doubt) = trust::folder(&self.folder) {
-            self.doubt(&self.folder, doubt, "compliances are neither read from it nor kept in it");
-            return condense(finite, material, job);
-        }
-        let mut hash = Sha256::new_with_prefix(FORMAT);
-        job.fingerprint(finite, material, &mut |bytes| hash.update(bytes));
-        let envelope = envelope(hash.finalize().into(), job.size());
-        let path = self.path(&envelope.key);
-        if let Some(known) = self.read(&path, &envelope, job.size()) {
+        let envelope = envelope(key(FORMAT, finite, material, job), job.size());
+        let found = self.find(&envelope, "compliance", |numbers| condensed(numbers, job.size()));
+        if let Some(known) = found {
             return Ok(known);
         }
         let condensed = condense(finite, material, job)?;
-        if trust::make(&self.folder).is_ok() {
-            file::remove_parts(&self.folder, trust::gone);
-            let _ = file::write_private(&path, &envelope.seal(numbers(&condensed)));
-        }
+        self.keep(&envelope, "compliance", numbers(&condensed));
         Ok(condensed)
+    }
+
+    /// What tractions of contact make of a whole body, likewise.
+    ///
+    /// # Errors
+    /// As [`Store::condense`].
+    #[doc(hidden)]
+    pub fn respond(
+        &self,
+        finite: &Finite,
+        material: &Material,
+        job: &Job<'_>,
+    ) -> Result<Responses, Unsolved> {
+        let [rows, columns] = Responses::size(job.surface, job.conditions);
+        let key = key(RESPONSES, finite, material, job);
+        let envelope = Envelope { format: RESPONSES, key, count: rows * columns };
+        let number = |numbers: &[[u8; 8]], index: usize| f64::from_le_bytes(numbers[index]);
+        let found = self.find(&envelope, "responses", |numbers| Responses {
+            sought: Mat::from_fn(rows, columns, |row, column| number(numbers, row + rows * column)),
+        });
+        if let Some(known) = found {
+            return Ok(known);
+        }
+        let responses =
+            Solid::new(job.surface, material, job.conditions, finite.tolerance)?.responses();
+        let sought = &responses.sought;
+        let all = (0..rows * columns).map(|at| sought[(at % rows, at / rows)]);
+        self.keep(&envelope, "responses", all);
+        Ok(responses)
+    }
+
+    /// What a file of the folder holds, if the folder is trusted, and the file sound and what is looked for.
+    fn find<T>(
+        &self,
+        envelope: &Envelope,
+        kind: &str,
+        make: impl FnOnce(&[[u8; 8]]) -> T,
+    ) -> Option<T> {
+        if let Err(doubt) = trust::folder(&self.folder) {
+            self.doubt(&self.folder, doubt, "compliances are neither read from it nor kept in it");
+            return None;
+        }
+        self.read(&self.path(&envelope.key, kind), envelope, make)
+    }
+
+    /// Keeps numbers, where the folder is trusted and can be written to.
+    fn keep(&self, envelope: &Envelope, kind: &str, numbers: impl Iterator<Item = f64>) {
+        if trust::folder(&self.folder).is_ok() && trust::make(&self.folder).is_ok() {
+            file::remove_parts(&self.folder, trust::gone);
+            let path = self.path(&envelope.key, kind);
+            let _ = file::write_private(&path, &envelope.seal(numbers));
+        }
     }
 
     /// What was not read, and why, in a sentence each.
@@ -93,21 +139,33 @@ impl Store {
         }
     }
 
-    fn path(&self, key: &[u8; HASH]) -> PathBuf {
+    fn path(&self, key: &[u8; HASH], kind: &str) -> PathBuf {
         let name: String = key[..16].iter().map(|byte| format!("{byte:02x}")).collect();
-        self.folder.join(name + ".compliance")
+        self.folder.join(format!("{name}.{kind}"))
     }
 
-    /// The compliance of that size in a file, if it is sound and what is looked for.
-    fn read(&self, path: &Path, envelope: &Envelope, size: usize) -> Option<Condensed> {
+    /// What is made of the numbers in a file, if it is sound and what is looked for.
+    fn read<T>(
+        &self,
+        path: &Path,
+        envelope: &Envelope,
+        make: impl FnOnce(&[[u8; 8]]) -> T,
+    ) -> Option<T> {
         match trust::read(path, envelope.length()?) {
-            Ok(bytes) => Some(condensed(envelope.open(&bytes?)?, size)),
+            Ok(bytes) => Some(make(envelope.open(&bytes?)?)),
             Err(doubt) => {
                 self.doubt(path, doubt, "the compliance is computed anew and replaces it");
                 None
             }
         }
     }
+}
+
+/// The hash of all that what is kept of a body follows from.
+fn key(format: &[u8], finite: &Finite, material: &Material, job: &Job<'_>) -> [u8; HASH] {
+    let mut hash = Sha256::new_with_prefix(format);
+    job.fingerprint(finite, material, &mut |bytes| hash.update(bytes));
+    hash.finalize().into()
 }
 
 /// What the file of a compliance of that size says about itself.
@@ -134,9 +192,11 @@ fn condensed(numbers: &[[u8; 8]], size: usize) -> Condensed {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use faer::Mat;
 
-    use super::{HASH, Store, envelope, numbers};
+    use super::{Envelope, HASH, Store, condensed as condensed_of, envelope, numbers};
     use crate::compliance::bem::{Balance, Condensed};
 
     #[test]
@@ -151,11 +211,14 @@ mod tests {
         let condensed = Condensed { compliance: compliance.clone(), free: free.clone(), balance };
         let known = envelope([7; HASH], 3);
         crate::output::file::write_private(&path, &known.seal(numbers(&condensed))).unwrap();
-        let read = store.read(&path, &known, 3).expect("it is sound");
-        assert_eq!((read.free, read.compliance, read.balance), (free, compliance, balance));
-        assert!(store.read(&path, &envelope([8; HASH], 3), 3).is_none());
-        assert!(store.read(&path, &envelope([7; HASH], 6), 6).is_none());
-        assert!(store.read(&folder.path().join("none"), &known, 3).is_none());
+        let read = |path: &Path, known: &Envelope, size: usize| {
+            store.read(path, known, |numbers| condensed_of(numbers, size))
+        };
+        let found = read(&path, &known, 3).expect("it is sound");
+        assert_eq!((found.free, found.compliance, found.balance), (free, compliance, balance));
+        assert!(read(&path, &envelope([8; HASH], 3), 3).is_none());
+        assert!(read(&path, &envelope([7; HASH], 6), 6).is_none());
+        assert!(read(&folder.path().join("none"), &known, 3).is_none());
         assert!(store.doubts().is_empty());
     }
 }

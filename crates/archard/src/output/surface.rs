@@ -51,6 +51,21 @@ impl Surface {
         Some(&field.values)
     }
 
+    /// The outlines (m) of all parts as they look along z, mirror images included, each with the value of the field of that
+    /// name; `None` if there is none.
+    pub fn parts(&self, name: &str) -> Option<Vec<(Vec<[f64; 2]>, f64)>> {
+        let values = self.field(name)?;
+        let sides = self.sides();
+        let part = |(pair, outline): (usize, &Vec<[f64; 3]>)| -> Vec<(Vec<[f64; 2]>, f64)> {
+            let image = |sides: &[bool; 2]| {
+                let corners = outline.iter().map(|corner| reflected(*corner, *sides)).collect();
+                (corners, sign(name, *sides) * values[pair])
+            };
+            sides.iter().map(image).collect()
+        };
+        Some(self.outlines.iter().enumerate().flat_map(part).collect())
+    }
+
     /// The surface as it looks along z: each element of the image has the value of the pair it shows, or zero
     /// beside the surface. Mirror images are shown.
     pub fn image(&self) -> Image {
@@ -194,12 +209,20 @@ pub(super) fn reflected([x, y, _]: [f64; 3], sides: [bool; 2]) -> [f64; 2] {
     [if sides[0] { -x } else { x }, if sides[1] { -y } else { y }]
 }
 
-/// The sign of a field in a mirror image: components along the axis of reflection turn round.
+/// The sign of a field in a mirror image: components along the axis of reflection turn round, shear stresses with one of
+/// their directions along it too.
 pub(super) fn sign(name: &str, sides: [bool; 2]) -> f64 {
-    let odd = [name.contains("_x_"), name.contains("_y_")];
-    let vector = name.starts_with("traction_") || name.starts_with("slip_");
-    let turns = |axis: usize| vector && sides[axis] && odd[axis];
-    if turns(0) != turns(1) { -1.0 } else { 1.0 }
+    let turned = |letter: char| match letter {
+        'x' => sides[0],
+        'y' => sides[1],
+        _ => false,
+    };
+    let directions = match name.split('_').collect::<Vec<_>>()[..] {
+        ["traction" | "slip" | "stress" | "displacement", directions, _] => directions,
+        _ => "",
+    };
+    let turns = directions.chars().filter(|&letter| turned(letter)).count();
+    if turns % 2 == 1 { -1.0 } else { 1.0 }
 }
 
 /// Whether a place lies within a polygon.
@@ -239,7 +262,7 @@ fn vectors(frame: &ContactFrame, state: &ContactState) -> Vec<(String, Vec<[f64;
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::Surface;
+    use super::{Surface, sign};
     use crate::output::Field;
 
     /// A quarter of a frame of 4 by 4 unequal elements, on which a field is x + 10 y.
@@ -271,6 +294,28 @@ mod tests {
             let middle = |place: f64| if place.abs() < 1.0 { 0.5 } else { 2.0 };
             assert_relative_eq!(*value, x.signum() * (middle(x) + 10.0 * middle(y)));
         }
+    }
+
+    #[test]
+    fn components_turn_round_in_mirror_images() {
+        let along_x = [true, false];
+        for (name, expected) in [
+            ("traction_x_Pa", -1.0),
+            ("slip_y_m", 1.0),
+            ("stress_xx_Pa", 1.0),
+            ("stress_xy_Pa", -1.0),
+            ("stress_yz_Pa", 1.0),
+            ("stress_zx_Pa", -1.0),
+            ("displacement_x_m", -1.0),
+            ("displacement_z_m", 1.0),
+            ("von_mises_Pa", 1.0),
+            ("wear_x_m", 1.0),
+            ("wear_m", 1.0),
+        ] {
+            assert_eq!(sign(name, along_x), expected, "{name}");
+        }
+        assert_eq!(sign("stress_xy_Pa", [true, true]), 1.0);
+        assert_eq!(sign("stress_yz_Pa", [false, true]), -1.0);
     }
 
     #[test]

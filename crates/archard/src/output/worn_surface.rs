@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 
 use super::surface::{reflected, sign};
-use super::{Error, Field, Image, Surface, vtk};
+use super::{Error, Field, Image, Sheet, Surface, vtk};
 
 /// The worn surface of a body at one output, with point data: `wear_um`, `pressure_MPa` and whatever else the output has. It is
 /// kept in a `.vtu` file (VTK's XML unstructured grids).
@@ -20,6 +20,9 @@ pub struct WornSurface {
     /// surface over the plane of contact, the wear of a meshed one along its normal.
     pub vectors: Vec<(String, Vec<[f64; 3]>)>,
 }
+
+/// The parts that meet at each corner, each with whether it is reflected along x and y.
+type Meeting = Vec<Vec<(usize, [bool; 2])>>;
 
 /// The vector that exaggerates the surface.
 pub const RELIEF: &str = "relief_mm";
@@ -75,12 +78,68 @@ impl WornSurface {
         let wear = surface.field(&format!("wear_{body}_m"))?;
         let side = if bodies(&surface.fields).first() == Some(&body) { -1.0 } else { 1.0 };
         let normals = surface.vectors.iter().find(|(name, _)| name == "normal");
-        let size = surface
-            .outlines
-            .iter()
-            .flatten()
-            .flatten()
-            .fold(0.0, |most: f64, place| most.max(place.abs()));
+        let (mut worn, meeting) = Self::on_corners(surface);
+        let mean = |of: &dyn Fn(usize, [bool; 2]) -> f64| means(&meeting, of);
+        for (name, values) in own {
+            let values = mean(&|pair, sides| sign(&name, sides) * values[pair]);
+            worn.push(&name, values);
+        }
+        let relief = [0, 1, 2].map(|axis| {
+            mean(&|pair, sides| {
+                let normal = normals.map_or([0.0, 0.0, 1.0], |(_, normals)| normals[pair]);
+                let turned = if axis < 2 && sides[axis] { -1.0 } else { 1.0 };
+                MILLIMETRES * side * turned * normal[axis] * wear[pair]
+            })
+        });
+        let [x, y, z] = &relief;
+        let relief = (0..x.len()).map(|point| [x[point], y[point], z[point]]).collect();
+        worn.vectors.push((RELIEF.to_owned(), relief));
+        worn.join_components();
+        Some(worn)
+    }
+
+    /// The surface of a body with what loads make of it, mirror images included: a point has the mean of the parts of
+    /// elements that meet there. `displacement_um` and `traction_MPa` are vectors.
+    pub fn of_body(surface: &Surface) -> Self {
+        let (mut body, meeting) = Self::on_corners(surface);
+        let component = |field: &&Field| !field.name.starts_with("displacement_");
+        for Field { name, values } in surface.fields.iter().filter(component) {
+            let of = |pair: usize, sides| sign(name, sides) * values[pair];
+            body.push(name, means(&meeting, &of));
+        }
+        for (name, vectors) in &surface.vectors {
+            let along = [0, 1, 2].map(|axis| {
+                let of = |pair: usize, sides: [bool; 2]| {
+                    let turned = axis < 2 && sides[axis];
+                    if turned { -vectors[pair][axis] } else { vectors[pair][axis] }
+                };
+                means(&meeting, &of)
+            });
+            let [x, y, z] = &along;
+            body.push_vectors(name, (0..x.len()).map(|point| [x[point], y[point], z[point]]));
+        }
+        body
+    }
+
+    /// A section of a body.
+    pub fn of_sheet(sheet: &Sheet) -> Self {
+        let points = sheet.points.iter().map(|place| place.map(|metres| MILLIMETRES * metres));
+        let mut own =
+            Self { points: points.collect(), cells: sheet.cells.clone(), ..Self::default() };
+        let component = |field: &&Field| !field.name.starts_with("displacement_");
+        for Field { name, values } in sheet.fields.iter().filter(component) {
+            own.push(name, values.clone());
+        }
+        for (name, vectors) in &sheet.vectors {
+            own.push_vectors(name, vectors.iter().copied());
+        }
+        own
+    }
+
+    /// The corners of all parts, those at one place once, and the parts that meet at each, with their mirror images.
+    fn on_corners(surface: &Surface) -> (Self, Meeting) {
+        let places = surface.outlines.iter().flatten().flatten();
+        let size = places.fold(0.0, |most: f64, place| most.max(place.abs()));
         let mut known = HashMap::new();
         let (mut points, mut cells, mut meeting) = (vec![], vec![], vec![]);
         for (pair, outline) in surface.outlines.iter().enumerate() {
@@ -100,30 +159,14 @@ impl WornSurface {
                 cells.push(cell);
             }
         }
-        let mut worn = Self { points, cells, ..Self::default() };
-        let mean = |of: &dyn Fn(usize, [bool; 2]) -> f64| -> Vec<f64> {
-            let at = |pairs: &Vec<(usize, [bool; 2])>| {
-                let sum: f64 = pairs.iter().map(|&(pair, sides)| of(pair, sides)).sum();
-                sum / pairs.len() as f64
-            };
-            meeting.iter().map(at).collect()
-        };
-        for (name, values) in own {
-            let values = mean(&|pair, sides| sign(&name, sides) * values[pair]);
-            worn.push(&name, values);
-        }
-        let relief = [0, 1, 2].map(|axis| {
-            mean(&|pair, sides| {
-                let normal = normals.map_or([0.0, 0.0, 1.0], |(_, normals)| normals[pair]);
-                let turned = if axis < 2 && sides[axis] { -1.0 } else { 1.0 };
-                MILLIMETRES * side * turned * normal[axis] * wear[pair]
-            })
-        });
-        let [x, y, z] = &relief;
-        let relief = (0..x.len()).map(|point| [x[point], y[point], z[point]]).collect();
-        worn.vectors.push((RELIEF.to_owned(), relief));
-        worn.join_components();
-        Some(worn)
+        (Self { points, cells, ..Self::default() }, meeting)
+    }
+
+    /// Takes up vectors in SI, in units people read.
+    fn push_vectors(&mut self, name: &str, vectors: impl Iterator<Item = [f64; 3]>) {
+        let (name, factor) = read_by_people(name);
+        let vectors = vectors.map(|vector| vector.map(|value| factor * value)).collect();
+        self.vectors.push((name, vectors));
     }
 
     /// Writes a `.vtu` file.
@@ -136,14 +179,9 @@ impl WornSurface {
 
     /// Takes up a field in SI, in units people read.
     fn push(&mut self, name: &str, values: Vec<f64>) {
-        let (stem, unit, factor) = match name.rsplit_once('_') {
-            Some((stem, "Pa")) => (stem, "_MPa", 1e-6),
-            Some((stem, "m")) if stem == "height" => (stem, "_mm", MILLIMETRES),
-            Some((stem, "m")) => (stem, "_um", 1e6),
-            _ => (name, "", 1.0),
-        };
+        let (name, factor) = read_by_people(name);
         let values = values.into_iter().map(|value| factor * value).collect();
-        self.fields.push(Field { name: format!("{stem}{unit}"), values });
+        self.fields.push(Field { name, values });
     }
 
     /// Makes a vector of each two components.
@@ -170,6 +208,26 @@ impl WornSurface {
 const MILLIMETRES: f64 = 1e3;
 /// Corners that are closer, relative to the size of the frame, are one.
 const SAME: f64 = 1e-8;
+
+/// The name of a field in SI in a unit people read, and by what values are multiplied.
+fn read_by_people(name: &str) -> (String, f64) {
+    let (stem, unit, factor) = match name.rsplit_once('_') {
+        Some((stem, "Pa")) => (stem, "_MPa", 1e-6),
+        Some((stem, "m")) if stem == "height" => (stem, "_mm", MILLIMETRES),
+        Some((stem, "m")) => (stem, "_um", 1e6),
+        _ => (name, "", 1.0),
+    };
+    (format!("{stem}{unit}"), factor)
+}
+
+/// Means at the corners over the parts that meet there.
+fn means(meeting: &[Vec<(usize, [bool; 2])>], of: &dyn Fn(usize, [bool; 2]) -> f64) -> Vec<f64> {
+    let at = |pairs: &Vec<(usize, [bool; 2])>| {
+        let sum: f64 = pairs.iter().map(|&(pair, sides)| of(pair, sides)).sum();
+        sum / pairs.len() as f64
+    };
+    meeting.iter().map(at).collect()
+}
 
 /// The fields that a body has of its own or shares, under the names they have for it alone.
 fn own<'a>(fields: &'a [Field], body: &str) -> Vec<(String, &'a [f64])> {

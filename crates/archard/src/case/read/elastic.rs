@@ -6,7 +6,7 @@ use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::Item;
 use super::TABLES;
-use crate::elastic::Point;
+use crate::elastic::{self, Point};
 use crate::parameters::Quantity;
 
 /// Tables that only bodies in contact have.
@@ -39,8 +39,8 @@ impl Reader<'_> {
             self.alone(&inside);
             Some(body)
         });
-        let points = self.points(root);
-        Some(ElasticCase { title: title?, body: body?, points: points? })
+        let (points, sections) = (self.points(root), self.sections(root));
+        Some(ElasticCase { title: title?, body: body?, points: points?, sections: sections? })
     }
 
     /// Complains about what only a body in contact has.
@@ -57,10 +57,51 @@ impl Reader<'_> {
     fn points(&mut self, root: &Section<'_>) -> Option<Vec<Point>> {
         let Some((key, entry)) = root.get("output") else { return Some(vec![]) };
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", &["points"]);
+        self.unknown(&section, "key", &["points", "sections"]);
         let Some((key, entry)) = section.get("points") else { return Some(vec![]) };
         let section = self.as_table(key, &entry.node)?;
         self.places_by_name(&section)
+    }
+
+    /// The sections on which they are put out.
+    fn sections(&mut self, root: &Section<'_>) -> Option<Vec<elastic::Section>> {
+        let Some((key, entry)) = root.get("output") else { return Some(vec![]) };
+        // Complained about already if it is none.
+        let Item::Table(output) = &entry.node.item else { return None };
+        let Some((key, entry)) = (Section { key, table: output }).get("sections") else {
+            return Some(vec![]);
+        };
+        let section = self.as_table(key, &entry.node)?;
+        self.sections_by_name(&section)
+    }
+
+    /// Sections of a body by their names.
+    pub(super) fn sections_by_name(
+        &mut self,
+        section: &Section<'_>,
+    ) -> Option<Vec<elastic::Section>> {
+        let mut sections = vec![];
+        for entry in &section.table.0 {
+            let key = section.key.child(&entry.name);
+            if !is_bare(&entry.name) {
+                let message = "names of sections are of letters, digits, _ and -";
+                self.push(Problem::error(key, message).at_name());
+                continue;
+            }
+            let Some(inside) = self.as_table(key, &entry.node) else { continue };
+            let before = self.problems.len();
+            let (values, _) = self.values(&inside, elastic::Section::PARAMETERS);
+            if self.problems.len() > before {
+                continue;
+            }
+            if let (Some(through), Some(normal), Some(spacing)) =
+                (values.triple("through"), values.triple("normal"), values.number("spacing"))
+            {
+                let (name, size) = (entry.name.clone(), values.pair("size"));
+                sections.push(elastic::Section { name, through, normal, spacing, size });
+            }
+        }
+        (sections.len() == section.table.0.len()).then_some(sections)
     }
 
     /// Places in a body by their names.

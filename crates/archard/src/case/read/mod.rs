@@ -59,6 +59,7 @@ impl Reader<'_> {
         let friction_solver = self.friction_solver(root);
         let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
         let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
+        let sections = bodies.as_ref().and_then(|bodies| self.sections_of_bodies(root, bodies));
         Some(Case {
             title: title?,
             accuracy: accuracy?,
@@ -70,6 +71,7 @@ impl Reader<'_> {
             friction_solver: friction_solver?,
             output: output?,
             points: points?,
+            sections: sections?,
         })
     }
 

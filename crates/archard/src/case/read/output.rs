@@ -7,7 +7,7 @@ use crate::case::problem::Problem;
 use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
-use crate::elastic::Point;
+use crate::elastic::{self, Point};
 use crate::motion::{Motion, Planned, Progress};
 use crate::parameters::{Quantity, Values};
 
@@ -22,7 +22,7 @@ impl Reader<'_> {
         let default = Output::Every(tenth(motion, schedule.extent));
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
-        self.unknown(&section, "key", &["every", "at", "points"]);
+        self.unknown(&section, "key", &["every", "at", "points", "sections"]);
         let quantity = motion.progress().quantity;
         match (section.get("every"), section.get("at")) {
             (None, None) => Some(default),
@@ -45,12 +45,35 @@ impl Reader<'_> {
         root: &Section<'_>,
         bodies: &[BodyCase; 2],
     ) -> Option<[Vec<Point>; 2]> {
-        let mut points = [vec![], vec![]];
-        let Some((key, entry)) = root.get("output") else { return Some(points) };
+        let of_a_body =
+            "points are those of a body: `output.points.BODY.NAME = [\"0 m\", \"0 m\", \"-1 mm\"]`";
+        self.of_bodies(root, bodies, ("points", of_a_body), Self::places_by_name)
+    }
+
+    /// The sections of each body on which they are put out.
+    pub(super) fn sections_of_bodies(
+        &mut self,
+        root: &Section<'_>,
+        bodies: &[BodyCase; 2],
+    ) -> Option<[Vec<elastic::Section>; 2]> {
+        let of_a_body = "sections are those of a body: `output.sections.BODY.NAME = { through = [\"0 m\", \"0 m\", \"0 m\"], normal = [0, 1, 0], spacing = \"0.1 mm\" }`";
+        self.of_bodies(root, bodies, ("sections", of_a_body), Self::sections_by_name)
+    }
+
+    /// What of each body is put out beside its surface, in tables by the names of the bodies.
+    fn of_bodies<T>(
+        &mut self,
+        root: &Section<'_>,
+        bodies: &[BodyCase; 2],
+        (name, of_a_body): (&str, &str),
+        read: fn(&mut Self, &Section<'_>) -> Option<Vec<T>>,
+    ) -> Option<[Vec<T>; 2]> {
+        let mut found = [vec![], vec![]];
+        let Some((key, entry)) = root.get("output") else { return Some(found) };
         // Complained about already if it is none.
-        let Item::Table(output) = &entry.node.item else { return Some(points) };
-        let Some((key, entry)) = (Section { key, table: output }).get("points") else {
-            return Some(points);
+        let Item::Table(output) = &entry.node.item else { return Some(found) };
+        let Some((key, entry)) = (Section { key, table: output }).get(name) else {
+            return Some(found);
         };
         let section = self.as_table(key, &entry.node)?;
         let before = self.problems.len();
@@ -59,9 +82,7 @@ impl Reader<'_> {
             let Some(body) = bodies.iter().position(|body| body.name == entry.name) else {
                 let names = bodies.each_ref().map(|body| format!("`{}`", body.name)).join(" or ");
                 let message = "is the name of no body";
-                let help = format!(
-                    "points are those of a body: `output.points.BODY.NAME = [\"0 m\", \"0 m\", \"-1 mm\"]`, with {names} for BODY"
-                );
+                let help = format!("{of_a_body}, with {names} for BODY");
                 self.push(Problem::error(key, message).at_name().help(help));
                 continue;
             };
@@ -73,10 +94,10 @@ impl Reader<'_> {
                 continue;
             }
             if let Some(section) = self.as_table(key, &entry.node) {
-                points[body] = self.places_by_name(&section).unwrap_or_default();
+                found[body] = read(self, &section).unwrap_or_default();
             }
         }
-        (self.problems.len() == before).then_some(points)
+        (self.problems.len() == before).then_some(found)
     }
 
     /// An interval between outputs that does not ask for more of them than anyone would look at.

@@ -28,7 +28,7 @@ pub use kelvin::Evaluations;
 pub(crate) use patch::distance;
 pub use size::{Size, memory};
 pub(crate) use solid::advice;
-pub use solid::{Assembled, Boundary, Condensed, Solid};
+pub use solid::{Assembled, Boundary, Condensed, Responses, Solid};
 pub use surface::{Surface, TractionNode};
 
 #[cfg(test)]

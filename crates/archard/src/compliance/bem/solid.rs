@@ -22,6 +22,13 @@ pub struct Solid<'a> {
     unit: f64,
 }
 
+/// What every traction of contact, and the loads elsewhere, make of a body: what is sought at its nodes, in columns.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Responses {
+    /// A column for each component of the traction of each contact node, and one for the loads elsewhere.
+    pub sought: Mat<f64>,
+}
+
 /// A body whose equations are assembled.
 pub struct Assembled<'a> {
     surface: &'a Surface,
@@ -70,9 +77,7 @@ impl<'a> Assembled<'a> {
         conditions: &'a Conditions,
         tolerance: f64,
     ) -> Result<Self, NoMemory> {
-        let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
-        let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
-        let length = 0.5 * (high - low).max_element();
+        let length = length_of(surface);
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
         let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system()?;
@@ -94,6 +99,13 @@ impl<'a> Assembled<'a> {
         let (contact, fixed) = (system.contact, system.fixed);
         Ok(Solid { surface, conditions, factors, contact, fixed, unit })
     }
+}
+
+/// The length (m) that lengths are divided by: half of the extent of a body.
+fn length_of(surface: &Surface) -> f64 {
+    let low = surface.nodes.iter().fold(DVec3::INFINITY, |low, node| low.min(*node));
+    let high = surface.nodes.iter().fold(DVec3::NEG_INFINITY, |high, node| high.max(*node));
+    0.5 * (high - low).max_element()
 }
 
 impl<'a> Solid<'a> {
@@ -211,22 +223,23 @@ impl<'a> Solid<'a> {
         loads
     }
 
+    /// What every traction of contact makes of the body.
+    pub fn responses(&self) -> Responses {
+        let (contact, fixed) = (self.contact.as_ref(), self.fixed.as_ref());
+        let (rows, columns) = (fixed.nrows(), contact.ncols() + 1);
+        let mut sought = Mat::from_fn(rows, columns, |row, column| match column + 1 == columns {
+            true => fixed[(row, 0)],
+            false => contact[(row, column)],
+        });
+        self.factors.solve_in_place(sought.as_mut());
+        Responses { sought }
+    }
+
     /// Displacements and tractions everywhere, under given tractions of contact (Pa) in their bases, three
     /// values a contact node.
     pub fn boundary(&self, tractions: &[f64]) -> Boundary {
-        let sought = self.sought(tractions, true);
-        let conditions = self.conditions;
-        let displacement = conditions.nodes.iter().enumerate().map(|(node, condition)| {
-            let along = |own: usize| match condition.known[own] {
-                Some(known) => known.displacement,
-                None => sought[(conditions.columns[node] + own, 0)],
-            };
-            (0..3).map(|own| along(own) * condition.basis[own]).sum()
-        });
-        Boundary {
-            displacement: displacement.collect(),
-            traction: self.tractions(&sought, tractions, true),
-        }
+        let known = Known { surface: self.surface, conditions: self.conditions, unit: self.unit };
+        known.boundary(&self.sought(tractions, true), tractions)
     }
 
     /// What is sought at the nodes under tractions of contact, with the loads elsewhere or without.
@@ -241,6 +254,61 @@ impl<'a> Solid<'a> {
         }
         self.factors.solve_in_place(sought.as_mut());
         sought
+    }
+
+    fn tractions(&self, sought: &Mat<f64>, contact: &[f64], loaded: bool) -> Vec<DVec3> {
+        let known = Known { surface: self.surface, conditions: self.conditions, unit: self.unit };
+        known.tractions(sought, contact, loaded)
+    }
+}
+
+impl Responses {
+    /// The size of the columns, and how many there are.
+    pub fn size(surface: &Surface, conditions: &Conditions) -> [usize; 2] {
+        [surface.unknowns(), 3 * conditions.contact.len() + 1]
+    }
+
+    /// Displacements and tractions everywhere, as of [`Solid::boundary`] and without equations.
+    pub fn boundary(
+        &self,
+        (surface, conditions): (&Surface, &Conditions),
+        material: &Material,
+        tractions: &[f64],
+    ) -> Boundary {
+        let unit = length_of(surface) / material.shear_modulus();
+        let last = self.sought.ncols() - 1;
+        let sought = Mat::from_fn(self.sought.nrows(), 1, |row, _| {
+            let loads = tractions.iter().enumerate().filter(|(_, one)| **one != 0.0);
+            let of = |(column, traction): (usize, &f64)| traction * self.sought[(row, column)];
+            self.sought[(row, last)] + unit * loads.map(of).sum::<f64>()
+        });
+        Known { surface, conditions, unit }.boundary(&sought, tractions)
+    }
+}
+
+/// What is known of a body beside its equations.
+struct Known<'a> {
+    surface: &'a Surface,
+    conditions: &'a Conditions,
+    /// What tractions are multiplied by in the equations (m/Pa).
+    unit: f64,
+}
+
+impl Known<'_> {
+    /// Displacements and tractions everywhere, from what was sought under tractions of contact (Pa).
+    fn boundary(&self, sought: &Mat<f64>, tractions: &[f64]) -> Boundary {
+        let conditions = self.conditions;
+        let displacement = conditions.nodes.iter().enumerate().map(|(node, condition)| {
+            let along = |own: usize| match condition.known[own] {
+                Some(known) => known.displacement,
+                None => sought[(conditions.columns[node] + own, 0)],
+            };
+            (0..3).map(|own| along(own) * condition.basis[own]).sum()
+        });
+        Boundary {
+            displacement: displacement.collect(),
+            traction: self.tractions(sought, tractions, true),
+        }
     }
 
     /// Tractions (Pa) at their nodes, from what was sought.

@@ -164,6 +164,21 @@ impl Surface {
         })
     }
 
+    /// The corners of the box around the surface and its mirror images (m).
+    pub(crate) fn corners(&self) -> Vec<DVec3> {
+        let corners = self.patches.iter().flat_map(|patch| &patch.corners);
+        let [low, high] = corners
+            .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], one| {
+                [low.min(*one), high.max(*one)]
+            });
+        let pick = |bits: usize| {
+            let pick = |axis: usize| if bits >> axis & 1 == 1 { high[axis] } else { low[axis] };
+            DVec3::new(pick(0), pick(1), pick(2))
+        };
+        let images = self.images();
+        (0..8).flat_map(|bits| images.iter().map(move |image| *image * pick(bits))).collect()
+    }
+
     /// Corners (m) of the parts of an element around each of its nodes, in the order of its shape functions.
     pub fn parts_of(&self, face: usize) -> Vec<[DVec3; 4]> {
         let corners = &self.patches[face].corners;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use super::lock::Lock;
 use super::{HISTORY, ResultFolder, TABLES, checkpoint};
-use crate::output::elastic::{POINTS, SURFACE};
+use crate::output::elastic::{POINTS, SECTIONS, SURFACE};
 use crate::output::inside::SURFACES;
 use crate::output::{COLLECTION, Error, file};
 
@@ -74,6 +74,7 @@ impl Claim {
     pub(super) fn remove_parts(&self) {
         file::remove_parts(&self.dir, |_| true);
         file::remove_parts(&self.dir.join("fields"), |_| true);
+        file::remove_parts(&self.dir.join(SECTIONS), |_| true);
     }
 
     /// Removes what earlier runs left, whole or in parts; anything else is left alone.
@@ -83,6 +84,10 @@ impl Claim {
         let names = ["summary.json", COLLECTION, checkpoint::NAME].into_iter().chain(TABLES);
         let mut names = names.chain([POINTS, SURFACE]).chain(SURFACES);
         names.try_for_each(|name| file::remove(&self.dir.join(name)))?;
+        let sections = self.dir.join(SECTIONS);
+        let old = fs::read_dir(&sections).into_iter().flatten().flatten().map(|entry| entry.path());
+        let mut old = old.filter(|path| path.extension() == Some(OsStr::new("vtu")));
+        old.try_for_each(|path| file::remove(&path))?;
         remove_fields(&fields, 0)
     }
 }

@@ -85,6 +85,23 @@ impl<'a> Meeting<'a> {
         Some((Job { surface, conditions }, acting))
     }
 
+    /// Values of the pairs at the nodes of tractions of a meshed body, zero away from the contact; those of the other
+    /// body are means over what lies opposite to each of its nodes.
+    pub fn on_nodes(&self, which: usize, pairs: &[f64]) -> Vec<f64> {
+        let (host, values) = match &self.opposite {
+            Some((side, transfer)) if side.host.which == which => {
+                (&side.host, transfer.mean(pairs))
+            }
+            _ => (&self.host.host, pairs.to_vec()),
+        };
+        if values.is_empty() {
+            return vec![];
+        }
+        let mut nodes = vec![0.0; host.surface.tractions.len()];
+        host.contact.iter().zip(values).for_each(|((node, _), value)| nodes[*node] = value);
+        nodes
+    }
+
     /// The contact, with what tells how meshed bodies deform.
     ///
     /// # Errors

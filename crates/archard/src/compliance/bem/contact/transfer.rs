@@ -142,6 +142,22 @@ impl Transfer {
         nodal
     }
 
+    /// Means at the other body's nodes of values of the pairs; none of none.
+    pub fn mean(&self, pairs: &[f64]) -> Vec<f64> {
+        if pairs.is_empty() {
+            return vec![];
+        }
+        let mut sums = vec![(0.0, 0.0); self.other_areas.len()];
+        for (row, value) in self.rows.iter().zip(pairs) {
+            for &(node, share) in row {
+                sums[node].0 += share * value;
+                sums[node].1 += share;
+            }
+        }
+        let mean = |(sum, share): (f64, f64)| if share > 0.0 { sum / share } else { 0.0 };
+        sums.into_iter().map(mean).collect()
+    }
+
     /// The compliance of the other body at the pairs.
     pub fn compliance(&self, nodal: &Mat<f64>) -> Mat<f64> {
         let pairs = self.rows.len();

@@ -1,0 +1,194 @@
+//! Plane sections through a body, with the response of the body on a grid of places.
+
+use glam::DVec3;
+use rayon::prelude::*;
+
+use super::Response;
+use crate::body::mesh;
+use crate::compliance::bem::{Interior, Surface};
+use crate::parameters::{Bound, Parameter, Quantity};
+
+/// Most places of a section that are looked at.
+const MOST: f64 = 40_000.0;
+
+/// A plane section of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Section {
+    /// The user's name for it.
+    pub name: String,
+    /// A place on it (m), from which the places of the grid are counted.
+    pub through: [f64; 3],
+    /// Its normal along x, y and z, of any length.
+    pub normal: [f64; 3],
+    /// Distance between places (m).
+    pub spacing: f64,
+    /// How far it reaches along its two axes (m), half of it to either side; through the whole body unless given.
+    pub size: Option<[f64; 2]>,
+}
+
+/// The response of a body on a section of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sampled {
+    /// The name of the section.
+    pub name: String,
+    /// The places in the body (m).
+    pub places: Vec<[f64; 3]>,
+    /// Squares between four of the places, by their indices, around each.
+    pub cells: Vec<[usize; 4]>,
+    /// Displacement and stress at each place.
+    pub responses: Vec<Response>,
+}
+
+/// Why a section has no places.
+#[non_exhaustive]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum SectionError {
+    /// A normal without length.
+    #[error("the normal has no direction: give three numbers of which one is not zero")]
+    NoNormal,
+    /// More places than anyone waits for.
+    #[error(
+        "a section of {places:.1e} places: take a larger `spacing`, or a `size`, for {MOST} at most"
+    )]
+    TooMany {
+        /// How many.
+        places: f64,
+    },
+    /// No square of the grid lies in the body.
+    #[error("misses the body: no square of the grid lies in it")]
+    Misses,
+}
+
+impl SectionError {
+    /// The parameter to change.
+    pub fn parameter(&self) -> &'static str {
+        match self {
+            SectionError::NoNormal => "normal",
+            SectionError::TooMany { .. } => "spacing",
+            SectionError::Misses => "through",
+        }
+    }
+}
+
+/// The grid of a section: its axes (m, a step each) and how far it reaches along them.
+struct Grid {
+    origin: DVec3,
+    steps: [DVec3; 2],
+    /// The first step along each axis, and how many places.
+    first: [f64; 2],
+    counts: [usize; 2],
+}
+
+impl Section {
+    /// What a section is described by in a case.
+    pub const PARAMETERS: &'static [Parameter] = &[
+        Parameter::required(
+            "through",
+            Quantity::Triple(&Quantity::Length),
+            "a place on the section",
+        )
+        .bound(Bound::Any),
+        Parameter::required(
+            "normal",
+            Quantity::Triple(&Quantity::Number),
+            "the normal of the section along x, y and z, like [0, 1, 0]",
+        )
+        .bound(Bound::Any),
+        Parameter::required("spacing", Quantity::Length, "distance between places"),
+        Parameter::optional(
+            "size",
+            Quantity::Pair(&Quantity::Length),
+            "how far the section reaches along its two axes; through the whole body unless given",
+        ),
+    ];
+
+    /// Whether there is something to see on it.
+    ///
+    /// # Errors
+    /// If there are no places, or too many.
+    pub(crate) fn check(&self, surface: &Surface) -> Result<(), SectionError> {
+        let grid = self.grid(surface)?;
+        let inside = |column: usize, row: usize| surface.depth(grid.place(column, row)).is_some();
+        let square = |&cell: &usize| {
+            let (column, row) = (cell % (grid.counts[0] - 1), cell / (grid.counts[0] - 1));
+            [[0, 0], [1, 0], [1, 1], [0, 1]].iter().all(|[x, y]| inside(column + x, row + y))
+        };
+        let cells = (grid.counts[0].max(1) - 1) * (grid.counts[1].max(1) - 1);
+        let found = (0..cells).into_par_iter().any(|cell| square(&cell));
+        if found { Ok(()) } else { Err(SectionError::Misses) }
+    }
+
+    /// The response of a body on it; without places where [`Section::check`] complains.
+    pub(super) fn sample(&self, surface: &Surface, interior: &Interior<'_>) -> Sampled {
+        let mut sampled =
+            Sampled { name: self.name.clone(), places: vec![], cells: vec![], responses: vec![] };
+        let Ok(grid) = self.grid(surface) else { return sampled };
+        let [columns, rows] = grid.counts;
+        let at = |index: usize| interior.at(grid.place(index % columns, index / columns));
+        let responses: Vec<_> = (0..columns * rows).into_par_iter().map(at).collect();
+        let corners = |column: usize, row: usize| {
+            let first = column + columns * row;
+            [first, first + 1, first + 1 + columns, first + columns]
+        };
+        let squares = (1..rows).flat_map(|row| (1..columns).map(move |x| corners(x - 1, row - 1)));
+        let whole = squares.filter(|cell| cell.iter().all(|&corner| responses[corner].is_some()));
+        let mut index = vec![None; responses.len()];
+        for cell in whole {
+            let cell = cell.map(|corner| {
+                *index[corner].get_or_insert_with(|| {
+                    let place = grid.place(corner % columns, corner / columns);
+                    sampled.places.push(place.to_array());
+                    sampled.responses.extend(responses[corner].map(Response::from));
+                    sampled.places.len() - 1
+                })
+            });
+            sampled.cells.push(cell);
+        }
+        sampled
+    }
+
+    /// The places of the section within the box around the body.
+    fn grid(&self, surface: &Surface) -> Result<Grid, SectionError> {
+        let normal = DVec3::from(self.normal);
+        if normal == DVec3::ZERO {
+            return Err(SectionError::NoNormal);
+        }
+        let [along, across, _] = mesh::axes(normal);
+        let origin = DVec3::from(self.through);
+        let corners = surface.corners();
+        let range = |axis: usize| {
+            let unit = [along, across][axis];
+            let seen = corners.iter().map(|corner| (*corner - origin).dot(unit) / self.spacing);
+            let [low, high] = seen.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], one| {
+                [low.min(one), high.max(one)]
+            });
+            let reach = self.size.map_or(f64::INFINITY, |size| 0.5 * size[axis] / self.spacing);
+            // What ends on a step ends with it, whatever rounding says.
+            let near = 1e-6;
+            let [low, high] = [low.max(-reach) - near, high.min(reach) + near];
+            [low.ceil(), high.floor()]
+        };
+        let ranges = [range(0), range(1)];
+        let counts = ranges.map(|[low, high]| (high - low + 1.0).max(0.0));
+        let places = counts[0] * counts[1];
+        if places > MOST {
+            return Err(SectionError::TooMany { places });
+        }
+        if counts.iter().any(|count| *count < 2.0) {
+            return Err(SectionError::Misses);
+        }
+        Ok(Grid {
+            origin,
+            steps: [self.spacing * along, self.spacing * across],
+            first: ranges.map(|[low, _]| low),
+            counts: counts.map(|count| count as usize),
+        })
+    }
+}
+
+impl Grid {
+    fn place(&self, column: usize, row: usize) -> DVec3 {
+        let steps = [self.first[0] + column as f64, self.first[1] + row as f64];
+        self.origin + steps[0] * self.steps[0] + steps[1] * self.steps[1]
+    }
+}
