@@ -13,7 +13,8 @@ use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
 
-use super::figure::{LegendPosition, Map, Mark, Panel, Shape, View};
+use super::figure::{LegendPosition, Map, Mark, Panel, Parts, Shape, View};
+use super::parts::{self, colour};
 use super::raster;
 use super::scale::tick;
 use kuva::render::render::Scene;
@@ -120,7 +121,15 @@ pub(crate) fn save(
     if several {
         figure = figure.with_labels_lowercase();
     }
-    let scene = figure.render();
+    let mut scene = figure.render();
+    let shapes = panels.iter().flat_map(|panel| &panel.marks).map(|mark| &mark.shape);
+    let parts: Vec<&Parts> = shapes
+        .filter_map(|shape| match shape {
+            Shape::Parts(parts) => Some(parts),
+            _ => None,
+        })
+        .collect();
+    parts::put(&mut scene, &parts);
     let both = [Format::Svg, Format::Png];
     let formats = if sheet.paper.formats.is_empty() { &both[..] } else { &sheet.paper.formats };
     let draw = |format: &Format| {
@@ -170,7 +179,7 @@ fn drawn(panel: &Panel) -> (Vec<Plot>, Layout) {
         .with_body_size(14)
         .with_legend_box(false)
         .with_tick_format(TickFormat::Custom(Arc::new(tick)));
-    let maps = panel.marks.iter().any(|mark| matches!(mark.shape, Shape::Map(_)));
+    let maps = panel.marks.iter().any(|mark| matches!(mark.shape, Shape::Map(_) | Shape::Parts(_)));
     (plots, framed(layout.with_show_grid(!maps), &panel.view))
 }
 
@@ -227,17 +236,20 @@ fn plot(Mark { shape, legend }: &Mark) -> Plot {
             let band = band.with_opacity(*opacity);
             Plot::Band(legend.into_iter().fold(band, BandPlot::with_legend))
         }
-        Shape::Map(Map { edges: [x, y], rows }) => Heatmap::new()
-            .with_data(rows.iter().map(|row| row.iter().copied()))
-            .with_x_range(x[0], x[1])
-            .with_y_range(y[0], y[1])
-            .with_cell_size(1.0)
-            .with_color_map(ColorMap::Custom(Arc::new(colour)))
-            .into(),
+        Shape::Map(Map { edges, rows }) => cells(*edges, rows.iter().map(Vec::as_slice)),
+        Shape::Parts(parts) => {
+            cells(parts.edges, parts.stand_in().iter().map(<[f64; 2]>::as_slice))
+        }
     }
 }
 
-/// The colour of a value relative to the largest: none for none.
-fn colour(share: f64) -> String {
-    if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
+/// A map of equal cells between edges along x and y.
+fn cells<'a>([x, y]: [[f64; 2]; 2], rows: impl Iterator<Item = &'a [f64]>) -> Plot {
+    Heatmap::new()
+        .with_data(rows.map(|row| row.iter().copied()))
+        .with_x_range(x[0], x[1])
+        .with_y_range(y[0], y[1])
+        .with_cell_size(1.0)
+        .with_color_map(ColorMap::Custom(Arc::new(colour)))
+        .into()
 }

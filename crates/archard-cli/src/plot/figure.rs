@@ -43,6 +43,17 @@ pub(crate) enum Shape {
     Band { places: Vec<[f64; 3]>, colour: String, opacity: f64 },
     /// Values on cells.
     Map(Map),
+    /// Values on elements of any shape.
+    Parts(Parts),
+}
+
+/// Values on elements, white where they are zero.
+#[derive(Debug, Clone)]
+pub(crate) struct Parts {
+    /// Lowest and highest place along x and along y.
+    pub(crate) edges: [[f64; 2]; 2],
+    /// The corners of each element, around it, and its value.
+    pub(crate) parts: Vec<(Vec<[f64; 2]>, f64)>,
 }
 
 /// Values on cells, white where they are zero.
@@ -216,6 +227,11 @@ impl Curves {
     /// Adds a map.
     pub(crate) fn map(&mut self, map: Map) {
         self.push(Shape::Map(map), None);
+    }
+
+    /// Adds values on elements.
+    pub(crate) fn parts(&mut self, parts: Parts) {
+        self.push(Shape::Parts(parts), None);
     }
 
     /// The panel with these curves; `adapt` changes what is particular to it.

@@ -15,6 +15,7 @@ mod heights;
 mod lengths;
 mod load;
 mod outline;
+mod parts;
 mod pressure;
 mod raster;
 pub(crate) mod results;

@@ -1,7 +1,9 @@
 //! Where one part of a map ends and another begins.
 
+use std::collections::BTreeMap;
+
 /// A line from one place to another, along an edge of cells.
-type Line = [(f64, f64); 2];
+pub(crate) type Line = [(f64, f64); 2];
 
 /// The edges of the cells whose values are above a half towards those whose values are not, in runs as long
 /// as they are straight; `edges` are the lowest and highest place along x and along y.
@@ -29,6 +31,26 @@ pub(crate) fn around(rows: &[Vec<f64>], edges: [[f64; 2]; 2]) -> Vec<Line> {
     lines
 }
 
+/// Corners closer than this, relative to the farthest, are one.
+const SAME: f64 = 1e-8;
+
+/// The edges of elements whose values are above a half towards nothing or elements whose values are not.
+pub(crate) fn of_parts(parts: &[(Vec<[f64; 2]>, f64)]) -> Vec<Line> {
+    let inside = || parts.iter().filter(|(_, value)| *value > 0.5);
+    let farthest = parts.iter().flat_map(|(corners, _)| corners).flatten();
+    let size = SAME * farthest.fold(0.0_f64, |most, place| most.max(place.abs()));
+    let key = |corner: &[f64; 2]| corner.map(|place| (place / size).round() as i64);
+    let mut edges: BTreeMap<[[i64; 2]; 2], Vec<Line>> = BTreeMap::new();
+    for (corners, _) in inside() {
+        for (one, other) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            let mut ends = [key(one), key(other)];
+            ends.sort_unstable();
+            edges.entry(ends).or_default().push([(one[0], one[1]), (other[0], other[1])]);
+        }
+    }
+    edges.into_values().filter(|lines| lines.len() == 1).flatten().collect()
+}
+
 /// Beginnings and ends of the runs below `count` for which something holds.
 fn runs(count: usize, holds: impl Fn(usize) -> bool) -> impl Iterator<Item = [usize; 2]> {
     let ends: Vec<usize> =
@@ -38,7 +60,20 @@ fn runs(count: usize, holds: impl Fn(usize) -> bool) -> impl Iterator<Item = [us
 
 #[cfg(test)]
 mod tests {
-    use super::around;
+    use super::{around, of_parts};
+
+    #[test]
+    fn elements_that_touch_have_one_outline() {
+        let triangle = |corners: [[f64; 2]; 3], value: f64| (corners.to_vec(), value);
+        let parts = [
+            triangle([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], 1.0),
+            triangle([[0.0, 0.0], [1.0, 1.0], [0.0, 1.0]], 1.0),
+            triangle([[1.0, 0.0], [2.0, 0.0], [1.0, 1.0]], 0.0),
+        ];
+        let lines = of_parts(&parts);
+        assert_eq!(lines.len(), 4);
+        assert!(lines.contains(&[(1.0, 0.0), (1.0, 1.0)]), "{lines:?}");
+    }
 
     #[test]
     fn a_block_of_cells_has_four_sides() {

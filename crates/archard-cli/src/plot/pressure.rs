@@ -3,10 +3,11 @@
 use std::f64::consts::PI;
 
 use anyhow::{Context, Result};
+use archard::output::Surface;
 use archard::simulation::history::LOAD;
 
 use super::cells::Cells;
-use super::figure::{COLOURS, Curves, Map, Panel, Pen, View, moment};
+use super::figure::{COLOURS, Curves, Map, Panel, Parts, Pen, View, moment};
 use super::outline;
 use super::results::{Results, reach, within};
 use super::scale::{Unit, phrase};
@@ -93,19 +94,16 @@ fn hertz(results: &Results, axis: Axis, window: [f64; 2]) -> Result<Option<Vec<(
     Ok(Some(places.map(|x| (x, pressure(x))).collect()))
 }
 
-/// The pressure over the frame at the last output, white where there is none.
+/// The pressure over the frame at the last output, white where there is none; of meshed bodies on their own elements.
 pub(crate) fn map(results: &Results) -> Result<Panel> {
-    let image = results.image.as_ref().context("there is no output of fields")?;
-    let pressure = image.field("pressure_Pa").context("the fields have no `pressure_Pa`")?;
     let windows = [results.window(Axis::X)?, results.window(Axis::Y)?];
-    let cells = Cells::of(image, pressure, windows);
     let (across, unit) = (Unit::across(reach(windows[0]).max(reach(windows[1]))), Unit::pressure());
-    let [x, y] = cells.edges.map(|edges| edges.map(|place| place * across.factor));
-    let scaled = |row: &Vec<f64>| row.iter().map(|p| p * unit.factor).collect();
     let mut curves = Curves::new();
-    curves.map(Map { edges: [x, y], rows: cells.rows.iter().map(scaled).collect() });
-    let stick = image.field("stick").map(|stick| Cells::of(image, stick, windows).rows);
-    let outline = stick.map(|rows| outline::around(&rows, [x, y])).unwrap_or_default();
+    let scale = (across.factor, unit.factor);
+    let outline = match &results.surface {
+        Some(surface) => on_elements(&mut curves, surface, windows, scale)?,
+        None => on_cells(&mut curves, results, windows, scale)?,
+    };
     let outlined = if outline.is_empty() { "" } else { ", stick outlined" };
     outline.into_iter().for_each(|line| curves.add(line, Pen::line(COLOURS[2]), None));
     let name = unit.label("Pressure");
@@ -122,4 +120,56 @@ pub(crate) fn map(results: &Results) -> Result<Panel> {
     let [one, other] = windows.map(|[low, high]| high - low);
     let to_scale = one.max(other) <= SLENDER * one.min(other);
     Ok(curves.panel(labels, |view| View { to_scale, ..view }))
+}
+
+/// Draws the pressure on cells of the frame; the outline of what sticks.
+fn on_cells(
+    curves: &mut Curves,
+    results: &Results,
+    windows: [[f64; 2]; 2],
+    (across, unit): (f64, f64),
+) -> Result<Vec<outline::Line>> {
+    let image = results.image.as_ref().context("there is no output of fields")?;
+    let pressure = image.field("pressure_Pa").context(NO_PRESSURE)?;
+    let cells = Cells::of(image, pressure, windows);
+    let edges = cells.edges.map(|edges| edges.map(|place| place * across));
+    let scaled = |row: &Vec<f64>| row.iter().map(|p| p * unit).collect();
+    curves.map(Map { edges, rows: cells.rows.iter().map(scaled).collect() });
+    let stick = image.field("stick").map(|stick| Cells::of(image, stick, windows).rows);
+    Ok(stick.map(|rows| outline::around(&rows, edges)).unwrap_or_default())
+}
+
+const NO_PRESSURE: &str = "the fields have no `pressure_Pa`";
+
+/// Draws the pressure on the elements of a mesh; the outline of what sticks.
+fn on_elements(
+    curves: &mut Curves,
+    surface: &Surface,
+    windows: [[f64; 2]; 2],
+    (across, unit): (f64, f64),
+) -> Result<Vec<outline::Line>> {
+    let seen = |corners: &[[f64; 2]]| {
+        let inside = |axis: usize| {
+            let places = corners.iter().map(|corner| corner[axis]);
+            let middle = places.sum::<f64>() / corners.len().max(1) as f64;
+            within(windows[axis], middle)
+        };
+        inside(0) && inside(1)
+    };
+    let scaled = |name: &str, factor: f64| -> Option<Vec<(Vec<[f64; 2]>, f64)>> {
+        let parts = surface.parts(name)?.into_iter().filter(|(corners, _)| seen(corners));
+        let scaled = parts.map(|(corners, value)| {
+            (corners.iter().map(|corner| corner.map(|x| x * across)).collect(), value * factor)
+        });
+        Some(scaled.collect())
+    };
+    let parts = scaled("pressure_Pa", unit).context(NO_PRESSURE)?;
+    let edges = [0, 1].map(|axis| {
+        let places = parts.iter().flat_map(|(corners, _)| corners).map(|corner| corner[axis]);
+        places.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], one| {
+            [low.min(one), high.max(one)]
+        })
+    });
+    curves.parts(Parts { edges, parts });
+    Ok(scaled("stick", 1.0).map(|stick| outline::of_parts(&stick)).unwrap_or_default())
 }

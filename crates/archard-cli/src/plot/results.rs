@@ -1,7 +1,7 @@
 //! The files of a result folder, read back.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
 use archard::case::{Case, CaseFile};
@@ -9,7 +9,7 @@ use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
 use archard::motion::{Progress, Rolling};
-use archard::output::{Collection, Image};
+use archard::output::{Collection, Image, Surface};
 use archard::simulation::history::{
     BODY_DEPTH, CREEPAGE, ERRORS, FORCE, SHIFT, WEAR_DEPTH, of_body,
 };
@@ -35,6 +35,8 @@ pub(crate) struct Results {
     pub(crate) loops: Vec<Table>,
     /// The fields of the last output, if there is one.
     pub(crate) image: Option<Image>,
+    /// The same on the elements of a mesh, where bodies are meshed.
+    pub(crate) surface: Option<Surface>,
     /// The names of the bodies; body 1 first.
     pub(crate) bodies: Vec<String>,
     /// The case, where it can still be read.
@@ -110,6 +112,7 @@ impl Results {
             loops: if loops.is_file() { read_loops(&loops)? } else { Vec::new() },
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
+            surface: last_surface(dir)?,
             mark: mark(summary.as_ref()),
             lengths: if lengths.is_file() { last_profile(&lengths)? } else { None },
             closed_form: summary
@@ -343,15 +346,22 @@ impl Results {
     }
 }
 
-/// The last output that the collection lists.
-fn last_image(dir: &Path) -> anyhow::Result<Option<Image>> {
+/// The file of the last output that the collection lists.
+fn last_output(dir: &Path) -> anyhow::Result<Option<PathBuf>> {
     let path = dir.join("fields.pvd");
     if !path.is_file() {
         return Ok(None);
     }
-    let collection = Collection::read(&path)?;
-    let last = collection.outputs.last();
-    Ok(last.map(|(_, file)| Image::of_output(&dir.join(file))).transpose()?)
+    Ok(Collection::read(&path)?.outputs.last().map(|(_, file)| dir.join(file)))
+}
+
+fn last_image(dir: &Path) -> anyhow::Result<Option<Image>> {
+    Ok(last_output(dir)?.map(|file| Image::of_output(&file)).transpose()?)
+}
+
+fn last_surface(dir: &Path) -> anyhow::Result<Option<Surface>> {
+    let meshed = |file: &PathBuf| file.extension().is_some_and(|extension| extension == "vtu");
+    Ok(last_output(dir)?.filter(meshed).map(|file| Surface::read(&file)).transpose()?)
 }
 
 /// The summary of a run.

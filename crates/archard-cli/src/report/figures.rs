@@ -1,9 +1,10 @@
 //! Panels as the page draws them: traces and axes for plotly.js, with words for who cannot see them.
 
+use kuva::plot::ColorMap;
 use serde_json::{Value, json};
 
 use super::words::plain;
-use crate::plot::figure::{Map, Mark, Panel, Pen, Points, Shape};
+use crate::plot::figure::{Map, Mark, Panel, Parts, Pen, Points, Shape};
 
 /// Most points of a curve: more cannot be told apart on a page.
 const MOST: usize = 1500;
@@ -37,7 +38,7 @@ impl Figure {
         Self {
             title: panel.title.clone(),
             words: words(panel),
-            data: panel.marks.iter().map(trace).collect(),
+            data: panel.marks.iter().flat_map(traces).collect(),
             layout,
         }
     }
@@ -52,6 +53,39 @@ fn axis(label: &str, [low, high]: [Option<f64>; 2]) -> Value {
             "autorangeoptions": { "minallowed": low, "maxallowed": high, "include": [low, high] },
         }),
     }
+}
+
+/// Colours that elements are filled with.
+const SHADES: usize = 32;
+
+/// What is drawn of a mark: elements are filled shade by shade.
+fn traces(mark: &Mark) -> Vec<Value> {
+    let Shape::Parts(Parts { parts, .. }) = &mark.shape else { return vec![trace(mark)] };
+    let most = parts.iter().map(|(_, value)| *value).fold(0.0, f64::max);
+    let shade = |value: f64| ((value / most * SHADES as f64) as usize).min(SHADES - 1);
+    let mut shades: Vec<[Vec<Value>; 2]> = vec![[vec![], vec![]]; SHADES];
+    for (corners, value) in parts.iter().filter(|(_, value)| *value > 0.0) {
+        let [x, y] = &mut shades[shade(*value)];
+        for corner in corners.iter().chain(corners.first()) {
+            x.push(json!(rounded(corner[0])));
+            y.push(json!(rounded(corner[1])));
+        }
+        x.push(Value::Null);
+        y.push(Value::Null);
+    }
+    let filled = shades.into_iter().enumerate().filter(|(_, [x, _])| !x.is_empty());
+    let filled = filled.map(|(index, [x, y])| {
+        let colour = ColorMap::Viridis.map((index as f64 + 0.5) / SHADES as f64);
+        json!({
+            "type": "scatter", "mode": "lines", "x": x, "y": y, "fill": "toself", "fillcolor": colour,
+            "line": { "width": 0.4, "color": colour }, "hoverinfo": "skip", "showlegend": false,
+        })
+    });
+    let bar = json!({
+        "type": "scatter", "mode": "markers", "x": [null], "y": [null], "showlegend": false,
+        "marker": { "color": [0.0], "cmin": 0.0, "cmax": rounded(most), "colorscale": "Viridis", "showscale": true },
+    });
+    filled.chain([bar]).collect()
 }
 
 fn trace(Mark { shape, legend }: &Mark) -> Value {
@@ -76,6 +110,8 @@ fn trace(Mark { shape, legend }: &Mark) -> Value {
                 "opacity": opacity, "line": { "width": 0 }, "hoverinfo": "skip",
             })
         }
+        // Drawn in several traces.
+        Shape::Parts(_) => Value::Null,
         Shape::Map(Map { edges: [x, y], rows }) => {
             let places = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
                 let step = (high - low) / count.max(1) as f64;
