@@ -54,7 +54,7 @@ def block(command, tmp_path_factory):
 
 def hertz(block):
     """The peak pressure (MPa) and the radius (mm) of the contact that has the load of the run."""
-    load = archard.open(block).history["load_N"].iloc[-1]
+    load = archard.open(block).history["load_N"][-1]
     radius = (0.75 * load * 100.0 * (1.0 - 0.09) / 210e9) ** (1 / 3)
     return 1.5e-6 * load / (np.pi * radius**2), 1e3 * radius
 
