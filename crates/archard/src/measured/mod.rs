@@ -4,10 +4,14 @@
 //! `Distance [mm]`, `depth (um)`, `Tiefe / µm` or `volume_mm3`. Numbers may have a decimal comma. Values are asked for by
 //! name and measure and given in SI; an empty cell is a reading that was not taken. What is wrong is told with line, column
 //! and the header that would do.
+//!
+//! A [`Surface`](surface::Surface) is a table of heights, and a [`Scar`](surface::Scar) what is worn off it.
 
 mod cells;
 mod error;
 mod heading;
+pub mod plane;
+pub mod surface;
 mod text;
 
 pub use error::Error;
