@@ -65,7 +65,7 @@ def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
 def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...
 def fit(
     case: CaseFile,
-    table: tuple[str, bytes],
+    table: tuple[str, bytes, str | PathLike[str]],
     columns: Sequence[tuple[str, str]],
     parameter: str | None,
     uncertain: Sequence[tuple[str, float]],

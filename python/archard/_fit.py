@@ -5,11 +5,14 @@ from __future__ import annotations
 import csv
 import io
 import json
+import math
 import os
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from archard import _archard
 from archard.case import Case
@@ -66,6 +69,8 @@ class Fit:
         self._words, self._csv = words, table
         self.coefficients = [_coefficient(one) for one in self.json["coefficients"]]
         """The coefficients, in the order of the bodies."""
+        self.surfaces: list[dict[str, Any]] = self.json["surfaces"]
+        """What was taken from profiles and height maps, with their tilt and offset (SI)."""
         self.remarks: list[str] = self.json["remarks"]
         """What has to be said of the data and the runs."""
 
@@ -78,6 +83,33 @@ class Fit:
 
     def __repr__(self) -> str:
         return self._words.rstrip()
+
+    def samples(self, count: int, seed: int = 0) -> list[dict[str, str]]:
+        """Draw coefficients as the next tests will have them: the rows of :func:`archard.sweep`, a dict each.
+
+        Student's t on the logarithms; two coefficients of the same tests are drawn with their correlation.
+
+        Raises:
+            ValueError: a coefficient that the tests reject, or fewer than three tests of it.
+
+        """
+        random = np.random.default_rng(seed)
+        together = self.json["correlation_of_coefficients"]
+        correlation = together["value"] if together else 0.0
+        deviates = random.standard_normal((len(self.coefficients), count))
+        if len(deviates) == 2:
+            deviates[1] = correlation * deviates[0] + math.sqrt(max(1 - correlation**2, 0)) * deviates[1]
+        drawn = []
+        for own, known, deviate in zip(self.coefficients, self.json["coefficients"], deviates, strict=True):
+            scale, degrees = known["next_test_log_deviation"], known["next_test_degrees_of_freedom"]
+            if own.rejected is not None:
+                raise ValueError(f"the tests give no `{own.key}` to predict with: {own.rejected}")
+            if scale is None or degrees < 2:
+                raise ValueError(f"fewer than three tests do not tell how `{own.key}` scatters")
+            student = deviate / np.sqrt(random.chisquare(degrees, count) / degrees)
+            drawn.append([f"{float(own.median * math.exp(scale * one))!r} {own.unit}".rstrip() for one in student])
+        keys = [own.key for own in self.coefficients]
+        return [dict(zip(keys, row, strict=True)) for row in zip(*drawn, strict=True)]
 
     def write(self, out: str | os.PathLike[str]) -> None:
         """Write ``fit.json``, which ``archard sweep --from`` reads, and ``fit.csv`` into a folder."""
@@ -104,9 +136,12 @@ def fit(
             ``turns``, ``cycles``, ``time_s``), any of ``volume_mm3``, ``depth_um``, ``width_mm``,
             ``length_mm``, ``diameter_mm``, ``section_mm2`` and ``mass_mg``, followed by ``_BODY`` before the
             unit where both bodies wear, ``u_...`` for standard uncertainties, and ``load_N`` where tests have
-            loads of their own.
+            loads of their own. ``file`` names profiles (``x_mm`` or ``y_mm``, and ``z_um``) and height maps (all
+            three), from which what is worn off is taken; their paths start from the folder of the CSV file, or
+            from the working directory.
         parameter: the key to be fitted; if not given the coefficient of each body of which there are readings.
-        columns: headers of other names, as ``{"depth": "Tiefe [um]"}``.
+        columns: headers of other names, as ``{"depth": "Tiefe [um]"}``; ``x``, ``y`` and ``z`` are those of
+            profiles and height maps.
         uncertain: relative standard uncertainties that all tests have in common, as
             ``{"motion.sliding.load": 0.01, "distance": 0.005}``.
         out: folder for ``fit.json``, ``fit.csv`` and the runs of the case; nothing is kept if not given.
@@ -135,10 +170,10 @@ def fit(
     return found
 
 
-def _table(data: Any) -> tuple[str, bytes]:
-    """Return the name and the bytes of a table."""
+def _table(data: Any) -> tuple[str, bytes, Path]:
+    """Return the name and the bytes of a table, and the folder of the files it names."""
     if isinstance(data, (str, os.PathLike)):
-        return os.fspath(data), Path(data).read_bytes()
+        return os.fspath(data), Path(data).read_bytes(), Path(data).parent
     if hasattr(data, "to_dict") and hasattr(data, "columns"):
         data = {str(name): list(data[name]) for name in data.columns}
     if not isinstance(data, Mapping) or not data:
@@ -147,12 +182,12 @@ def _table(data: Any) -> tuple[str, bytes]:
     writer = csv.writer(text)
     writer.writerow(data)
     writer.writerows([_cell(value) for value in row] for row in zip(*data.values(), strict=True))
-    return "data", text.getvalue().encode()
+    return "data", text.getvalue().encode(), Path()
 
 
 def _cell(value: Any) -> str:
     """Return the text of a value; what is not a number was not measured."""
-    if value is None or value != value:
+    if value is None or type(value).__name__ in ("NAType", "NaTType") or value != value:
         return ""
     return str(value) if isinstance(value, (str, int)) else repr(float(value))
 

@@ -1,10 +1,14 @@
 //! Fits of cases to measured tests.
 
+use std::error::Error as StdError;
 use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use archard::fit::{Request, fit as fit_case};
+use archard::fit::{Files, Following, Request, fit as fit_case};
 use archard::measured::Table;
 use archard::output::Store;
+use archard::simulation::{Observer, Report};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -13,21 +17,45 @@ use crate::case::CaseFile;
 
 pyo3::import_exception!(archard._errors, NotConverged);
 
+/// Ends the runs once nobody waits for them any more.
+struct Waited(Arc<AtomicBool>);
+
+impl Observer for Waited {
+    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if self.0.load(Ordering::Relaxed) { Err("interrupted".into()) } else { Ok(()) }
+    }
+}
+
+impl Following for Waited {
+    fn begins(&mut self, _: usize, _: &str) {}
+
+    fn ended(&mut self, _: usize, _: &str, _: Option<f64>) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
+}
+
 /// A fit as JSON, in words and as CSV; runs go into the folder.
 #[pyfunction]
 pub fn fit(
     py: Python<'_>,
     case: &CaseFile,
-    table: (String, Vec<u8>),
+    table: (String, Vec<u8>, PathBuf),
     columns: Vec<(String, String)>,
     parameter: Option<String>,
     uncertain: Vec<(String, f64)>,
     dir: PathBuf,
 ) -> PyResult<(String, String, String)> {
-    let (file, (name, data)) = (case.0.clone(), table);
+    let (file, (name, data, folder)) = (case.0.clone(), table);
+    let left = Arc::new(AtomicBool::new(false));
+    let mut following = Waited(left.clone());
     let work = move || {
-        let names: Vec<(&str, &str)> =
-            columns.iter().map(|(name, title)| (name.as_str(), title.as_str())).collect();
+        let names = columns.iter().map(|(name, title)| (name.as_str(), title.as_str()));
+        let of_files = |(name, _): &(&str, &str)| {
+            ["x", "y", "z"].contains(&name.split('_').next().unwrap_or(name))
+        };
+        let (of_files, names): (Vec<_>, Vec<_>) = names.partition(of_files);
         let wrong = |error: String| (false, error);
         let table = Table::read(&name, &data).and_then(|table| table.naming(&names));
         let table = table.map_err(|error| wrong(error.to_string()))?;
@@ -35,17 +63,18 @@ pub fn fit(
         let request = Request {
             parameter: parameter.as_deref(),
             uncertain: &uncertain,
+            files: Files { folder: &folder, columns: &of_files },
             dir: &dir,
             store: store.as_ref(),
-            tell: &mut |_| {},
+            following: &mut following,
         };
         let found = fit_case(&file, &table, request);
         let found = found.map_err(|error| (error.is_of_convergence(), error.to_string()))?;
         Ok((found.json().to_string(), found.to_string(), found.csv()))
     };
-    away(py, &pool(None)?, work).unless_interrupted()?.map_err(
-        |(convergence, why): (bool, String)| {
-            if convergence { NotConverged::new_err(why) } else { PyValueError::new_err(why) }
-        },
-    )
+    let outcome = away(py, &pool(None)?, work).unless_interrupted();
+    left.store(true, Ordering::Relaxed);
+    outcome?.map_err(|(convergence, why): (bool, String)| {
+        if convergence { NotConverged::new_err(why) } else { PyValueError::new_err(why) }
+    })
 }

@@ -1,19 +1,23 @@
 //! `archard fit`: wear coefficients of a case from measured tests.
 
+use std::error::Error as StdError;
 use std::fs;
 use std::path::Path;
 
 use archard::case::{CaseFile, Task};
-use archard::fit::{self, Error, Fit, Request};
+use archard::fit::{self, Error, Files, Fit, Following, Request};
 use archard::measured::Table;
 use archard::output::{Store, write_whole};
+use archard::simulation::{Observer, Report};
 
 use crate::arguments::{Case, Fit as Arguments};
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::folder;
+use crate::interrupt::{Interrupted, Requests};
 use crate::plot;
-use crate::say::{say, tell};
+use crate::progress::Follower;
+use crate::say::{on_terminal, say, tell};
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
@@ -23,7 +27,11 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     }
     let file = CaseFile::read(case).map_err(|error| Failure::wrong(error.to_string()))?;
     let file = set.iter().fold(file, |file, option| file.set(option));
-    let table = read(&arguments.data, &arguments.column).map_err(Failure::wrong)?;
+    let names = names(&arguments.column).map_err(Failure::wrong)?;
+    // Columns of the surfaces that the table names.
+    let (of_files, of_table): (Vec<_>, Vec<_>) =
+        names.into_iter().partition(|(name, _)| of_a_surface(name));
+    let table = read(&arguments.data, &of_table).map_err(Failure::wrong)?;
     let dir = arguments.output.clone().unwrap_or_else(|| {
         let mut name = folder::default(case, set).into_os_string();
         name.push("_fit");
@@ -38,19 +46,19 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     fs::create_dir_all(&dir)
         .map_err(|error| Failure::wrong(format!("cannot make `{}`: {error}", dir.display())))?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
-    let mut follow = |text: &str| {
-        if !arguments.quiet {
-            tell(text);
-        }
-    };
+    let mut follow = Follow::new(arguments.quiet);
+    let folder = arguments.data.parent().unwrap_or(Path::new(""));
     let request = Request {
         parameter: arguments.parameter.as_deref(),
         uncertain: &uncertain,
+        files: Files { folder, columns: &of_files },
         dir: &dir,
         store: store.as_ref(),
-        tell: &mut follow,
+        following: &mut follow,
     };
-    let found = fit::fit(&file, &table, request).map_err(|error| failed(&error))?;
+    let found = fit::fit(&file, &table, request);
+    follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
+    let found = found.map_err(|error| failed(&error))?;
     write(&dir, &found).map_err(Failure::wrong)?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
@@ -63,18 +71,63 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// The table in a file, with the names that options give its columns.
-fn read(path: &Path, columns: &[String]) -> Result<Table, String> {
+/// Whether a column of that name, with a unit behind it or not, is one of profiles and height maps.
+fn of_a_surface(name: &str) -> bool {
+    ["x", "y", "z"].contains(&name.split('_').next().unwrap_or(name))
+}
+
+/// Says what is run, and ends it where that is asked for.
+struct Follow {
+    requests: Requests,
+    quiet: bool,
+    shown: Option<Follower>,
+}
+
+impl Follow {
+    fn new(quiet: bool) -> Self {
+        Self { requests: Requests::set(), quiet, shown: None }
+    }
+}
+
+impl Following for Follow {
+    fn begins(&mut self, _: usize, _: &str) {
+        self.shown = Some(Follower::new(self.quiet || !on_terminal()));
+    }
+
+    fn ended(&mut self, run: usize, settings: &str, seconds: Option<f64>) {
+        self.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
+        if !self.quiet {
+            let took = seconds.map_or("done before".to_owned(), |took| format!("{took:.1} s"));
+            tell(&format!("run {run} ({settings}): {took}"));
+        }
+    }
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
+}
+
+impl Observer for Follow {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if let Some(shown) = &mut self.shown {
+            shown.observe(report)?;
+        }
+        if self.requests.any() { Err(Interrupted.into()) } else { Ok(()) }
+    }
+}
+
+/// Names and titles, of options like `depth="Tiefe [um]"`.
+fn names(options: &[String]) -> Result<Vec<(&str, &str)>, String> {
+    let like = |option: &str| format!("`{option}`: write --column depth=\"Tiefe [um]\"");
+    options.iter().map(|option| option.split_once('=').ok_or_else(|| like(option))).collect()
+}
+
+/// The table in a file, with names for some of its columns.
+fn read(path: &Path, names: &[(&str, &str)]) -> Result<Table, String> {
     let bytes =
         fs::read(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
-    let names: Vec<(&str, &str)> = columns
-        .iter()
-        .map(|option| {
-            option.split_once('=').ok_or(format!("`{option}`: write --column depth=\"Tiefe [um]\""))
-        })
-        .collect::<Result<_, _>>()?;
     let table = Table::read(&path.display().to_string(), &bytes);
-    table.and_then(|table| table.naming(&names)).map_err(|error| error.to_string())
+    table.and_then(|table| table.naming(names)).map_err(|error| error.to_string())
 }
 
 /// A key and its relative uncertainty, of `motion.sliding.load=1%`.
@@ -102,9 +155,10 @@ fn write(dir: &Path, found: &Fit) -> Result<(), String> {
 }
 
 fn failed(error: &Error) -> Failure {
-    match error.is_of_convergence() {
-        true => Failure::NotConverged(error.to_string()),
-        false => Failure::wrong(error.to_string()),
+    match error {
+        Error::Stopped { .. } => Failure::Interrupted(error.to_string()),
+        error if error.is_of_convergence() => Failure::NotConverged(error.to_string()),
+        error => Failure::wrong(error.to_string()),
     }
 }
 

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use archard::case::CaseFile;
-use archard::fit::{Coefficient, Error, Fit, Request, fit};
+use archard::fit::{Coefficient, Error, Files, Fit, Following, Request, fit};
 use archard::measured::Table;
 use archard::simulation::history::{self, number};
 use archard::simulation::{Observer, Report};
@@ -79,11 +79,45 @@ impl Made<'_> {
     }
 }
 
+/// Ends a fit at the first step of a run.
+struct Until(Option<usize>, Vec<Option<f64>>);
+
+impl Following for Until {
+    fn begins(&mut self, run: usize, _: &str) {
+        if self.0 == Some(run) {
+            self.0 = Some(0);
+        }
+    }
+
+    fn ended(&mut self, _: usize, _: &str, seconds: Option<f64>) {
+        self.1.push(seconds);
+    }
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
+}
+
+impl Observer for Until {
+    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if self.0 == Some(0) { Err("interrupted".into()) } else { Ok(()) }
+    }
+}
+
 fn fitted(file: &CaseFile, text: &str, parameter: Option<&str>) -> Result<Fit, Error> {
-    let table = Table::read("tests.csv", text.as_bytes()).unwrap();
     let dir = tempfile::tempdir().unwrap();
-    let tell = &mut |_: &str| {};
-    let request = Request { parameter, uncertain: &[], dir: dir.path(), store: None, tell };
+    fitted_in(dir.path(), file, (text, parameter), &mut Until(None, vec![]))
+}
+
+fn fitted_in(
+    dir: &Path,
+    file: &CaseFile,
+    (text, parameter): (&str, Option<&str>),
+    following: &mut dyn Following,
+) -> Result<Fit, Error> {
+    let table = Table::read("tests.csv", text.as_bytes()).unwrap();
+    let files = Files { folder: dir, columns: &[] };
+    let request = Request { parameter, uncertain: &[], files, dir, store: None, following };
     fit(file, &table, request)
 }
 
@@ -256,4 +290,103 @@ fn a_parameter_that_the_data_cannot_tell_is_refused() {
     let text = "test,distance_m,volume_mm3\nA,0.1,1e-4\nA,0.2,2e-4\n";
     let error = fitted(&file, text, Some("body.pin.material.poisson")).unwrap_err().to_string();
     assert!(error.contains("cannot tell"), "{error}");
+}
+
+/// What a fit that was ended has run is not run again, and what comes out is the same.
+#[test]
+fn a_fit_goes_on_where_it_was_ended() {
+    let file = published("pin_on_disc", &["motion.sliding.step=\"25 mm\""]);
+    let text =
+        "test,distance_m,volume_mm3\nA,0.2,2.6e-4\nA,0.4,5.6e-4\nB,0.2,3.3e-4\nB,0.4,6.4e-4\n";
+    let (dir, whole) = (tempfile::tempdir().unwrap(), fitted(&file, text, None).unwrap());
+    assert!(whole.runs >= 4, "{}", whole.runs);
+    let mut ended = Until(Some(3), vec![]);
+    let error = fitted_in(dir.path(), &file, (text, None), &mut ended).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "interrupted after 2 runs, which are kept: the same call goes on behind them"
+    );
+    let mut again = Until(None, vec![]);
+    let found = fitted_in(dir.path(), &file, (text, None), &mut again).unwrap();
+    let before = again.1.iter().filter(|seconds| seconds.is_none()).count();
+    assert_eq!((before, again.1.len()), (2, whole.runs));
+    assert_eq!(found.json(), whole.json());
+    assert!(!dir.path().join("kept").exists());
+}
+
+/// Tables as people hand them in by mistake: each is refused in words, or said to be doubtful.
+#[test]
+fn hostile_tables_are_told() {
+    let file = published("pin_on_disc", &["motion.sliding.step=\"25 mm\""]);
+    let refused = |text: &str| fitted(&file, text, None).unwrap_err().to_string();
+    for (text, said) in [
+        // Letters, no number, infinity.
+        (
+            "test,distance_m,volume_mm3\nA,0.4,NaN\n",
+            "`NaN` in the column `volume_mm3` is not a finite",
+        ),
+        (
+            "test,distance_m,volume_mm3\nA,inf,1e-4\n",
+            "`inf` in the column `distance_m` is not a finite",
+        ),
+        // Units in a second line.
+        ("test,distance,volume\n,m,mm3\nA,0.4,1e-4\n", "has no unit: title it like"),
+        // No wear at all, no reading at all.
+        ("test,distance_m,volume_mm3\nA,0.2,0\nA,0.4,0\n", "is zero after some wear"),
+        ("test,distance_m,volume_mm3\nA,0.2,\nA,0.4,\n", "no reading tells any wear"),
+        ("test,distance_m,volume_mm3,u_volume_mm3\nA,0.4,1e-4,-1e-5\n", "greater than zero"),
+        ("test,load_N,distance_m,volume_mm3\nA,-5,0.4,1e-4\n", "load has to be greater than zero"),
+        // A scar no wider than that of the unworn contact.
+        ("test,distance_m,width_mm\nA,0.2,0.05\nA,0.4,0.06\n", "test `A`"),
+    ] {
+        let error = refused(text);
+        assert!(error.contains(said), "{text}: {error}");
+    }
+    let whole = |text: &str| fitted(&file, text, None).unwrap();
+    // Tests that have nothing to do with each other: the interval says so.
+    let wide = whole("test,distance_m,volume_mm3\nA,0.4,2e-5\nB,0.4,6e-4\n");
+    let [low, high] = wide.coefficients[0].estimate.interval.unwrap();
+    assert!(high / low > 1e6, "{wide}");
+    // Pasted twice.
+    let twice = whole(
+        "test,distance_m,volume_mm3\nA,0.2,2.6e-4\nA,0.4,5.6e-4\nB,0.2,2.6e-4\nB,0.4,5.6e-4\nB,0.4,5.6e-4\n",
+    );
+    assert!(twice.to_string().contains("lines 5 and 6 are the same"), "{twice}");
+    let pasted = whole(
+        "test,distance_m,volume_mm3\nA,0.2,2.6e-4\nA,0.4,5.6e-4\nB,0.2,2.6e-4\nB,0.4,5.6e-4\n",
+    );
+    assert!(
+        pasted.to_string().contains("the tests `A` and `B` have the same readings"),
+        "{pasted}"
+    );
+    // One reading tells k, and nothing of its error.
+    let one = whole("\u{feff}Test;Distance [mm];Volume / mm^3\nA;400;0,00056\n");
+    assert_eq!(one.coefficients[0].estimate.interval, None);
+    assert!(one.to_string().contains("without an interval"), "{one}");
+}
+
+#[test]
+fn uncertainties_are_checked_before_anything_runs() {
+    let file = published("pin_on_disc", &[]);
+    let table = Table::read("tests.csv", b"test,distance_m,volume_mm3\nA,0.4,5e-4\n").unwrap();
+    let dir = tempfile::tempdir().unwrap();
+    for (key, relative, said) in [
+        ("motion.sliding.load", 5.0, "between 0 % and 50 %"),
+        ("motion.sliding.load", f64::NAN, "between 0 % and 50 %"),
+        ("body.pin.color", 0.1, "is no number in the case"),
+        ("motion.sliding.distance", 0.1, "is that of `distance`"),
+    ] {
+        let uncertain = [(key.to_owned(), relative)];
+        let mut following = Until(Some(1), vec![]);
+        let request = Request {
+            parameter: None,
+            uncertain: &uncertain,
+            files: Files { folder: dir.path(), columns: &[] },
+            dir: dir.path(),
+            store: None,
+            following: &mut following,
+        };
+        let error = fit(&file, &table, request).unwrap_err().to_string();
+        assert!(error.contains(said), "{error}");
+    }
 }

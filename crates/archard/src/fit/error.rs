@@ -39,6 +39,14 @@ pub enum Error {
         /// Why.
         why: String,
     },
+    /// Whoever follows the runs ended the fit.
+    #[error("{cause} after {runs} runs, which are kept: the same call goes on behind them")]
+    Stopped {
+        /// Why.
+        cause: Box<dyn std::error::Error + Send + Sync>,
+        /// Runs that are done.
+        runs: usize,
+    },
     /// A test has no coefficient.
     #[error("test `{test}`: {why}")]
     Untold {

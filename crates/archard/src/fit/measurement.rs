@@ -2,7 +2,8 @@
 
 use super::Error;
 use super::quantity::{KINDS, Kind, Quantity};
-use super::{Reading, Test};
+use super::surfaces::{self, Column};
+use super::{Files, Measured, Reading, Test};
 use crate::case::Case;
 use crate::measured::Table;
 use crate::units::Measure;
@@ -37,13 +38,19 @@ pub(super) struct Measurement {
     /// The name of the column that says how far a reading is, and those of the history that may be meant.
     pub progress: (&'static str, &'static [&'static str]),
     pub targets: Vec<Target>,
+    /// What was taken from profiles and height maps.
+    pub surfaces: Vec<Measured>,
     /// What is to be said of the table.
     pub remarks: Vec<String>,
 }
 
 impl Measurement {
     /// Of a table, for the case; a key in the place of the coefficients of the bodies.
-    pub fn of(table: &Table, case: &Case, parameter: Option<&str>) -> Result<Self, Error> {
+    pub fn of(
+        table: &Table,
+        case: &Case,
+        (parameter, files): (Option<&str>, Files<'_>),
+    ) -> Result<Self, Error> {
         let wearing: Vec<usize> = (0..2).filter(|&body| case.bodies[body].wear.is_some()).collect();
         let named = parameter.and_then(|key| {
             wearing
@@ -52,24 +59,23 @@ impl Measurement {
                 .find(|&body| key.starts_with(&format!("body.{}.", case.bodies[body].name)))
         });
         let one = named.or_else(|| (wearing.len() == 1).then(|| wearing[0]));
-        let quantities = quantities(table, case, one)?;
         let progress = progress(table, case)?;
         let mut used: Vec<String> = vec!["test".into(), "load".into(), progress.0.into()];
-        used.extend(
-            quantities.iter().flat_map(|own| [own.name.clone(), format!("u_{}", own.name)]),
-        );
+        let (columns, surfaces) = columns((table, &mut used), (case, one), files)?;
         let used: Vec<&str> = used.iter().map(String::as_str).collect();
         let mut remarks = vec![];
         let others = table.others(&used);
         if !others.is_empty() {
             remarks.push(format!("columns that are not used: {}", others.join(", ")));
         }
-        let (tests, at_start) = tests(table, &quantities, progress.0)?;
+        let (tests, at_start) = tests(table, &columns, progress.0)?;
+        let quantities: Vec<Quantity> = columns.into_iter().map(|own| own.quantity).collect();
         if at_start > 0 {
             remarks.push(format!(
                 "readings before anything has worn, which tell nothing of it: {at_start}"
             ));
         }
+        remarks.extend(repeated(&tests));
         let targets = match parameter {
             Some(key) => vec![target(case, key.to_owned(), tests)?],
             None => {
@@ -83,43 +89,39 @@ impl Measurement {
                     .collect::<Result<_, _>>()?
             }
         };
-        Ok(Self { quantities, progress, targets, remarks })
+        Ok(Self { quantities, progress, targets, surfaces, remarks })
     }
 }
 
-/// The columns of readings.
-fn quantities(table: &Table, case: &Case, one: Option<usize>) -> Result<Vec<Quantity>, Error> {
-    let mut found = vec![];
+/// The columns of readings, and what the files of a column were taken for; the names of columns are added to those used.
+fn columns(
+    (table, used): (&Table, &mut Vec<String>),
+    (case, one): (&Case, Option<usize>),
+    files: Files<'_>,
+) -> Result<(Vec<Column>, Vec<Measured>), Error> {
+    let (mut found, mut surfaces) = (vec![], vec![]);
+    let kinds = KINDS.map(|(column, kind)| (column, Some(kind)));
     for name in table.names() {
-        for (column, kind) in KINDS {
-            let own = |body: &usize| {
-                name == format!("{column}_{}", case.bodies[*body].name.to_lowercase())
+        for (column, kind) in kinds.iter().copied().chain([(surfaces::COLUMN, None)]) {
+            let Some(body) = body_of((table, name), column, (case, one))? else { continue };
+            used.extend([name.to_owned(), format!("u_{name}")]);
+            let Some(kind) = kind else {
+                let (columns, taken) = surfaces::read((table, name), (case, body), files)?;
+                found.extend(columns);
+                surfaces.extend(taken);
+                continue;
             };
-            let body = match (0..2).find(own) {
-                Some(body) => body,
-                None if name == column => one.ok_or_else(|| {
-                    let [a, b] = [0, 1].map(|body: usize| &case.bodies[body].name);
-                    Error::Mismatch(format!(
-                        "{}: both bodies of the case may be meant by the column `{name}`: name it `{name}_{a}` or `{name}_{b}`",
-                        table.source()
-                    ))
-                })?,
-                None => continue,
-            };
-            if case.bodies[body].wear.is_none() {
-                return Err(Error::Mismatch(format!(
-                    "{}: the column `{name}` is of `{}`, which does not wear in the case",
-                    table.source(),
-                    case.bodies[body].name
-                )));
-            }
             if kind == Kind::Mass && case.bodies[body].density.is_none() {
                 return Err(Error::Mismatch(format!(
                     "a mass tells a volume once the density is known: put body.{}.density into the case",
                     case.bodies[body].name
                 )));
             }
-            found.push(Quantity { name: name.to_owned(), kind, body });
+            let measure = kind.measure();
+            let Some(values) = table.numbers(name, &measure)? else { continue };
+            let uncertainties = table.numbers(&format!("u_{name}"), &measure)?;
+            let quantity = Quantity { name: name.to_owned(), kind, body };
+            found.push(Column { quantity, values, uncertainties });
         }
     }
     if found.is_empty() {
@@ -127,14 +129,42 @@ fn quantities(table: &Table, case: &Case, one: Option<usize>) -> Result<Vec<Quan
         let bodies: Vec<String> = bodies.map(|body| format!("`_{}`", body.name)).collect();
         return Err(Error::Mismatch(format!(
             "{}: nothing that wears was measured: a column like `volume [mm3]`, `depth [um]`, `width [mm]`, `section [mm2]`, \
-             `length [mm]`, `diameter [mm]` or `mass [mg]` is needed, its name followed by {} where both bodies wear; there \
-             are {}",
+             `length [mm]`, `diameter [mm]`, `mass [mg]`, or `file` with the names of profiles and height maps is needed, its \
+             name followed by {} where both bodies wear; there are {}",
             table.source(),
             bodies.join(" or "),
             table.titles()
         )));
     }
-    Ok(found)
+    Ok((found, surfaces))
+}
+
+/// The body that a column is of, if it is called so.
+fn body_of(
+    (table, name): (&Table, &str),
+    column: &str,
+    (case, one): (&Case, Option<usize>),
+) -> Result<Option<usize>, Error> {
+    let own = |body: &usize| name == format!("{column}_{}", case.bodies[*body].name.to_lowercase());
+    let body = match (0..2).find(own) {
+        Some(body) => body,
+        None if name == column => one.ok_or_else(|| {
+            let [a, b] = [0, 1].map(|body: usize| &case.bodies[body].name);
+            Error::Mismatch(format!(
+                "{}: both bodies of the case may be meant by the column `{name}`: name it `{name}_{a}` or `{name}_{b}`",
+                table.source()
+            ))
+        })?,
+        None => return Ok(None),
+    };
+    if case.bodies[body].wear.is_none() {
+        return Err(Error::Mismatch(format!(
+            "{}: the column `{name}` is of `{}`, which does not wear in the case",
+            table.source(),
+            case.bodies[body].name
+        )));
+    }
+    Ok(Some(body))
 }
 
 /// The column that says how far readings are: that of the motion first.
@@ -162,11 +192,7 @@ fn progress(table: &Table, case: &Case) -> Result<(&'static str, &'static [&'sta
 }
 
 /// The tests, and the number of readings at the very start.
-fn tests(
-    table: &Table,
-    quantities: &[Quantity],
-    progress: &str,
-) -> Result<(Vec<Test>, usize), Error> {
+fn tests(table: &Table, columns: &[Column], progress: &str) -> Result<(Vec<Test>, usize), Error> {
     let measure = match progress {
         "distance" => Measure::LENGTH,
         "time" => Measure::TIME,
@@ -185,19 +211,15 @@ fn tests(
             )));
         }
     };
-    let mut columns = vec![];
-    for quantity in quantities {
-        let measure = quantity.kind.measure();
-        let Some(values) = table.numbers(&quantity.name, &measure)? else { continue };
-        columns.push((values, table.numbers(&format!("u_{}", quantity.name), &measure)?));
-    }
-    let stated = columns.iter().filter(|(_, u)| u.is_some()).count();
-    if stated > 0 && stated < columns.len() {
-        let without = quantities.iter().zip(&columns).find(|(_, column)| column.1.is_none());
-        let name = without.map_or("", |(quantity, _)| &quantity.name);
+    let has = |column: &&Column| column.uncertainties.is_some();
+    if let Some(without) =
+        columns.iter().find(|own| !has(own)).filter(|_| columns.iter().any(|own| has(&own)))
+    {
         return Err(Error::Mismatch(format!(
-            "{}: some readings have uncertainties and others none: add a column `u_{name}`, or leave all of them out",
-            table.source()
+            "{}: some readings have uncertainties, as those of files do, and others none: add a column `u_{}`, or leave all of \
+             them out",
+            table.source(),
+            without.quantity.name
         )));
     }
     let (mut tests, mut at_start): (Vec<Test>, usize) = (vec![], 0);
@@ -233,10 +255,10 @@ fn tests(
                  begins here, give it another name"
             )));
         }
-        for (quantity, (values, uncertainties)) in columns.iter().enumerate() {
-            let Some(value) = values[row] else { continue };
-            let name = &quantities[quantity].name;
-            let uncertainty = match uncertainties.as_ref().map(|all| all[row]) {
+        for (quantity, column) in columns.iter().enumerate() {
+            let Some(value) = column.values[row] else { continue };
+            let name = &column.quantity.name;
+            let uncertainty = match column.uncertainties.as_ref().map(|all| all[row]) {
                 None => None,
                 Some(Some(own)) if own > 0.0 => Some(own / value),
                 Some(_) => {
@@ -267,6 +289,38 @@ fn tests(
         return Err(Error::Mismatch(format!("{}: no reading tells any wear", table.source())));
     }
     Ok((tests, at_start))
+}
+
+/// Tests and readings that stand in the table twice, as pasted ones do: they count as if they were others.
+fn repeated(tests: &[Test]) -> Vec<String> {
+    let same = |one: &Reading, other: &Reading| {
+        (one.quantity, one.progress, one.value) == (other.quantity, other.progress, other.value)
+    };
+    let mut remarks = vec![];
+    for (index, test) in tests.iter().enumerate() {
+        for (place, reading) in test.readings.iter().enumerate() {
+            let twin = |other: &&Reading| other.line != reading.line && same(other, reading);
+            if let Some(other) = test.readings[..place].iter().find(twin) {
+                remarks.push(format!(
+                    "the readings of lines {} and {} are the same and count twice: see that none was pasted twice",
+                    other.line, reading.line
+                ));
+            }
+        }
+        let alike = |other: &&Test| {
+            let (one, other) = (&test.readings, &other.readings);
+            one.len() > 1
+                && one.len() == other.len()
+                && one.iter().zip(other).all(|(one, other)| same(one, other))
+        };
+        if let Some(other) = tests[..index].iter().find(alike) {
+            remarks.push(format!(
+                "the tests `{}` and `{}` have the same readings and count as two: see that none was pasted twice",
+                other.name, test.name
+            ));
+        }
+    }
+    remarks
 }
 
 /// The tests with the readings of a body alone.

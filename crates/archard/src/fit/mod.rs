@@ -7,6 +7,7 @@ mod curve;
 mod effects;
 mod error;
 mod estimate;
+mod kept;
 mod measurement;
 mod outcome;
 mod quantity;
@@ -14,14 +15,17 @@ mod report;
 mod runs;
 mod search;
 mod shape;
+mod surfaces;
 mod within;
 
 pub use effects::Effects;
 pub use error::Error;
 pub use estimate::{Common, Estimate, Model, NoEstimate, Study};
 pub use outcome::{Coefficient, Fit, Shown};
+pub use runs::Following;
 pub use search::{Request, fit};
 pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
+pub use surfaces::{Files, Measured};
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
 
 #[cfg(test)]

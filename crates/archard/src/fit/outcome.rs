@@ -1,6 +1,6 @@
 //! What a fit found.
 
-use super::{Estimate, Test};
+use super::{Estimate, Measured, Test};
 
 /// A coefficient that was fitted.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,10 +40,39 @@ pub struct Fit {
     pub quantities: Vec<(String, f64, &'static str)>,
     /// The coefficients.
     pub coefficients: Vec<Coefficient>,
+    /// What was taken from profiles and height maps.
+    pub surfaces: Vec<Measured>,
     /// What has to be said.
     pub remarks: Vec<String>,
     /// Number of runs.
     pub runs: usize,
     /// Whether one run told all k.
     pub by_k_s: bool,
+}
+
+/// Fewest tests that tell how two coefficients go together.
+const FEWEST: usize = 3;
+
+impl Fit {
+    /// The correlation of the logarithms of two coefficients over the tests that tell both, and the number of these; `None`
+    /// where there are no two coefficients, or fewer than three such tests.
+    pub fn correlation(&self) -> Option<(f64, usize)> {
+        let [one, other] = &self.coefficients[..] else { return None };
+        let of =
+            |name: &str| other.estimate.tests.iter().find(|own| own.0 == name).map(|own| own.1);
+        let pairs =
+            one.estimate.tests.iter().filter_map(|own| Some([own.1.ln(), of(&own.0)?.ln()]));
+        let pairs: Vec<[f64; 2]> = pairs.collect();
+        if pairs.len() < FEWEST {
+            return None;
+        }
+        let count = pairs.len() as f64;
+        let mean = [0, 1].map(|i| pairs.iter().map(|pair| pair[i]).sum::<f64>() / count);
+        let sum = |i: usize, j: usize| -> f64 {
+            pairs.iter().map(|pair| (pair[i] - mean[i]) * (pair[j] - mean[j])).sum()
+        };
+        let size = (sum(0, 0) * sum(1, 1)).sqrt();
+        let correlation = if size > 0.0 { (sum(0, 1) / size).clamp(-1.0, 1.0) } else { 0.0 };
+        Some((correlation, pairs.len()))
+    }
 }

@@ -4,7 +4,7 @@ use crate::body::Body;
 use crate::simulation::history::{
     BODY_DEPTH, MASS_LOSS, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, number, of_body,
 };
-use crate::simulation::{Report, worn_extent};
+use crate::simulation::{Report, worn_extent, worn_middle};
 use crate::units::Measure;
 
 /// Kinds of readings, by the names of their columns.
@@ -17,6 +17,8 @@ pub(super) enum Kind {
     Width,
     Length,
     Diameter,
+    /// The section through the middle of the frame, along an axis.
+    Middle(usize),
 }
 
 /// All kinds with their columns.
@@ -45,7 +47,7 @@ impl Kind {
     pub fn measure(self) -> Measure {
         match self {
             Kind::Volume => Measure::VOLUME,
-            Kind::Section => Measure::AREA,
+            Kind::Section | Kind::Middle(_) => Measure::AREA,
             Kind::Mass => Measure::MASS,
             Kind::Depth | Kind::Width | Kind::Length | Kind::Diameter => Measure::LENGTH,
         }
@@ -55,7 +57,7 @@ impl Kind {
     pub fn shown(self) -> (f64, &'static str) {
         match self {
             Kind::Volume => (1e9, "mm3"),
-            Kind::Section => (1e6, "mm2"),
+            Kind::Section | Kind::Middle(_) => (1e6, "mm2"),
             Kind::Mass => (1e6, "mg"),
             Kind::Depth => (1e6, "um"),
             Kind::Width | Kind::Length | Kind::Diameter => (1e3, "mm"),
@@ -73,6 +75,7 @@ impl Quantity {
             Kind::Section => column(WORN_SECTION),
             Kind::Mass => column(MASS_LOSS),
             Kind::Depth => column(BODY_DEPTH),
+            Kind::Middle(axis) => worn_middle(report, (self.body, axis)),
             Kind::Width => self.extents(report, row).map(|[_, across]| across),
             Kind::Length => self.extents(report, row).map(|[along, _]| along),
             Kind::Diameter => {

@@ -5,7 +5,7 @@ use std::fmt::{self, Write};
 use serde_json::{Value, json};
 
 use super::outcome::{Coefficient, Fit};
-use super::{Estimate, Exponent};
+use super::{Estimate, Exponent, Measured};
 use crate::verdict::four;
 
 impl Coefficient {
@@ -93,6 +93,8 @@ impl Fit {
             "runs": self.runs,
             "only_k_s_counts": self.by_k_s,
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
+            "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
+            "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
             "remarks": self.remarks,
         })
     }
@@ -130,6 +132,16 @@ impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for own in &self.coefficients {
             f.write_str(&words(own, &self.quantities)?)?;
+        }
+        if let Some((value, tests)) = self.correlation() {
+            writeln!(
+                f,
+                "together          the coefficients go with each other from test to test: correlation {} of {tests} tests",
+                two(value)
+            )?;
+        }
+        for surface in &self.surfaces {
+            writeln!(f, "surface           {surface}")?;
         }
         for remark in &self.remarks {
             writeln!(f, "note              {remark}")?;

@@ -5,16 +5,29 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::curve::Curve;
+use super::kept::{self, Kept, Row};
 use super::quantity::{Kind, Quantity};
 use super::{Error, Expected};
 use crate::case::{CaseFile, Resolved, Severity};
 use crate::motion::{Motion, Schedule, Stepping};
 use crate::output::{Claim, ResultFolder, Store, Totals};
-use crate::simulation::{Observer, Report, history};
+use crate::simulation::{self, Observer, Report, Simulation, history};
 use crate::verdict::{Verdict, Word};
 
 /// Places closer than this, relative to their size, are one.
 const SAME: f64 = 1e-6;
+
+/// What follows the runs of a fit.
+pub trait Following {
+    /// A run begins, the first being 1, with what was put into the case.
+    fn begins(&mut self, run: usize, settings: &str);
+
+    /// It has ended after so many seconds; `None` where it was done before an interruption.
+    fn ended(&mut self, run: usize, settings: &str, seconds: Option<f64>);
+
+    /// What observes it: an error ends the fit.
+    fn observer(&mut self) -> &mut dyn Observer;
+}
 
 /// Runs a case with values in place of its own.
 pub(super) struct Runner<'a> {
@@ -24,8 +37,7 @@ pub(super) struct Runner<'a> {
     pub columns: &'a [&'a str],
     pub dir: &'a Path,
     pub store: Option<&'a Store>,
-    /// Told what is run.
-    pub tell: &'a mut dyn FnMut(&str),
+    pub following: &'a mut dyn Following,
     /// Number of runs so far.
     pub count: usize,
 }
@@ -50,7 +62,8 @@ pub(super) struct Run {
     pub curves: Vec<Curve>,
     /// How far it went, by the column of the readings.
     pub end: f64,
-    pub verdict: Verdict,
+    /// What is doubtful about it, in words.
+    pub doubts: Vec<String>,
 }
 
 impl Run {
@@ -83,14 +96,38 @@ impl Runner<'_> {
         }
         simulation.schedule =
             passing(&simulation.problem.motion, &simulation.schedule, &changes.shares);
+        let file = kept::file(self.dir, &simulation, (self.quantities, self.columns));
+        self.count += 1;
+        if let Some(known) = Kept::read(&file) {
+            self.following.ended(self.count, &settings, None);
+            return self.curves(known);
+        }
+        self.following.begins(self.count, &settings);
+        let (rows, verdict) = self.follow(simulation, (&resolved, name, &settings))?;
+        if verdict.word() == Word::Wrong {
+            let why: Vec<String> = verdict.complaints().map(ToString::to_string).collect();
+            return Err(failed(format!("it cannot be right: {}", why.join("; "))));
+        }
+        let doubt = |line: &crate::verdict::Line| format!("{}: {line}", line.word().text());
+        let kept = Kept { rows, doubts: verdict.complaints().map(doubt).collect() };
+        kept.write(&file);
+        self.curves(kept)
+    }
+
+    /// The steps of a run, and what can be believed of it; its results go into the folder of that name.
+    fn follow(
+        &mut self,
+        simulation: Simulation,
+        (resolved, name, settings): (&Resolved, &str, &str),
+    ) -> Result<(Vec<Row>, Verdict), Error> {
+        let failed = |why: String| Error::Run { settings: settings.to_owned(), why };
         let begun = Instant::now();
         let claim = Claim::take(&self.dir.join(name)).map_err(|error| failed(error.to_string()))?;
         let folder = claim.begin(&resolved.case.to_string());
         let folder = folder.map_err(|error| failed(error.to_string()))?;
         let mut recorder =
             Recorder { folder, quantities: self.quantities, columns: self.columns, rows: vec![] };
-        let ran = simulation.run(&mut [&mut recorder]);
-        self.count += 1;
+        let ran = simulation.run(&mut [&mut recorder, self.following.observer()]);
         let verdict = recorder.folder.verdict();
         let totals = Totals {
             seconds: begun.elapsed().as_secs_f64(),
@@ -101,13 +138,16 @@ impl Runner<'_> {
         };
         let rows = recorder.rows;
         recorder.folder.finish(&totals).map_err(|error| failed(error.to_string()))?;
-        (self.tell)(&format!("run {} ({settings}): {:.1} s", self.count, totals.seconds));
-        ran.map_err(|error| failed(error.to_string()))?;
-        if verdict.word() == Word::Wrong {
-            let why: Vec<String> = verdict.complaints().map(ToString::to_string).collect();
-            return Err(failed(format!("it cannot be right: {}", why.join("; "))));
+        match ran {
+            Ok(_) => {
+                self.following.ended(self.count, settings, Some(totals.seconds));
+                Ok((rows, verdict))
+            }
+            Err(simulation::Error::Observer(cause)) => {
+                Err(Error::Stopped { cause, runs: self.count - 1 })
+            }
+            Err(error) => Err(failed(error.to_string())),
         }
-        self.curves(&rows, verdict)
     }
 
     /// The case with the changes.
@@ -128,7 +168,7 @@ impl Runner<'_> {
         })
     }
 
-    fn curves(&self, rows: &[Row], verdict: Verdict) -> Result<Run, Error> {
+    fn curves(&self, Kept { rows, doubts }: Kept) -> Result<Run, Error> {
         let last = rows.last().map(|row| row.far.clone()).unwrap_or_default();
         let Some(column) = last.iter().position(Option::is_some) else {
             return Err(Error::Mismatch(format!(
@@ -151,7 +191,7 @@ impl Runner<'_> {
             })
         };
         let curves = self.quantities.iter().enumerate().map(curve).collect::<Result<_, _>>()?;
-        Ok(Run { curves, end: last[column].unwrap_or_default(), verdict })
+        Ok(Run { curves, end: last[column].unwrap_or_default(), doubts })
     }
 }
 
@@ -176,12 +216,6 @@ fn passing(motion: &Motion, schedule: &Schedule, shares: &[f64]) -> Schedule {
     outputs.sort_by(f64::total_cmp);
     outputs.dedup_by(|next, last| *next - *last <= SAME * *next);
     Schedule { outputs, ..schedule.clone() }
-}
-
-/// How far a step was, by each column, and what was there to be measured.
-struct Row {
-    far: Vec<Option<f64>>,
-    values: Vec<Option<f64>>,
 }
 
 /// Keeps what readings are held against, and writes the results.

@@ -10,10 +10,11 @@ mod rounds;
 use std::collections::HashMap;
 use std::path::Path;
 
+use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
-use super::runs::{Changes, Run, Runner};
-use super::{Common, Error, Estimate, Expected, Study, Test};
+use super::runs::{Changes, Following, Run, Runner};
+use super::{Common, Error, Estimate, Expected, Files, Study, Test};
 use crate::case::{Case, CaseFile};
 use crate::measured::Table;
 use crate::output::Store;
@@ -29,12 +30,14 @@ pub struct Request<'a> {
     pub parameter: Option<&'a str>,
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
+    /// Where profiles and height maps are that the table names.
+    pub files: Files<'a>,
     /// Where runs go.
     pub dir: &'a Path,
     /// Kept compliances.
     pub store: Option<&'a Store>,
-    /// Told of each run.
-    pub tell: &'a mut dyn FnMut(&str),
+    /// Follows the runs.
+    pub following: &'a mut dyn Following,
 }
 
 /// Fits the coefficients of a case to a table of measured tests.
@@ -52,7 +55,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
                    runs of its own";
         return Err(Error::Mismatch(why.to_owned()));
     }
-    let mut measured = Measurement::of(table, &case, request.parameter)?;
+    let mut measured = Measurement::of(table, &case, (request.parameter, request.files))?;
     let load = load_key(&case, &measured)?;
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
     let by_k_s = linear && case.wears_by_k_s().is_some();
@@ -62,7 +65,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         columns: measured.progress.1,
         dir: request.dir,
         store: request.store,
-        tell: request.tell,
+        following: request.following,
         count: 0,
     };
     let others = others(&case, &measured.targets);
@@ -83,11 +86,17 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         name: "run",
         of: None,
     };
+    // Before anything runs.
+    for (key, relative) in request.uncertain {
+        search.changed(&case, key, *relative)?;
+    }
     let first = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
     let commons = search.commons(&case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
     remarks.extend(search.doubts());
+    kept::clear(request.dir);
+    let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
         let (factor, unit) = own.kind.shown();
         (own.name.clone(), factor, unit)
@@ -97,6 +106,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         quantities: quantities.collect(),
         runs: search.runner.count,
         coefficients,
+        surfaces,
         remarks,
         by_k_s,
     })

@@ -26,13 +26,14 @@ use serde::{Deserialize, Serialize};
 pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
+pub(crate) use checkpoint::digest;
 pub(crate) use companion::OF_STEPS;
 pub use companion::{Companion, Kind, Part};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
 pub use run::Run;
-pub use scar::worn_extent;
+pub use scar::{worn_extent, worn_middle};
 pub(crate) use swing::solves_of_a_step;
 
 use crate::closed_form::flash_temperature::FAST;

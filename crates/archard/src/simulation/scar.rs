@@ -31,6 +31,25 @@ pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
     Some(zone(&problem.frame, &state.worn[body], axis))
 }
 
+/// What is worn off the section through the middle of the frame along an axis (m^2), of a body that keeps its place under the
+/// contact on a uniform frame; `None` of any other.
+pub fn worn_middle(report: &Report<'_>, (body, axis): (usize, usize)) -> Option<f64> {
+    worn_extent(report, body)?;
+    let (frame, worn) = (&report.problem.frame, &report.state.worn[body]);
+    if !frame.is_uniform() || frame.is_line() && axis == 1 {
+        return None;
+    }
+    let elements = frame.elements();
+    let across = elements[1 - axis];
+    // The middle row or, where the line runs between two rows, both.
+    let rows = [(across - 1) / 2, across / 2];
+    let pair = |along: usize, row: usize| {
+        if axis == 0 { along + elements[0] * row } else { row + elements[0] * along }
+    };
+    let depth = |along: usize| 0.5 * rows.iter().map(|&row| worn[pair(along, row)]).sum::<f64>();
+    Some(frame.spacing()[axis] * (0..elements[axis]).map(depth).sum::<f64>())
+}
+
 /// Extent (m) of the worn zone along an axis and across.
 fn zone(frame: &ContactFrame, worn: &[f64], axis: usize) -> [f64; 2] {
     let least = EDGE * deepest(worn);

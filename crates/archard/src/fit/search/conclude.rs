@@ -6,7 +6,6 @@ use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Error, Estimate};
 use super::{Search, Variant, of_load};
 use crate::case::Case;
-use crate::verdict::Word;
 
 /// Points of a curve that is shown.
 const POINTS: usize = 60;
@@ -17,6 +16,9 @@ const BOTH: &str = "coefficient of the other body";
 const COUPLED: f64 = 0.1;
 /// A coefficient so many times that of the case is remarked upon.
 const FAR: f64 = 100.0;
+
+/// A standard uncertainty that is not smaller, relative, is none to change a value by.
+const MOST: f64 = 0.5;
 
 /// Standard uncertainty of a median, relative.
 fn half_width(own: &Estimate) -> f64 {
@@ -74,7 +76,7 @@ impl Search<'_> {
                         commons[place].push((name.clone(), own));
                     }
                 }
-                Err(error) if index < computed => {
+                Err(error) if index < computed && !matches!(error, Error::Stopped { .. }) => {
                     remarks.push(format!("the error by the {name} is not known: {error}"));
                 }
                 Err(error) => return Err(error),
@@ -85,7 +87,14 @@ impl Search<'_> {
     }
 
     /// The runs with a value off by its uncertainty.
-    fn changed(&self, case: &Case, key: &str, relative: f64) -> Result<Variant, Error> {
+    pub(super) fn changed(&self, case: &Case, key: &str, relative: f64) -> Result<Variant, Error> {
+        if !(relative > 0.0 && relative < MOST) {
+            return Err(Error::Mismatch(format!(
+                "`{key}` with a standard uncertainty of {} %: it lies between 0 % and {} %",
+                100.0 * relative,
+                100.0 * MOST
+            )));
+        }
         if key == self.progress {
             return Ok(Variant { far: Some(relative), ..Variant::default() });
         }
@@ -179,9 +188,9 @@ impl Search<'_> {
     /// What is doubtful about the runs, and about what came out.
     pub(super) fn doubts(&self) -> Vec<String> {
         let mut doubts: Vec<String> = vec![];
-        for run in self.known.values().filter(|run| run.verdict.word() != Word::Good) {
-            for line in run.verdict.complaints() {
-                let text = format!("the run of the model is {}: {line}", line.word().text());
+        for run in self.known.values() {
+            for doubt in &run.doubts {
+                let text = format!("the run of the model is {doubt}");
                 if !doubts.contains(&text) {
                     doubts.push(text);
                 }

@@ -1,0 +1,92 @@
+//! Runs of a fit that are done, kept until the fit is: one that was interrupted goes on behind them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use super::quantity::Quantity;
+use crate::output::write_whole;
+use crate::simulation::{Simulation, digest};
+
+/// What is kept of a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Kept {
+    /// Its steps.
+    pub rows: Vec<Row>,
+    /// What is doubtful about it, in words.
+    pub doubts: Vec<String>,
+}
+
+/// How far a step was, by each column, and what was there to be measured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Row {
+    pub far: Vec<Option<f64>>,
+    pub values: Vec<Option<f64>>,
+}
+
+/// The folder of what is kept.
+fn folder(dir: &Path) -> PathBuf {
+    dir.join("kept")
+}
+
+/// The file of a simulation whose steps tell these quantities by these columns.
+pub(super) fn file(
+    dir: &Path,
+    simulation: &Simulation,
+    (quantities, columns): (&[Quantity], &[&str]),
+) -> PathBuf {
+    let mut hash = Sha256::new();
+    hash.update(digest(simulation));
+    hash.update(format!("{}{quantities:?}{columns:?}", env!("CARGO_PKG_VERSION")));
+    let name: String = hash.finalize()[..16].iter().map(|byte| format!("{byte:02x}")).collect();
+    folder(dir).join(name)
+}
+
+/// Bytes of a checksum.
+const SUM: usize = 32;
+
+impl Kept {
+    /// What a file holds; `None` where there is none, or it is damaged.
+    pub fn read(path: &Path) -> Option<Self> {
+        let bytes = fs::read(path).ok()?;
+        let (content, sum) = bytes.split_last_chunk::<SUM>()?;
+        let whole = Sha256::digest(content)[..] == *sum;
+        whole.then(|| postcard::from_bytes(content).ok())?
+    }
+
+    /// Keeps it. What cannot be written is run again.
+    pub fn write(&self, path: &Path) {
+        let mut bytes = postcard::to_allocvec(self).unwrap_or_default();
+        let sum = Sha256::digest(&bytes);
+        bytes.extend_from_slice(&sum);
+        if path.parent().is_some_and(|dir| fs::create_dir_all(dir).is_ok()) {
+            let _ = write_whole(path, &bytes);
+        }
+    }
+}
+
+/// Removes what was kept of a fit that is done.
+pub(super) fn clear(dir: &Path) {
+    let _ = fs::remove_dir_all(folder(dir));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kept, Row};
+
+    #[test]
+    fn what_is_damaged_is_not_taken() {
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("kept/one");
+        let rows = vec![Row { far: vec![Some(0.1), None], values: vec![Some(1e-13 / 3.0)] }];
+        let kept = Kept { rows, doubts: vec!["doubtful".to_owned()] };
+        kept.write(&path);
+        assert_eq!(Kept::read(&path), Some(kept));
+        let mut bytes = std::fs::read(&path).unwrap();
+        bytes[1] ^= 1;
+        std::fs::write(&path, bytes).unwrap();
+        assert_eq!(Kept::read(&path), None);
+    }
+}

@@ -1,0 +1,193 @@
+//! Readings that are whole surfaces: profiles and height maps in files that a table names, and what is worn off in them.
+
+use std::fmt;
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::Error;
+use super::quantity::{Kind, Quantity};
+use crate::body::profile::Profile;
+use crate::case::Case;
+use crate::measured::Table;
+use crate::measured::surface::{Scar, Surface, Unworn};
+use crate::verdict::four;
+
+/// The name of the column.
+pub(super) const COLUMN: &str = "file";
+
+/// Where the files are that a table names, and how their columns are titled.
+#[derive(Debug, Clone, Copy)]
+pub struct Files<'a> {
+    /// The folder that paths start from.
+    pub folder: &'a Path,
+    /// Names (`x`, `y`, `z`) with the titles of the columns meant.
+    pub columns: &'a [(&'a str, &'a str)],
+}
+
+/// What came of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// The line of the table that names it.
+    pub line: u64,
+    /// The file, as the table has it.
+    pub file: String,
+    /// What was taken from it: the name of the quantity, a factor from SI to the unit shown, and that unit.
+    pub quantity: (String, f64, &'static str),
+    /// The scar.
+    pub scar: Scar,
+}
+
+/// Readings by rows of a table, with their standard uncertainties where they have any: SI.
+pub(super) struct Column {
+    pub quantity: Quantity,
+    pub values: Vec<Option<f64>>,
+    pub uncertainties: Option<Vec<Option<f64>>>,
+}
+
+/// What is worn off a body in the files that a column names: a column for each quantity that they tell.
+pub(super) fn read(
+    (table, name): (&Table, &str),
+    (case, body): (&Case, usize),
+    files: Files<'_>,
+) -> Result<(Vec<Column>, Vec<Measured>), Error> {
+    let shape = Shape::of(case, body)?;
+    let (mut columns, mut all): (Vec<Column>, Vec<Measured>) = (vec![], vec![]);
+    let texts = table.texts(name).unwrap_or_default();
+    for (row, (file, line)) in texts.iter().zip(table.lines()).enumerate() {
+        if file.is_empty() {
+            continue;
+        }
+        let refuse = |why: String| Error::Reading {
+            table: table.source().to_owned(),
+            line,
+            why: format!("`{file}`: {why}"),
+        };
+        let bytes = fs::read(files.folder.join(file))
+            .map_err(|error| refuse(format!("cannot read it: {error}")))?;
+        let surface = Table::read(file, &bytes).and_then(|own| own.naming(files.columns));
+        let surface = surface.map_err(|error| refuse(error.to_string()))?;
+        let surface = Surface::of(&surface).map_err(|error| refuse(error.to_string()))?;
+        let kind = shape.kind(surface.axis()).map_err(refuse)?;
+        let scar = shape.scar(&surface).map_err(|error| refuse(error.to_string()))?;
+        let quantity = Quantity { name: shape.name(kind, name), kind, body };
+        let place = columns.iter().position(|own| own.quantity == quantity).unwrap_or_else(|| {
+            let none = vec![None; table.len()];
+            let (values, uncertainties) = (none.clone(), Some(none));
+            columns.push(Column { quantity: quantity.clone(), values, uncertainties });
+            columns.len() - 1
+        });
+        columns[place].values[row] = Some(scar.worn);
+        if let Some(all) = &mut columns[place].uncertainties {
+            all[row] = Some(scar.uncertainty);
+        }
+        let (factor, unit) = kind.shown();
+        let quantity = (quantity.name, factor, unit);
+        all.push(Measured { line, file: (*file).to_owned(), quantity, scar });
+    }
+    Ok((columns, all))
+}
+
+/// The shape of a body before it wears, and how its scar lies.
+struct Shape<'a> {
+    body: &'a str,
+    profile: Box<dyn Profile>,
+    /// The axis along which it passes.
+    passes: Option<usize>,
+}
+
+impl<'a> Shape<'a> {
+    fn of(case: &'a Case, body: usize) -> Result<Self, Error> {
+        let own = &case.bodies[body];
+        let wrong = |why: String| Error::Mismatch(why);
+        if own.finite.is_some() {
+            return Err(wrong(format!(
+                "`{}` is meshed: profiles and maps are levelled by the shape of a body that is a profile; give `volume` or \
+                 `depth`",
+                own.name
+            )));
+        }
+        let profile = own.profile.build().map_err(|error| wrong(error.to_string()))?;
+        let (motion, _) = case.motion.build().map_err(|error| wrong(error.to_string()))?;
+        let along = motion.worn_along().filter(|(_, bodies)| bodies[body]);
+        Ok(Self { body: &own.name, profile, passes: along.map(|(along, _)| along.axis) })
+    }
+
+    /// What a surface tells: a profile (its axis) or a map.
+    fn kind(&self, axis: Option<usize>) -> Result<Kind, String> {
+        match (axis, self.passes) {
+            (Some(axis), Some(passes)) if axis == passes => Err(format!(
+                "`{}` passes along {}, and its track is as deep all along: a profile across it goes along {}; if this is one, \
+                 title its places so",
+                self.body,
+                ["x", "y"][axis],
+                ["y", "x"][axis]
+            )),
+            (_, Some(_)) => Ok(Kind::Section),
+            (Some(axis), None) => Ok(Kind::Middle(axis)),
+            (None, None) => Ok(Kind::Volume),
+        }
+    }
+
+    fn scar(&self, surface: &Surface) -> Result<Scar, crate::measured::surface::NoScar> {
+        let height = |[x, y]: [f64; 2]| {
+            let place = |axis: usize, own: f64| match (surface.axis(), self.passes) {
+                (Some(of), _) if of != axis => 0.0,
+                _ => own,
+            };
+            -self.profile.recess(place(0, x), place(1, y))
+        };
+        let through = [0, 1].map(|axis| self.passes == Some(axis));
+        Scar::find(surface, Unworn { height: &height, through })
+    }
+
+    /// `file_disc` tells `profile_y_disc`, `map_section_disc` or `map_volume_disc`.
+    fn name(&self, kind: Kind, column: &str) -> String {
+        let of = match kind {
+            Kind::Middle(axis) => ["profile_x", "profile_y"][axis],
+            Kind::Section => "track_section",
+            _ => "map_volume",
+        };
+        column.replacen(COLUMN, of, 1)
+    }
+}
+
+impl Measured {
+    /// As `fit.json` has it: SI.
+    pub fn json(&self) -> Value {
+        let Scar { plane, middle, extent, worn, uncertainty, deepest, gaps } = &self.scar;
+        json!({
+            "line": self.line, "file": self.file, "quantity": self.quantity.0, "worn": worn, "uncertainty": uncertainty,
+            "deepest_m": deepest, "from_to_m": extent, "middle_m": middle, "tilt": plane.tilt, "offset_m": plane.offset,
+            "readings_beside": plane.used, "scatter_m": plane.scatter, "gaps": gaps,
+        })
+    }
+}
+
+/// In words.
+impl fmt::Display for Measured {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Scar { plane, middle, worn, uncertainty, deepest, gaps, .. } = &self.scar;
+        let (name, factor, unit) = &self.quantity;
+        let [x, y] = plane.tilt.map(|tilt| four(1e3 * tilt));
+        write!(
+            f,
+            "`{}`: {name} {} {unit} +- {:.1} %, {} um deep around ({}, {}) mm; tilt ({x}, {y}) um/mm and offset {} um taken \
+             off by {} readings beside it, which scatter by {} um",
+            self.file,
+            four(worn * factor),
+            100.0 * uncertainty / worn,
+            four(1e6 * deepest),
+            four(1e3 * middle[0]),
+            four(1e3 * middle[1]),
+            four(1e6 * plane.offset),
+            plane.used,
+            four(1e6 * plane.scatter),
+        )?;
+        if *gaps > 0 {
+            write!(f, "; {gaps} places in it have no reading")?;
+        }
+        Ok(())
+    }
+}
