@@ -2,13 +2,15 @@
 
 mod course;
 mod level;
+mod map;
 mod profile;
 mod runs;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use archard::measured::Table;
+use archard::measured::surface::Surface;
 
 use crate::plot::draw::Paper;
 use crate::plot::figure::Panel;
@@ -105,19 +107,21 @@ fn measured(results: &Results, path: &Path, options: &Options) -> Result<Compari
     let table = Table::read(&path.display().to_string(), &bytes)?.naming(&names)?;
     let has = |name: &str| table.names().any(|known| known == name);
     let body = body(results, options)?;
-    let axis = match (has("x"), has("y")) {
-        (true, true) => bail!(
-            "`{}` has columns x and y: leave one of them out, a profile goes along one",
-            path.display()
-        ),
-        (true, false) => Some(Axis::X),
-        (false, true) => Some(Axis::Y),
-        (false, false) => None,
-    };
-    match axis {
-        Some(axis) => profile::compare(results, &table, (body, axis), options.levelled),
-        None => course::compare(results, &table, body),
+    if !has("x") && !has("y") {
+        return course::compare(results, &table, body);
     }
+    let surface = Surface::of(&table)?;
+    let mut comparison = match surface.axis() {
+        Some(axis) => {
+            let axis = [Axis::X, Axis::Y][axis];
+            let readings = profile::readings(&surface, axis);
+            let (source, of) = (table.source(), (body, axis));
+            profile::compare(results, (source, readings), of, options.levelled)?
+        }
+        None => map::compare(results, &surface, body, options.levelled)?,
+    };
+    comparison.remarks.extend(unused(&table, &["x", "y", "z"]));
+    Ok(comparison)
 }
 
 /// The name of a column without a unit behind it: `depth_um` is `depth`.

@@ -1,12 +1,12 @@
 //! A measured profile beside the worn one of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::measured::Table;
+use archard::measured::plane::{FEWEST, Plane};
+use archard::measured::surface::Surface;
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, of_body};
-use archard::units::Measure;
 
-use super::level::{FEWEST, Level, Reading, least};
-use super::{Comparison, percent, unused};
+use super::level::{Level, Reading, least};
+use super::{Comparison, percent};
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::{Unit, phrase};
@@ -29,12 +29,11 @@ struct Section<'a> {
 /// Compares the profile of a body along an axis with readings of its height.
 pub(super) fn compare(
     results: &Results,
-    table: &Table,
+    (source, readings): (&str, Vec<Reading>),
     (body, axis): (usize, Axis),
     levelled: bool,
 ) -> Result<Comparison> {
     let name = &results.bodies[body];
-    let readings = readings(table, axis)?;
     let profile = results.profiles.iter().rfind(|profile| profile.axis == axis);
     let profile =
         profile.with_context(|| format!("the run has no profile along {}", axis.name()))?;
@@ -48,7 +47,7 @@ pub(super) fn compare(
     );
     let nominal = nominal(results, body, axis)?;
     let level = match levelled {
-        true => Level { offset: 0.0, tilt: 0.0, shift: 0.0, used: 0, scatter: 0.0 },
+        true => Level { plane: Plane::LEVEL, shift: 0.0 },
         false => align(&readings, &nominal, &section)?,
     };
     let flat = level.applied(&readings);
@@ -59,7 +58,7 @@ pub(super) fn compare(
     ensure!(
         inside.len() >= 2,
         "`{}` has {} readings where the run has its scar, from {} to {}: move them with --levelled left out, or measure there",
-        table.source(),
+        source,
         inside.len(),
         shown(zone[0], "m"),
         shown(zone[1], "m"),
@@ -83,12 +82,12 @@ pub(super) fn compare(
             "levelled by",
             format!(
                 "{} readings beside the scar, scatter {}",
-                level.used,
-                shown(level.scatter, "m")
+                level.plane.used,
+                shown(level.plane.scatter, "m")
             ),
         ));
-        lines.push(line("tilt taken off", format!("{:.4} µm/mm", 1e3 * level.tilt)));
-        lines.push(line("offset taken off", shown(level.offset, "m")));
+        lines.push(line("tilt taken off", format!("{:.4} µm/mm", 1e3 * level.plane.tilt[0])));
+        lines.push(line("offset taken off", shown(level.plane.offset, "m")));
         lines.push(line("shift", format!("{} along {}", shown(level.shift, "m"), axis.name())));
     }
     lines.push(line(
@@ -134,14 +133,15 @@ pub(super) fn compare(
             ),
         ));
     }
-    let mut remarks: Vec<String> = unused(table, &[axis.name(), "z"]).into_iter().collect();
+    let mut remarks = vec![];
     let beyond = readings.len() - inside.len();
     if beyond > 0 && levelled {
         remarks.push(format!("readings beside the scar, not compared: {beyond}"));
     }
     if !levelled {
-        let debris = beyond.saturating_sub(level.used);
-        remarks.push(format!("readings beside the scar, for the level alone: {}", level.used));
+        let debris = beyond.saturating_sub(level.plane.used);
+        remarks
+            .push(format!("readings beside the scar, for the level alone: {}", level.plane.used));
         remarks.push(format!("debris beside the scar, left out: {debris}"));
     }
     if !levelled && curved(&nominal, &section) {
@@ -149,33 +149,35 @@ pub(super) fn compare(
     }
     let panels =
         vec![panel(results, (name, body, axis), &depths, (&along_all(&section), zone, profile))];
-    let title = format!("{} along {} beside `{}`", name, axis.name(), table.source());
+    let title = format!("{name} along {} beside `{source}`", axis.name());
     Ok(Comparison { title, lines, remarks, panels })
 }
 
-/// Places and heights, those in order.
-fn readings(table: &Table, axis: Axis) -> Result<Vec<Reading>> {
-    let places = table.all_numbers(axis.name(), &Measure::LENGTH)?;
-    let heights = table.all_numbers("z", &Measure::LENGTH)?;
-    let mut readings: Vec<Reading> = places.into_iter().zip(heights).collect();
-    readings.sort_by(|one, other| one.0.total_cmp(&other.0));
-    Ok(readings)
+/// Places along an axis and heights of a profile.
+pub(super) fn readings(surface: &Surface, axis: Axis) -> Vec<Reading> {
+    surface.readings().iter().map(|own| (own[axis.index()], own[2])).collect()
 }
 
 /// The height (m) that a body had along an axis, out of its material.
 fn nominal(results: &Results, body: usize, axis: Axis) -> Result<impl Fn(f64) -> f64> {
+    let shape = shape(results, body)?;
+    Ok(move |place: f64| match axis {
+        Axis::X => shape([place, 0.0]),
+        Axis::Y => shape([0.0, place]),
+    })
+}
+
+/// The height (m) that a body had, out of its material.
+pub(super) fn shape(results: &Results, body: usize) -> Result<impl Fn([f64; 2]) -> f64> {
     let case = results.case.as_ref().context("the case of the run cannot be read any more")?;
     let case = case.bodies.get(body).context("the case has no such body")?;
     ensure!(
         case.finite.is_none(),
-        "`{}` is meshed: profiles are compared with bodies whose shape is a profile",
+        "`{}` is meshed: profiles and height maps are compared with bodies whose shape is a profile",
         case.name
     );
     let profile = case.profile.build()?;
-    Ok(move |place: f64| match axis {
-        Axis::X => -profile.recess(place, 0.0),
-        Axis::Y => -profile.recess(0.0, place),
-    })
+    Ok(move |[x, y]: [f64; 2]| -profile.recess(x, y))
 }
 
 impl<'a> Section<'a> {

@@ -167,6 +167,13 @@ impl Results {
         Some(if sliding.direction.axis == 1 { Axis::Y } else { Axis::X })
     }
 
+    /// The axis along which the surface of a body passes, and is worn alike.
+    pub(crate) fn passes(&self, body: usize) -> Option<Axis> {
+        let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
+        let (along, _) = motion.worn_along().filter(|(_, bodies)| bodies[body])?;
+        Some(if along.axis == 1 { Axis::Y } else { Axis::X })
+    }
+
     /// The axis along which the worn shapes say most: across a track, along the motion else.
     pub(crate) fn shape_axis(&self) -> Axis {
         match self.track() {

@@ -160,7 +160,9 @@ fn what_cannot_be_compared_is_refused_in_words() {
     let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &["--body", "ball"]);
     assert!(message.contains("the bodies are pin and disc"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &[]);
-    assert!(message.contains("columns x and y"), "{message}");
+    assert!(message.contains("no scar stands out"), "{message}");
+    let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &["--levelled"]);
+    assert!(message.contains("leave --levelled out"), "{message}");
     let message = refused("distance [m],mass [mg]\n0.1,1\n", &[]);
     assert!(message.contains("no reading of depth"), "{message}");
     let message = said(&archard(&dir, &["compare", "pin_on_disc", "nowhere.csv"]).code(2));
@@ -187,4 +189,43 @@ fn a_profile_along_a_track_is_refused() {
     let across = archard(&dir, &[&arguments[..], &["--column", "y=x [mm]"]].concat()).success();
     let deepest = printed(&across);
     assert!((number(&deepest, "deepest") - 2.4).abs() < 0.1, "{deepest}");
+}
+
+/// A height map made of the worn pin, which is a body of revolution: tilted, moved, with gaps, and half as deep again.
+#[test]
+fn a_height_map_of_the_run_itself_is_the_run() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc");
+    let path = dir.path().join("pin_on_disc/profiles.csv");
+    let last = |row: &csv::StringRecord| &row[0] == "0.5" && &row[1] == "x";
+    let places = column(&path, "coordinate_m", last);
+    let worn = column(&path, "wear_pin_m", last);
+    let depth = |place: f64| {
+        let next = places.partition_point(|known| *known < place).clamp(1, places.len() - 1);
+        let share = (place - places[next - 1]) / (places[next] - places[next - 1]);
+        if share > 1.0 { 0.0 } else { worn[next - 1] + share * (worn[next] - worn[next - 1]) }
+    };
+    for (factor, off) in [(1.0, 0.0), (1.5, -33.3)] {
+        let mut text = String::from("x [mm];y [mm];z [um]\n");
+        for (i, j) in (-45..=45).flat_map(|j| (-45..=45).map(move |i| (i, j))) {
+            let [x, y] = [i, j].map(|i| 18e-6 * f64::from(i));
+            let r = x.hypot(y);
+            let z = -RADIUS + (RADIUS * RADIUS - r * r).sqrt() - factor * depth(r);
+            let z = z + 30e-6 + 2e-3 * x - 1e-3 * y;
+            let cell =
+                if (3 * i + 5 * j) % 29 == 0 { String::new() } else { format!("{:.5}", z * 1e6) };
+            text += &format!("{:.4};{:.4};{cell}\n", x * 1e3 + 7.0, y * 1e3).replace('.', ",");
+        }
+        fs::write(dir.path().join("map.csv"), text).unwrap();
+        let said = printed(&archard(&dir, &["compare", "pin_on_disc", "map.csv"]).success());
+        for name in ["deepest", "worn volume"] {
+            let line = said.lines().find(|line| line.trim().starts_with(name)).unwrap();
+            let share = line.split("computed ").last().unwrap().split(' ').next().unwrap();
+            let share: f64 = share.parse().unwrap();
+            // Depths are averaged over a fiftieth of the map; the pin is round to the size of an element.
+            assert!((share - off).abs() < 3.0, "{line}");
+        }
+        assert!(said.contains("places in the scar without a reading"), "{said}");
+        assert!(said.contains("2.0000 \u{b5}m/mm along x, -1.0000 \u{b5}m/mm along y"), "{said}");
+    }
 }

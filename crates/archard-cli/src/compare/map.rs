@@ -1,0 +1,207 @@
+//! A measured height map beside the worn surface of a run.
+
+use anyhow::{Context, Result, ensure};
+use archard::measured::surface::{Scar, Surface, Unworn};
+use archard::output::Image;
+use archard::simulation::history::{WORN_VOLUME, of_body};
+
+use super::level::Reading;
+use super::{Comparison, percent, profile};
+use crate::plot::figure::{COLOURS, Curves, PALE, Panel, Pen};
+use crate::plot::results::Results;
+use crate::plot::scale::Unit;
+use crate::plot::tables::{Axis, largest};
+use crate::report::measured as shown;
+
+/// Wear relative to the deepest below which a place is outside of a scar.
+const EDGE: f64 = 1e-3;
+
+/// Compares the surface of a body with a height map; that of a track by its mean section.
+pub(super) fn compare(
+    results: &Results,
+    surface: &Surface,
+    body: usize,
+    levelled: bool,
+) -> Result<Comparison> {
+    ensure!(
+        !levelled,
+        "height maps are levelled by what lies beside the scar: leave --levelled out"
+    );
+    let shape = profile::shape(results, body)?;
+    let passes = results.passes(body);
+    let height = |[x, y]: [f64; 2]| match passes {
+        Some(Axis::X) => shape([0.0, y]),
+        Some(Axis::Y) => shape([x, 0.0]),
+        None => shape([x, y]),
+    };
+    let through = [Axis::X, Axis::Y].map(|axis| passes == Some(axis));
+    let unworn = Unworn { height: &height, through };
+    let scar = Scar::find(surface, unworn).with_context(|| surface.source().to_owned())?;
+    let depths = scar.depths(surface, unworn);
+    let level = level(&scar);
+    let mut comparison = match passes {
+        Some(along) => track(results, (surface, &depths), (body, along.other()), &height)?,
+        None => bowl(results, (surface, &scar, &depths), body)?,
+    };
+    comparison.lines.splice(1..1, level);
+    if scar.gaps > 0 {
+        comparison.remarks.push(format!("places in the scar without a reading: {}", scar.gaps));
+    }
+    Ok(comparison)
+}
+
+/// What was taken off.
+fn level(scar: &Scar) -> Vec<[String; 2]> {
+    let plane = &scar.plane;
+    let line = |name: &str, value: String| [name.to_owned(), value];
+    let [x, y] = plane.tilt.map(|tilt| format!("{:.4}", 1e3 * tilt));
+    let beside =
+        format!("{} readings beside the scar, scatter {}", plane.used, shown(plane.scatter, "m"));
+    let [left, low] = scar.middle.map(|place| shown(place, "m"));
+    vec![
+        line("levelled by", beside),
+        line("tilt taken off", format!("{x} \u{b5}m/mm along x, {y} \u{b5}m/mm along y")),
+        line("offset taken off", shown(plane.offset, "m")),
+        line("middle of the scar", format!("({left}, {low})")),
+    ]
+}
+
+/// The mean over the length of a track, as a profile that is level.
+fn track(
+    results: &Results,
+    (surface, depths): (&Surface, &[[f64; 3]]),
+    (body, across): (usize, Axis),
+    height: &dyn Fn([f64; 2]) -> f64,
+) -> Result<Comparison> {
+    let mut lines: Vec<(f64, Vec<f64>)> = vec![];
+    let mut sorted = depths.to_vec();
+    sorted.sort_by(|one, other| one[across.index()].total_cmp(&other[across.index()]));
+    for own in sorted {
+        let place = own[across.index()];
+        match lines.last_mut().filter(|(last, _)| *last == place) {
+            Some((_, depths)) => depths.push(own[2]),
+            None => lines.push((place, vec![own[2]])),
+        }
+    }
+    let mean = |(place, depths): &(f64, Vec<f64>)| {
+        let unworn = if across == Axis::X { height([*place, 0.0]) } else { height([0.0, *place]) };
+        (*place, unworn - depths.iter().sum::<f64>() / depths.len() as f64)
+    };
+    let readings: Vec<Reading> = lines.iter().map(mean).collect();
+    profile::compare(results, (surface.source(), readings), (body, across), true)
+}
+
+/// The scar of a body that keeps its place under the contact.
+fn bowl(
+    results: &Results,
+    (surface, scar, depths): (&Surface, &Scar, &[[f64; 3]]),
+    body: usize,
+) -> Result<Comparison> {
+    let name = &results.bodies[body];
+    let image = results.image.as_ref().context("the run has no fields to compare a map with")?;
+    let worn = image.field(&format!("wear_{name}_m")).context("the run has no wear of the body")?;
+    let most = largest(worn);
+    ensure!(most > 0.0, "`{name}` has no scar: nothing is worn off it");
+    let inside: Vec<(f64, f64)> = depths
+        .iter()
+        .filter_map(|[x, y, depth]| Some((*depth, at(image, worn, [*x, *y])?)))
+        .filter(|(_, computed)| *computed > EDGE * most)
+        .collect();
+    ensure!(inside.len() >= 2, "`{}` has no readings where the run has its scar", surface.source());
+    let square = inside.iter().map(|(one, other)| (one - other).powi(2)).sum::<f64>();
+    let rms = (square / inside.len() as f64).sqrt();
+    let line = |name: &str, value: String| [name.to_owned(), value];
+    let mut lines = vec![
+        line("readings", format!("{}, {} of them at the scar", depths.len(), inside.len())),
+        line(
+            "difference, RMS",
+            format!(
+                "{}, {:.1} % of the deepest",
+                shown(rms, "m"),
+                100.0 * rms / most.max(scar.deepest)
+            ),
+        ),
+        line(
+            "deepest",
+            format!(
+                "measured {}, computed {}: {}",
+                shown(scar.deepest, "m"),
+                shown(most, "m"),
+                percent(scar.deepest, most)
+            ),
+        ),
+    ];
+    let volume = results.history.column(&of_body(WORN_VOLUME, name));
+    if let Some(volume) = volume.ok().and_then(|values| values.last().copied()) {
+        lines.push(line(
+            "worn volume",
+            format!(
+                "measured {} \u{b1} {}, computed {}: {}",
+                shown(scar.worn, "m3"),
+                shown(scar.uncertainty, "m3"),
+                shown(volume, "m3"),
+                percent(scar.worn, volume)
+            ),
+        ));
+    }
+    let panels = [Axis::X, Axis::Y]
+        .into_iter()
+        .map(|axis| panel((name, body, axis), depths, (image, worn), scar))
+        .collect();
+    let title = format!("{name} beside the map `{}`", surface.source());
+    Ok(Comparison { title, lines, remarks: vec![], panels })
+}
+
+/// A field at a place, from the centres of the elements around it; `None` beyond the frame.
+fn at(image: &Image, values: &[f64], place: [f64; 2]) -> Option<f64> {
+    let [columns, rows] = image.elements;
+    let mut corner = [0; 2];
+    let mut share = [0.0; 2];
+    for axis in 0..2 {
+        let along = (place[axis] - image.origin[axis]) / image.spacing[axis];
+        if !(0.0..=image.elements[axis] as f64).contains(&along) {
+            return None;
+        }
+        let along = (along - 0.5).clamp(0.0, image.elements[axis] as f64 - 1.0);
+        corner[axis] = (along as usize).min(image.elements[axis].saturating_sub(2));
+        share[axis] = along - corner[axis] as f64;
+    }
+    let value = |x: usize, y: usize| {
+        values[(corner[0] + x).min(columns - 1) + columns * (corner[1] + y).min(rows - 1)]
+    };
+    let row = |y: usize| value(0, y) + share[0] * (value(1, y) - value(0, y));
+    Some(row(0) + share[1] * (row(1) - row(0)))
+}
+
+/// The sections of map and run through the middle along an axis.
+fn panel(
+    (name, body, axis): (&str, usize, Axis),
+    depths: &[[f64; 3]],
+    (image, worn): (&Image, &[f64]),
+    scar: &Scar,
+) -> Panel {
+    let (along, across) = (axis.index(), axis.other().index());
+    let [low, high] = scar.extent[along].map(|place| place - scar.middle[along]);
+    let reach = high.max(-low) * 1.5;
+    let nearest = depths.iter().map(|own| own[across].abs()).fold(f64::INFINITY, f64::min);
+    let measured: Vec<Reading> = depths
+        .iter()
+        .filter(|own| own[across].abs() <= nearest * (1.0 + 1e-9) && own[along].abs() <= reach)
+        .map(|own| (own[along], own[2]))
+        .collect();
+    let computed: Vec<Reading> = (-100..=100)
+        .filter_map(|i| {
+            let mut place = [0.0; 2];
+            place[along] = reach * f64::from(i) / 100.0;
+            Some((place[along], at(image, worn, place)?))
+        })
+        .collect();
+    let (width, depth) = (Unit::across(reach), Unit::depth(largest(worn).max(scar.deepest)));
+    let scaled = |(x, z): &Reading| (x * width.factor, z * depth.factor);
+    let mut curves = Curves::new();
+    curves.mark(measured.iter().map(scaled), PALE[1 + body % 2], Some("measured"));
+    curves.add(computed.iter().map(scaled), Pen::line(COLOURS[1 + body % 2]), Some("computed"));
+    let title = format!("Worn off {name}, through the middle along {}", axis.name());
+    let labels = [&*title, &width.label(axis.name()), &depth.label("Depth")];
+    curves.panel(labels, |view| view)
+}
