@@ -295,6 +295,10 @@ pub struct Sweep {
     /// Draw the coefficients of a fit (a `fit.json`) as the next test will have them
     #[arg(long, value_name = "FILE", requires = "samples")]
     pub from: Option<PathBuf>,
+    /// How the first two coefficients of `--from` go together, where they come from the same tests: correlation of their
+    /// logarithms
+    #[arg(skip)]
+    pub together: Option<f64>,
     /// Number of samples, at each value of --over
     #[arg(long, value_name = "N")]
     pub samples: Option<NonZeroUsize>,

@@ -3,7 +3,7 @@
 use archard::case::{CaseFile, Problem, Resolved, Severity, Task};
 use serde_json::json;
 
-use super::points::{MOST, points};
+use super::points::{MOST, points, together};
 use super::values::{Distribution, distribution, list};
 use crate::arguments::{Design as Laid, Layout, Sweep};
 use crate::diagnose;
@@ -27,12 +27,14 @@ pub struct Design {
 }
 
 /// A row of a study.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Row {
     /// The values of its keys (SI).
     pub values: Vec<f64>,
-    /// Its case.
+    /// Its case, on the frame that its contact has room on.
     pub resolved: Box<Resolved>,
+    /// How often that frame was enlarged.
+    pub frames: usize,
 }
 
 /// The study of the arguments, every row of it checked; nothing is written.
@@ -95,7 +97,8 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
         });
         let numbers: Vec<(f64, String)> = numbers.collect::<Result<_, _>>()?;
         units = numbers.iter().map(|(_, unit)| unit.clone()).collect();
-        rows.push(Row { values: numbers.into_iter().map(|(value, _)| value).collect(), resolved });
+        let values = numbers.into_iter().map(|(value, _)| value).collect();
+        rows.push(Row { values, resolved, frames: 0 });
     }
     for (key, count) in warned.iter().filter(|(_, count)| *count > 1 && !arguments.quiet) {
         tell(&format!("{count} rows have warnings of `{key}`, of which the first is shown"));
@@ -187,7 +190,15 @@ fn settings(arguments: &Sweep) -> Result<Settings, String> {
     }
     let dimensions = distributions.len();
     few(rows.len() * count * if layout == Layout::Saltelli { dimensions + 2 } else { 1 })?;
-    let points = points(layout, (count, dimensions), arguments.seed);
+    let mut points = points(layout, (count, dimensions), arguments.seed);
+    if let Some(correlation) = arguments.together {
+        if layout == Layout::Saltelli {
+            return Err("the coefficients of --from go together, and --design saltelli takes keys that do not: leave the \
+                        design out, or give --sample with scatters of your own"
+                .to_owned());
+        }
+        together(&mut points, correlation);
+    }
     let drawn = |point: &Vec<f64>| -> Vec<String> {
         point.iter().zip(&distributions).map(|(share, known)| known.quantile(*share)).collect()
     };

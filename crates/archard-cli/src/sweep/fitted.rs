@@ -7,11 +7,15 @@ use serde_json::Value;
 
 use crate::arguments::Sweep;
 
-/// The arguments with the coefficients of `--from` among the samples.
+/// The arguments with the coefficients of `--from` the first samples.
 pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
     let mut all = arguments.clone();
     if let Some(path) = &arguments.from {
-        all.sample.extend(samples(path)?);
+        let fit = read(path)?;
+        let mut samples = samples(path, &fit)?;
+        samples.append(&mut all.sample);
+        all.sample = samples;
+        all.together = fit["correlation_of_coefficients"]["value"].as_f64();
     }
     if all.sample.is_empty() && all.samples.is_some() {
         return Err("--samples counts samples: give --sample KEY=DISTRIBUTION or --from fit.json"
@@ -20,13 +24,17 @@ pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
     Ok(all)
 }
 
+fn read(path: &Path) -> Result<Value, String> {
+    let wrong = |why: String| format!("`{}`: {why}", path.display());
+    let text = fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    serde_json::from_slice(&text).map_err(|error| wrong(error.to_string()))
+}
+
 /// `KEY=logstudent(median, scale, degrees of freedom)` of each coefficient: what the next test will have, by those that were
 /// made.
-fn samples(path: &Path) -> Result<Vec<String>, String> {
+fn samples(path: &Path, fit: &Value) -> Result<Vec<String>, String> {
     let name = path.display();
     let wrong = |why: &str| format!("`{name}`: {why}");
-    let text = fs::read(path).map_err(|error| wrong(&error.to_string()))?;
-    let fit: Value = serde_json::from_slice(&text).map_err(|error| wrong(&error.to_string()))?;
     let coefficients = fit["coefficients"].as_array().filter(|list| !list.is_empty());
     let coefficients = coefficients.ok_or_else(|| wrong("is no fit.json of `archard fit`"))?;
     let one = |own: &Value| {

@@ -6,12 +6,14 @@
 
 mod design;
 mod fitted;
+mod frames;
 pub mod points;
 mod row;
 mod shared;
 mod table;
 mod values;
 
+use std::collections::HashSet;
 use std::fs;
 use std::num::NonZero;
 use std::path::Path;
@@ -34,10 +36,11 @@ use table::Status;
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let requests = Requests::set();
     let arguments = &fitted::with(arguments).map_err(Failure::wrong)?;
-    let design = design::design(arguments)?;
+    let mut design = design::design(arguments)?;
     let study = &arguments.output;
     begin(study, &design)?;
-    let groups = shared::group(&design.rows, arguments.separate);
+    let all: Vec<usize> = (0..design.rows.len()).collect();
+    let groups = shared::group(&design.rows, &all, arguments.separate);
     let told: usize = groups.iter().map(|group| group.rows.len() - 1).sum();
     if told > 0 && !arguments.quiet {
         let rows = design.rows.len();
@@ -47,25 +50,50 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
         ));
     }
     let mine = |(index, _): &(usize, &Shared)| arguments.task.is_none_or(|task| task.holds(*index));
-    let groups: Vec<&Shared> =
-        groups.iter().enumerate().filter(mine).map(|(_, group)| group).collect();
-    run_all(arguments, &design, &groups, &requests)?;
+    let groups = groups.iter().enumerate().filter(mine).map(|(_, group)| group);
+    let own: Vec<usize> = groups.flat_map(|group| group.rows.clone()).collect();
+    let mine: HashSet<usize> = own.iter().copied().collect();
+    let others: Vec<usize> = all.iter().copied().filter(|row| !mine.contains(row)).collect();
+    let take_up = |design: &mut Design, rows: &[usize]| {
+        design.take_up(study, rows).map_err(|why| Failure::wrong(format!("{why}; {ELSEWHERE}")))
+    };
+    take_up(&mut design, &all)?;
+    let mut open = own.clone();
+    while !open.is_empty() {
+        let groups = shared::group(&design.rows, &open, arguments.separate);
+        run_all(arguments, &design, &groups, &requests)?;
+        if requests.any() {
+            break;
+        }
+        open = design.enlarge(study, &open);
+        if !open.is_empty() && !arguments.quiet {
+            let rows: Vec<String> = open.iter().map(|row| (row + 1).to_string()).collect();
+            tell(&format!(
+                "the contact outgrew its frame: on frames half as large again run rows {}",
+                rows.join(", ")
+            ));
+        }
+    }
+    // What other tasks have done meanwhile.
+    take_up(&mut design, &others)?;
     let standing =
         table::collect(study, &design).map_err(|error| Failure::wrong(error.to_string()))?;
-    let own = groups.iter().flat_map(|group| &group.rows).map(|&row| standing[row]).collect();
+    let own = own.iter().map(|&row| standing[row]).collect();
     conclude(arguments, [own, standing], &requests)
 }
+
+/// What to do about a folder of another study.
+const ELSEWHERE: &str = "choose another folder with -o, or remove this one";
 
 /// Makes the folder, or sees that it is of the same study.
 fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
     let (path, text) = (study.join("design.csv"), design.csv());
-    let elsewhere = "choose another folder with -o, or remove this one";
     match fs::read_to_string(&path) {
         Ok(known) if known != text => {
             let differ = known.lines().zip(text.lines()).position(|(one, other)| one != other);
             let line = differ.unwrap_or(known.lines().count().min(text.lines().count())) + 1;
             return Err(Failure::wrong(format!(
-                "`{}` is of another study, from line {line} on; {elsewhere}",
+                "`{}` is of another study, from line {line} on; {ELSEWHERE}",
                 path.display()
             )));
         }
@@ -81,13 +109,6 @@ fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
                 .map_err(|error| Failure::wrong(format!("cannot begin a study: {error}")))?;
         }
     }
-    for (index, row) in design.rows.iter().enumerate() {
-        let dir = row::folder(study, index);
-        if row::holds_another(&dir, &row.resolved.case.to_string()) {
-            let dir = dir.display();
-            return Err(Failure::wrong(format!("`{dir}` holds another case; {elsewhere}")));
-        }
-    }
     Ok(())
 }
 
@@ -95,7 +116,7 @@ fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
 fn run_all(
     arguments: &Sweep,
     design: &Design,
-    groups: &[&Shared],
+    groups: &[Shared],
     requests: &Requests,
 ) -> Result<(), Failure> {
     let processors = std::thread::available_parallelism().map_or(1, NonZero::get);

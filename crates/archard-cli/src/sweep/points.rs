@@ -1,5 +1,7 @@
 //! Points of the unit cube that samples are drawn at.
 
+use statrs::distribution::{ContinuousCDF, Normal};
+
 use crate::arguments::Layout;
 
 /// Half the distance of the values that a Sobol sequence takes: its points lie within the cube, never on its faces.
@@ -17,6 +19,19 @@ pub fn points(layout: Layout, (count, dimensions): (usize, usize), seed: u32) ->
         Layout::Sobol => (0..count).map(|index| sobol(index, 0..dimensions, seed)).collect(),
         Layout::Saltelli => {
             (0..count).flat_map(|index| saltelli(index, dimensions, seed)).collect()
+        }
+    }
+}
+
+/// Makes the first two coordinates of points go together: normal deviates of them have that correlation, and each is spread
+/// as before. A Gaussian copula.
+pub fn together(points: &mut [Vec<f64>], correlation: f64) {
+    let normal = Normal::standard();
+    let own = (1.0 - correlation * correlation).max(0.0).sqrt();
+    for point in points {
+        if let [one, other, ..] = &mut point[..] {
+            let [a, b] = [*one, *other].map(|share| normal.inverse_cdf(share));
+            *other = normal.cdf(correlation * a + own * b).clamp(HALF, 1.0 - HALF);
         }
     }
 }
@@ -58,7 +73,9 @@ fn saltelli(index: usize, dimensions: usize, seed: u32) -> Vec<Vec<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use super::points;
+    use statrs::distribution::{ContinuousCDF, Normal};
+
+    use super::{points, together};
     use crate::arguments::Layout;
 
     #[test]
@@ -93,6 +110,34 @@ mod tests {
                 expected[axis] = block[1][axis];
                 assert_eq!(block[2 + axis], expected);
             }
+        }
+    }
+
+    /// Normal deviates have the correlation asked for, and each is as evenly spread as before; the third is left alone.
+    #[test]
+    fn coordinates_go_together() {
+        for (layout, correlation) in [
+            (Layout::Latin, 0.9),
+            (Layout::Sobol, -0.6),
+            (Layout::Sobol, 1.0),
+            (Layout::Latin, 0.0),
+        ] {
+            let before = points(layout, (2048, 3), 7);
+            let mut after = before.clone();
+            together(&mut after, correlation);
+            let deviates = |i: usize| -> Vec<f64> {
+                after.iter().map(|point| Normal::standard().inverse_cdf(point[i])).collect()
+            };
+            let [a, b] = [0, 1].map(deviates);
+            let mean = |values: &[f64]| values.iter().sum::<f64>() / 2048.0;
+            assert!(mean(&b).abs() < 0.02, "{}", mean(&b));
+            let product: Vec<f64> = a.iter().zip(&b).map(|(a, b)| a * b).collect();
+            // Chance in a Latin hypercube: 1 / sqrt(2048) = 2 %.
+            assert!((mean(&product) - correlation).abs() < 0.06, "{}", mean(&product));
+            let square: Vec<f64> = b.iter().map(|b| b * b).collect();
+            assert!((mean(&square) - 1.0).abs() < 0.1, "{}", mean(&square));
+            let third = |points: &[Vec<f64>]| points.iter().map(|p| p[2]).collect::<Vec<_>>();
+            assert_eq!(third(&before), third(&after));
         }
     }
 }

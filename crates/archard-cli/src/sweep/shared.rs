@@ -36,12 +36,12 @@ impl Shared {
     }
 }
 
-/// All rows, those together that one run tells, by their first row.
-pub fn group(rows: &[Row], separate: bool) -> Vec<Shared> {
+/// Some of the rows, those together that one run tells, by their first row.
+pub fn group(rows: &[Row], which: &[usize], separate: bool) -> Vec<Shared> {
     let mut kinds: HashMap<String, Vec<(f64, usize)>> = HashMap::new();
     let mut groups = vec![];
-    for (index, row) in rows.iter().enumerate() {
-        match row.resolved.case.wears_by_k_s().filter(|_| !separate) {
+    for &index in which {
+        match rows[index].resolved.case.wears_by_k_s().filter(|_| !separate) {
             Some(known) => kinds.entry(known.kind).or_default().push((known.coefficient, index)),
             None => groups.push(alone(index)),
         }

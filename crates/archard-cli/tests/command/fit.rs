@@ -73,3 +73,45 @@ fn tests_that_are_not_of_the_law_give_no_coefficient() {
     let wrong = said(&archard(&dir, &wrong).code(2));
     assert!(wrong.contains("there are `Versuch`, `Weg [mm]`, `Volumen [mm^3]`"), "{wrong}");
 }
+
+/// Coefficients of two bodies that go together are drawn together.
+#[test]
+fn coefficients_of_the_same_tests_are_drawn_together() {
+    let (dir, case) = (TempDir::new().unwrap(), case("pin_on_disc_both"));
+    let case = case.to_str().unwrap();
+    let mut text = "test,distance_m,volume_pin_mm3,volume_disc_mm3\n".to_owned();
+    for (test, (pin, disc)) in
+        [(0.8, 0.78), (1.3, 1.33), (0.95, 1.0), (1.1, 1.06), (0.7, 0.71)].into_iter().enumerate()
+    {
+        for distance in [0.2, 0.4] {
+            let volume = |k: f64| 1e9 * k * 10.2 * distance;
+            let (pin, disc) = (volume(pin * 8.87e-14), volume(disc * 4.435e-14));
+            text += &format!("{test},{distance},{pin:.6e},{disc:.6e}\n");
+        }
+    }
+    fs::write(dir.path().join("tests.csv"), text).unwrap();
+    let coarse = ["--set", "frame.elements=[24, 24]", "--set", "motion.sliding.step=50 mm"];
+    let fit = ["fit", case, "--data", "tests.csv", "-o", "fit"];
+    let said = printed(&archard(&dir, &[&fit[..], &coarse].concat()).success());
+    assert!(said.contains("correlation 0.99 of 5 tests"), "{said}");
+    let sweep = ["sweep", case, "--from", "fit/fit.json", "--samples", "40", "-o", "study"];
+    archard(&dir, &[&sweep[..], &coarse].concat());
+    let design = fs::read_to_string(dir.path().join("study/design.csv")).unwrap();
+    let logs = |column: usize| -> Vec<f64> {
+        let cells = design.lines().skip(1).map(|line| line.split(',').nth(column).unwrap());
+        cells.map(|cell| cell.parse::<f64>().unwrap().ln()).collect()
+    };
+    let [one, other] = [1, 2].map(logs);
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let product = |a: &[f64], b: &[f64]| {
+        let (x, y) = (mean(a), mean(b));
+        a.iter().zip(b).map(|(a, b)| (a - x) * (b - y)).sum::<f64>()
+    };
+    let correlation =
+        product(&one, &other) / (product(&one, &one) * product(&other, &other)).sqrt();
+    assert!((0.95..1.0).contains(&correlation), "{correlation}");
+    let saltelli = ["sweep", case, "--from", "fit/fit.json", "--samples", "4", "-o", "indices"];
+    let refused = archard(&dir, &[&saltelli[..], &["--design", "saltelli"]].concat()).code(2);
+    let refused = super::said(&refused);
+    assert!(refused.contains("go together"), "{refused}");
+}

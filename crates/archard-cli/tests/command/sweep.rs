@@ -371,3 +371,33 @@ fn a_folder_of_another_study_is_left_alone() {
     assert!(said(&refused).contains("rows/0001` holds another case"), "{}", said(&refused));
     assert_eq!(written(dir.path()), before);
 }
+
+/// Rows whose contact outgrows the frame run again on larger ones, are found there again, and are those of such a frame.
+#[test]
+fn rows_that_outgrow_their_frame_get_a_larger_one() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let pin = pin.to_str().unwrap();
+    let ks = format!("{K}=2e-14 1/Pa,1.33e-13 1/Pa,1e-12 1/Pa");
+    let over = ["--over", &ks];
+    let sweep: Vec<&str> = study(pin, &over).into_iter().filter(|word| *word != "-q").collect();
+    let told = said(&archard(&dir, &sweep).success());
+    assert!(told.contains("on frames half as large again run rows 3"), "{told}");
+    let rows = rows(&dir, "study/sweep.csv");
+    for row in &rows {
+        assert_eq!((&*row["status"], &*row["verdict"] == "wrong"), ("done", false), "{row:?}");
+    }
+    let frame = |row: usize| {
+        let text = fs::read_to_string(dir.path().join(format!("study/rows/000{row}/case.toml")));
+        let text = text.unwrap();
+        text.lines().find(|line| line.contains("elements")).unwrap().to_owned()
+    };
+    assert_eq!(frame(1), "frame.elements = [12, 12]");
+    assert_ne!(frame(3), frame(1));
+    // The volume is k F s, whatever the frame; a frame that is too small has pressures at its edge and the same.
+    let volume = number(&rows[2], "worn_volume_pin_m3");
+    assert!((volume / (1e-12 * 10.2 * 0.5) - 1.0).abs() < 1e-6, "{volume}");
+    let before = written(dir.path());
+    archard(&dir, &sweep).success();
+    assert_eq!(written(dir.path()), before);
+}

@@ -45,6 +45,8 @@ fn the_tasks_of_the_book_can_be_done() {
                     assert!(printed.contains(line), "`{line}` is not in\n{printed}");
                 }
             }
+            // `python/tests/test_book.py` runs these.
+            None if kind == "python" => {}
             _ => panic!("a block of {kind}"),
         }
     }

@@ -30,6 +30,7 @@ mod elastic;
 mod file;
 mod json;
 mod key;
+mod larger;
 #[cfg(test)]
 mod meshes;
 mod nearest;

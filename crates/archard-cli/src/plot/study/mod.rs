@@ -67,8 +67,10 @@ pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
     }
     let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
     let all = study.rows.len();
-    let mark = (whole < all)
-        .then(|| format!("{} of {all} rows are left out: failed, wrong or not run", all - whole));
+    let narrow = if study.sampled.is_empty() { "" } else { "; bands may be too narrow by them" };
+    let mark = (whole < all).then(|| {
+        format!("{} of {all} rows are left out: failed, wrong or not run{narrow}", all - whole)
+    });
     write(dir, pictures, (mark.as_deref(), paper))
 }
 

@@ -283,7 +283,7 @@ impl Resolved {
     }
 
     /// Forecasts and checks the case anew.
-    fn settle_again(&mut self) -> Result<(), Unsettled> {
+    pub(in crate::case) fn settle_again(&mut self) -> Result<(), Unsettled> {
         let (forecast, problems) = check(&self.case);
         if let Some(problem) = problems.iter().find(|one| one.severity == Severity::Error) {
             return Err(Unsettled::Wrong(problem.title()));
