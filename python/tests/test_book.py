@@ -28,6 +28,8 @@ def folder(tmp_path, monkeypatch):
     return tmp_path
 
 
+# A page ends in the middle of what it shows: its last run goes with its names.
+@pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::pytest.PytestUnraisableExceptionWarning")
 @pytest.mark.filterwarnings("ignore::archard.ArchardWarning")
 @pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
 def test_pages_run(page, folder):

@@ -2,6 +2,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 import archard
@@ -68,3 +69,97 @@ def test_what_is_wrong_is_told(case):
         archard.fit(case, [1, 2])
     with pytest.raises(KeyError):
         archard.fit(case, data(case, [1.33e-13]))["body.disc.wear.archard.coefficient"]
+
+
+def two_bodies(**changes):
+    """A fit of two bodies as the library hands it over."""
+    own = {
+        "unit": "1/Pa",
+        "interval_95": [1e-14, 1e-12],
+        "next_test_95": [1e-14, 1e-12],
+        "next_test_log_deviation": 0.3,
+        "next_test_degrees_of_freedom": 8,
+        "scatter_between_tests": 0.3,
+        "readings": None,
+        "tests": [],
+        "distance": None,
+        "load": None,
+        "budget": [],
+        "rejected": None,
+        **changes,
+    }
+    coefficients = [{**own, "key": "one", "median": 1e-13}, {**own, "key": "other", "median": 4e-14}]
+    together = {"value": 0.9, "tests": 9}
+    return archard.Fit(
+        json.dumps(
+            {
+                "coefficients": coefficients,
+                "remarks": [],
+                "surfaces": [],
+                "correlation_of_coefficients": together,
+            }
+        ),
+        "",
+        "",
+    )
+
+
+def test_samples_are_those_of_the_next_tests():
+    fit = two_bodies()
+    rows = fit.samples(4000, seed=3)
+    assert rows == fit.samples(4000, seed=3)
+    assert rows != fit.samples(4000, seed=4)
+    logs = {key: np.log([float(row[key].removesuffix(" 1/Pa")) for row in rows]) for key in ("one", "other")}
+    for own in fit.coefficients:
+        assert np.median(logs[own.key]) == pytest.approx(np.log(own.median), abs=0.02)
+        # The 97.5 % quantile of Student's t of eight degrees of freedom is 2.306.
+        assert np.quantile(logs[own.key], 0.975) - np.log(own.median) == pytest.approx(0.3 * 2.306, rel=0.08)
+    ranks = [np.argsort(np.argsort(logs[key])) for key in logs]
+    # Normal deviates of correlation 0.9 have ranks of 0.89; the tails, drawn by themselves, take off a little.
+    assert 0.8 < np.corrcoef(ranks)[0, 1] < 0.92
+
+
+def test_samples_that_cannot_be_drawn():
+    with pytest.raises(ValueError, match="to predict with: why"):
+        two_bodies(rejected="why").samples(2)
+    with pytest.raises(ValueError, match="fewer than three tests"):
+        two_bodies(next_test_log_deviation=None).samples(2)
+    with pytest.raises(ValueError, match="fewer than three tests"):
+        two_bodies(next_test_degrees_of_freedom=1).samples(2)
+
+
+def test_profiles_in_files_are_readings(case, tmp_path):
+    radius, random = 50e-3, np.random.default_rng(5)
+    x = np.linspace(-0.6e-3, 0.6e-3, 601)
+    lines = ["test,distance_m,file"]
+    for test, coefficient in enumerate([1.0e-13, 1.33e-13, 1.6e-13]):
+        one = case.copy()
+        one[KEY] = f"{coefficient} 1/Pa"
+        worn = one.run().profile("pin", axis="x")
+        depth = np.interp(x, worn.coordinate, worn.worn, left=0.0, right=0.0)
+        z = (
+            -(x**2) / (radius + np.sqrt(radius**2 - x**2))
+            - depth
+            + 2e-3 * x
+            + 0.5e-8 * random.standard_normal(x.size)
+        )
+        rows = [f"{1e3 * place + 4:.6f},{1e6 * height:.6f}" for place, height in zip(x, z, strict=True)]
+        (tmp_path / f"{test}.csv").write_text("\n".join(["x [mm],Tiefe [um]", *rows]))
+        lines.append(f"T{test},0.024,{test}.csv")
+    file = tmp_path / "tests.csv"
+    file.write_text("\n".join(lines))
+    fit = archard.fit(case, str(file), columns={"z": "Tiefe [um]"})
+    low, high = fit[KEY].interval
+    assert low < 1.33e-13 < high
+    assert [round(1e3 * surface["tilt"][0], 1) for surface in fit.surfaces] == [2.0] * 3
+    assert "profile_x" in repr(fit)
+
+
+def test_missing_values_of_pandas_are_gaps(case):
+    pandas = pytest.importorskip("pandas")
+    columns = data(case, [1.0e-13, 1.5e-13])
+    frame = pandas.DataFrame(columns)
+    gap = frame.astype({"depth_um": "Float64"})
+    gap.loc[0, "depth_um"] = pandas.NA
+    one, other = archard.fit(case, gap), archard.fit(case, frame.drop(index=0))
+    assert one[KEY].median == other[KEY].median
