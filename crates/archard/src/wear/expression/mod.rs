@@ -1,12 +1,13 @@
 //! A law written as a formula.
 //!
 //! The depth is a formula of what a point goes through, with constants that carry their units. It is read into a tree
-//! (`parser`), held against the dimensions (`dimension`) and computed on columns with its derivative (`tape`). What a law
+//! (`parser`), held against the dimensions (`dimension`) and computed on columns (`tape`) with its derivative (`dual`). What a law
 //! owes is [tried](try_out) at many points before it is taken.
 //!
 //! Limits: a formula that keeps to all that at the points tried may break it elsewhere.
 
 mod dimension;
+mod dual;
 mod look_up;
 mod parser;
 mod tape;
