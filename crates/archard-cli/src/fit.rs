@@ -6,7 +6,6 @@ use std::path::Path;
 
 use archard::case::{CaseFile, Task};
 use archard::fit::{self, Error, Files, Fit, Following, Request};
-use archard::measured::Table;
 use archard::output::{Store, write_whole};
 use archard::simulation::{Observer, Report};
 
@@ -18,6 +17,7 @@ use crate::interrupt::{Interrupted, Requests};
 use crate::plot;
 use crate::progress::Follower;
 use crate::say::{on_terminal, say, tell};
+use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
@@ -27,11 +27,11 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     }
     let file = CaseFile::read(case).map_err(|error| Failure::wrong(error.to_string()))?;
     let file = set.iter().fold(file, |file, option| file.set(option));
-    let names = names(&arguments.column).map_err(Failure::wrong)?;
+    let names = table::names(&arguments.column).map_err(Failure::wrong)?;
     // Columns of the surfaces that the table names.
     let (of_files, of_table): (Vec<_>, Vec<_>) =
         names.into_iter().partition(|(name, _)| of_a_surface(name));
-    let table = read(&arguments.data, &of_table).map_err(Failure::wrong)?;
+    let table = table::read(&arguments.data, &of_table).map_err(Failure::wrong)?;
     let dir = arguments.output.clone().unwrap_or_else(|| {
         let mut name = folder::default(case, set).into_os_string();
         name.push("_fit");
@@ -114,20 +114,6 @@ impl Observer for Follow {
         }
         if self.requests.any() { Err(Interrupted.into()) } else { Ok(()) }
     }
-}
-
-/// Names and titles, of options like `depth="Tiefe [um]"`.
-fn names(options: &[String]) -> Result<Vec<(&str, &str)>, String> {
-    let like = |option: &str| format!("`{option}`: write --column depth=\"Tiefe [um]\"");
-    options.iter().map(|option| option.split_once('=').ok_or_else(|| like(option))).collect()
-}
-
-/// The table in a file, with names for some of its columns.
-fn read(path: &Path, names: &[(&str, &str)]) -> Result<Table, String> {
-    let bytes =
-        fs::read(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
-    let table = Table::read(&path.display().to_string(), &bytes);
-    table.and_then(|table| table.naming(names)).map_err(|error| error.to_string())
 }
 
 /// A key and its relative uncertainty, of `motion.sliding.load=1%`.

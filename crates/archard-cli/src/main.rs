@@ -28,6 +28,7 @@ mod say;
 mod shell;
 mod standards;
 mod sweep;
+mod table;
 mod underway;
 mod verdict;
 

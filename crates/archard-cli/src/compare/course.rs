@@ -11,7 +11,7 @@ use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{largest, size};
-use crate::report::measured as shown;
+use crate::report::quantity;
 
 /// Names of what measures a motion, with the column of the history and the measure.
 fn courses() -> [(&'static str, &'static str, Measure); 6] {
@@ -109,10 +109,10 @@ fn add(
     results: &Results,
     comparison: &mut Comparison,
     (course, progress): (&str, &[f64]),
-    quantity: Compared<'_>,
+    compared: Compared<'_>,
     taken: &[(f64, f64)],
 ) -> Result<()> {
-    let Compared { called, si, unit, computed, body } = quantity;
+    let Compared { called, si, unit, computed, body } = compared;
     let end = largest(progress);
     let within: Vec<(f64, f64)> =
         taken.iter().copied().filter(|(s, _)| (0.0..=end * (1.0 + 1e-9)).contains(s)).collect();
@@ -136,14 +136,14 @@ fn add(
     let most = pairs.iter().map(|pair| pair.0.abs().max(pair.1.abs())).fold(0.0, f64::max);
     comparison.lines.push(line(
         format!("{called}: difference, RMS"),
-        format!("{}, {:.1} % of the largest", shown(rms, si), 100.0 * rms / most),
+        format!("{}, {:.1} % of the largest", quantity(rms, si), 100.0 * rms / most),
     ));
     comparison.lines.push(line(
         format!("{called}: at the last reading"),
         format!(
             "measured {}, computed {}: {}",
-            shown(measured, si),
-            shown(last, si),
+            quantity(measured, si),
+            quantity(last, si),
             percent(measured, last)
         ),
     ));

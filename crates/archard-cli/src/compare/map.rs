@@ -11,7 +11,7 @@ use crate::plot::figure::{COLOURS, Curves, PALE, Panel, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::Unit;
 use crate::plot::tables::{Axis, largest};
-use crate::report::measured as shown;
+use crate::report::quantity;
 
 /// Wear relative to the deepest below which a place is outside of a scar.
 const EDGE: f64 = 1e-3;
@@ -56,12 +56,12 @@ fn level(scar: &Scar) -> Vec<[String; 2]> {
     let line = |name: &str, value: String| [name.to_owned(), value];
     let [x, y] = plane.tilt.map(|tilt| format!("{:.4}", 1e3 * tilt));
     let beside =
-        format!("{} readings beside the scar, scatter {}", plane.used, shown(plane.scatter, "m"));
-    let [left, low] = scar.middle.map(|place| shown(place, "m"));
+        format!("{} readings beside the scar, scatter {}", plane.used, quantity(plane.scatter, "m"));
+    let [left, low] = scar.middle.map(|place| quantity(place, "m"));
     vec![
         line("levelled by", beside),
         line("tilt taken off", format!("{x} \u{b5}m/mm along x, {y} \u{b5}m/mm along y")),
-        line("offset taken off", shown(plane.offset, "m")),
+        line("offset taken off", quantity(plane.offset, "m")),
         line("middle of the scar", format!("({left}, {low})")),
     ]
 }
@@ -117,7 +117,7 @@ fn bowl(
             "difference, RMS",
             format!(
                 "{}, {:.1} % of the deepest",
-                shown(rms, "m"),
+                quantity(rms, "m"),
                 100.0 * rms / most.max(scar.deepest)
             ),
         ),
@@ -125,8 +125,8 @@ fn bowl(
             "deepest",
             format!(
                 "measured {}, computed {}: {}",
-                shown(scar.deepest, "m"),
-                shown(most, "m"),
+                quantity(scar.deepest, "m"),
+                quantity(most, "m"),
                 percent(scar.deepest, most)
             ),
         ),
@@ -137,9 +137,9 @@ fn bowl(
             "worn volume",
             format!(
                 "measured {} \u{b1} {}, computed {}: {}",
-                shown(scar.worn, "m3"),
-                shown(scar.uncertainty, "m3"),
-                shown(volume, "m3"),
+                quantity(scar.worn, "m3"),
+                quantity(scar.uncertainty, "m3"),
+                quantity(volume, "m3"),
                 percent(scar.worn, volume)
             ),
         ));

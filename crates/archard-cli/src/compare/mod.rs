@@ -8,7 +8,7 @@ mod runs;
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Error, Result, ensure};
 use archard::measured::Table;
 use archard::measured::surface::Surface;
 
@@ -17,6 +17,7 @@ use crate::plot::figure::Panel;
 use crate::plot::results::Results;
 use crate::plot::tables::{Axis, largest};
 use crate::plot::{self, Picture};
+use crate::table;
 
 /// What came of a comparison.
 #[derive(Debug)]
@@ -93,18 +94,9 @@ pub(crate) fn of(
 
 /// A run beside a measured table.
 fn measured(results: &Results, path: &Path, options: &Options) -> Result<Comparison> {
-    let bytes = std::fs::read(path).with_context(|| format!("cannot read `{}`", path.display()))?;
-    let names: Vec<(&str, &str)> = options
-        .columns
-        .iter()
-        .map(|given| {
-            let (name, title) = given.split_once('=').with_context(|| {
-                format!("--column {given}: write a name and a title, like z=\"Tiefe [um]\"")
-            })?;
-            Ok((bare(name), title.trim_matches('"')))
-        })
-        .collect::<Result<_>>()?;
-    let table = Table::read(&path.display().to_string(), &bytes)?.naming(&names)?;
+    let table = table::names(&options.columns)
+        .and_then(|names| table::read(path, &names))
+        .map_err(Error::msg)?;
     let has = |name: &str| table.names().any(|known| known == name);
     let body = body(results, options)?;
     if !has("x") && !has("y") {
@@ -122,12 +114,6 @@ fn measured(results: &Results, path: &Path, options: &Options) -> Result<Compari
     };
     comparison.remarks.extend(unused(&table, &["x", "y", "z"]));
     Ok(comparison)
-}
-
-/// The name of a column without a unit behind it: `depth_um` is `depth`.
-fn bare(name: &str) -> &str {
-    let units = ["_um", "_mm", "_m", "_nm", "_mm3", "_m3", "_mm2", "_mg", "_g", "_s", "_km"];
-    units.iter().find_map(|unit| name.strip_suffix(unit)).unwrap_or(name)
 }
 
 /// The index of the body that is compared.

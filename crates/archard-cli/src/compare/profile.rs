@@ -11,7 +11,7 @@ use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{Axis, Profile, largest, size};
-use crate::report::measured as shown;
+use crate::report::quantity;
 
 /// Wear relative to the deepest below which a place is outside of a scar.
 const EDGE: f64 = 1e-3;
@@ -60,8 +60,8 @@ pub(super) fn compare(
         "`{}` has {} readings where the run has its scar, from {} to {}: move them with --levelled left out, or measure there",
         source,
         inside.len(),
-        shown(zone[0], "m"),
-        shown(zone[1], "m"),
+        quantity(zone[0], "m"),
+        quantity(zone[1], "m"),
     );
     let off: Vec<f64> = inside.iter().map(|(x, depth)| section.depth(*x) - depth).collect();
     let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
@@ -83,23 +83,27 @@ pub(super) fn compare(
             format!(
                 "{} readings beside the scar, scatter {}",
                 level.plane.used,
-                shown(level.plane.scatter, "m")
+                quantity(level.plane.scatter, "m")
             ),
         ));
         lines.push(line("tilt taken off", format!("{:.4} µm/mm", 1e3 * level.plane.tilt[0])));
-        lines.push(line("offset taken off", shown(level.plane.offset, "m")));
-        lines.push(line("shift", format!("{} along {}", shown(level.shift, "m"), axis.name())));
+        lines.push(line("offset taken off", quantity(level.plane.offset, "m")));
+        lines.push(line("shift", format!("{} along {}", quantity(level.shift, "m"), axis.name())));
     }
     lines.push(line(
         "difference, RMS",
-        format!("{}, {:.1} % of the deepest", shown(rms, "m"), 100.0 * rms / deepest.max(computed)),
+        format!(
+            "{}, {:.1} % of the deepest",
+            quantity(rms, "m"),
+            100.0 * rms / deepest.max(computed)
+        ),
     ));
     lines.push(line(
         "deepest",
         format!(
             "measured {}, computed {}: {}",
-            shown(deepest, "m"),
-            shown(computed, "m"),
+            quantity(deepest, "m"),
+            quantity(computed, "m"),
             percent(deepest, computed)
         ),
     ));
@@ -107,8 +111,8 @@ pub(super) fn compare(
         "worn section",
         format!(
             "measured {}, computed {}: {}",
-            shown(area, "m2"),
-            shown(worn, "m2"),
+            quantity(area, "m2"),
+            quantity(worn, "m2"),
             percent(area, worn)
         ),
     ));
@@ -127,8 +131,8 @@ pub(super) fn compare(
             "worn volume along the track",
             format!(
                 "measured {}, computed {}: {}",
-                shown(measured, "m3"),
-                shown(volume, "m3"),
+                quantity(measured, "m3"),
+                quantity(volume, "m3"),
                 percent(measured, volume)
             ),
         ));
@@ -240,7 +244,7 @@ fn align(
     shift.and_then(fitted).with_context(|| {
         format!(
             "fewer than {FEWEST} readings lie beside the scar, which the run has {} wide: measure wider, or say --levelled",
-            shown(section.scar[1] - section.scar[0], "m")
+            quantity(section.scar[1] - section.scar[0], "m")
         )
     })
 }

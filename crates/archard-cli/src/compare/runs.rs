@@ -12,7 +12,7 @@ use crate::plot::results::Results;
 use crate::plot::scale::Unit;
 use crate::plot::tables::largest;
 use crate::plot::{self};
-use crate::report::measured as shown;
+use crate::report::quantity;
 
 /// Compares the ends of runs, and shows their wear over the progress.
 pub(super) fn compare(dir: &Path, results: &Results, others: &[PathBuf]) -> Result<Comparison> {
@@ -64,8 +64,8 @@ pub(super) fn compare(dir: &Path, results: &Results, others: &[PathBuf]) -> Resu
             };
             let value = format!(
                 "{} here, {} in `{}`: {difference}",
-                shown(one, unit),
-                shown(there, unit),
+                quantity(one, unit),
+                quantity(there, unit),
                 path.display()
             );
             comparison.lines.push([name.clone(), value]);

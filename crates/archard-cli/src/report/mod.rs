@@ -29,7 +29,7 @@ use crate::plot::results::Results;
 use figures::Figure;
 use maps::Maps;
 use page::{Table, escape, list, section};
-pub(crate) use words::measured;
+pub(crate) use words::quantity;
 
 /// plotly.js as its package has it, packed.
 const PLOTLY: &[u8] = include_bytes!("../../assets/plotly.min.js.gz");

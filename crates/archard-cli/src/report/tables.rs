@@ -9,7 +9,7 @@ use archard::simulation::history::{
 use serde_json::Value;
 
 use super::page::Table;
-use super::words::{measured, plain};
+use super::words::{plain, quantity};
 use crate::number::count;
 use crate::plot::results::Results;
 use crate::plot::scale::phrase;
@@ -35,15 +35,15 @@ pub(super) fn results(results: &Results) -> Table {
         let rounding = ROUNDING * last(LOAD).unwrap_or_default();
         let value = if ["N", "Nm"].contains(&unit) && value.abs() < rounding { 0.0 } else { value };
         let whole = unit.is_empty() && value == value.round();
-        let value = if whole { count(value) } else { measured(value, unit) };
+        let value = if whole { count(value) } else { quantity(value, unit) };
         let error = results.error(name).and_then(|errors| errors.last().copied());
         let error = error
-            .map_or_else(|| NOT_STATED.to_owned(), |error| format!("± {}", measured(error, unit)));
+            .map_or_else(|| NOT_STATED.to_owned(), |error| format!("± {}", quantity(error, unit)));
         rows.push(vec![label, value, error]);
     }
     let (column, values) = results.progress();
     let end = values.last().copied().unwrap_or_default();
-    let end = measured(
+    let end = quantity(
         end,
         COLUMNS_OF_PROGRESS.iter().find(|(known, _)| *known == column).map_or("", |(_, unit)| unit),
     );
@@ -103,7 +103,7 @@ pub(super) fn first(results: &Results) -> Vec<[String; 2]> {
     let shown = |name: String| {
         let value = last(&name)?;
         let (label, unit) = label(results, &name);
-        Some([label, measured(value, unit)])
+        Some([label, quantity(value, unit)])
     };
     names.into_iter().filter_map(shown).collect()
 }
@@ -161,8 +161,8 @@ impl Pair<'_> {
         vec![
             what,
             theory.to_owned(),
-            measured(expected, unit),
-            measured(computed, unit),
+            quantity(expected, unit),
+            quantity(computed, unit),
             difference,
         ]
     }

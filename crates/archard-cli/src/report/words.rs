@@ -96,7 +96,7 @@ fn shown(value: &str) -> String {
     let text = value.trim_matches('"');
     match text.split_once(' ') {
         Some((number, unit)) if value.starts_with('"') => match number.parse::<f64>() {
-            Ok(number) => measured(number, unit),
+            Ok(number) => quantity(number, unit),
             Err(_) => text.to_owned(),
         },
         _ => text.strip_suffix(".0").unwrap_or(text).to_owned(),
@@ -104,7 +104,7 @@ fn shown(value: &str) -> String {
 }
 
 /// A value in SI as it is usually written.
-pub(crate) fn measured(value: f64, unit: &str) -> String {
+pub(crate) fn quantity(value: f64, unit: &str) -> String {
     let size = value.abs();
     let (factor, unit) = match unit {
         "m" if size >= 2e3 => (1e-3, "km"),
@@ -145,7 +145,7 @@ pub(super) fn plain(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{case, measured};
+    use super::{case, quantity};
 
     #[test]
     fn a_case_reads_as_a_list() {
@@ -170,10 +170,10 @@ mod tests {
 
     #[test]
     fn values_have_usual_units() {
-        assert_eq!(measured(2.05e-6, "m"), "2.05 µm");
-        assert_eq!(measured(219.06e6, "Pa"), "219.1 MPa");
-        assert_eq!(measured(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
-        assert_eq!(measured(0.0, "m"), "0 mm");
-        assert_eq!(measured(25.0, ""), "25");
+        assert_eq!(quantity(2.05e-6, "m"), "2.05 µm");
+        assert_eq!(quantity(219.06e6, "Pa"), "219.1 MPa");
+        assert_eq!(quantity(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
+        assert_eq!(quantity(0.0, "m"), "0 mm");
+        assert_eq!(quantity(25.0, ""), "25");
     }
 }

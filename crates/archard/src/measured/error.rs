@@ -89,6 +89,18 @@ pub enum Error {
         /// Those there are.
         titles: String,
     },
+    /// A column is given a name with another unit than that of its title.
+    #[error(
+        "{table}: the column `{title}` has another unit than `{name}`: leave the unit out of that name"
+    )]
+    OtherUnit {
+        /// What the table is called.
+        table: String,
+        /// The title.
+        title: String,
+        /// The name.
+        name: String,
+    },
     /// A column that is needed is missing.
     #[error(
         "{table}: a column `{wanted}` is needed; there are {titles} (to use one of them: --column {name}=\"its header\")"

@@ -26,9 +26,16 @@ impl Heading {
         self.title == text.trim() || self.name == plain(text)
     }
 
-    /// Puts another name in the place of its own.
-    pub fn rename(&mut self, name: &str) {
-        self.name = plain(name);
+    /// Puts another name in the place of its own, and the unit behind that name where it has none; `false` where it has
+    /// another one.
+    #[must_use]
+    pub fn rename(&mut self, name: &str) -> bool {
+        let given = Self::of(name);
+        self.name = given.name;
+        let unit = self.unit.take().or_else(|| given.unit.clone());
+        let same = given.unit.is_none() || given.unit == unit;
+        self.unit = unit;
+        same
     }
 }
 

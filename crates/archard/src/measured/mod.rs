@@ -99,22 +99,22 @@ impl Table {
         Ok(table)
     }
 
-    /// The same with other names for some columns: each pair is a name and the title, or the name, of the column meant.
+    /// The same with other names for some columns: each pair is a name and the title, or the name, of the column meant. A name
+    /// may end in the unit of a column whose title has none: `depth_um`.
     ///
     /// # Errors
-    /// If there is no column of such a title, or two columns have one name then.
+    /// If there is no column of such a title, it has another unit, or two columns have one name then.
     pub fn naming(mut self, names: &[(&str, &str)]) -> Result<Self, Error> {
         for (name, title) in names {
-            let known = |heading: &&mut Heading| heading.is(title);
-            match self.headings.iter_mut().find(known) {
-                Some(heading) => heading.rename(name),
-                None => {
-                    return Err(Error::NoTitle {
-                        table: self.source.clone(),
-                        title: (*title).to_owned(),
-                        titles: self.titles(),
-                    });
-                }
+            let table = self.source.clone();
+            let Some(index) = self.headings.iter().position(|heading| heading.is(title)) else {
+                let (title, titles) = ((*title).to_owned(), self.titles());
+                return Err(Error::NoTitle { table, title, titles });
+            };
+            let heading = &mut self.headings[index];
+            if !heading.rename(name) {
+                let (title, name) = (heading.title.clone(), (*name).to_owned());
+                return Err(Error::OtherUnit { table, title, name });
             }
         }
         self.told_apart()?;

@@ -63,7 +63,14 @@ fn names_are_given_to_foreign_headers() {
         error.to_string(),
         "scars.csv: no column is titled `Breite`; there are `Versuch`, `Tiefe [um]`, `Ort`"
     );
-    assert!(matches!(table.naming(&[("test", "Ort")]), Err(Error::Twice { .. })));
+    assert!(matches!(table.clone().naming(&[("test", "Ort")]), Err(Error::Twice { .. })));
+    // A name with the unit of the title, or with another one, or with one for a title that has none.
+    let same = table.clone().naming(&[("depth_um", "depth")]).unwrap();
+    assert_eq!(same.numbers("depth", &Measure::LENGTH).unwrap(), Some(vec![Some(2.5e-6), None]));
+    let other = table.clone().naming(&[("depth_mm", "Tiefe [um]")]);
+    assert!(matches!(other, Err(Error::OtherUnit { .. })));
+    let bare = table.naming(&[("distance_km", "Versuch")]).unwrap();
+    assert_eq!(bare.all_numbers("distance", &Measure::LENGTH).unwrap(), [1e3, 2e3]);
 }
 
 #[test]
