@@ -6,6 +6,7 @@ use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support, Thermal};
 use crate::compliance::bem::contact::{self, Condense};
 use crate::elastic::{Point, Section};
+use crate::frame::Rectangle;
 use crate::friction::Friction;
 use crate::motion::Planned;
 use crate::output::Store;
@@ -90,6 +91,8 @@ pub struct FiniteCase {
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameCase {
+    /// Its middle along x and y (m).
+    pub centre: [f64; 2],
     /// Size along x and y (m).
     pub size: [f64; 2],
     /// Number of elements along x and y.
@@ -153,7 +156,12 @@ impl Output {
 impl FrameCase {
     /// One whose size and elements follow from an accuracy.
     pub(super) fn to_be_chosen() -> Self {
-        Self { size: [0.0; 2], elements: [0; 2], line: false }
+        Self { centre: [0.0; 2], size: [0.0; 2], elements: [0; 2], line: false }
+    }
+
+    /// What it covers.
+    pub fn rectangle(&self) -> Rectangle {
+        Rectangle { centre: self.centre, size: self.size }
     }
 
     /// Size of an element along x and y (m).
@@ -272,11 +280,11 @@ impl Case {
         builder.friction = friction;
         builder.solver = self.solver.build()?;
         builder.friction_solver = self.friction_solver.build()?;
-        let FrameCase { size, elements, line } = self.frame;
-        let builder = match line {
+        let (rectangle, elements) = (self.frame.rectangle(), self.frame.elements);
+        let builder = match self.frame.line {
             _ if self.is_meshed() => builder,
-            true => builder.line(size[0], elements[0], size[1]),
-            false => builder.frame(size, elements),
+            true => builder.line(rectangle, elements[0]),
+            false => builder.frame(rectangle, elements),
         };
         Ok(builder.build_with(condense)?)
     }

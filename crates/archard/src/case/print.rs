@@ -44,8 +44,14 @@ impl Display for Case {
             writeln!(f)?;
         }
         if !self.is_meshed() {
-            let FrameCase { size, elements, line } = self.frame;
+            let FrameCase { centre, size, elements, line } = self.frame;
             let [x, y] = size.map(|size| si(size, "m"));
+            let [from_x, from_y] = centre.map(|centre| si(centre, "m"));
+            match (centre == [0.0; 2], line) {
+                (true, _) => {}
+                (false, true) => writeln!(f, "frame.centre = {from_x}")?,
+                (false, false) => writeln!(f, "frame.centre = [{from_x}, {from_y}]")?,
+            }
             if line {
                 writeln!(f, "frame.plane_strain = true\nframe.length = {y}")?;
                 writeln!(f, "frame.size = {x}\nframe.elements = {}\n", elements[0])?;

@@ -1,10 +1,12 @@
 //! A uniform grid of pairs.
 
-/// A uniform rectangular grid, centred at the origin.
+use super::Rectangle;
+
+/// A uniform rectangular grid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
-    /// Size along x and y (m).
-    pub size: [f64; 2],
+    /// What it covers.
+    pub rectangle: Rectangle,
     /// Number of elements along x and y.
     pub elements: [usize; 2],
     /// Whether the strain is plane: one element along y, to which what happens along x is the same all along.
@@ -16,7 +18,7 @@ pub(super) struct Grid {
 impl Grid {
     /// Size of an element along x and y (m).
     pub fn spacing(&self) -> [f64; 2] {
-        [0, 1].map(|axis| self.size[axis] / self.elements[axis] as f64)
+        [0, 1].map(|axis| self.rectangle.size[axis] / self.elements[axis] as f64)
     }
 
     /// Centre of a pair (m).
@@ -25,7 +27,8 @@ impl Grid {
         let spacing = self.spacing();
         [0, 1].map(|axis| {
             // Symmetric to the last bit, so that symmetric problems stay symmetric.
-            0.5 * spacing[axis] * (2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64)
+            let steps = 2.0 * index[axis] as f64 + 1.0 - self.elements[axis] as f64;
+            self.rectangle.centre[axis] + 0.5 * spacing[axis] * steps
         })
     }
 }

@@ -25,6 +25,7 @@ mod line;
 mod measure;
 mod pairs;
 mod part;
+mod rectangle;
 
 pub use crate::numerics::upwind::DegenerateCloud;
 pub use crate::numerics::vector::Values;
@@ -35,6 +36,7 @@ pub use line::{Line, Passage};
 pub use measure::Measure;
 pub use pairs::{Pairs, PairsError};
 pub use part::{Extent, Part, extent};
+pub use rectangle::Rectangle;
 
 use rayon::prelude::*;
 
@@ -71,33 +73,32 @@ pub struct OffTheSurface {
 }
 
 impl ContactFrame {
-    /// A frame of that size (m) and number of elements between two profiles.
+    /// A frame of that number of elements along x and y between two profiles, over a rectangle: of a size (m) about the
+    /// origin, or a [`Rectangle`].
     ///
     /// # Errors
     /// If a profile has no surface at some pair.
     pub fn uniform(
-        size: [f64; 2],
+        rectangle: impl Into<Rectangle>,
         elements: [usize; 2],
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        Self::on(Grid { size, elements, line: false, closed: false }, profiles)
+        let rectangle = rectangle.into();
+        Self::on(Grid { rectangle, elements, line: false, closed: false }, profiles)
     }
 
-    /// A line of contact along y: that many elements over a width along x (m), in plane strain; forces and volumes are
-    /// those of a length along y (m).
+    /// A line of contact along y: that many elements over the width along x of a rectangle (as in [`Self::uniform`]), in
+    /// plane strain; forces and volumes are those of its length along y.
     ///
     /// # Errors
     /// If a profile has no surface at some pair.
     pub fn line(
-        width: f64,
+        rectangle: impl Into<Rectangle>,
         elements: usize,
-        length: f64,
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
-        Self::on(
-            Grid { size: [width, length], elements: [elements, 1], line: true, closed: false },
-            profiles,
-        )
+        let (rectangle, elements) = (rectangle.into(), [elements, 1]);
+        Self::on(Grid { rectangle, elements, line: true, closed: false }, profiles)
     }
 
     fn on(grid: Grid, profiles: [&dyn Profile; 2]) -> Result<Self, OffTheSurface> {
@@ -116,7 +117,8 @@ impl ContactFrame {
             return Err(OffTheSurface { body, place: grid.place(pair) });
         }
         // The bodies may touch between pairs, where the apex of most profiles is.
-        let apex: f64 = profiles.iter().map(|profile| profile.recess(0.0, 0.0)).sum();
+        let apex = || profiles.iter().map(|profile| profile.recess(0.0, 0.0)).sum();
+        let apex = if grid.rectangle.holds([0.0; 2]) { apex() } else { f64::INFINITY };
         let touch = gap.iter().copied().fold(apex, f64::min);
         gap.iter_mut().for_each(|gap| *gap -= touch);
         Ok(Self { shape: Shape::Uniform(grid), gap })
@@ -179,8 +181,16 @@ impl ContactFrame {
     /// Size along x and y (m), mirror images included.
     pub fn size(&self) -> [f64; 2] {
         match &self.shape {
-            Shape::Uniform(grid) => grid.size,
+            Shape::Uniform(grid) => grid.rectangle.size,
             Shape::Described(described) => described.size,
+        }
+    }
+
+    /// What it covers, mirror images included; pairs that are described one by one lie about the origin.
+    pub fn rectangle(&self) -> Rectangle {
+        match &self.shape {
+            Shape::Uniform(grid) => grid.rectangle,
+            Shape::Described(described) => described.size.into(),
         }
     }
 
@@ -244,7 +254,7 @@ impl ContactFrame {
         &self.gap
     }
 
-    /// Where a pair is along x and y (m from the centre of the frame).
+    /// Where a pair is along x and y (m).
     pub fn place(&self, pair: usize) -> [f64; 2] {
         match &self.shape {
             Shape::Uniform(grid) => grid.place(pair),

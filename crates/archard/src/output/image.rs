@@ -22,7 +22,7 @@ impl Image {
     /// The image of a state on a uniform frame; see [`fields()`] for what is on it.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Self {
         Self {
-            origin: problem.frame.size().map(|size| -0.5 * size),
+            origin: problem.frame.rectangle().corner(),
             spacing: problem.frame.spacing(),
             elements: problem.frame.elements(),
             fields: fields(problem, state),

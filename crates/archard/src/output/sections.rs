@@ -11,8 +11,8 @@ use crate::problem::{ContactProblem, ContactState};
 /// chord of a round contact is then shorter than its diameter by a hundredth at most.
 const MIDDLE: f64 = 0.25;
 
-/// The place (m) that sections run through: the centre of pressure, with zero along an axis where it is next to the centre
-/// of the frame, or nothing is pressed.
+/// The place (m) that sections run through: the centre of pressure, with that of the frame along an axis where it is next
+/// to it, or nothing is pressed.
 pub(super) fn through(problem: &ContactProblem, state: &ContactState) -> [f64; 2] {
     let (frame, pressure) = (&problem.frame, &state.pressure);
     let moment = |axis: usize, power: i32| -> f64 {
@@ -22,13 +22,14 @@ pub(super) fn through(problem: &ContactProblem, state: &ContactState) -> [f64; 2
     };
     [0, 1].map(|axis| {
         let load = moment(axis, 0);
+        let middle = frame.rectangle().centre[axis];
         if load <= 0.0 || frame.mirrored()[axis] {
-            return 0.0;
+            return middle;
         }
         let centre = moment(axis, 1) / load;
         let gyration = (moment(axis, 2) / load - centre * centre).max(0.0).sqrt();
         let near = (0.5 * frame.spacing()[axis]).max(MIDDLE * gyration);
-        if centre.abs() > near { centre } else { 0.0 }
+        if (centre - middle).abs() > near { centre } else { middle }
     })
 }
 

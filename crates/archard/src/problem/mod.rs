@@ -207,7 +207,7 @@ impl Tangential {
         [x, y]
     }
 
-    /// Moment on body 1 about n through the centre of the frame (N m).
+    /// Moment on body 1 about n through x = y = 0 (N m).
     pub fn moment(&self, frame: &ContactFrame) -> f64 {
         let [t1, t2] = &self.traction;
         let moment = |pair: usize| {

@@ -4,10 +4,10 @@ use super::Simulation;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
 use crate::compliance::{Compliance, HalfSpace};
-use crate::frame::{ContactFrame, OffTheSurface};
+use crate::frame::{ContactFrame, OffTheSurface, Rectangle};
 use crate::friction::Friction;
 use crate::motion::{Planned, Schedule};
-use crate::parameters::{Invalid, Parameter, Quantity};
+use crate::parameters::{Bound, Invalid, Parameter, Quantity};
 use crate::problem::ContactProblem;
 use crate::solve::tangential::{FrictionSolver, Newton};
 use crate::solve::{ConjugateGradient, Solver};
@@ -45,10 +45,10 @@ pub struct Builder {
 enum Touch {
     /// At the nodes of a mesh.
     Meshed,
-    /// On a uniform frame of that size (m) and number of elements, as half-spaces.
-    Frame([f64; 2], [usize; 2]),
-    /// Along a line, in plane strain: width and elements along x, and the length (m) along y.
-    Line(f64, usize, f64),
+    /// On a uniform frame over that rectangle, of so many elements, as half-spaces.
+    Frame(Rectangle, [usize; 2]),
+    /// Along a line, in plane strain: over that rectangle, of so many elements along x.
+    Line(Rectangle, usize),
     /// As given.
     Given(ContactFrame, Box<dyn Compliance>),
 }
@@ -69,6 +69,8 @@ pub enum BuildError {
 }
 
 const SIZE: Parameter = Parameter::required("size", Quantity::Length, "size of the frame");
+const CENTRE: Parameter =
+    Parameter::required("centre", Quantity::Length, "centre of the frame").bound(Bound::Any);
 const ELEMENTS: Parameter =
     Parameter::required("elements", Quantity::Count, "number of elements of the frame");
 
@@ -89,18 +91,18 @@ impl Simulation {
 }
 
 impl Builder {
-    /// Half-spaces may touch in a rectangle of that size along x and y (m), centred at the origin, divided into so
-    /// many elements along x and y. Meshed bodies need no frame: theirs are the nodes of a mesh.
+    /// Half-spaces may touch in a rectangle, divided into so many elements along x and y: one of a size (m) about the
+    /// origin, or a [`Rectangle`]. Meshed bodies need no frame: theirs are the nodes of a mesh.
     #[must_use]
-    pub fn frame(self, size: [f64; 2], elements: [usize; 2]) -> Self {
-        Self { contact: Touch::Frame(size, elements), ..self }
+    pub fn frame(self, rectangle: impl Into<Rectangle>, elements: [usize; 2]) -> Self {
+        Self { contact: Touch::Frame(rectangle.into(), elements), ..self }
     }
 
-    /// Half-spaces touch along y in plane strain, within that width along x (m) divided into so many elements. Loads,
-    /// forces and volumes are those of that length (m).
+    /// Half-spaces touch along y in plane strain, within the width along x of a rectangle (as in [`Self::frame`]), divided
+    /// into so many elements. Loads, forces and volumes are those of its length along y.
     #[must_use]
-    pub fn line(self, width: f64, elements: usize, length: f64) -> Self {
-        Self { contact: Touch::Line(width, elements, length), ..self }
+    pub fn line(self, rectangle: impl Into<Rectangle>, elements: usize) -> Self {
+        Self { contact: Touch::Line(rectangle.into(), elements), ..self }
     }
 
     /// The bodies may touch at these pairs, and deform there by that compliance.
@@ -164,17 +166,17 @@ impl Builder {
                 let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
                 (frame, Box::new(compliance))
             }
-            Touch::Line(width, elements, length) => {
+            Touch::Line(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                let frame = ContactFrame::line(width, elements, length, profiles)?;
+                let frame = ContactFrame::line(rectangle, elements, profiles)?;
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
-                let depths = Body::depths(bodies.each_ref(), width);
+                let depths = Body::depths(bodies.each_ref(), rectangle.size[0]);
                 let half_space = HalfSpace::plane_strain(materials, depths, &frame);
                 (frame, Box::new(half_space))
             }
-            Touch::Frame(size, elements) => {
+            Touch::Frame(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                let frame = ContactFrame::uniform(size, elements, profiles)?;
+                let frame = ContactFrame::uniform(rectangle, elements, profiles)?;
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
                 let half_space = HalfSpace::new(materials, &frame);
                 (frame, Box::new(half_space))
@@ -225,18 +227,14 @@ impl Builder {
             Touch::Frame(..) | Touch::Line(..) if meshed => {
                 wrong("frame", "the pairs are the nodes of the mesh: leave the frame out")
             }
-            Touch::Frame(size, elements) => {
-                size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
+            Touch::Frame(rectangle, elements) => {
+                admit(rectangle)?;
                 elements.iter().try_for_each(|&count| ELEMENTS.admit(count as f64).map(|_| ()))
             }
-            Touch::Line(width, elements, length) => {
-                let size = [*width, *length];
-                size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
+            Touch::Line(rectangle, elements) => {
+                admit(rectangle)?;
                 ELEMENTS.admit(*elements as f64)?;
-                for body in &self.bodies {
-                    line_of_contact(body, *width)?;
-                }
-                Ok(())
+                self.bodies.iter().try_for_each(|body| line_of_contact(body, rectangle))
             }
             Touch::Meshed if !meshed => wrong(
                 "frame",
@@ -250,13 +248,21 @@ impl Builder {
 const DEPTH: Parameter =
     Parameter::optional("depth", Quantity::Length, "depth below the contact in plane strain");
 
-/// Whether a body can touch along y within a width (m) along x: its surface must be the same all along y, and the depth
+/// Whether the values of a rectangle can be computed with.
+fn admit(rectangle: &Rectangle) -> Result<(), Invalid> {
+    let Rectangle { centre, size } = rectangle;
+    size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
+    centre.iter().try_for_each(|&centre| CENTRE.admit(centre).map(|_| ()))
+}
+
+/// Whether a body can touch along y within the width along x of a rectangle: its surface must be the same all along y, and the depth
 /// (m) it is measured from at least the width, or its compliance would not be positive.
-pub(crate) fn line_of_contact(body: &Body, width: f64) -> Result<(), Invalid> {
+pub(crate) fn line_of_contact(body: &Body, rectangle: &Rectangle) -> Result<(), Invalid> {
     let Body { name, profile, depth, .. } = body;
+    let (middle, width) = (rectangle.centre[0], rectangle.size[0]);
     let shares = [-0.45, -0.2, 0.0, 0.3, 0.5];
     let varies = shares.iter().any(|x| {
-        let recess = |y: f64| profile.recess(x * width, y * width);
+        let recess = |y: f64| profile.recess(middle + x * width, y * width);
         shares.iter().any(|&y| recess(y) != recess(0.0))
     });
     if varies {

@@ -70,7 +70,7 @@ pub(crate) fn digest(simulation: &Simulation) -> [u8; 32] {
     hash.update(format!("{:?}{:?}", solver.settings(), friction_solver.settings()));
     hash.update(format!("{solver:?}{friction_solver:?}"));
     let frame = &problem.frame;
-    hash.update(format!("{:?}{:?}{}", frame.elements(), frame.size(), frame.is_line()));
+    hash.update(format!("{:?}{:?}{}", frame.elements(), frame.rectangle(), frame.is_line()));
     let pairs = frame.len();
     let few = [0, pairs / 2, pairs.saturating_sub(1)];
     let few = problem.compliance.matrix(&few);

@@ -345,7 +345,7 @@ mod tests {
         let schedule = Schedule::steady(Control::Load(1e3), 10.0, Stepping::Implicit(1.0));
         let bodies = [body("small", 6e-3), body("large", 30e-3)];
         let builder = Simulation::builder(bodies, (Motion::Sliding(sliding), schedule));
-        builder.line(1e-3, 100, 1.0).build().unwrap()
+        builder.line([1e-3, 1.0], 100).build().unwrap()
     }
 
     /// What is worn off the moved body and what is round of it move the same way.

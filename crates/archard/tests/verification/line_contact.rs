@@ -76,7 +76,7 @@ fn a_long_row_comes_to_the_same() {
     let width = 0.6e-3;
     let profiles: [&dyn archard::body::Profile; 2] = [&Cylinder::along_y(40e-3).unwrap(), &Flat];
     let materials = [Some(&STEEL), Some(&ALUMINIUM)];
-    let line = ContactFrame::line(width, 30, 1.0, profiles).unwrap();
+    let line = ContactFrame::line([width, 1.0], 30, profiles).unwrap();
     let row = ContactFrame::uniform([width, 10.0], [30, 1], profiles).unwrap();
     let strips = HalfSpace::plane_strain(materials, [1.0; 2], &line);
     let rectangles = HalfSpace::new(materials, &row);
@@ -239,7 +239,7 @@ fn depths_change_the_approach_alone() {
         let indentation = archard::motion::Indentation::new(1)
             .under(archard::motion::Control::Load(200e3))
             .unwrap();
-        let builder = Simulation::builder([roll, plate], indentation).line(1.2e-3, 60, 1.0);
+        let builder = Simulation::builder([roll, plate], indentation).line([1.2e-3, 1.0], 60);
         last(&builder.build().unwrap())
     };
     let [shallow, deep] = [run(10e-3), run(80e-3)];

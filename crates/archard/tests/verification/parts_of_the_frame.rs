@@ -223,7 +223,7 @@ fn a_contact_that_appears_elsewhere_is_found() {
 /// No displacement is below its bound, and far away the bound is nearly reached; on a line, where bodies may even rise, too.
 #[test]
 fn displacements_are_not_below_their_bound() {
-    let line = ContactFrame::line(SIDE, 64, 1e-3, [&Flat, &Flat]).unwrap();
+    let line = ContactFrame::line([SIDE, 1e-3], 64, [&Flat, &Flat]).unwrap();
     for (frame, compliance) in [
         (frame(), half_space(&frame())),
         (line.clone(), HalfSpace::plane_strain([Some(&STEEL); 2], [2e-4; 2], &line)),

@@ -53,6 +53,11 @@ impl Profile for Cylinder {
         circle_recess(self.radius, if self.along_x { y } else { x })
     }
 
+    fn extent(&self) -> [[f64; 2]; 2] {
+        let (across, along) = ([-self.radius, self.radius], [f64::NEG_INFINITY, f64::INFINITY]);
+        if self.along_x { [along, across] } else { [across, along] }
+    }
+
     fn curvatures(&self) -> Option<[f64; 2]> {
         let curvature = 1.0 / self.radius;
         Some(if self.along_x { [0.0, curvature] } else { [curvature, 0.0] })

@@ -50,6 +50,11 @@ impl Profile for Disc {
         circle_recess(self.radius, x) + self.crown.map_or(0.0, |crown| circle_recess(crown, y))
     }
 
+    fn extent(&self) -> [[f64; 2]; 2] {
+        let crown = self.crown.unwrap_or(f64::INFINITY);
+        [[-self.radius, self.radius], [-crown, crown]]
+    }
+
     fn curvatures(&self) -> Option<[f64; 2]> {
         Some([1.0 / self.radius, self.crown.map_or(0.0, |crown| 1.0 / crown)])
     }

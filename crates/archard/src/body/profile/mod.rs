@@ -35,6 +35,12 @@ pub trait Profile: Debug + Send + Sync {
     /// Not a number where the surface does not reach.
     fn recess(&self, x: f64, y: f64) -> f64;
 
+    /// Where the surface is known, whatever the place along the other axis: the least and the largest place along x, and
+    /// along y (m).
+    fn extent(&self) -> [[f64; 2]; 2] {
+        [[f64::NEG_INFINITY, f64::INFINITY]; 2]
+    }
+
     /// Curvatures (1/m) along x and y at the centre, where the shape is smooth and has them;
     /// estimates before a run use them.
     fn curvatures(&self) -> Option<[f64; 2]> {

@@ -1,5 +1,7 @@
 //! The exact sphere.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use super::{Profile, circle_recess};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
@@ -31,6 +33,11 @@ impl Sphere {
 impl Profile for Sphere {
     fn recess(&self, x: f64, y: f64) -> f64 {
         circle_recess(self.radius, x.hypot(y))
+    }
+
+    fn extent(&self) -> [[f64; 2]; 2] {
+        let half = self.radius * FRAC_1_SQRT_2;
+        [[-half, half]; 2]
     }
 
     fn curvatures(&self) -> Option<[f64; 2]> {

@@ -90,6 +90,13 @@ impl Profile for Table {
             interpolate(&self.y, |row| self.along_row(row, x), y)
         }
     }
+
+    fn extent(&self) -> [[f64; 2]; 2] {
+        [&self.x, &self.y].map(|places| match places[..] {
+            [first, .., last] => [first, last],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        })
+    }
 }
 
 fn wrong(message: impl Into<String>) -> Invalid {

@@ -20,7 +20,7 @@ pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
     let last = [0, 1].map(|axis| (2.0 * reach[axis] / spacing[axis]).min(elements[axis] as f64));
     // Under an ellipsoid of pressures, the share of the load beyond some part of a semi-axis.
     let beyond = |axis: usize| {
-        let inner = (0.5 * frame.size[axis] - spacing[axis]) / reach[axis];
+        let inner = (0.5 * frame.rectangle().about_origin()[axis] - spacing[axis]) / reach[axis];
         let inner = inner.clamp(0.0, 1.0);
         if reach[axis].is_finite() { 1.0 - 0.5 * inner * (3.0 - inner * inner) } else { 0.0 }
     };

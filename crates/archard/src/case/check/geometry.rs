@@ -14,7 +14,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         return vec![];
     }
     let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
-    match ContactFrame::uniform(frame.size, frame.elements, profiles) {
+    match ContactFrame::uniform(frame.rectangle(), frame.elements, profiles) {
         Err(off) => vec![beyond(parts, off.body)],
         Ok(built) => touch(parts, built.gap()).into_iter().collect(),
     }
@@ -37,12 +37,13 @@ fn beyond(parts: &Parts<'_>, body: usize) -> Problem {
 /// The share of the frame's size up to which its corner elements lie on a surface.
 fn largest_share(parts: &Parts<'_>, profile: &dyn Profile) -> f64 {
     let frame = parts.case.frame;
-    let spacing = frame.spacing();
+    let (spacing, middle) = (frame.spacing(), frame.centre);
     let corner = [0, 1].map(|axis| 0.5 * (frame.size[axis] - spacing[axis]));
     let reaches = |share: f64| {
-        [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]]
-            .iter()
-            .all(|[x, y]| profile.recess(share * x * corner[0], share * y * corner[1]).is_finite())
+        [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].iter().all(|[x, y]| {
+            let place = [middle[0] + share * x * corner[0], middle[1] + share * y * corner[1]];
+            profile.recess(place[0], place[1]).is_finite()
+        })
     };
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..50 {

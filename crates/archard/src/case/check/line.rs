@@ -13,9 +13,9 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         let deep = (0..2).filter(|&body| parts.bodies[body].depth.is_some());
         return deep.map(|body| not_a_line(body_key(body, "depth"))).collect();
     }
-    let width = parts.case.frame.size[0];
+    let rectangle = parts.case.frame.rectangle();
     let wrong = (0..2).filter_map(|body| {
-        let invalid = line_of_contact(&parts.bodies[body], width).err()?;
+        let invalid = line_of_contact(&parts.bodies[body], &rectangle).err()?;
         Some(Problem::error(body_key(body, &invalid.parameter), invalid.message))
     });
     wrong.chain(across(parts)).collect()

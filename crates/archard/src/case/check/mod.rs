@@ -87,6 +87,11 @@ impl<'a> Parts<'a> {
         estimator.of(&self.subject(), &Course { control, progress, load_distance })
     }
 
+    /// Contact modulus E* (Pa).
+    pub(super) fn contact_modulus(&self) -> f64 {
+        self.subject().contact_modulus()
+    }
+
     /// Whether bodies of one elasticity touch.
     fn alike(&self) -> bool {
         self.subject().dundurs_beta() == 0.0

@@ -108,8 +108,9 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
     let half_width = contact?.semi_axes[axis];
     let frame = parts.case.frame;
     let needed = 2.0 * (half_width + frame.spacing()[axis]);
-    let cut = half_width.is_finite() && 2.0 * half_width <= frame.size[axis];
-    (cut && needed > frame.size[axis]).then(|| {
+    let size = frame.rectangle().about_origin()[axis];
+    let cut = half_width.is_finite() && 2.0 * half_width <= size;
+    (cut && needed > size).then(|| {
         let message = format!(
             "leaves less than an element free before and behind the contact, which is {} long: slip where particles leave it would be lost",
             length(2.0 * half_width)

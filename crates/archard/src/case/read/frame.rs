@@ -11,11 +11,20 @@ use crate::parameters::Quantity;
 impl Reader<'_> {
     /// Size and elements; those that are to be chosen may be missing.
     pub(super) fn frame(&mut self, section: &Section<'_>, chosen: bool) -> Option<FrameCase> {
-        self.unknown(section, "key", &["size", "elements", "plane_strain", "length"]);
+        self.unknown(section, "key", &["centre", "size", "elements", "plane_strain", "length"]);
         if let Some(length) = self.line_of_contact(section)? {
             return self.line(section, length, chosen);
         }
         let none = FrameCase::to_be_chosen();
+        let centre = match section.get("centre") {
+            None => Some(none.centre),
+            _ => self.pair(
+                section,
+                "centre",
+                "its centre along x and y, `[\"0 mm\", \"0 mm\"]`",
+                |reader, key, node| reader.any_number(key, node, Quantity::Length),
+            ),
+        };
         let size = match section.get("size") {
             None if chosen => Some(none.size),
             _ => self.pair(
@@ -35,7 +44,7 @@ impl Reader<'_> {
             ),
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, elements));
-        Some(FrameCase { size: size?, elements: elements?, line: false })
+        Some(FrameCase { centre: centre?, size: size?, elements: elements?, line: false })
     }
 
     /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read
@@ -58,6 +67,16 @@ impl Reader<'_> {
 
     /// Width and elements of a line of contact.
     fn line(&mut self, section: &Section<'_>, length: f64, chosen: bool) -> Option<FrameCase> {
+        let centre = match section.get("centre") {
+            None => Some(0.0),
+            _ => self.along_x(
+                section,
+                "centre",
+                "its centre along x, `\"0 mm\"`",
+                "of a line of contact `centre` is that along x alone",
+                |reader, key, node| reader.any_number(key, node, Quantity::Length),
+            ),
+        };
         let size = match section.get("size") {
             None if chosen => Some(0.0),
             _ => self.along_x(
@@ -79,7 +98,8 @@ impl Reader<'_> {
             ),
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
-        Some(FrameCase { size: [size?, length], elements: [elements?, 1], line: true })
+        let (centre, size, elements) = ([centre?, 0.0], [size?, length], [elements?, 1]);
+        Some(FrameCase { centre, size, elements, line: true })
     }
 
     /// A value along x, by itself or in a list.
