@@ -71,7 +71,7 @@ def sweep(
 
     Raises:
         CaseError: all that is wrong with the case of a row, before anything runs.
-        ValueError: nothing to go over, a folder with another case, or a case with an ``accuracy``.
+        ValueError: nothing to go over, or a folder with another case.
 
     """
     base, settings = Case(case), _rows(over)
@@ -80,16 +80,13 @@ def sweep(
         one = base.copy()
         for key, value in row.items():
             one[key] = value
-        toml = one.check().toml
-        if "accuracy" in _toml.read(toml):
-            raise ValueError(
-                "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its elements"
-            )
+        checked = one._compiled().check()
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
-        if folder is not None and _text(folder / "case.toml") not in (None, toml):
+        kept = None if folder is None else _text(folder / "case.toml")
+        if kept is not None and not checked.is_kept(kept):
             raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
         cases.append(one)
-        keys.append({name: entry for key in row for name, entry in [_number(key, toml)]})
+        keys.append({name: entry for key in row for name, entry in [_number(key, checked.toml)]})
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
@@ -138,7 +135,8 @@ def _run(case: Case, folder: Path | None) -> tuple[Result | None, str | None]:
     try:
         if folder is None:
             return case.run(threads=1), None
-        if _text(folder / "case.toml") == case.check().toml and (folder / "summary.json").exists():
+        kept = _text(folder / "case.toml")
+        if kept is not None and case._compiled().check().is_kept(kept) and (folder / "summary.json").exists():
             known = open_result(folder)
             if known.complete:
                 return None, known.verdict.wrong or None

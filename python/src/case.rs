@@ -49,6 +49,14 @@ impl Checked {
         self.task.case_toml()
     }
 
+    /// Whether a case that a run has kept is this one, apart from what was chosen for its accuracy.
+    fn is_kept(&self, toml: &str) -> bool {
+        match &*self.task {
+            Task::Contact(resolved) => resolved.is_printed(toml),
+            Task::Elastic(_) => self.task.case_toml() == toml,
+        }
+    }
+
     /// What is doubtful about it.
     #[getter]
     fn warnings(&self) -> Vec<Told> {

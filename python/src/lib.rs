@@ -4,7 +4,9 @@
 //! shares, which a forked process would not have.
 
 mod away;
+mod build;
 mod case;
+mod elastic;
 mod fields;
 mod fit;
 mod friction;
@@ -28,11 +30,13 @@ mod _archard {
     #[pymodule_export]
     use super::case::{CaseFile, Checked};
     #[pymodule_export]
+    use super::elastic::solve_elastic;
+    #[pymodule_export]
     use super::fields::read_fields;
     #[pymodule_export]
     use super::fit::fit;
     #[pymodule_export]
-    use super::run::{Run, solve_elastic};
+    use super::run::Run;
 
     use pyo3::prelude::*;
 

@@ -6,19 +6,18 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-use archard::case::{Case, Following, Resolved, Task, Unsettled};
+use archard::case::Task;
 use archard::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
-use archard::simulation::{self, Companion, NotResumed, Observer, Report, Simulation, row};
-use archard::wear::try_out;
+use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::ThreadPool;
 
 use crate::away::{Outcome, away, pool};
+use crate::build::{Laws, Samples, build, companion};
 use crate::case::{CaseFile, refused, resolve};
 use crate::fields::{Fields, Snapshot};
-use crate::friction::Sampled;
-use crate::law::{Failed, Given, Law, Stopped};
+use crate::law::{Failed, Given, Stopped};
 
 pyo3::import_exception!(archard._errors, NotConverged);
 pyo3::import_exception!(archard._errors, RunError);
@@ -37,8 +36,6 @@ pub struct Run {
     begun: Instant,
 }
 
-/// Rising pressures (Pa) and the limits of friction (Pa) there.
-type Samples = (Vec<f64>, Vec<f64>);
 type Results = Arc<Mutex<Option<ResultFolder>>>;
 
 /// How far a run is.
@@ -56,7 +53,7 @@ enum Stage {
 }
 
 /// Why a step did not come to its end.
-enum Broken {
+pub(crate) enum Broken {
     Simulation(simulation::Error),
     NotResumed(NotResumed),
     Output(output::Error),
@@ -89,10 +86,9 @@ impl Run {
         let Task::Contact(resolved) = task.map_err(refused)? else {
             return Err(PyValueError::new_err("a body by itself has no steps"));
         };
-        if resolved.case.accuracy.is_some() && !(laws.is_empty() && friction.is_none()) {
-            return Err(PyValueError::new_err(ACCURATE_LAWS));
-        }
-        let (resolved, companion) = companion(py, &wide, *resolved, cache.clone())?;
+        let failed = Failed::default();
+        let laws = Laws { wear: laws, friction, failed: failed.clone() };
+        let (resolved, companion, laws) = companion(py, &wide, *resolved, cache.clone(), laws)?;
         let case = resolved.case;
         let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
         let case_toml = format!("{remark}{case}");
@@ -100,15 +96,12 @@ impl Run {
         if !resume && !force && claim.holds_another(&case_toml) {
             return Err(taken(&folder));
         }
-        let failed = Failed::default();
         let kept = cache.clone().map(Store::new).or_else(Store::of_user);
-        let built = build(py, &pool, &case, cache).and_then(|(mut simulation, doubts)| {
-            simulation.companion = companion;
-            put_laws(py, &pool, &mut simulation, (laws, friction), &failed)?;
-            Ok((simulation, doubts))
-        });
-        let (simulation, doubts) = match built {
-            Ok(built) => built,
+        let (simulation, doubts) = match build(py, &pool, &case, cache, laws) {
+            Ok((mut simulation, doubts)) => {
+                simulation.companion = companion;
+                (simulation, doubts)
+            }
             Err(error) => {
                 claim.give_up();
                 return Err(error);
@@ -248,109 +241,15 @@ impl Run {
     }
 }
 
-/// What is said of an accuracy that laws in Python cannot be judged by.
-const ACCURATE_LAWS: &str = "the runs that judge the elements know no laws in Python: leave the `accuracy` out of the case, and give a frame and a tolerance";
-
-/// Nobody follows the runs on fewer elements.
-struct Unfollowed;
-
-impl Observer for Unfollowed {
-    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
-        Ok(())
-    }
-}
-
-impl Following for Unfollowed {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-}
-
-/// The case on the elements that its accuracy takes, and what says how far off they are.
-fn companion(
-    py: Python<'_>,
-    pool: &ThreadPool,
-    resolved: Resolved,
-    cache: Option<PathBuf>,
-) -> PyResult<(Resolved, Option<Companion>)> {
-    let work = move || {
-        let store = cache.map(Store::new).or_else(Store::of_user);
-        resolved.with_companion(store.as_ref(), &mut Unfollowed)
-    };
-    let settled = away(py, pool, work).unless_interrupted()?;
-    settled.map_err(|error| match error {
-        Unsettled::Run { cause, .. } if cause.is_of_convergence() => {
-            NotConverged::new_err(cause.to_string())
-        }
-        error => RunError::new_err(error.to_string()),
-    })
-}
-
-/// Builds a simulation; also what is doubtful about kept compliances.
-fn build(
-    py: Python<'_>,
-    pool: &ThreadPool,
-    case: &Case,
-    cache: Option<PathBuf>,
-) -> PyResult<(Simulation, Vec<String>)> {
-    let case = case.clone();
-    let work = move || {
-        let store = cache.map(Store::new).or_else(Store::of_user);
-        let built = match &store {
-            Some(store) => case.build_keeping(store),
-            None => case.build(),
-        };
-        let doubts = store.map(|store| store.doubts()).unwrap_or_default();
-        built.map(|simulation| (simulation, doubts)).map_err(|error| error.to_string())
-    };
-    away(py, pool, work).unless_interrupted()?.map_err(RunError::new_err)
-}
-
-/// Puts laws in Python into a simulation, once they were tried.
-fn put_laws(
-    py: Python<'_>,
-    pool: &ThreadPool,
-    simulation: &mut Simulation,
-    (laws, friction): (Vec<Given>, Option<Samples>),
-    failed: &Failed,
-) -> PyResult<()> {
-    let problem = &mut simulation.problem;
-    if let Some((pressures, limits)) = friction {
-        problem.friction = Some(Box::new(Sampled::new(pressures, limits)?));
-    }
-    for given in laws {
-        let name = given.0.clone();
-        let law = Law::new(problem, given, failed)?;
-        let work = move || (guarded(|| Ok(try_out(&law))), law);
-        let (tried, law) = away(py, pool, work).unless_interrupted()?;
-        match tried {
-            Ok(Ok(())) => {}
-            Ok(Err(refused)) => {
-                let message =
-                    format!("{law} breaks what a law owes: its depth {}", refused.message);
-                return Err(PyValueError::new_err(message));
-            }
-            Err(_) => return Err(raised(failed)),
-        }
-        match problem.bodies.iter_mut().find(|body| body.name == name) {
-            Some(body) => body.wear = Some(Box::new(law)),
-            None => return Err(PyValueError::new_err(format!("no body is called `{name}`"))),
-        }
-    }
-    Ok(())
-}
-
 /// Does something that a law in Python may break off.
-fn guarded<T>(work: impl FnOnce() -> Result<T, Broken>) -> Result<T, Broken> {
+pub(crate) fn guarded<T>(work: impl FnOnce() -> Result<T, Broken>) -> Result<T, Broken> {
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|panic| {
         if panic.is::<Stopped>() { Err(Broken::Raised) } else { resume_unwind(panic) }
     })
 }
 
 /// What a law in Python raised.
-fn raised(failed: &Failed) -> PyErr {
+pub(crate) fn raised(failed: &Failed) -> PyErr {
     let mut failed = failed.lock().unwrap_or_else(PoisonError::into_inner);
     failed.take().unwrap_or_else(|| PyRuntimeError::new_err("a law raised nothing"))
 }
@@ -419,7 +318,7 @@ fn not_observed(error: Box<dyn std::error::Error + Send + Sync>) -> Broken {
     }
 }
 
-fn unwritten(error: output::Error) -> PyErr {
+pub(crate) fn unwritten(error: output::Error) -> PyErr {
     PyOSError::new_err(error.to_string())
 }
 
@@ -427,58 +326,7 @@ fn lock(results: &Results) -> MutexGuard<'_, Option<ResultFolder>> {
     results.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Computes an elastic body by itself and writes its results into a folder.
-#[pyfunction]
-#[pyo3(signature = (file, folder, *, threads, force))]
-pub fn solve_elastic(
-    py: Python<'_>,
-    file: &CaseFile,
-    folder: PathBuf,
-    threads: Option<usize>,
-    force: bool,
-) -> PyResult<()> {
-    let (pool, file) = (pool(threads)?, file.0.clone());
-    let threads = pool.current_num_threads();
-    let work = move || -> Result<(), Unsolved> {
-        let Task::Elastic(resolved) = resolve(&file).map_err(|_| Unsolved::Case)? else {
-            return Err(Unsolved::Case);
-        };
-        let (case, case_toml) = (&resolved.case, resolved.case.to_string());
-        let claim = Claim::take(&folder).map_err(Unsolved::Output)?;
-        if !force && claim.holds_another(&case_toml) {
-            return Err(Unsolved::Taken(folder));
-        }
-        let begun = Instant::now();
-        let body = case.build().map_err(|error| Unsolved::Body(error.to_string()))?;
-        let deformed = body.solve().map_err(|error| Unsolved::Body(error.to_string()))?;
-        let totals = Totals {
-            seconds: begun.elapsed().as_secs_f64(),
-            threads,
-            warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
-            failure: None,
-            command: None,
-        };
-        output::write_elastic(&claim, &case_toml, (&body, &deformed), &totals)
-            .map_err(Unsolved::Output)
-    };
-    let outcome = away(py, &pool, work).unless_interrupted()?;
-    outcome.map_err(|unsolved| match unsolved {
-        Unsolved::Case => PyValueError::new_err("not a case of one body by itself"),
-        Unsolved::Taken(folder) => taken(&folder),
-        Unsolved::Output(error) => unwritten(error),
-        Unsolved::Body(message) => RunError::new_err(message),
-    })
-}
-
-/// Why a body has no results.
-enum Unsolved {
-    Case,
-    Taken(PathBuf),
-    Output(output::Error),
-    Body(String),
-}
-
-fn taken(folder: &Path) -> PyErr {
+pub(crate) fn taken(folder: &Path) -> PyErr {
     PyFileExistsError::new_err(format!(
         "`{}` holds another case or its results; choose another folder, or replace them with force=True",
         folder.display()

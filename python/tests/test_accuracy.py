@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import pytest
 
 import archard
@@ -29,9 +32,34 @@ def test_errors_stand_beside_the_results() -> None:
     assert 0 < history["space_error"][-1] < 0.05
 
 
-def test_what_knows_no_accuracy_says_so() -> None:
-    """Laws in Python and studies take cases with a frame."""
-    with pytest.raises(ValueError, match="leave the `accuracy` out"):
-        archard.Case(PIN).run(laws={"pin": lambda p, s: 1e-13 * p * s})
-    with pytest.raises(ValueError, match="with an `accuracy`"):
-        archard.sweep(PIN, {"motion.sliding.load": ["5 N", "10 N"]})
+def test_laws_in_python_are_judged_too() -> None:
+    """The runs on fewer elements have them: the errors are those of the same law in the case."""
+    native = archard.Case(PIN).run().history
+    seen = set()
+
+    def law(p: Any, s: Any) -> Any:
+        seen.add(len(p))
+        return 1.33e-13 * p * s
+
+    own = archard.Case(PIN).run(laws={"pin": law}).history
+    assert own["wear_depth_m"][-1] == pytest.approx(native["wear_depth_m"][-1], rel=1e-2)
+    assert own["space_error"][-1] == pytest.approx(native["space_error"][-1], rel=0.5)
+    assert 0 < own["space_error"][-1] < 0.05 and len(seen) > 1
+    with pytest.raises(ZeroDivisionError):
+        archard.Case(PIN).run(laws={"pin": lambda p, s: 1 / 0})
+    with pytest.raises(ValueError, match="breaks what a law owes"):
+        archard.Case(PIN).run(laws={"pin": lambda p, s: -p * s})
+
+
+def test_studies_have_a_grid_a_row(tmp_path: Path) -> None:
+    """Every row has the accuracy, on elements of its own; what is done is not run again."""
+    over = {"motion.sliding.load": ["5 N", "50 N"]}
+    study = archard.sweep(PIN, over, out=tmp_path)
+    assert all(row.error is None for row in study.rows)
+    assert all(0 < error < 0.05 for error in study.table["space_error"])
+    cases = [(tmp_path / "rows" / row / "case.toml").read_text() for row in ("0001", "0002")]
+    sizes = [line for case in cases for line in case.splitlines() if line.startswith("frame.size")]
+    assert len(set(sizes)) == 2
+    written = (tmp_path / "rows" / "0001" / "summary.json").stat().st_mtime_ns
+    archard.sweep(PIN, over, out=tmp_path)
+    assert (tmp_path / "rows" / "0001" / "summary.json").stat().st_mtime_ns == written

@@ -55,8 +55,11 @@ fn level(scar: &Scar) -> Vec<[String; 2]> {
     let plane = &scar.plane;
     let line = |name: &str, value: String| [name.to_owned(), value];
     let [x, y] = plane.tilt.map(|tilt| format!("{:.4}", 1e3 * tilt));
-    let beside =
-        format!("{} readings beside the scar, scatter {}", plane.used, quantity(plane.scatter, "m"));
+    let beside = format!(
+        "{} readings beside the scar, scatter {}",
+        plane.used,
+        quantity(plane.scatter, "m")
+    );
     let [left, low] = scar.middle.map(|place| quantity(place, "m"));
     vec![
         line("levelled by", beside),

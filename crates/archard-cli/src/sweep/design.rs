@@ -53,10 +53,6 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
         let options = keys.iter().zip(&settings);
         let file = options.fold(file.clone(), |file, (key, value)| file.set(setting(key, value)));
         let resolved = match file.task() {
-            Ok(Task::Contact(resolved)) if resolved.case.accuracy.is_some() => {
-                let why = "studies take cases with a frame and a tolerance: one with an `accuracy` looks for its elements by runs of its own";
-                return Err(Failure::wrong(why));
-            }
             Ok(Task::Contact(resolved)) => resolved,
             Ok(Task::Elastic(_)) => {
                 let why = "a study is one of two bodies in contact; `archard run` computes one body by itself";

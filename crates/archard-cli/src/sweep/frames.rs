@@ -3,8 +3,9 @@
 //! A study that leaves them out has bands that are too narrow, since it is the rows that wear most. The case of a row in its
 //! folder says which frame it has.
 
-use std::fs;
 use std::path::Path;
+
+use archard::case::Resolved;
 
 use super::design::{Design, Row};
 use super::row;
@@ -22,8 +23,7 @@ impl Design {
         for &index in rows {
             let row = &mut self.rows[index];
             let dir = row::folder(study, index);
-            let Ok(known) = fs::read(dir.join("case.toml")) else { continue };
-            let is_own = |row: &Row| row.resolved.case.to_string().as_bytes() == known;
+            let is_own = |row: &Row| !row::holds_another(&dir, &row.resolved);
             if is_own(row) {
                 continue;
             }
@@ -44,9 +44,8 @@ impl Design {
         }
         let outgrown = |index: &usize| {
             let row = &mut self.rows[*index];
-            let own = row.resolved.case.to_string();
             let dir = row::folder(study, *index);
-            outgrew(&dir, &own) && row.frames < MOST && row.enlarge()
+            outgrew(&dir, &row.resolved) && row.frames < MOST && row.enlarge()
         };
         rows.iter().copied().filter(outgrown).collect()
     }
@@ -70,8 +69,8 @@ impl Row {
 }
 
 /// Whether the results of a case were pressed against the edge of its frame.
-fn outgrew(dir: &Path, case_toml: &str) -> bool {
-    if row::holds_another(dir, case_toml) {
+fn outgrew(dir: &Path, resolved: &Resolved) -> bool {
+    if row::holds_another(dir, resolved) {
         return false;
     }
     let summary = row::summary(dir).unwrap_or_default();

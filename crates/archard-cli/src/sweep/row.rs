@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use archard::case::Resolved;
+use archard::case::{self, Resolved};
 use archard::output::{Claim, Error, Inside, ResultFolder, Store};
 use archard::simulation::{self, Observer, Report, Simulation};
 
@@ -36,14 +36,19 @@ pub fn summary(dir: &Path) -> Option<serde_json::Value> {
 }
 
 /// Whether a folder holds a run of that case that came to its end.
-pub fn is_done(dir: &Path, case_toml: &str) -> bool {
-    let same = fs::read(dir.join("case.toml")).is_ok_and(|known| known == case_toml.as_bytes());
+pub fn is_done(dir: &Path, resolved: &Resolved) -> bool {
+    let same = kept(dir).is_some_and(|known| resolved.is_printed(&known));
     same && summary(dir).is_some_and(|summary| summary["complete"] == true)
 }
 
 /// Whether a folder holds another case.
-pub fn holds_another(dir: &Path, case_toml: &str) -> bool {
-    fs::read(dir.join("case.toml")).is_ok_and(|known| known != case_toml.as_bytes())
+pub fn holds_another(dir: &Path, resolved: &Resolved) -> bool {
+    kept(dir).is_some_and(|known| !resolved.is_printed(&known))
+}
+
+/// The case in a folder, if there is one.
+fn kept(dir: &Path) -> Option<String> {
+    fs::read(dir.join("case.toml")).ok().map(|known| String::from_utf8_lossy(&known).into_owned())
 }
 
 /// Runs a row, or goes on with it where it was interrupted.
@@ -52,11 +57,10 @@ pub fn run(
     dir: &Path,
     (requests, store): (&Requests, Option<&Store>),
 ) -> Outcome {
-    let case_toml = resolved.case.to_string();
-    if is_done(dir, &case_toml) {
+    if is_done(dir, resolved) {
         return Outcome::Done;
     }
-    match attempt(resolved, (&case_toml, dir), (requests, store)) {
+    match attempt(resolved, dir, (requests, store)) {
         Err(Error::InUse { .. }) => Outcome::Elsewhere,
         Err(error) => Outcome::Failed(error.to_string()),
         Ok(outcome) => outcome,
@@ -65,17 +69,30 @@ pub fn run(
 
 fn attempt(
     resolved: &Resolved,
-    (case_toml, dir): (&str, &Path),
+    dir: &Path,
     (requests, store): (&Requests, Option<&Store>),
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
-    let (folder, kept) = begin(dir, case_toml)?;
+    let settled = resolved.clone().with_companion(store, &mut Stop(requests));
+    if requests.any() {
+        return Ok(Outcome::Interrupted);
+    }
+    let (resolved, settled) = match settled {
+        Ok((settled, companion)) => (&settled.clone(), Ok(companion)),
+        Err(error) => (resolved, Err(error.to_string())),
+    };
+    let (folder, kept) = begin(dir, resolved)?;
     let mut results = Following { folder, requests };
     let beside = store.map(|store| Store::new(store.folder()));
     let mut inside =
         Inside::at(resolved.case.points.clone()).on(resolved.case.sections.clone()).keeping(beside);
     let mut stale = false;
-    let failure = build(resolved, store).and_then(|simulation| {
+    let built = settled.and_then(|companion| {
+        let mut simulation = build(resolved, store)?;
+        simulation.companion = companion;
+        Ok(simulation)
+    });
+    let failure = built.and_then(|simulation| {
         let observers: &mut [&mut dyn Observer] = &mut [&mut results, &mut inside];
         let ran = match &kept {
             Some(run) => simulation.resume(run, observers),
@@ -94,14 +111,15 @@ fn attempt(
     finish(results.folder, resolved, begun, failure.err())?;
     if stale && fs::remove_file(dir.join("checkpoint")).is_ok() {
         // What was kept is of a run in other steps: it begins anew.
-        return attempt(resolved, (case_toml, dir), (requests, store));
+        return attempt(resolved, dir, (requests, store));
     }
     Ok(outcome)
 }
 
 /// The results of a row, from the start or from where they were interrupted.
-fn begin(dir: &Path, case_toml: &str) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
-    if dir.join("checkpoint").is_file() && !holds_another(dir, case_toml) {
+fn begin(dir: &Path, resolved: &Resolved) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
+    let case_toml = resolved.case.to_string();
+    if dir.join("checkpoint").is_file() && kept(dir).is_some_and(|known| known == case_toml) {
         match Claim::take(dir)?.resume() {
             Ok((folder, run)) => return Ok((folder, Some(run))),
             // What cannot be gone on with begins anew.
@@ -109,7 +127,7 @@ fn begin(dir: &Path, case_toml: &str) -> Result<(ResultFolder, Option<Vec<u8>>),
             Err(error) => return Err(error),
         }
     }
-    Ok((Claim::take(dir)?.begin(case_toml)?, None))
+    Ok((Claim::take(dir)?.begin(&case_toml)?, None))
 }
 
 /// The simulation of a row.
@@ -130,6 +148,23 @@ pub fn finish(
 ) -> Result<(), Error> {
     let warnings = resolved.warnings.iter().map(|warning| warning.title()).collect();
     Underway { folder, begun, warnings, bar: None }.finish(failure).map(|_| ())
+}
+
+/// Ends the runs on fewer elements where a stop is asked for.
+struct Stop<'a>(&'a Requests);
+
+impl Observer for Stop<'_> {
+    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        if self.0.any() { Err(Interrupted.into()) } else { Ok(()) }
+    }
+}
+
+impl case::Following for Stop<'_> {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
 }
 
 /// Results that end where a stop is asked for.

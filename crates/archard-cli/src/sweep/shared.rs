@@ -85,9 +85,7 @@ pub fn run(
     (shared, rows, study): (&Shared, &[Row], &Path),
     (requests, store): (&Requests, Option<&Store>),
 ) -> Vec<(usize, Outcome)> {
-    let done = |index: &usize| {
-        row::is_done(&row::folder(study, *index), &rows[*index].resolved.case.to_string())
-    };
+    let done = |index: &usize| row::is_done(&row::folder(study, *index), &rows[*index].resolved);
     if shared.rows.iter().all(done) {
         return shared.rows.iter().map(|&index| (index, Outcome::Done)).collect();
     }
@@ -135,7 +133,6 @@ fn attempt(
     row::finish(results.folder, resolved, begun, failure.clone())?;
     let from = format!("../{:04}", shared.runs() + 1);
     let write = |(position, &index): (usize, &usize)| {
-        let case_toml = rows[index].resolved.case.to_string();
         let dir = row::folder(study, index);
         let known = passed.get(position);
         let outcome = match (&failure, known) {
@@ -143,7 +140,7 @@ fn attempt(
             (Some(_), None) if requests.any() => return Ok((index, Outcome::Interrupted)),
             (Some(why), None) => Outcome::Failed(why.clone()),
         };
-        if index == shared.runs() || row::is_done(&dir, &case_toml) {
+        if index == shared.runs() || row::is_done(&dir, &rows[index].resolved) {
             return Ok((index, outcome));
         }
         let (steps, verdict) =
@@ -155,6 +152,7 @@ fn attempt(
             last[0].1 = extent;
         }
         let failure = failure.as_deref().filter(|_| known.is_none());
+        let case_toml = rows[index].resolved.case.to_string();
         Derived { rows: &told, verdict, from: &from, failure }.write(&dir, &case_toml)?;
         Ok((index, outcome))
     };

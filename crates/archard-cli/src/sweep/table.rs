@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use archard::case::Resolved;
 use archard::output::{Claim, Error, write_whole};
 
 use super::design::Design;
@@ -39,7 +40,7 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Status>, Error> {
         .rows
         .iter()
         .enumerate()
-        .map(|(i, row)| of(&folder(study, i), &row.resolved.case.to_string()))
+        .map(|(i, row)| of(&folder(study, i), &row.resolved))
         .collect();
     let mut names: Vec<&str> = vec![];
     for (name, _) in known.iter().flat_map(|row| &row.last) {
@@ -88,10 +89,10 @@ fn wait_for(study: &Path) -> Result<Claim, Error> {
 }
 
 /// What the folder of a row says. Numbers of a row that stopped before its end are not its results.
-fn of(dir: &Path, case_toml: &str) -> Known {
+fn of(dir: &Path, resolved: &Resolved) -> Known {
     let nothing =
         |status| Known { status, verdict: String::new(), error: String::new(), last: vec![] };
-    let Some(summary) = summary(dir).filter(|_| !holds_another(dir, case_toml)) else {
+    let Some(summary) = summary(dir).filter(|_| !holds_another(dir, resolved)) else {
         return nothing(if dir.join("history.csv").is_file() { "interrupted" } else { "open" });
     };
     if let Some(why) = summary["failure"].as_str() {

@@ -401,3 +401,51 @@ fn rows_that_outgrow_their_frame_get_a_larger_one() {
     archard(&dir, &sweep).success();
     assert_eq!(written(dir.path()), before);
 }
+
+/// With an accuracy every row has elements of its own and the errors that they make; what is done is not run again, and rows
+/// that differ in k alone are runs of their own.
+#[test]
+fn rows_to_an_accuracy_find_their_grids() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc").display().to_string();
+    let arguments = [
+        "sweep",
+        &pin,
+        "-o",
+        "study",
+        "--set",
+        "frame=",
+        "--set",
+        "motion.sliding.step=",
+        "--set",
+        "accuracy=0.05",
+        "--over",
+        "motion.sliding.load=5 N, 50 N",
+        "--over",
+        "body.pin.wear.archard.coefficient=1.33e-13 1/Pa, 2.66e-13 1/Pa",
+    ];
+    let told = said(&archard(&dir, &arguments).success());
+    assert!(!told.contains("Only k s counts"), "{told}");
+    let rows = rows(&dir, "study/sweep.csv");
+    assert_eq!(rows.len(), 4);
+    for row in &rows {
+        assert_eq!(row["status"], "done", "{row:?}");
+        let error = number(row, "space_error");
+        assert!(error > 0.0 && error < 0.05, "{error}");
+    }
+    let size = |row: usize| {
+        let case = fs::read_to_string(dir.path().join(format!("study/rows/{row:04}/case.toml")));
+        let case = case.unwrap();
+        case.lines().find(|line| line.starts_with("frame.size")).unwrap().to_owned()
+    };
+    assert_ne!(size(1), size(3));
+    let before = written(dir.path());
+    archard(&dir, &arguments).success();
+    assert_eq!(before, written(dir.path()));
+    // Another accuracy is another study.
+    let other: Vec<&str> = arguments
+        .iter()
+        .map(|&one| if one == "accuracy=0.05" { "accuracy=0.04" } else { one })
+        .collect();
+    archard(&dir, &other).code(2);
+}

@@ -1,13 +1,16 @@
 //! Runs on half and on a quarter of the elements, before the run itself: they say how far off its elements will be.
 
-use super::{Chose, MOST, OF_STEPS, increments, order, slips_partly};
+use std::error::Error as StdError;
+
+use super::{MOST, OF_STEPS, increments, locate, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
+use crate::frame::extent;
 use crate::output::Store;
 use crate::simulation::history::{self, Row};
-use crate::simulation::{Companion, Error, Kind, Observer, Part, Report};
+use crate::simulation::{Companion, Error, Kind, Observer, Part, Report, Simulation};
 
 /// The fewest elements across the first contact of a companion.
 const FEWEST: f64 = 3.0;
@@ -28,6 +31,14 @@ pub trait Following {
 
     /// What observes it.
     fn observer(&mut self) -> &mut dyn Observer;
+
+    /// Puts into it what the case does not say, as the run itself will have it.
+    ///
+    /// # Errors
+    /// If that does not go.
+    fn prepare(&mut self, _: &mut Simulation) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        Ok(())
+    }
 }
 
 /// Why no grid was found.
@@ -64,32 +75,35 @@ pub enum Unsettled {
         /// The accuracy.
         asked: f64,
     },
+    /// What was to be put into a companion did not go.
+    #[error("{0}")]
+    Unprepared(Box<dyn StdError + Send + Sync>),
     /// A case that became wrong with its elements.
     #[error("{0}")]
     Wrong(String),
 }
 
-/// The rows of a run, and whether its contact came to an edge of the frame.
+/// The rows of a run, and which sides of the frame its contact came to.
 #[derive(Default)]
 struct Watched {
     rows: Vec<Row>,
-    outgrown: bool,
+    sides: Sides,
 }
 
+/// The lower and the upper side along x, and along y.
+type Sides = [[bool; 2]; 2];
+
 impl Observer for Watched {
-    fn observe(
-        &mut self,
-        report: &Report<'_>,
-    ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         self.rows.push(history::row(report));
-        let frame = &report.problem.frame;
-        let [nx, ny] = frame.elements();
-        let rim = |pair: usize| {
-            let (x, y) = (pair % nx, pair / nx);
-            x == 0 || x + 1 == nx || ny > 1 && (y == 0 || y + 1 == ny)
-        };
+        let elements = report.problem.frame.elements();
         let pressure = &report.state.pressure;
-        self.outgrown |= (0..pressure.len()).any(|pair| pressure[pair] > 0.0 && rim(pair));
+        let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else { return Ok(()) };
+        for (axis, range) in pressed.into_iter().enumerate().filter(|(axis, _)| elements[*axis] > 1)
+        {
+            self.sides[axis][0] |= range.start == 0;
+            self.sides[axis][1] |= range.end == elements[axis];
+        }
         Ok(())
     }
 }
@@ -97,8 +111,8 @@ impl Observer for Watched {
 /// What runs on fewer elements came to.
 enum Judged {
     By(Companion),
-    /// The contact left the frame.
-    Outgrown,
+    /// The contact left the frame at these sides.
+    Outgrown(Sides),
     /// On so few elements there is no solution to be found.
     TooCoarse,
 }
@@ -126,8 +140,8 @@ impl Resolved {
         for _ in 0..ROUNDS {
             let companion = match self.judged(kind, accuracy, store, following)? {
                 Judged::By(companion) => companion,
-                Judged::Outgrown => {
-                    self.case = grown(&self.case, self.chose);
+                Judged::Outgrown(sides) => {
+                    self.case = self.grown(sides)?;
                     self.settle_again()?;
                     continue;
                 }
@@ -204,7 +218,9 @@ impl Resolved {
         let mut rows = vec![];
         for (grid, increments) in runs.into_iter().take(wanted) {
             match self.run(grid, increments, store, following) {
-                Ok(run) if run.outgrown && self.chose.size => return Ok(Judged::Outgrown),
+                Ok(run) if self.chose.size && run.sides != Sides::default() => {
+                    return Ok(Judged::Outgrown(run.sides));
+                }
                 Ok(run) => rows.push(run.rows),
                 Err(Unsettled::Run { cause, .. })
                     if cause.is_of_convergence() && self.chose.elements =>
@@ -241,6 +257,39 @@ impl Resolved {
         Ok(true)
     }
 
+    /// The case in a frame that is larger towards some sides, with elements as large as before where their number was
+    /// chosen.
+    fn grown(&self, sides: Sides) -> Result<Case, Unsettled> {
+        let mut case = self.case.clone();
+        let before = case.frame;
+        let parts = Parts::of(&self.case).map_err(Box::new)?;
+        for (axis, touched) in
+            sides.into_iter().enumerate().filter(|(axis, _)| before.elements[*axis] > 1)
+        {
+            let part = 0.5 * (GROWS - 1.0) * before.size[axis];
+            let [below, above] = match self.chose.place {
+                true => touched.map(|touched| if touched { part } else { 0.0 }),
+                false => [if touched == [false; 2] { 0.0 } else { part }; 2],
+            };
+            case.frame.centre[axis] += 0.5 * (above - below);
+            case.frame.size[axis] += below + above;
+        }
+        let held = locate::within(case.frame.rectangle(), locate::known(&parts));
+        (case.frame.centre, case.frame.size) = (held.centre, held.size);
+        if held == before.rectangle() {
+            return Err(Unsettled::Outgrown { size: held.size });
+        }
+        if self.chose.elements {
+            for axis in 0..2 {
+                let larger = case.frame.size[axis] / before.size[axis];
+                if larger > 1.0 {
+                    case.frame.elements[axis] = even(larger * before.elements[axis] as f64);
+                }
+            }
+        }
+        Ok(case)
+    }
+
     /// Elements across the first contact; infinitely many where no closed form tells.
     fn across(&self) -> f64 {
         let contact = self.forecast.estimate.contact;
@@ -270,13 +319,14 @@ impl Resolved {
             Some(store) => case.build_keeping(store),
             None => case.build(),
         };
-        let simulation = simulation.map_err(Box::new)?;
+        let mut simulation = simulation.map_err(Box::new)?;
+        following.prepare(&mut simulation).map_err(Unsettled::Unprepared)?;
         following.begins(elements);
         let mut watched = Watched::default();
         match simulation.run(&mut [&mut watched, following.observer()]) {
             Ok(_) => Ok(watched),
             Err(Error::FrameFull { .. } | Error::SwungOut { .. }) if self.chose.size => {
-                Ok(Watched { outgrown: true, ..watched })
+                Ok(Watched { sides: [[true; 2]; 2], ..watched })
             }
             Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
         }
@@ -293,19 +343,6 @@ impl Resolved {
         self.warnings.extend(problems);
         Ok(())
     }
-}
-
-/// The case in a larger frame, with elements as large as before where their number was chosen.
-fn grown(case: &Case, chose: Chose) -> Case {
-    let mut case = case.clone();
-    let axes = if case.frame.line { 1 } else { 2 };
-    for axis in 0..axes {
-        case.frame.size[axis] *= GROWS;
-        if chose.elements {
-            case.frame.elements[axis] = even(GROWS * case.frame.elements[axis] as f64);
-        }
-    }
-    case
 }
 
 /// The even number of elements from some number on.

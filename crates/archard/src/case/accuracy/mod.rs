@@ -6,16 +6,19 @@
 
 mod companion;
 mod increments;
+mod locate;
 
 pub use companion::{Following, Unsettled};
 
 use super::check::Parts;
 use super::definition::{Case, FrameCase};
+use super::file::Resolved;
 use super::key::Key;
 use super::problem::Problem;
 use super::tree::{Entry, Item, Node, Table};
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::MOTIONS;
+use locate::Lost;
 
 /// The least accuracy that can be asked for.
 const COARSEST: f64 = 0.2;
@@ -36,10 +39,35 @@ const MOST: f64 = 4096.0;
 pub struct Chose {
     /// The size.
     pub size: bool,
+    /// The place.
+    pub place: bool,
     /// The elements.
     pub elements: bool,
     /// The increments of a cycle.
     pub increments: bool,
+}
+
+impl Chose {
+    /// Whether it chose what a line of a printed case says.
+    fn says(self, line: &str) -> bool {
+        let key = line.split(" = ").next().unwrap_or_default();
+        match key {
+            "frame.centre" => self.place,
+            "frame.size" => self.size,
+            "frame.elements" => self.elements,
+            _ => self.increments && key.starts_with("motion.") && key.ends_with(".increments"),
+        }
+    }
+}
+
+impl Resolved {
+    /// Whether a printed case is this one, apart from what was chosen for its accuracy.
+    pub fn is_printed(&self, toml: &str) -> bool {
+        let given = |toml: &str| -> Vec<String> {
+            toml.lines().filter(|line| !self.chose.says(line)).map(str::to_owned).collect()
+        };
+        given(toml) == given(&self.case.to_string())
+    }
 }
 
 /// The order of the error of a case in the size of its elements.
@@ -98,6 +126,7 @@ pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
     let Some(accuracy) = case.accuracy else { return Ok((case, Chose::default())) };
     let chose = Chose {
         size: case.frame.size[0] == 0.0,
+        place: false,
         elements: case.frame.elements[0] == 0,
         increments: increments::choose(&mut case),
     };
@@ -115,40 +144,50 @@ pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
     if !(chose.size || chose.elements) {
         return Ok((case, chose));
     }
-    case.frame = chosen(&case, accuracy, chose)?;
-    Ok((case, chose))
+    let found;
+    (case.frame, found) = chosen(&case, accuracy, chose)?;
+    Ok((case, Chose { place: found, ..chose }))
 }
 
-/// The frame.
-fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem> {
+/// The frame, and whether its place was looked for: it is the middle where closed forms know the contact.
+fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<(FrameCase, bool), Problem> {
     let parts =
         Parts::of(case).map_err(|error| Problem::error(Key::default(), error.to_string()))?;
     let foreseen = |progress: f64| parts.estimate(&Estimator::default(), progress);
     let outputs = case.output.places(parts.schedule.extent);
     let first = foreseen(outputs.first().copied().unwrap_or_default());
     let last = foreseen(parts.schedule.extent);
-    let contact = first.contact;
+    let unworn = first.contact;
     let reaches = [&first, &last].map(Estimate::reach);
     let finite = |reach: &[f64; 2]| {
         let axes = if case.frame.line { 1 } else { 2 };
         reach[..axes].iter().all(|half| half.is_finite() && *half > 0.0)
     };
-    let [Some(first), Some(reach)] = reaches.map(|reach| reach.filter(finite)) else {
-        let message = "is not known: no closed form tells how large the contact of these bodies is";
-        let help =
-            "give `frame.size` and `frame.elements`: the elements are judged by half as many";
-        return Err(Problem::missing(Key::of(["frame"]), message).help(help));
+    let mut frame = case.frame;
+    let mut found = false;
+    let (first, reach) = match reaches.map(|reach| reach.filter(finite)) {
+        [Some(first), Some(reach)] => (first, reach),
+        _ => {
+            let contact = locate::locate(case, &parts).map_err(lost)?;
+            found = chose.size && frame.centre == [0.0; 2];
+            if found {
+                frame.centre = contact.centre;
+            }
+            let half = contact.size.map(|size| 0.5 * size);
+            (half, half)
+        }
     };
     let known = last.cap.is_some() || last.track.is_some();
     let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
     let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
     let across = across(accuracy, order(&parts), slips_partly(&parts));
-    let mut frame = case.frame;
     for axis in 0..if frame.line { 1 } else { 2 } {
-        let unworn = contact.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
+        let unworn = unworn.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
         let element = 2.0 * (first[axis] / across).min(unworn / UNWORN);
         if chose.size {
             frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element;
+            let held = locate::within(frame.rectangle(), locate::known(&parts));
+            (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }
         let elements = (0.5 * frame.size[axis] / element).ceil() * 2.0;
         if elements > MOST {
@@ -166,7 +205,27 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<FrameCase, Problem
     if frame.line {
         frame.elements[1] = 1;
     }
-    Ok(frame)
+    Ok((frame, found))
+}
+
+/// What to do where a contact is not found.
+fn lost(why: Lost) -> Problem {
+    let frame = Key::of(["frame"]);
+    let help = "give `frame.size` and `frame.elements`: the elements are judged by half as many";
+    match why {
+        Lost::AtTheEnd(axis) => {
+            let message = format!(
+                "the unworn contact reaches the end of a surface along {}: what would touch beyond is not known",
+                ["x", "y"][axis]
+            );
+            Problem::missing(frame, message)
+                .help("measure more of it, or place it so that it touches within")
+        }
+        Lost::Nowhere => {
+            let message = "is not known: the contact of these bodies does not end";
+            Problem::missing(frame, message).help(help)
+        }
+    }
 }
 
 /// Elements across the contact of the first output.
