@@ -163,6 +163,15 @@ pub enum MeshError {
         /// The lowest and the highest corner of the box around the surface (m).
         extent: [[f64; 3]; 2],
     },
+    /// A place between two smooth faces.
+    #[error(
+        "lies on the edge between {}: move it onto one of them, or name the `surface` that is meant",
+        listed(.faces)
+    )]
+    OnEdge {
+        /// The surfaces on both sides.
+        faces: Vec<String>,
+    },
     /// More elements than anyone can compute with.
     #[error(
         "more than 100000 elements would be needed for edges of {width:.4e} m there: take fewer, or a smaller box"
@@ -187,7 +196,7 @@ impl MeshError {
         match self {
             MeshError::OddElements { .. } => "contact.elements",
             MeshError::OddDivisions { .. } => "divisions",
-            MeshError::NothingNear { .. } => "contact.near",
+            MeshError::NothingNear { .. } | MeshError::OnEdge { .. } => "contact.near",
             MeshError::TooFine { .. } => "contact.elements",
             MeshError::NoSurface { .. } => "contact",
         }
@@ -205,6 +214,9 @@ fn listed(names: &[String]) -> String {
     names.join(", ")
 }
 
+/// Elements of a file beyond which no machine holds their equations.
+const MOST_OF_A_FILE: usize = 100_000;
+
 fn sides([x, y, z]: &[f64; 3]) -> String {
     format!("{x:.4e} by {y:.4e} by {z:.4e} m")
 }
@@ -217,7 +229,7 @@ fn advice(distance: f64, size: &[f64; 3], divided: bool, [low, high]: &[[f64; 3]
     }
     let place = |[x, y, z]: &[f64; 3]| format!("({x:.4e}, {y:.4e}, {z:.4e}) m");
     format!(
-        "the body reaches from {} to {}; a file says nothing of its `unit`",
+        "the body reaches from {} to {}; move `near` there, or see whether the `unit` of the file is right",
         place(low),
         place(high)
     )

@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::smooth::{Turns, rise};
-use super::{Corners, Face, Mesh};
+use super::{Corners, Face, MOST_OF_A_FILE, Mesh};
 
 /// Normals whose cosine is more than this are those of one smooth surface.
 const SAME: f64 = 0.999;
@@ -23,9 +23,6 @@ pub(super) struct Refined {
     /// The element of the first mesh that each is a part of.
     origin: Vec<usize>,
 }
-
-/// Elements beyond which nothing is divided any further.
-const MOST: usize = 100_000;
 
 impl Refined {
     /// A mesh of which nothing is divided yet.
@@ -52,7 +49,7 @@ impl Refined {
             if wanted.is_empty() {
                 return true;
             }
-            if self.mesh.faces.len() + wanted.len() > MOST {
+            if self.mesh.faces.len() + wanted.len() > MOST_OF_A_FILE {
                 return false;
             }
             self.divide(wanted);

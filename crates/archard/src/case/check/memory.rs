@@ -24,7 +24,7 @@ pub(in crate::case) fn too_large(memory: f64, free: f64) -> Option<Problem> {
 const FEWER: &str = "take fewer elements: half as many along both sides take a sixteenth; or halve the body by planes of `symmetry`, each of which leaves a quarter";
 
 /// The same for files.
-pub(in crate::case) const COARSER: &str = "mesh it coarser, in Gmsh by a larger `Mesh.MeshSizeMin` and `Mesh.MeshSizeMax`, and divide the elements of the contact by `contact.elements`; or halve the body by planes of `symmetry`";
+pub(in crate::case) const COARSER: &str = "take fewer `contact.elements` or a smaller box; or mesh the file coarser, in Gmsh by a larger `Mesh.MeshSizeMin` and `Mesh.MeshSizeMax`; or halve the body by planes of `symmetry`";
 
 /// What is wrong with the memory (bytes) that a run takes.
 pub(super) fn problems(parts: &Parts<'_>, memory: f64) -> Option<Problem> {

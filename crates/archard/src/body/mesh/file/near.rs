@@ -29,6 +29,9 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     Parameter::optional("surface", Quantity::Text, "the surface it is on; any unless given"),
 ];
 
+/// Difference of distances, relative to half of the box, that does not tell which of two faces is nearer.
+const NEAR: f64 = 1e-6;
+
 /// A zone that is picked by a place.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Near {
@@ -72,6 +75,16 @@ impl Near {
     ) -> Result<(Mesh, Zone), MeshError> {
         let faces = Turns::of(&mesh).faces(feature_angle);
         let seed = self.nearest(&mesh, |face| self.may_be(&mesh, face));
+        // Of a place far away nothing is near.
+        if let Some((seed, distance)) = seed.filter(|(_, away)| *away <= self.half.length()) {
+            let beside = |face: usize| faces[face] != faces[seed] && self.may_be(&mesh, face);
+            let reach = distance + NEAR * self.half.max_element();
+            if let Some((other, _)) = self.nearest(&mesh, beside).filter(|(_, away)| *away <= reach)
+            {
+                let name = |face: usize| mesh.surfaces[mesh.faces[face].surface].clone();
+                return Err(MeshError::OnEdge { faces: vec![name(seed), name(other)] });
+            }
+        }
         let smooth = |origin: usize| seed.is_some_and(|(seed, _)| faces[origin] == faces[seed]);
         let normal = seed.map_or(DVec3::Z, |(seed, _)| mesh.area_vector(seed).into());
         let mut refined = Refined::new(mesh, feature_angle, mirrored);

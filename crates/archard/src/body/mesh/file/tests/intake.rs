@@ -396,6 +396,29 @@ fn a_zone_ends_at_the_edge() {
     }
 }
 
+/// A place on an edge does not say which side is meant.
+#[test]
+fn a_place_on_an_edge_is_refused_unless_the_surface_is_named() {
+    let refused = zoned(&cube(), near([1.0, 0.5, 1.0], 0.2, Some(8.0)), [false; 2]).unwrap_err();
+    assert_eq!(refused.parameter, "contact.near");
+    assert!(refused.message.contains("edge between `face_2`, `face_6`"), "{}", refused.message);
+    let Value::Section(mut zone) = near([1.0, 0.5, 1.0], 0.2, Some(8.0)) else { unreachable!() };
+    zone.insert("surface", Value::Word("face_2".to_owned()));
+    let meshed = zoned(&cube(), Value::Section(zone), [false; 2]).unwrap();
+    assert!(meshed.zone.faces.iter().all(|&face| meshed.mesh.area_vector(face)[2] > 0.0));
+}
+
+#[test]
+fn files_beyond_any_machine_are_refused_at_once() {
+    let refused = meshed(&values(&vec![cube()[0]; 100_001]), [false; 2]).unwrap_err();
+    assert_eq!(refused.parameter, "path");
+    assert!(
+        refused.message.contains("100001 elements, 100000 are the most"),
+        "{}",
+        refused.message
+    );
+}
+
 #[test]
 fn places_with_nothing_near_say_where_the_body_is() {
     let refused = |zone: Value| zoned(&cube(), zone, [false; 2]).unwrap_err();
