@@ -74,11 +74,13 @@
 
   async function mapped() {
     const { x, y, across, outputs, bodies, fields } = maps;
+    // Of meshed bodies values are those of elements, and each place shows one of them.
+    const shown = maps.shown && new Int32Array(bytes(maps.shown).buffer);
     const rows = (values) => y.map((_, row) => Array.from(values.subarray(row * x.length, (row + 1) * x.length)));
     const values = (name, output) => {
       const { step } = fields[name];
       const raw = new Int16Array(bytes(fields[name].outputs[output]).buffer);
-      return Float64Array.from(raw, (whole) => whole * step);
+      return shown ? Float64Array.from(shown, (part) => (part < 0 ? 0 : raw[part] * step)) : Float64Array.from(raw, (whole) => whole * step);
     };
     const largest = (name) => {
       let most = 0;

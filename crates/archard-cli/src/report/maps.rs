@@ -1,21 +1,23 @@
 //! The fields of all outputs, packed for the maps and the surfaces of a page.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use archard::output::{Collection, Image};
+use archard::output::{Collection, Image, Surface};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::figures::rounded;
 use crate::plot::cells::Cells;
-use crate::plot::results::Results;
+use crate::plot::results::{Results, within};
 use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{Axis, size};
 
 /// Most outputs shown: they are spread over the run, with its first and last.
 const OUTPUTS: usize = 21;
+/// The field that every output has.
+const PRESSURE: &str = "pressure_Pa";
 /// The largest whole number that a value is packed in.
 const WHOLE: f64 = 32767.0;
 
@@ -41,22 +43,15 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
     let count = all.len().min(OUTPUTS);
     let chosen: Vec<_> =
         (0..count).map(|i| &all[i * (all.len() - 1) / (count - 1).max(1)]).collect();
-    let images: Vec<Image> = chosen
-        .iter()
-        .map(|(_, file)| Ok(Image::of_output(&dir.join(file))?))
-        .collect::<Result<_>>()?;
     let windows = [results.worn_window(Axis::X)?, results.worn_window(Axis::Y)?];
-    let mut edges = [[0.0; 2]; 2];
-    let mut shape = [0, 0];
-    let mut field = |name: &str| -> Option<Vec<Vec<f64>>> {
-        let outputs = images.iter().map(|image| {
-            let cells = Cells::of(image, image.field(name)?, windows);
-            edges = cells.edges;
-            shape = [cells.rows.first().map_or(0, Vec::len), cells.rows.len()];
-            Some(cells.rows.concat())
-        });
-        outputs.collect()
+    let files = chosen.iter().map(|(_, file)| dir.join(file));
+    let seen = match results.surface {
+        Some(_) => Seen::elements(files, windows)?,
+        None => Seen::cells(files, windows)?,
     };
+    let Some(Seen { edges, shape, shown, .. }) = &seen else { return Ok(None) };
+    let (edges, shape, shown) = (*edges, *shape, shown.as_deref());
+    let field = |name: &str| seen.as_ref()?.field(name);
     let mut fields = Vec::new();
     let mut add = |name: String, unit: fn(f64) -> Unit| {
         if let Some(outputs) = field(&name) {
@@ -64,7 +59,7 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
             fields.push(Packed { unit: unit(most), name, outputs });
         }
     };
-    add("pressure_Pa".to_owned(), |_| Unit::pressure());
+    add(PRESSURE.to_owned(), |_| Unit::pressure());
     for name in ["stick", "traction_x_Pa", "traction_y_Pa"] {
         add(name.to_owned(), |_| Unit::share());
     }
@@ -75,6 +70,9 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
     if shape.contains(&0) {
         return Ok(None);
     }
+    let shown = shown.map(|shown| {
+        STANDARD.encode(shown.iter().flat_map(|part| part.to_le_bytes()).collect::<Vec<u8>>())
+    });
     let across = Unit::across(windows.into_iter().flatten().map(f64::abs).fold(0.0, f64::max));
     let places = |axis: usize| -> Vec<f64> {
         let [low, high] = edges[axis];
@@ -92,9 +90,82 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
         "across": across.name,
         "outputs": chosen.iter().map(label).collect::<Vec<_>>(),
         "bodies": results.bodies,
+        "shown": shown,
         "fields": fields.iter().map(|field| (field.name.clone(), field.packed())).collect::<serde_json::Map<_, _>>(),
     });
     Ok(Some(Maps { value, left_out: all.len() - count }))
+}
+
+/// The outputs as a page shows them.
+struct Seen {
+    /// Lowest and highest place (m) along x and along y.
+    edges: [[f64; 2]; 2],
+    /// Columns and rows.
+    shape: [usize; 2],
+    /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 beside them.
+    shown: Option<Vec<i32>>,
+    /// The values of a field at every output: of each cell, or of each element where cells show elements.
+    values: Values,
+}
+
+/// What finds the values of a field at every output.
+type Values = Box<dyn Fn(&str) -> Option<Vec<Vec<f64>>>>;
+
+impl Seen {
+    fn field(&self, name: &str) -> Option<Vec<Vec<f64>>> {
+        (self.values)(name)
+    }
+
+    /// Uniform grids, in as many cells as can be told apart.
+    fn cells(files: impl Iterator<Item = PathBuf>, windows: [[f64; 2]; 2]) -> Result<Option<Self>> {
+        let images: Vec<Image> =
+            files.map(|file| Ok(Image::of_output(&file)?)).collect::<Result<_>>()?;
+        let Some(first) = images.first() else { return Ok(None) };
+        let Some(pressure) = first.field(PRESSURE) else { return Ok(None) };
+        let Cells { edges, rows } = Cells::of(first, pressure, windows);
+        let shape = [rows.first().map_or(0, Vec::len), rows.len()];
+        let values = move |name: &str| {
+            let of =
+                |image: &Image| Some(Cells::of(image, image.field(name)?, windows).rows.concat());
+            images.iter().map(of).collect()
+        };
+        Ok(Some(Self { edges, shape, shown: None, values: Box::new(values) }))
+    }
+
+    /// Meshed bodies, on their own elements.
+    fn elements(
+        files: impl Iterator<Item = PathBuf>,
+        windows: [[f64; 2]; 2],
+    ) -> Result<Option<Self>> {
+        let surfaces: Vec<Surface> =
+            files.map(|file| Ok(Surface::read(&file)?)).collect::<Result<_>>()?;
+        let Some(first) = surfaces.first() else { return Ok(None) };
+        let (image, shown) = first.raster();
+        let [columns, rows] = [0, 1].map(|axis| {
+            let within = |&i: &usize| within(windows[axis], image.centre(axis, i));
+            (0..image.elements[axis]).filter(within).collect::<Vec<usize>>()
+        });
+        let edges = [(0, &columns), (1, &rows)].map(|(axis, cells)| {
+            let half = 0.5 * image.spacing[axis];
+            let ends = [cells.first(), cells.last()];
+            let ends = ends.map(|cell| image.centre(axis, cell.copied().unwrap_or_default()));
+            [ends[0] - half, ends[1] + half]
+        });
+        let cell = |row: usize, column: usize| {
+            let part = shown[column + image.elements[0] * row];
+            part.and_then(|part| i32::try_from(part).ok()).unwrap_or(-1)
+        };
+        let shape = [columns.len(), rows.len()];
+        let shown = rows.iter().flat_map(|&row| columns.iter().map(move |&column| (row, column)));
+        let shown = Some(shown.map(|(row, column)| cell(row, column)).collect());
+        let values = move |name: &str| {
+            let of = |surface: &Surface| {
+                Some(surface.parts(name)?.into_iter().map(|(_, value)| value).collect())
+            };
+            surfaces.iter().map(of).collect()
+        };
+        Ok(Some(Self { edges, shape, shown, values: Box::new(values) }))
+    }
 }
 
 impl Packed {

@@ -66,9 +66,37 @@ impl Surface {
         Some(self.outlines.iter().enumerate().flat_map(part).collect())
     }
 
+    /// The elements of an image of the surface as it looks along z, without fields, and the part that each of them shows, an
+    /// index into [`Surface::parts`]; none beside the surface.
+    pub fn raster(&self) -> (Image, Vec<Option<usize>>) {
+        let image = self.frame();
+        let sides = self.sides();
+        let part = |(pair, own): (usize, [bool; 2])| {
+            let side = sides.iter().position(|known| *known == own).unwrap_or(0);
+            sides.len() * pair + side
+        };
+        let shown = self.shown(&image).into_iter().map(|shown| shown.map(part));
+        let shown = shown.collect();
+        (image, shown)
+    }
+
     /// The surface as it looks along z: each element of the image has the value of the pair it shows, or zero
     /// beside the surface. Mirror images are shown.
     pub fn image(&self) -> Image {
+        let mut image = self.frame();
+        let shown = self.shown(&image);
+        let values = |field: &Field| {
+            let value = |shown: &Option<(usize, [bool; 2])>| {
+                shown.map_or(0.0, |(pair, sides)| sign(&field.name, sides) * field.values[pair])
+            };
+            Field { name: field.name.clone(), values: shown.iter().map(value).collect() }
+        };
+        image.fields = self.fields.iter().map(values).collect();
+        image
+    }
+
+    /// An image as large as the surface, fine enough to tell its parts apart.
+    fn frame(&self) -> Image {
         let [x, y] = [0, 1].map(|axis| self.extent(axis));
         let side = ((x[1] - x[0]) * (y[1] - y[0]) / self.places.len().max(1) as f64).sqrt();
         let mut image =
@@ -78,14 +106,6 @@ impl Surface {
             let count = if count.is_finite() { count.ceil().clamp(1.0, MOST as f64) } else { 1.0 };
             (image.elements[axis], image.spacing[axis]) = (count as usize, (high - low) / count);
         }
-        let shown = self.shown(&image);
-        let values = |field: &Field| {
-            let value = |shown: &Option<(usize, [bool; 2])>| {
-                shown.map_or(0.0, |(pair, sides)| sign(&field.name, sides) * field.values[pair])
-            };
-            Field { name: field.name.clone(), values: shown.iter().map(value).collect() }
-        };
-        image.fields = self.fields.iter().map(values).collect();
         image
     }
 
