@@ -13,11 +13,25 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     if !parts.plane() {
         return vec![];
     }
+    if let Some(problem) = beside(parts) {
+        return vec![problem];
+    }
     let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
     match ContactFrame::uniform(frame.rectangle(), frame.elements, profiles) {
         Err(off) => vec![beyond(parts, off.body)],
         Ok(built) => touch(parts, built.gap()).into_iter().collect(),
     }
+}
+
+/// A frame beside the middle, where bodies of known curvatures touch.
+fn beside(parts: &Parts<'_>) -> Option<Problem> {
+    let curvatures = parts.subject().curvatures()?;
+    let held = parts.case.frame.rectangle().about_origin();
+    (0..2).any(|axis| curvatures[axis] > 0.0 && held[axis] < 0.0).then(|| {
+        let message = "the frame does not hold the place where the bodies touch, x = y = 0";
+        Problem::error(parts.frame_key("centre"), message)
+            .help("leave it out: the frame lies in the middle then")
+    })
 }
 
 /// The frame reaches beyond the surface of that body.

@@ -193,6 +193,14 @@ fn too_small(parts: &Parts<'_>, contact: &Contact) -> Option<Problem> {
     };
     (cut(0) || cut(1)).then(|| {
         let extents = contact.semi_axes.map(|axis| 2.0 * axis);
+        if parts.case.frame.centre != [0.0; 2] {
+            let message = format!(
+                "the frame does not hold the contact, which Hertz expects to be {} wide about x = y = 0",
+                extents_in_words(extents)
+            );
+            return Problem::error(parts.frame_key("centre"), message)
+                .help("leave it out: the frame lies in the middle then");
+        }
         let message = format!(
             "is smaller than the contact, which Hertz expects to be {} wide",
             extents_in_words(extents)
