@@ -1,10 +1,11 @@
 //! What steady rolling costs and how far it is off, by the upwind difference alone and as Archard solves it:
-//! `cargo run --example accuracy_over_cost_of_rolling`.
+//! `cargo run --example error_over_cost_of_rolling` prints tables and draws `book/src/error_over_cost.svg`.
 //!
 //! Twin discs of the case of that name, unworn, at 0.5 % creepage and at a spin;
-//! seconds are those of one thread, for pressures and friction. Errors are against the limit of fine elements, extrapolated
+//! seconds are those of one thread, for pressures and friction, the fewest of three runs. Errors are against the limit of fine elements, extrapolated
 //! from 240 and 320 across the contact for errors that fall with the square of their size.
 
+use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
@@ -13,6 +14,11 @@ use archard::friction::Map;
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::{Observer, Report};
 use archard::solve::tangential::{self, FrictionSolver, Newton, Step};
+use kuva::backend::svg::SvgBackend;
+use kuva::plot::{LegendPosition, LinePlot, ScatterPlot};
+use kuva::render::figure::Figure;
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
 
 type Wrong = Box<dyn std::error::Error + Send + Sync>;
 
@@ -21,13 +27,65 @@ const FRICTION: f64 = 0.6;
 /// Elements across the contact.
 const ACROSS: [usize; 7] = [20, 40, 60, 80, 120, 160, 240];
 const FINEST: usize = 320;
+/// Times that each is solved, for the seconds.
+const TIMES: usize = 3;
+/// Width and height of a panel (px).
+const PANEL: [f64; 2] = [620.0, 460.0];
+/// How it is solved, and the colour of that.
+const WAYS: [(&str, &str); 2] = [("upwind alone", "#d55e00"), ("as solved", "#0072b2")];
 
 fn main() -> Result<(), Wrong> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build()?;
     pool.install(|| {
-        table("0.5 % creepage", "motion.rolling.creepage=0.005")?;
-        table("spin of 20 / m", "motion.rolling.spin=\"20 1/m\"")
+        let creepage = table("0.5 % creepage", "motion.rolling.creepage=0.005")?;
+        let spin = table("spin of 20 / m", "motion.rolling.spin=\"20 1/m\"")?;
+        draw([
+            ("Force, 0.5 % creepage", &creepage, 0),
+            ("Wear, 0.5 % creepage", &creepage, 1),
+            ("Force, spin of 20 / m", &spin, 0),
+            ("Wear, spin of 20 / m", &spin, 1),
+        ])
     })
+}
+
+/// Of both ways, for each number of elements: seconds, and the relative errors of force and wear.
+type Course = [Vec<(f64, [f64; 2])>; 2];
+
+/// Draws errors over seconds, a panel each.
+fn draw(panels: [(&str, &Course, usize); 4]) -> Result<(), Wrong> {
+    let drawn = panels.map(|(title, course, which)| {
+        let plots: Vec<Plot> = WAYS
+            .iter()
+            .zip(course)
+            .flat_map(|((name, colour), course)| {
+                let points: Vec<(f64, f64)> = course
+                    .iter()
+                    .map(|(seconds, off)| (*seconds, 100.0 * off[which].abs()))
+                    .collect();
+                let line = LinePlot::new()
+                    .with_data(points.iter().copied())
+                    .with_color(*colour)
+                    .with_legend(*name);
+                let dots = ScatterPlot::new().with_data(points).with_color(*colour).with_size(4.0);
+                [line.with_stroke_width(2.0).into(), dots.into()]
+            })
+            .collect();
+        let layout = Layout::auto_from_plots(&plots)
+            .with_log_scale()
+            .with_title(title)
+            .with_x_label("Seconds on one thread")
+            .with_y_label("Error (%)")
+            .with_legend_position(LegendPosition::InsideTopRight)
+            .with_legend_box(false);
+        (plots, layout)
+    });
+    let (plots, layouts) = drawn.into_iter().unzip();
+    let [width, height] = PANEL;
+    let figure =
+        Figure::new(2, 2).with_cell_size(width, height).with_plots(plots).with_layouts(layouts);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/error_over_cost.svg");
+    fs::write(path, SvgBackend::new().render_scene(&figure.render()))?;
+    Ok(())
 }
 
 /// What is compared, and what it took.
@@ -38,7 +96,7 @@ struct Solved {
     seconds: f64,
 }
 
-fn table(name: &str, drive: &str) -> Result<(), Wrong> {
+fn table(name: &str, drive: &str) -> Result<Course, Wrong> {
     let fine = [ACROSS[ACROSS.len() - 1], FINEST];
     let [coarse, finest] = fine.map(|across| solved(across, drive));
     let (coarse, finest) = (coarse?.values, finest?.values);
@@ -49,16 +107,30 @@ fn table(name: &str, drive: &str) -> Result<(), Wrong> {
         "| elements across | upwind alone: force | wear | applications | s | as solved: force | wear | applications | s |"
     );
     println!("|---|---|---|---|---|---|---|---|---|");
+    let mut course = Course::default();
     for across in ACROSS {
-        let cells = [upwind(across, drive)?, solved(across, drive)?].map(|one| {
-            let off = [0, 1].map(|at| 100.0 * (one.values[at] / limit[at] - 1.0));
-            let Solved { applications, seconds, .. } = one;
-            format!("{:+.2} % | {:+.2} % | {applications} | {seconds:.3}", off[0], off[1])
-        });
-        println!("| {across} | {} | {} |", cells[0], cells[1]);
+        let both = [fewest(|| upwind(across, drive))?, fewest(|| solved(across, drive))?];
+        let mut cells = vec![];
+        for (Solved { values, applications, seconds }, course) in both.into_iter().zip(&mut course)
+        {
+            let off = [0, 1].map(|at| values[at] / limit[at] - 1.0);
+            course.push((seconds, off));
+            let [force, wear] = off.map(|off| 100.0 * off);
+            cells.push(format!("{force:+.2} % | {wear:+.2} % | {applications} | {seconds:.3}"));
+        }
+        println!("| {across} | {} |", cells.join(" | "));
     }
     println!();
-    Ok(())
+    Ok(course)
+}
+
+/// What was solved some times, with the fewest seconds.
+fn fewest(solve: impl Fn() -> Result<Solved, Wrong>) -> Result<Solved, Wrong> {
+    let mut best = solve()?;
+    for _ in 1..TIMES {
+        best.seconds = best.seconds.min(solve()?.seconds);
+    }
+    Ok(best)
 }
 
 /// Keeps the last state.
