@@ -54,6 +54,9 @@ pub enum SectionError {
         /// How many.
         places: f64,
     },
+    /// A size that holds no square of the grid.
+    #[error("is smaller than `spacing`: the section holds no square of the grid")]
+    Small,
     /// No square of the grid lies in the body.
     #[error("misses the body: no square of the grid lies in it")]
     Misses,
@@ -65,6 +68,7 @@ impl SectionError {
         match self {
             SectionError::NoNormal => "normal",
             SectionError::TooMany { .. } => "spacing",
+            SectionError::Small => "size",
             SectionError::Misses => "through",
         }
     }
@@ -98,7 +102,7 @@ impl Section {
         Parameter::optional(
             "size",
             Quantity::Pair(&Quantity::Length),
-            "how far the section reaches along its two axes; through the whole body unless given",
+            "how far the section reaches along its two axes: x, or y where the normal is along x, then across it; through the whole body unless given",
         ),
     ];
 
@@ -152,6 +156,9 @@ impl Section {
         let normal = DVec3::from(self.normal);
         if normal == DVec3::ZERO {
             return Err(SectionError::NoNormal);
+        }
+        if self.size.is_some_and(|size| size.iter().any(|side| *side < self.spacing)) {
+            return Err(SectionError::Small);
         }
         let [along, across, _] = mesh::axes(normal);
         let origin = DVec3::from(self.through);

@@ -28,6 +28,12 @@ impl Meshed {
         for axis in (0..2).filter(|&axis| mirrored[axis]) {
             mean[axis] = 0.0;
         }
+        mean = mean.normalize_or(DVec3::Z);
+        for axis in DVec3::AXES {
+            if mean.dot(axis).abs() > 1.0 - 1e-6 {
+                mean = mean.dot(axis).signum() * axis;
+            }
+        }
         (!self.zone.faces.is_empty()).then(|| axes(mean))
     }
 
@@ -79,12 +85,7 @@ impl Meshed {
 
 /// The axes of a plane of contact with that normal, of any length: those of space where they nearly are.
 pub(crate) fn axes(normal: DVec3) -> [DVec3; 3] {
-    let mut n = normal.normalize_or(DVec3::Z);
-    for axis in DVec3::AXES {
-        if n.dot(axis).abs() > 1.0 - 1e-6 {
-            n = n.dot(axis).signum() * axis;
-        }
-    }
+    let n = normal.normalize_or(DVec3::Z);
     let x = if n.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
     let t1 = (x - x.dot(n) * n).normalize();
     [t1, n.cross(t1), n]

@@ -13,6 +13,7 @@ mod bounds;
 mod builder;
 mod check;
 mod contact;
+mod crossing;
 mod curvatures;
 mod cylinder;
 mod file;

@@ -8,18 +8,18 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::{Corners, Mesh};
+use super::{Corners, Mesh, MeshProblem};
 use crate::numerics::triangle::solid_angle;
 
 /// Shells beyond which nothing is oriented and no cavity is sought: a heap of triangles, not a body.
 const MOST: usize = 1000;
 
 /// Elements that hang together.
-pub(super) struct Shell {
+struct Shell {
     /// Its elements.
-    pub faces: Vec<usize>,
+    faces: Vec<usize>,
     /// How many others it lies within.
-    pub depth: usize,
+    depth: usize,
 }
 
 impl Mesh {
@@ -27,7 +27,7 @@ impl Mesh {
     /// for the planes of symmetry. Any other surface stays as it is.
     pub(super) fn orient(&mut self, mirrored: [bool; 2]) {
         let Some((shells, turned)) = self.agreed() else { return };
-        if shells.len() > MOST || !self.is_closed(mirrored) {
+        if shells.len() > MOST || !self.is_closed(mirrored) || self.crossing(&shells).is_some() {
             return;
         }
         let before = self.clone();
@@ -47,16 +47,22 @@ impl Mesh {
         }
     }
 
-    /// The shells that lie within no other or within an even number of them: each is a body of its own. None beyond
-    /// what can be told.
-    pub(super) fn pieces(&self, mirrored: [bool; 2]) -> Vec<Shell> {
-        let Some((shells, _)) = self.agreed() else { return vec![] };
-        if shells.len() < 2 || shells.len() > MOST {
-            let depth = 0;
-            return shells.into_iter().map(|faces| Shell { faces, depth }).collect();
+    /// Shells that are no cavities of one body.
+    pub(super) fn pieces(&self, mirrored: [bool; 2]) -> Option<MeshProblem> {
+        let (shells, _) = self.agreed()?;
+        let problem = |shells: &[Vec<usize>]| {
+            let second = self.centre(*shells.get(1)?.first()?);
+            Some(MeshProblem::Pieces { pieces: shells.len(), place: second })
+        };
+        if shells.len() > MOST {
+            return problem(&shells);
+        }
+        if let Some(place) = self.crossing(&shells) {
+            return Some(MeshProblem::Crossing { place });
         }
         let nested = self.nested(shells, mirrored).into_iter();
-        nested.filter(|shell| shell.depth % 2 == 0).collect()
+        let bodies = nested.filter(|shell| shell.depth % 2 == 0).map(|shell| shell.faces);
+        problem(&bodies.collect::<Vec<_>>())
     }
 
     /// The elements at every edge, with whether they run from its lower vertex to the higher.

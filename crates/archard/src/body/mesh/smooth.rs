@@ -108,7 +108,6 @@ impl<'a> Turns<'a> {
             }
         }
         let steep = (0.5 * feature_angle).sin();
-        let tolerance = 1e-9 * self.mesh.extent();
         let normal = |face: usize, corner: usize| {
             let Some(&vertex) = self.mesh.faces[face].corners.as_slice().get(corner) else {
                 return DVec3::ZERO;
@@ -116,7 +115,7 @@ impl<'a> Turns<'a> {
             let mut normal = sums[corners.first(4 * face + corner)].normalize_or_zero();
             // The image of a smooth face goes on in it.
             for (axis, _) in mirrored.iter().enumerate().filter(|(_, mirrored)| **mirrored) {
-                let on = self.mesh.vertices[vertex][axis].abs() <= tolerance;
+                let on = self.mesh.vertices[vertex][axis] == 0.0;
                 if on && normal[axis].abs() <= steep {
                     normal[axis] = 0.0;
                 }

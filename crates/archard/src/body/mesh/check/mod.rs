@@ -30,12 +30,12 @@ impl Mesh {
         problems.extend(self.duplicates());
         let edges = self.edges(&planes);
         if edges.is_empty() && problems.is_empty() {
-            let volume = self.volume(mirrored);
-            problems.extend((volume < 0.0).then_some(MeshProblem::Inverted { volume }));
+            // What encloses nothing that can be told has no inside.
             let pieces = self.pieces(mirrored);
-            let second = pieces.get(1).map(|shell| self.centre(shell.faces[0]));
-            let pieces = pieces.len();
-            problems.extend(second.map(|place| MeshProblem::Pieces { pieces, place }));
+            let volume = self.volume(mirrored);
+            let inverted = pieces.is_none() && volume < 0.0;
+            problems.extend(inverted.then_some(MeshProblem::Inverted { volume }));
+            problems.extend(pieces);
         }
         problems.extend(edges);
         problems.extend(self.unused());
@@ -47,6 +47,15 @@ impl Mesh {
     /// The planes of symmetry, and what counts as on them.
     pub(super) fn planes(&self, mirrored: [bool; 2]) -> Planes {
         Planes { mirrored, tolerance: ON_PLANE * self.extent() }
+    }
+
+    /// Puts vertices that count as on a plane of symmetry there.
+    pub(super) fn put_on_planes(&mut self, mirrored: [bool; 2]) {
+        let planes = self.planes(mirrored);
+        for axis in (0..2).filter(|&axis| mirrored[axis]) {
+            let near = |place: &&mut [f64; 3]| place[axis].abs() <= planes.tolerance;
+            self.vertices.iter_mut().filter(near).for_each(|place| place[axis] = 0.0);
+        }
     }
 
     /// Whether an edge lies on a plane of symmetry, where the surface is cut open.

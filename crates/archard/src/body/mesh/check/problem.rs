@@ -51,7 +51,16 @@ pub enum MeshProblem {
         /// The centre of the first of them (m).
         place: [f64; 3],
     },
-    /// Shells of which none lies within another.
+    /// Shells that touch or cross.
+    #[error(
+        "two closed surfaces touch or cross at {}: make one of the parts (in Gmsh `BooleanUnion`, then `Coherence Mesh;`)",
+        at(.place)
+    )]
+    Crossing {
+        /// Where (m).
+        place: [f64; 3],
+    },
+    /// Closed surfaces that are no cavities of one body: beside one another, or a core within a cavity.
     #[error(
         "the surface is that of {pieces} bodies, the second at {}: keep one (in Gmsh `BooleanUnion` makes one of parts that touch)",
         at(.place)

@@ -5,7 +5,7 @@ use crate::body::mesh::smooth::Turns;
 
 impl Mesh {
     /// Divides surfaces at edges where elements turn by more than that (rad): a surface `s` that falls apart becomes
-    /// `s_1`, `s_2`, in the order of their first elements.
+    /// `s_1`, `s_2`, in the order of their first elements; names that are there are left out.
     pub(super) fn split(&mut self, feature_angle: f64, name: impl Fn(&str) -> String) {
         let faces = Turns::of(self).faces(feature_angle);
         // The faces of each surface, in order.
@@ -15,13 +15,18 @@ impl Mesh {
                 parts[element.surface].push(*face);
             }
         }
-        let mut names = vec![];
+        let mut names: Vec<String> = vec![];
         let mut first = vec![];
         for (surface, parts) in self.surfaces.iter().zip(&parts) {
             first.push(names.len());
             match parts.len() {
                 1 => names.push(surface.clone()),
-                count => names.extend((1..=count).map(|part| format!("{}_{part}", name(surface)))),
+                count => {
+                    let numbered = (1..).map(|part| format!("{}_{part}", name(surface)));
+                    let free = numbered.filter(|one| !self.surfaces.contains(one));
+                    let free = free.filter(|one| !names.contains(one));
+                    names = [&names[..], &free.take(count).collect::<Vec<_>>()].concat();
+                }
             }
         }
         for (element, face) in self.faces.iter_mut().zip(&faces) {

@@ -115,6 +115,7 @@ enum Contact {
 impl Shape for File {
     fn mesh(&self, mirrored: [bool; 2], _held: &Supported) -> Result<Meshed, MeshError> {
         let mut mesh = self.mesh.clone();
+        mesh.put_on_planes(mirrored);
         mesh.orient(mirrored);
         let (mesh, zone) = match &self.contact {
             Contact::None => (mesh, Zone::default()),

@@ -1,4 +1,7 @@
-mod intake;
+mod faces;
+mod outside;
+mod solids;
+mod zone;
 
 use approx::assert_relative_eq;
 use proptest::prelude::*;
