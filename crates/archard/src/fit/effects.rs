@@ -84,7 +84,7 @@ pub fn chance(ratio: f64, degrees: f64) -> f64 {
     2.0 * student(degrees).cdf(-ratio.abs())
 }
 
-fn student(degrees: f64) -> StudentsT {
+pub(super) fn student(degrees: f64) -> StudentsT {
     // Degrees of freedom are counted by whoever asks, and are positive.
     StudentsT::new(0.0, 1.0, degrees.max(1e-3)).unwrap_or_else(|_| unreachable!())
 }

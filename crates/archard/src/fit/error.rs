@@ -39,6 +39,9 @@ pub enum Error {
         /// Why.
         why: String,
     },
+    /// The folder of runs cannot be used.
+    #[error(transparent)]
+    Folder(Box<dyn std::error::Error + Send + Sync>),
     /// Whoever follows the runs ended the fit.
     #[error("{cause} after {runs} runs, which are kept: the same call goes on behind them")]
     Stopped {

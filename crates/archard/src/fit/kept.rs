@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use super::quantity::Quantity;
+use crate::case::Case;
 use crate::output::write_whole;
 use crate::simulation::{Simulation, digest};
 
@@ -31,14 +32,16 @@ fn folder(dir: &Path) -> PathBuf {
     dir.join("kept")
 }
 
-/// The file of a simulation whose steps tell these quantities by these columns.
+/// The file of a simulation of a case whose steps tell these quantities by these columns. Quantities may follow from values
+/// that no step does, as a mass from the density.
 pub(super) fn file(
     dir: &Path,
-    simulation: &Simulation,
+    (case, simulation): (&Case, &Simulation),
     (quantities, columns): (&[Quantity], &[&str]),
 ) -> PathBuf {
     let mut hash = Sha256::new();
     hash.update(digest(simulation));
+    hash.update(case.to_string());
     hash.update(format!("{}{quantities:?}{columns:?}", env!("CARGO_PKG_VERSION")));
     let name: String = hash.finalize()[..16].iter().map(|byte| format!("{byte:02x}")).collect();
     folder(dir).join(name)
@@ -67,14 +70,31 @@ impl Kept {
     }
 }
 
-/// Removes what was kept of a fit that is done.
-pub(super) fn clear(dir: &Path) {
-    let _ = fs::remove_dir_all(folder(dir));
+/// Removes the files of a fit that is done, and their folder if nothing else is in it.
+pub(super) fn clear(dir: &Path, files: &[PathBuf]) {
+    for file in files {
+        let _ = fs::remove_file(file);
+    }
+    let _ = fs::remove_dir(folder(dir));
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Kept, Row};
+    use super::{Kept, Row, clear};
+
+    /// What others have put into a folder of that name is theirs.
+    #[test]
+    fn files_of_others_stay() {
+        let dir = tempfile::tempdir().unwrap();
+        let [own, other] = ["kept/one", "kept/data.txt"].map(|name| dir.path().join(name));
+        Kept { rows: vec![], doubts: vec![] }.write(&own);
+        std::fs::write(&other, "precious").unwrap();
+        clear(dir.path(), std::slice::from_ref(&own));
+        assert!(!own.exists() && other.exists());
+        std::fs::remove_file(other).unwrap();
+        clear(dir.path(), &[own]);
+        assert!(!dir.path().join("kept").exists());
+    }
 
     #[test]
     fn what_is_damaged_is_not_taken() {

@@ -104,7 +104,7 @@ fn columns(
     for name in table.names() {
         for (column, kind) in kinds.iter().copied().chain([(surfaces::COLUMN, None)]) {
             let Some(body) = body_of((table, name), column, (case, one))? else { continue };
-            used.extend([name.to_owned(), format!("u_{name}")]);
+            used.push(name.to_owned());
             let Some(kind) = kind else {
                 let (columns, taken) = surfaces::read((table, name), (case, body), files)?;
                 found.extend(columns);
@@ -117,12 +117,18 @@ fn columns(
                     case.bodies[body].name
                 )));
             }
+            used.push(format!("u_{name}"));
             let measure = kind.measure();
             let Some(values) = table.numbers(name, &measure)? else { continue };
             let uncertainties = table.numbers(&format!("u_{name}"), &measure)?;
             let quantity = Quantity { name: name.to_owned(), kind, body };
             found.push(Column { quantity, values, uncertainties });
         }
+    }
+    // Columns that are empty ask for nothing beside others.
+    let read = |column: &Column| column.values.iter().any(Option::is_some);
+    if found.iter().any(read) {
+        found.retain(read);
     }
     if found.is_empty() {
         let bodies = case.bodies.iter().filter(|body| body.wear.is_some());

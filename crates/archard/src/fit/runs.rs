@@ -1,7 +1,7 @@
 //! Runs of the case, and what they say of the readings.
 
 use std::error::Error as StdError;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use super::curve::Curve;
@@ -38,8 +38,9 @@ pub(super) struct Runner<'a> {
     pub dir: &'a Path,
     pub store: Option<&'a Store>,
     pub following: &'a mut dyn Following,
-    /// Number of runs so far.
+    /// Number of runs so far, and the files they are kept in.
     pub count: usize,
+    pub kept: Vec<PathBuf>,
 }
 
 /// How a run differs from what the case says.
@@ -96,8 +97,10 @@ impl Runner<'_> {
         }
         simulation.schedule =
             passing(&simulation.problem.motion, &simulation.schedule, &changes.shares);
-        let file = kept::file(self.dir, &simulation, (self.quantities, self.columns));
+        let of = (&resolved.case, &simulation);
+        let file = kept::file(self.dir, of, (self.quantities, self.columns));
         self.count += 1;
+        self.kept.push(file.clone());
         if let Some(known) = Kept::read(&file) {
             self.following.ended(self.count, &settings, None);
             return self.curves(known);
@@ -122,9 +125,10 @@ impl Runner<'_> {
     ) -> Result<(Vec<Row>, Verdict), Error> {
         let failed = |why: String| Error::Run { settings: settings.to_owned(), why };
         let begun = Instant::now();
-        let claim = Claim::take(&self.dir.join(name)).map_err(|error| failed(error.to_string()))?;
+        let claim =
+            Claim::take(&self.dir.join(name)).map_err(|error| Error::Folder(error.into()))?;
         let folder = claim.begin(&resolved.case.to_string());
-        let folder = folder.map_err(|error| failed(error.to_string()))?;
+        let folder = folder.map_err(|error| Error::Folder(error.into()))?;
         let mut recorder =
             Recorder { folder, quantities: self.quantities, columns: self.columns, rows: vec![] };
         let ran = simulation.run(&mut [&mut recorder, self.following.observer()]);

@@ -14,6 +14,7 @@ use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
+use super::surfaces;
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
 use crate::case::{Case, CaseFile};
 use crate::measured::Table;
@@ -67,6 +68,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         store: request.store,
         following: request.following,
         count: 0,
+        kept: vec![],
     };
     let others = others(&case, &measured.targets);
     let mut search = Search {
@@ -88,6 +90,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     };
     // Before anything runs.
     for (key, relative) in request.uncertain {
+        surfaces::refuse_shape(&measured.surfaces, key)?;
         search.changed(&case, key, *relative)?;
     }
     let first = search.settle()?;
@@ -95,7 +98,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let commons = search.commons(&case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
     remarks.extend(search.doubts());
-    kept::clear(request.dir);
+    kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
         let (factor, unit) = own.kind.shown();

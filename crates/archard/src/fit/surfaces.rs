@@ -35,6 +35,9 @@ pub struct Measured {
     pub file: String,
     /// What was taken from it: the name of the quantity, a factor from SI to the unit shown, and that unit.
     pub quantity: (String, f64, &'static str),
+    /// What the file tells, a volume or a section, and of which body.
+    kind: Kind,
+    body: String,
     /// The scar.
     pub scar: Scar,
 }
@@ -66,9 +69,17 @@ pub(super) fn read(
         };
         let bytes = fs::read(files.folder.join(file))
             .map_err(|error| refuse(format!("cannot read it: {error}")))?;
-        let surface = Table::read(file, &bytes).and_then(|own| own.naming(files.columns));
-        let surface = surface.map_err(|error| refuse(error.to_string()))?;
-        let surface = Surface::of(&surface).map_err(|error| refuse(error.to_string()))?;
+        // These errors begin with the name of the file.
+        let unread = |why: String| Error::Reading { table: table.source().to_owned(), line, why };
+        let surface = Table::read(file, &bytes).and_then(|own| {
+            // A profile along one axis has no place along the other.
+            let there =
+                |(name, title): &&(&str, &str)| own.has(title) || name.starts_with(['z', 'Z']);
+            let names: Vec<_> = files.columns.iter().filter(there).copied().collect();
+            own.naming(&names)
+        });
+        let surface = surface.map_err(|error| unread(error.to_string()))?;
+        let surface = Surface::of(&surface).map_err(|error| unread(error.to_string()))?;
         let kind = shape.kind(surface.axis()).map_err(refuse)?;
         let scar = shape.scar(&surface).map_err(|error| refuse(error.to_string()))?;
         let quantity = Quantity { name: shape.name(kind, name), kind, body };
@@ -84,9 +95,29 @@ pub(super) fn read(
         }
         let (factor, unit) = kind.shown();
         let quantity = (quantity.name, factor, unit);
-        all.push(Measured { line, file: (*file).to_owned(), quantity, scar });
+        all.push(Measured {
+            line,
+            file: (*file).to_owned(),
+            quantity,
+            kind,
+            body: shape.body.to_owned(),
+            scar,
+        });
     }
     Ok((columns, all))
+}
+
+/// Refuses a key of the shape that surfaces were levelled by: runs with another value would be held against sections and
+/// volumes taken with this one.
+pub(super) fn refuse_shape(surfaces: &[Measured], key: &str) -> Result<(), Error> {
+    let own = |of: &&Measured| key.starts_with(&format!("body.{}.profile.", of.body));
+    match surfaces.iter().find(own) {
+        None => Ok(()),
+        Some(Measured { file, .. }) => Err(Error::Mismatch(format!(
+            "`{key}` is of the shape that `{file}` was levelled by, and what was taken from the file goes by it: put the other \
+             value into the case, fit again, and see by how much the coefficient changes"
+        ))),
+    }
 }
 
 /// The shape of a body before it wears, and how its scar lies.
@@ -131,18 +162,11 @@ impl<'a> Shape<'a> {
     }
 
     fn scar(&self, surface: &Surface) -> Result<Scar, crate::measured::surface::NoScar> {
-        let height = |[x, y]: [f64; 2]| {
-            let place = |axis: usize, own: f64| match (surface.axis(), self.passes) {
-                (Some(of), _) if of != axis => 0.0,
-                _ => own,
-            };
-            -self.profile.recess(place(0, x), place(1, y))
-        };
-        let through = [0, 1].map(|axis| self.passes == Some(axis));
-        Scar::find(surface, Unworn { height: &height, through })
+        let height = |[x, y]: [f64; 2]| -self.profile.recess(x, y);
+        Scar::find(surface, Unworn::passing(&height, self.passes))
     }
 
-    /// `file_disc` tells `profile_y_disc`, `map_section_disc` or `map_volume_disc`.
+    /// `file_disc` tells `profile_y_disc`, `track_section_disc` or `map_volume_disc`.
     fn name(&self, kind: Kind, column: &str) -> String {
         let of = match kind {
             Kind::Middle(axis) => ["profile_x", "profile_y"][axis],
@@ -156,11 +180,16 @@ impl<'a> Shape<'a> {
 impl Measured {
     /// As `fit.json` has it: SI.
     pub fn json(&self) -> Value {
-        let Scar { plane, middle, extent, worn, uncertainty, deepest, gaps } = &self.scar;
+        let Scar { plane, middle, extent, worn, uncertainty, deepest, angle, gaps } = &self.scar;
+        let unit = match self.kind {
+            Kind::Volume => "m3",
+            _ => "m2",
+        };
         json!({
-            "line": self.line, "file": self.file, "quantity": self.quantity.0, "worn": worn, "uncertainty": uncertainty,
-            "deepest_m": deepest, "from_to_m": extent, "middle_m": middle, "tilt": plane.tilt, "offset_m": plane.offset,
-            "readings_beside": plane.used, "scatter_m": plane.scatter, "gaps": gaps,
+            "line": self.line, "file": self.file, "quantity": self.quantity.0, format!("worn_{unit}"): worn,
+            format!("uncertainty_{unit}"): uncertainty, "deepest_m": deepest, "from_to_m": extent, "middle_m": middle,
+            "angle_rad": angle, "tilt": plane.tilt, "offset_m": plane.offset, "readings_beside": plane.used,
+            "scatter_m": plane.scatter, "gaps": gaps,
         })
     }
 }
@@ -168,7 +197,7 @@ impl Measured {
 /// In words.
 impl fmt::Display for Measured {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Scar { plane, middle, worn, uncertainty, deepest, gaps, .. } = &self.scar;
+        let Scar { plane, middle, worn, uncertainty, deepest, angle, gaps, .. } = &self.scar;
         let (name, factor, unit) = &self.quantity;
         let [x, y] = plane.tilt.map(|tilt| four(1e3 * tilt));
         write!(
@@ -185,8 +214,15 @@ impl fmt::Display for Measured {
             plane.used,
             four(1e6 * plane.scatter),
         )?;
+        if *angle != 0.0 {
+            let degrees = four(angle.to_degrees());
+            write!(
+                f,
+                "; the track lies askew in its map by {degrees} degrees, and its section is that square to it"
+            )?;
+        }
         if *gaps > 0 {
-            write!(f, "; {gaps} places in it have no reading")?;
+            write!(f, "; {gaps} places in it have no reading, or one far off those around it")?;
         }
         Ok(())
     }

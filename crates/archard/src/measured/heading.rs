@@ -33,10 +33,17 @@ impl Heading {
         let given = Self::of(name);
         self.name = given.name;
         let unit = self.unit.take().or_else(|| given.unit.clone());
-        let same = given.unit.is_none() || given.unit == unit;
+        let same =
+            given.unit.is_none_or(|given| unit.as_ref().is_some_and(|own| alike(&given, own)));
         self.unit = unit;
         same
     }
+}
+
+/// Whether two texts are one unit, as um and µm are.
+fn alike(one: &str, other: &str) -> bool {
+    let scale = |text: &str| Scale::read_any(text).ok();
+    one == other || scale(one).is_some_and(|own| scale(other) == Some(own))
 }
 
 /// The header that a column of a name needs: `depth [mm]`.

@@ -62,7 +62,7 @@ impl Table {
     /// # Errors
     /// If there is no header or no row below it, two columns have one name, or a row has not as many cells as the header.
     pub fn read(source: &str, bytes: &[u8]) -> Result<Self, Error> {
-        let text = decoded(bytes).replace("\r\n", "\n");
+        let text = decoded(bytes).replace("\r\n", "\n").replace('\r', "\n");
         let (source, separator) = (source.to_owned(), separator(&text));
         let mut reader = csv::ReaderBuilder::new()
             .delimiter(separator)
@@ -144,6 +144,11 @@ impl Table {
     /// The names of all columns.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.headings.iter().map(|heading| heading.name.as_str())
+    }
+
+    /// Whether a column has that title or name.
+    pub fn has(&self, title: &str) -> bool {
+        self.headings.iter().any(|heading| heading.is(title))
     }
 
     /// The titles of the columns of other names, which whoever asks for these names leaves out.

@@ -58,6 +58,8 @@ fn names_are_given_to_foreign_headers() {
     assert_eq!(table.lines(), [2, 3]);
     let other_ends = Table::read("a.csv", b"depth [um]\r\n1\r\n\r\n2\r\n").unwrap();
     assert_eq!(other_ends.lines(), [2, 4]);
+    let old_ends = Table::read("a.csv", b"depth [um]\r1\r\r2\r").unwrap();
+    assert_eq!(old_ends.lines(), [2, 4]);
     let error = table.clone().naming(&[("width", "Breite")]).unwrap_err();
     assert_eq!(
         error.to_string(),
@@ -67,6 +69,8 @@ fn names_are_given_to_foreign_headers() {
     // A name with the unit of the title, or with another one, or with one for a title that has none.
     let same = table.clone().naming(&[("depth_um", "depth")]).unwrap();
     assert_eq!(same.numbers("depth", &Measure::LENGTH).unwrap(), Some(vec![Some(2.5e-6), None]));
+    let micro = self::table("Tiefe [\u{b5}m]\n2.5\n").naming(&[("depth_um", "Tiefe [\u{b5}m]")]);
+    assert_eq!(micro.unwrap().all_numbers("depth", &Measure::LENGTH).unwrap(), [2.5e-6]);
     let other = table.clone().naming(&[("depth_mm", "Tiefe [um]")]);
     assert!(matches!(other, Err(Error::OtherUnit { .. })));
     let bare = table.naming(&[("distance_km", "Versuch")]).unwrap();

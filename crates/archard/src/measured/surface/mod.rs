@@ -1,15 +1,21 @@
 //! Measured surfaces: profiles along an axis, and height maps, as instruments write them.
 //!
 //! A profile has columns `x` or `y` and `z`, a height map all three, its readings on a grid along the axes. Heights rise out
-//! of the material. An empty cell is a place without a reading.
+//! of the material. An empty cell is a place without a reading; a reading far off those around it counts as none.
 
 mod integral;
+mod no_scar;
 mod noise;
+mod piece;
 mod rough;
 mod scar;
+mod spikes;
+mod track;
 
-pub use scar::{NoScar, Scar, Unworn};
+pub use no_scar::NoScar;
+pub use scar::{Scar, Unworn};
 
+use super::heading::Heading;
 use super::plane::Height;
 use super::{Error, Table};
 use crate::units::Measure;
@@ -44,6 +50,12 @@ pub enum NoSurface {
         /// The titles there are.
         titles: String,
     },
+    /// Places alone.
+    #[error("{table}: no place has a height: the column `z` is empty")]
+    NoHeight {
+        /// What the table is called.
+        table: String,
+    },
     /// Readings anywhere.
     #[error(
         "{table}: of a grid of {} by {} places {readings} have a reading: give a height map on a grid along x and y, as \
@@ -60,13 +72,20 @@ pub enum NoSurface {
     },
 }
 
+/// The columns of surfaces.
+const COLUMNS: [&str; 3] = ["x", "y", "z"];
 /// Places closer than this, relative to the extent, are one.
 const SAME: f64 = 1e-6;
 /// The least share of a grid that has readings.
 const FILLED: f64 = 0.5;
 
 impl Surface {
-    /// The surface in a table.
+    /// Whether a column of that name, with a unit or not, is one of surfaces: `x`, `Y` or `z [um]`.
+    pub fn has_column(name: &str) -> bool {
+        COLUMNS.contains(&Heading::of(name).name.as_str())
+    }
+
+    /// The surface in a table. Several readings at one place are averaged.
     ///
     /// # Errors
     /// If a column is missing or cannot be read, or the readings of a map are not on a grid.
@@ -95,12 +114,15 @@ impl Surface {
             .filter_map(|((x, y), z)| Some([x, y, z?]))
             .collect();
         let count = readings.len();
+        if count == 0 {
+            return Err(NoSurface::NoHeight { table: source });
+        }
         let surface = Self::on_a_grid((source, axis), &readings);
         let places = [0, 1].map(|axis| surface.places[axis].len());
         if (count as f64) < FILLED * (places[0] * places[1]) as f64 {
             return Err(NoSurface::NoGrid { table: surface.source, places, readings: count });
         }
-        Ok(surface)
+        Ok(surface.without_spikes())
     }
 
     /// Readings put on the grid of their places; several at one place are averaged.

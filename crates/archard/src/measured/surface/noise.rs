@@ -2,6 +2,8 @@
 
 /// Agreement below which two readings have nothing to do with each other.
 const NONE: f64 = 0.05;
+/// Difference of heights, relative to their range, that is rounding of the computer.
+const ROUNDING: f64 = 1e-9;
 
 /// In how many readings there is one that is independent: of values on a grid with so many columns, those that are not
 /// numbers left out. The variance of their mean is so many times that of independent ones.
@@ -11,6 +13,17 @@ pub(super) fn repeats(values: &[f64], columns: usize) -> f64 {
     let column = |column: usize| known((0..rows).map(|i| values[i * columns + column]));
     let along = along(&(0..rows).map(row).collect::<Vec<_>>());
     along * self::along(&(0..columns).map(column).collect::<Vec<_>>())
+}
+
+/// The step (m) that heights are rounded to: the least difference between them that is not rounding itself; none where all
+/// are alike.
+pub(super) fn step(heights: &[f64]) -> f64 {
+    let mut known = known(heights.iter().copied());
+    known.sort_by(f64::total_cmp);
+    let range = known.last().zip(known.first()).map_or(0.0, |(high, low)| high - low);
+    let steps = known.windows(2).map(|pair| pair[1] - pair[0]);
+    let least = steps.filter(|step| *step > ROUNDING * range).fold(f64::INFINITY, f64::min);
+    if least.is_finite() { least } else { 0.0 }
 }
 
 fn known(values: impl Iterator<Item = f64>) -> Vec<f64> {

@@ -5,8 +5,9 @@
 //! is worn off counts as the middle of the contact, where the body had its apex.
 
 use super::super::plane::{DEBRIS, FEWEST, Height, Plane};
-use super::noise::repeats;
-use super::{Surface, rough};
+use super::integral::Zone;
+use super::noise::{repeats, step};
+use super::{NoScar, Surface, rough};
 
 /// What a surface was before it was worn.
 #[derive(Clone, Copy)]
@@ -15,6 +16,13 @@ pub struct Unworn<'a> {
     pub height: &'a dyn Fn([f64; 2]) -> f64,
     /// Axes along which the scar runs on beyond a map, as a track does.
     pub through: [bool; 2],
+}
+
+impl<'a> Unworn<'a> {
+    /// Of a body of that shape that passes along an axis (0: x, 1: y), or along none.
+    pub fn passing(height: &'a dyn Fn([f64; 2]) -> f64, axis: Option<usize>) -> Self {
+        Self { height, through: [0, 1].map(|own| axis == Some(own)) }
+    }
 }
 
 /// A scar, in the coordinates of the instrument.
@@ -26,66 +34,30 @@ pub struct Scar {
     pub middle: [f64; 2],
     /// From where to where it reaches along x and y (m).
     pub extent: [[f64; 2]; 2],
-    /// What is worn off: the section of a profile, or on average of the map of a track (m^2); the volume of a map (m^3).
+    /// What is worn off: the section of a profile, or on average of the map of a track, square to it (m^2); the volume of a
+    /// map (m^3).
     pub worn: f64,
-    /// Its standard uncertainty by the scatter beside the scar and the level (the same unit).
+    /// Its standard uncertainty by the scatter beside the scar, the level, the step that heights are rounded to, and what
+    /// may lie between readings and in gaps (the same unit). Form error is not in it.
     pub uncertainty: f64,
     /// The greatest depth, averaged over a fiftieth of the surface along each axis (m).
     pub deepest: f64,
-    /// Places in the scar without a reading.
+    /// The angle (rad) from the axis that a track runs along to the track in its map, towards the other axis; zero of others.
+    pub angle: f64,
+    /// Places in the scar without a reading that could be used.
     pub gaps: usize,
 }
 
-/// Why no scar is found.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum NoScar {
-    /// Nothing to be seen.
-    #[error(
-        "no scar stands out from the shape of the body and a plane: see that heights rise out of the material, that the units \
-         are right, that the shape of the body was not taken off, and that enough was measured beside the scar"
-    )]
-    Nothing,
-    /// Nothing to level by.
-    #[error(
-        "the scar reaches the end of what was measured along {axis}, or nearly: nothing lies beside it to level by; measure \
-         half as wide again as the scar"
-    )]
-    Fills {
-        /// The axis.
-        axis: &'static str,
-    },
-    /// Too many places without a reading.
-    #[error("{:.0} % of the scar have no reading: measure them, or interpolate them yourself", 100.0 * .share)]
-    Gaps {
-        /// Their share.
-        share: f64,
-    },
-    /// What is worn off is not told.
-    #[error(
-        "what is worn off is uncertain by {:.0} %: the scar is {:.3} um deep, and the surface beside it off its shape by \
-         {:.3} um; see that units and shape of the body are right, or measure more and wider",
-        100.0 * .share, 1e6 * .deepest, 1e6 * .scatter
-    )]
-    Uncertain {
-        /// The standard uncertainty, relative.
-        share: f64,
-        /// Depth of the scar (m).
-        deepest: f64,
-        /// Scatter beside it (m).
-        scatter: f64,
-    },
-}
-
-/// Deviations within which readings lie on the level, and beyond which smoothed ones are worn.
+/// Deviations within which readings lie on the level.
 const WITHIN: f64 = 2.5;
-const WORN: f64 = 3.0;
 /// Share of its width that the scar is measured beyond its edges, and beyond which readings lie beside it.
 const MARGIN: f64 = 0.1;
 const BESIDE: f64 = 0.15;
-/// Parts of the extent that depths are averaged over.
-const PARTS: usize = 50;
 /// Rounds in which scar and level settle.
 const ROUNDS: usize = 12;
+/// Scatter, relative to the step that heights are rounded to, from which on rounding spreads as noise does: half a step of
+/// noise, and the rounding itself.
+const DITHERED: f64 = 0.58;
 /// Most that may be uncertain.
 const UNCERTAIN: f64 = 0.3;
 
@@ -97,10 +69,13 @@ impl Scar {
     pub fn find(surface: &Surface, unworn: Unworn<'_>) -> Result<Self, NoScar> {
         let mut middle = [0, 1].map(|axis| surface.extent(axis).iter().sum::<f64>() / 2.0);
         let mut level = surface.rough_level(&surface.less(unworn, middle))?;
+        let rounding = step(&surface.heights) / 12f64.sqrt();
         let mut last: Option<[[usize; 2]; 2]> = None;
         for _ in 0..ROUNDS {
             let depths = surface.depths(unworn, middle, &level);
-            let found = surface.largest_piece(&depths, &level).ok_or(NoScar::Nothing)?;
+            let found = surface
+                .largest_piece(&depths, [level.scatter().max(rounding), level.repeats])
+                .ok_or(NoScar::Nothing)?;
             let extent = surface.with_through(found, unworn.through)?;
             middle = surface.middle_of(&depths, extent, unworn.through);
             let beside = surface.beside(&surface.less(unworn, middle), extent, unworn.through)?;
@@ -162,7 +137,7 @@ impl Surface {
     fn rough_level(&self, heights: &[Height]) -> Result<Level, NoScar> {
         let known: Vec<Height> = heights.iter().copied().filter(|own| own[2].is_finite()).collect();
         if known.len() < 3 * FEWEST {
-            return Err(NoScar::Nothing);
+            return Err(NoScar::Few { readings: known.len(), least: 3 * FEWEST });
         }
         let mut plane = rough::level(self, &known).ok_or(NoScar::Nothing)?;
         let mut deviation = rough::deviation(&plane, &known);
@@ -175,82 +150,20 @@ impl Surface {
         Ok(Level { plane, repeats: 1.0 })
     }
 
+    /// The places along an axis (m) that have readings.
+    fn seen(&self, axis: usize) -> Vec<f64> {
+        let columns = self.places[0].len();
+        let mut seen = vec![false; self.places[axis].len()];
+        for (cell, height) in self.heights.iter().enumerate() {
+            seen[[cell % columns, cell / columns][axis]] |= height.is_finite();
+        }
+        let places = self.places[axis].iter().zip(seen);
+        places.filter(|(_, seen)| *seen).map(|(place, _)| *place).collect()
+    }
+
     /// What is worn off at each cell (m); not a number in gaps.
     fn depths(&self, unworn: Unworn<'_>, middle: [f64; 2], level: &Level) -> Vec<f64> {
         self.less(unworn, middle).iter().map(|own| -level.plane.above(own)).collect()
-    }
-
-    /// Cells on either side that a depth is averaged over.
-    fn reach(&self) -> [usize; 2] {
-        [0, 1].map(|axis| self.places[axis].len() / (2 * PARTS))
-    }
-
-    /// Depths averaged over the cells around each; those of gaps over what is there.
-    fn smoothed(&self, depths: &[f64]) -> Vec<f64> {
-        let [columns, rows] = [0, 1].map(|axis| self.places[axis].len());
-        // Sums over all cells before each, along both axes.
-        let mut sums = vec![[0.0; 2]; (columns + 1) * (rows + 1)];
-        let at = |column: usize, row: usize| row * (columns + 1) + column;
-        for row in 0..rows {
-            for column in 0..columns {
-                let depth = depths[row * columns + column];
-                let own = if depth.is_finite() { [depth, 1.0] } else { [0.0; 2] };
-                sums[at(column + 1, row + 1)] = [0, 1].map(|i| {
-                    own[i] + sums[at(column, row + 1)][i] + sums[at(column + 1, row)][i]
-                        - sums[at(column, row)][i]
-                });
-            }
-        }
-        let reach = self.reach();
-        let mean = |cell: usize| {
-            let [column, row] = [cell % columns, cell / columns];
-            let [left, low] = [column.saturating_sub(reach[0]), row.saturating_sub(reach[1])];
-            let [right, high] =
-                [(column + reach[0] + 1).min(columns), (row + reach[1] + 1).min(rows)];
-            let [sum, count] = [0, 1].map(|i| {
-                sums[at(right, high)][i] - sums[at(left, high)][i] - sums[at(right, low)][i]
-                    + sums[at(left, low)][i]
-            });
-            sum / count
-        };
-        (0..columns * rows).map(mean).collect()
-    }
-
-    /// First and last cell along each axis of the piece that lies below the level by more than chance and has lost most.
-    fn largest_piece(&self, depths: &[f64], level: &Level) -> Option<[[usize; 2]; 2]> {
-        let [columns, rows] = [0, 1].map(|axis| self.places[axis].len());
-        let smoothed = self.smoothed(depths);
-        let averaged = self.reach().iter().map(|reach| 2.0 * *reach as f64 + 1.0).product::<f64>();
-        let least = WORN * level.scatter() * (level.repeats / averaged).min(1.0).sqrt();
-        let mut free: Vec<bool> = smoothed.iter().map(|depth| *depth > least).collect();
-        let mut best: Option<(f64, [[usize; 2]; 2])> = None;
-        for start in 0..free.len() {
-            if !std::mem::take(&mut free[start]) {
-                continue;
-            }
-            let (mut lost, mut reaches) = (0.0, [[usize::MAX, 0]; 2]);
-            let mut open = vec![start];
-            while let Some(cell) = open.pop() {
-                lost += smoothed[cell];
-                let place = [cell % columns, cell / columns];
-                for (reach, index) in reaches.iter_mut().zip(place) {
-                    *reach = [reach[0].min(index), reach[1].max(index)];
-                }
-                let [column, row] = place;
-                for other_row in row.saturating_sub(1)..=(row + 1).min(rows - 1) {
-                    for other in column.saturating_sub(1)..=(column + 1).min(columns - 1) {
-                        let next = other_row * columns + other;
-                        if std::mem::take(&mut free[next]) {
-                            open.push(next);
-                        }
-                    }
-                }
-            }
-            if best.is_none_or(|(most, _)| lost > most) {
-                best = Some((lost, reaches));
-            }
-        }
-        best.map(|(_, reaches)| reaches)
     }
 
     /// From where to where a piece reaches (m); all along where it runs through.
@@ -298,10 +211,10 @@ impl Surface {
     ) -> Result<Vec<Height>, NoScar> {
         let wide = wider(extent, BESIDE);
         for axis in 0..2 {
-            let places = &self.places[axis];
+            let places = self.seen(axis);
             let below = places.iter().filter(|place| **place < wide[axis][0]).count();
             let above = places.iter().filter(|place| **place > wide[axis][1]).count();
-            if !through[axis] && places.len() > 1 && below.min(above) < FEWEST / 2 {
+            if !through[axis] && self.places[axis].len() > 1 && below.min(above) < FEWEST / 2 {
                 return Err(NoScar::Fills { axis: ["x", "y"][axis] });
             }
         }
@@ -320,31 +233,72 @@ impl Surface {
     ) -> Result<Scar, NoScar> {
         let extent = self.with_through(piece, unworn.through)?;
         let depths = self.depths(unworn, middle, &level);
-        let zone = wider(extent, MARGIN);
-        let (weights, gaps) = self.weights(&depths, zone)?;
+        let wide = wider(extent, MARGIN);
+        // The next reading beside the worn ones lies outside: as far as there the scar may reach.
+        let beside = [0, 1].map(|axis| {
+            let places = &self.places[axis];
+            match unworn.through[axis] || places.len() == 1 {
+                true => extent[axis],
+                false => {
+                    let [low, high] = extent[axis];
+                    let seen = self.seen(axis);
+                    [
+                        seen.iter().rfind(|place| **place < low).map_or(places[0], |own| *own),
+                        seen.iter()
+                            .find(|place| **place > high)
+                            .map_or(places[places.len() - 1], |own| *own),
+                    ]
+                }
+            }
+        });
+        let zone = [0, 1].map(|axis| {
+            let ([low, high], [first, last]) = (wide[axis], beside[axis]);
+            let through = unworn.through[axis];
+            let all = if through { extent[axis] } else { [low.min(first), high.max(last)] };
+            Zone { scar: extent[axis], all, through }
+        });
+        let integral = self.integral(&depths, zone)?;
         // Ridges and debris take nothing off what is worn.
         let debris = -DEBRIS * level.scatter();
         let worn = |cell: usize| if depths[cell] < debris { 0.0 } else { depths[cell] };
-        let mean = [0, 1].map(|axis| self.extent(axis)).map(|[low, high]| high - low);
-        let along: f64 =
-            (0..2).filter(|&axis| unworn.through[axis]).map(|axis| mean[axis].max(0.0)).product();
-        let scale = if self.axis.is_none() && along > 0.0 { 1.0 / along } else { 1.0 };
+        let lengths = [0, 1].map(|axis| self.extent(axis)).map(|[low, high]| high - low);
+        let along = (0..2).find(|&axis| unworn.through[axis] && self.axis.is_none());
+        let noise = level.scatter() * level.repeats.sqrt();
+        let [askew, about] = along
+            .map_or([0.0; 2], |along| self.askew((&integral, &depths), (along, middle), noise));
+        let angle = askew.atan();
+        let scale = along.map_or(1.0, |along| angle.cos() / lengths[along]);
         let sum = |part: &dyn Fn(usize, f64) -> f64| -> f64 {
-            weights.iter().map(|&(cell, weight)| part(cell, weight * scale)).sum()
+            integral.shares.iter().map(|&(cell, share)| part(cell, share * scale)).sum()
         };
-        let (all, whole) = (sum(&|cell, weight| weight * worn(cell)), sum(&|_, weight| weight));
-        let centre = [0, 1].map(|axis| sum(&|cell, weight| weight * self.at(cell)[axis]) / whole);
-        let readings = sum(&|_, weight| weight * weight);
+        let (all, whole) = (sum(&|cell, share| share * worn(cell)), sum(&|_, share| share));
+        let centre = [0, 1].map(|axis| sum(&|cell, share| share * self.at(cell)[axis]) / whole);
+        let readings = sum(&|_, share| share * share);
         let of_level = whole * whole * level.plane.variance_at(centre);
-        let uncertainty = level.scatter() * (level.repeats * (readings + of_level)).sqrt();
         let smoothed = self.smoothed(&depths);
-        let deepest = weights.iter().map(|(cell, _)| smoothed[*cell]).fold(0.0, f64::max);
+        let deepest = integral.shares.iter().map(|(cell, _)| smoothed[*cell]).fold(0.0, f64::max);
+        // Between readings it is bent as a parabola of its depth and width.
+        let bent = |axis: usize| {
+            let [worn, all] = [extent[axis], beside[axis]].map(|[low, high]| high - low);
+            let skewed = along.map_or(0.0, |along| askew.abs() * lengths[along]);
+            let half = 0.25 * (worn + all) - 0.5 * skewed;
+            deepest / half.max(0.25 * (all - worn)).powi(2) * integral.between[axis]
+        };
+        let bent: f64 = (0..2).filter(|&axis| integral.between[axis] > 0.0).map(bent).sum();
+        let by_angle = all * askew * about * angle.cos().powi(2);
+        // Without noise all of it may be rounded alike.
+        let step = step(&self.heights);
+        let rounded = level.scatter() < DITHERED * step;
+        let of_steps = if rounded { whole * step / 12f64.sqrt() } else { 0.0 };
+        let by_noise = noise * (readings + of_level).sqrt();
+        let uncertainty = by_noise.hypot(bent * scale).hypot(by_angle).hypot(of_steps);
         let share = uncertainty / all;
         if all <= 0.0 || share.is_nan() || share > UNCERTAIN {
             let (share, scatter) = (share.abs(), level.scatter());
             return Err(NoScar::Uncertain { share, deepest, scatter });
         }
-        Ok(Scar { plane: level.plane, middle, extent, worn: all, uncertainty, deepest, gaps })
+        let (plane, gaps) = (level.plane, integral.gaps);
+        Ok(Scar { plane, middle, extent, worn: all, uncertainty, deepest, angle, gaps })
     }
 }
 
