@@ -8,6 +8,7 @@ mod contracts {
     mod rolling;
     mod shift;
     mod tied;
+    mod worn_lines;
 }
 
 use approx::assert_relative_eq;

@@ -7,6 +7,7 @@ mod finite;
 mod fit;
 mod memory;
 mod report;
+mod running;
 mod sweep;
 mod tasks;
 mod verdict;
@@ -110,60 +111,6 @@ fn check_prints_the_case_in_si_and_the_forecast() {
 }
 
 #[test]
-fn a_run_leaves_a_case_that_runs_again() {
-    let dir = TempDir::new().unwrap();
-    let small = ["--set", "frame.elements=[12, 12]", "--set", "motion.sliding.step=50 mm"];
-    let case = case("pin_on_disc");
-    let mut arguments = vec!["run", case.to_str().unwrap()];
-    arguments.extend(small);
-    let ran = archard(&dir, &arguments).success();
-    let results = "results/pin_on_disc--frame.elements=12x12--motion.sliding.step=50mm";
-    assert!(printed(&ran).contains(results), "{}", printed(&ran));
-    let again = archard(&dir, &["run", results, "-o", "again", "--quiet"]).success();
-    let results = dir.path().join(results);
-    for name in ["case.toml", "history.csv", "summary.json", "fields.pvd"] {
-        assert!(results.join(name).is_file(), "{name}");
-    }
-    assert_eq!((printed(&again), said(&again)), (String::new(), String::new()));
-    for name in ["case.toml", "history.csv"] {
-        let read = |folder: &Path| fs::read_to_string(folder.join(name)).unwrap();
-        assert_eq!(read(&results), read(&dir.path().join("again")), "{name}");
-    }
-}
-
-#[test]
-fn results_in_a_folder_of_an_earlier_run_leave_other_files_alone() {
-    let dir = TempDir::new().unwrap();
-    let case = case("hertz");
-    let arguments =
-        ["run", case.to_str().unwrap(), "-o", "out", "--set", "frame.elements=[10, 10]"];
-    archard(&dir, &arguments).success();
-    fs::write(dir.path().join("out/notes.txt"), "mine").unwrap();
-    archard(&dir, &arguments).success();
-    assert_eq!(fs::read_to_string(dir.path().join("out/notes.txt")).unwrap(), "mine");
-}
-
-#[test]
-fn an_output_folder_that_cannot_be_written_exits_with_two() {
-    let dir = TempDir::new().unwrap();
-    fs::write(dir.path().join("taken"), "a file, not a folder").unwrap();
-    let case = case("hertz");
-    let refused = archard(&dir, &["run", case.to_str().unwrap(), "-o", "taken/out"]).code(2);
-    let said = said(&refused);
-    assert!(said.contains("cannot write `taken/out"), "{said}");
-}
-
-#[test]
-fn results_never_replace_the_case_itself() {
-    let dir = TempDir::new().unwrap();
-    archard(&dir, &["new", "hertz"]).success();
-    let before = fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap();
-    let refused = archard(&dir, &["run", "hertz", "-o", "hertz"]).code(2);
-    assert!(said(&refused).contains("would overwrite the case"));
-    assert_eq!(fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap(), before);
-}
-
-#[test]
 fn new_lists_and_writes_the_cases() {
     let dir = TempDir::new().unwrap();
     let listed = printed(&archard(&dir, &["new"]).success());
@@ -249,50 +196,6 @@ fn completions_and_manuals_name_every_command() {
 }
 
 #[test]
-fn a_solve_that_does_not_converge_exits_with_one_and_says_by_how_much() {
-    let dir = TempDir::new().unwrap();
-    let case = case("pin_on_disc");
-    let option = "solver.conjugate_gradient.max_iterations=1";
-    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", option];
-    let failed = archard(&dir, &arguments).code(1);
-    let said = said(&failed);
-    for part in ["at distance 0.0 m did not converge", "residual", "1 iterations", "1.0e-8"] {
-        assert!(said.contains(part), "{part} is not in\n{said}");
-    }
-    assert!(said.contains("what was computed so far is in out"), "{said}");
-    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
-    assert!(summary.contains("\"complete\": false"), "{summary}");
-    assert!(summary.contains("did not converge"), "{summary}");
-}
-
-#[test]
-fn a_scar_that_outgrows_the_frame_exits_with_two_and_keeps_what_was_computed() {
-    let dir = TempDir::new().unwrap();
-    let case = case("pin_on_disc");
-    let size = "frame.size=[\"0.4 mm\", \"0.4 mm\"]";
-    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", size];
-    let failed = archard(&dir, &arguments).code(2);
-    let said = said(&failed);
-    assert!(said.contains("will reach the edge of the frame along x and y"), "{said}");
-    assert!(said.contains("every element of the frame is in contact"), "{said}");
-    assert!(said.contains("enlarge `frame.size`"), "{said}");
-    let history = fs::read_to_string(dir.path().join("out/history.csv")).unwrap();
-    assert!(history.lines().count() > 2, "{history}");
-    assert!(!history.contains("\n0.5,"), "{history}");
-}
-
-#[test]
-fn explicit_steps_beyond_their_bound_run_with_a_warning() {
-    let dir = TempDir::new().unwrap();
-    let case = case("pin_on_disc");
-    let explicit = ["--set", "motion.sliding.scheme=explicit", "--set", "output.every=1 m"];
-    let arguments = [&["run", case.to_str().unwrap(), "-o", "out"][..], &explicit].concat();
-    let said = said(&archard(&dir, &arguments).success());
-    assert!(said.contains("the explicit scheme is unstable with this step"), "{said}");
-    assert!(said.contains("3.03 mm"), "{said}");
-}
-
-#[test]
 fn an_unknown_flag_exits_with_two() {
     let dir = TempDir::new().unwrap();
     archard(&dir, &["run", "case.toml", "--fast"]).code(2);
@@ -300,120 +203,10 @@ fn an_unknown_flag_exits_with_two() {
 
 /// A reader that has seen enough, `archard check ... | head -1`, and a full disc.
 #[cfg(target_os = "linux")]
-#[test]
-fn standard_output_may_be_closed_or_full() {
-    let shell = |line: &str| {
-        let program = assert_cmd::cargo::cargo_bin("archard");
-        let case = case("hertz");
-        let line =
-            line.replace("CHECK", &format!("'{}' check '{}'", program.display(), case.display()));
-        Command::new("bash").args(["-o", "pipefail", "-c", &line]).assert()
-    };
-    shell("CHECK | head -n 1").code(0);
-    let full = shell("CHECK > /dev/full").code(2);
-    assert!(said(&full).contains("cannot write to standard output"), "{}", said(&full));
-}
-
-#[test]
-fn threads_are_few_and_many_are_refused() {
-    let dir = TempDir::new().unwrap();
-    let hertz = case("hertz");
-    let hertz = hertz.to_str().unwrap();
-    let few = ["run", hertz, "-o", "few", "--quiet", "--set", "frame.elements=[41, 41]"];
-    for (threads, known) in [(&[][..], 1), (&["--threads", "2"], 2)] {
-        archard(&dir, &[&few, threads, &["--force"]].concat()).success();
-        let summary = std::fs::read_to_string(dir.path().join("few/summary.json")).unwrap();
-        assert!(summary.contains(&format!("\"threads\": {known}")), "{summary}");
-    }
-    archard(&dir, &["run", hertz, "-o", "out", "--threads", "1", "--quiet"]).success();
-    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
-    assert!(summary.contains("\"threads\": 1"), "{summary}");
-    let refused = archard(&dir, &["run", hertz, "-o", "out", "--threads", "100000"]).code(2);
-    assert!(said(&refused).contains("processors"), "{}", said(&refused));
-}
-
-#[test]
-fn friction_that_does_not_converge_exits_with_one() {
-    let dir = TempDir::new().unwrap();
-    let case = case("twin_disc");
-    let option = "friction_solver.newton.max_iterations=1";
-    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "--set", option];
-    let said = said(&archard(&dir, &arguments).code(1));
-    for part in ["friction at revolution 0.0 did not converge", "1 iterations", "`friction_solver`"]
-    {
-        assert!(said.contains(part), "{part} is not in\n{said}");
-    }
-    let summary = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
-    assert!(summary.contains("\"complete\": false"), "{summary}");
-}
-
 /// What Carter, Vermeulen and Johnson and the incremental model expect of the twin discs, and their first
 /// contact, which independently passes on 0.895 of 180 N, to 1 %.
-#[test]
-fn rolling_says_what_to_expect_and_what_came_out() {
-    let dir = TempDir::new().unwrap();
-    let case = case("twin_disc");
-    let checked = printed(&archard(&dir, &["check", case.to_str().unwrap()]).success());
-    for line in [
-        "saturation        creepage 0.00802 (all slips, mu a/R)",
-        "stick share       0.261 (strip theory)",
-        "creep force       155 N along (Vermeulen-Johnson)",
-        "wear depth        26.0 um at the end (incremental model)",
-        "contact solves    about 58",
-    ] {
-        assert!(checked.contains(line), "{line} is not in\n{checked}");
-    }
-    let contact = ["motion.rolling.revolutions=0", "motion.rolling.tolerance=", "output="];
-    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", "out"];
-    arguments.extend(contact.iter().flat_map(|option| ["--set", option]));
-    let ran = archard(&dir, &arguments).success();
-    assert!(said(&ran).contains("100 %  revolution 0"), "{}", said(&ran));
-    let printed = printed(&ran);
-    for line in ["creepage          0.005000 along\n", "worn section      0 mm^2 off `disc2`"] {
-        assert!(printed.contains(line), "{line} is not in\n{printed}");
-    }
-    let force = printed.split("creep force").nth(1).unwrap().split_whitespace().next().unwrap();
-    assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
-    assert!(printed.contains("N along, on `disc1`"), "{printed}");
-}
-
 /// Two cycles of a sphere under 10.2 N between plus and minus half of what friction bears, on a coarse frame.
-#[test]
-fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
-    let dir = TempDir::new().unwrap();
-    let case = case("cattaneo_mindlin");
-    let options =
-        ["frame.elements=[16, 16]", "motion.fretting.increments=8", "motion.fretting.cycles=2"];
-    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", "out"];
-    arguments.extend(options.iter().flat_map(|option| ["--set", option]));
-    let ran = archard(&dir, &arguments).success();
-    assert!(said(&ran).contains("100 %  cycle 2,"), "{}", said(&ran));
-    let printed = printed(&ran);
-    for text in ["stick area        0.0", "nJ of it in the last cycle"] {
-        assert!(printed.contains(text), "{text} is not in\n{printed}");
-    }
-    // The beginning of each cycle and its increments.
-    let loops = fs::read_to_string(dir.path().join("out/fretting_loop.csv")).unwrap();
-    assert_eq!(loops.lines().count(), 1 + 2 * (1 + 8), "{loops}");
-    archard(&dir, &["plot", "out"]).success();
-    assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
-}
-
 /// Frames of so few elements that nothing touches at first in some of the steps: an honest end, whichever.
-#[test]
-fn twin_discs_on_hardly_any_elements_do_not_panic() {
-    for elements in ["[3, 3]", "[2, 5]"] {
-        let dir = TempDir::new().unwrap();
-        let case = case("twin_disc");
-        let option = format!("frame.elements={elements}");
-        let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q", "--set", &option];
-        let ran = archard(&dir, &arguments);
-        let code = ran.get_output().status.code();
-        assert!(code.is_some_and(|code| code < 3), "{elements}: {code:?}: {}", said(&ran));
-        assert!(!said(&ran).contains("panicked"), "{elements}: {}", said(&ran));
-    }
-}
-
 #[test]
 fn a_summary_that_is_none_is_refused() {
     let dir = TempDir::new().unwrap();

@@ -4,7 +4,8 @@ use approx::assert_relative_eq;
 use archard::closed_form::carter;
 use archard::closed_form::kalker::Coefficients;
 
-use super::rolling::{Patch, WEAR, coefficient, row, twin_discs};
+use super::rolling::{Patch, coefficient, row};
+use super::rolling_wear::{WEAR, twin_discs};
 use crate::common::{Rows, case, states};
 
 /// Carter's force relative to mu P with that many elements over the width of the contact, `beyond` of them beside it.

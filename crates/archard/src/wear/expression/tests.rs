@@ -1,13 +1,12 @@
+mod another_program;
+mod tables;
+
 use approx::assert_relative_eq;
-use exmex::Express;
 
 use super::parser::{self, Mistake};
 use super::tape::Tape;
-use super::{Expression, LookUp, Scope, dimension};
-use crate::units::Dimension;
-use crate::wear::{
-    Archard, Columns, Input, Over, Per, Rubbing, RunningIn, Table, Threshold, WearLaw,
-};
+use super::{Expression, Scope, dimension};
+use crate::wear::{Archard, Columns, Input, Per, Rubbing, RunningIn, Threshold, WearLaw};
 
 /// Constants of all kinds.
 const CONSTANTS: &[(&str, &str)] =
@@ -324,141 +323,4 @@ fn laws_that_break_what_they_owe_are_refused_at_a_point() {
     let straight = [constants[0], ("p1", "1 MPa"), constants[1]];
     let straight = Expression::new("k*p*(max(p, p1)/p0)^-0.5*s", &straight, Per::Increment);
     assert!(straight.is_ok());
-}
-
-/// SplitMix64, as in `tests/common/random.rs`.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        (mixed ^ (mixed >> 31)) % count
-    }
-
-    /// A formula of positive parts, as deep as that; here and as `exmex` writes it.
-    fn formula(&mut self, depth: u32) -> [String; 2] {
-        if depth == 0 {
-            let name = ["p", "s", "v", "distance", "worn", "rolled"][self.below(6) as usize];
-            return [name; 2].map(str::to_owned);
-        }
-        let parts = [(); 3].map(|()| self.formula(depth - 1));
-        let (template, other) = TEMPLATES[self.below(TEMPLATES.len() as u64) as usize];
-        let fill = |template: &str, which: usize| {
-            let [a, b, c] = &parts;
-            let fill = |letter| match letter {
-                'A' => a[which].clone(),
-                'B' => b[which].clone(),
-                'C' => c[which].clone(),
-                letter => letter.to_string(),
-            };
-            template.chars().map(fill).collect()
-        };
-        [fill(template, 0), fill(if other.is_empty() { template } else { other }, 1)]
-    }
-}
-
-/// Formulas of parts A, B and C, and what `exmex` calls them where it is something else.
-const TEMPLATES: &[(&str, &str)] = &[
-    ("A + B*C", ""),
-    ("(A + B)*C", ""),
-    ("A/(B)/(C)", ""),
-    ("(A - B - C)^2", ""),
-    ("(A)^0.7 + B", ""),
-    ("abs(A - B)*C", ""),
-    ("min(A, B) + C", "((A) min (B)) + C"),
-    ("max(A, B)*(C)", "((A) max (B))*(C)"),
-    ("exp(-(A))*(B + C)", ""),
-    ("ln(1 + A) + B/(1 + C)", ""),
-    ("sqrt(A) + tanh(B)*C", ""),
-    ("(1 + sin(A))*(B)*C", ""),
-    ("2 + cos(A + B) - (C)/(2 + C)", ""),
-    ("(A)^(1/(1 + B)) + C", ""),
-];
-
-/// The crate `exmex` reads and computes the same formulas. In longer ones its version 0.21 loses terms: of 200 formulas a
-/// level deeper one differs, where Python gives what is found here.
-#[test]
-fn another_program_computes_the_same() {
-    let mut random = Random(7);
-    let mut rubbing = Rubbing::new(0.7, 0.4).at_speed(1.3).rolling(0.9).after(0.2, 0.6);
-    for _ in 0..200 {
-        let [formula, theirs] = random.formula(2);
-        rubbing.pressure = 0.1 + random.below(100) as f64 / 50.0;
-        let other = exmex::parse::<f64>(&theirs).unwrap();
-        let values = other.var_names().iter().map(|name| match &**name {
-            "p" => rubbing.pressure,
-            "s" => rubbing.slip,
-            "v" => rubbing.speed,
-            "distance" => rubbing.distance,
-            "worn" => rubbing.depth,
-            _ => rubbing.rolled,
-        });
-        let expected = other.eval(&values.collect::<Vec<_>>()).unwrap();
-        let found = tape(&formula).at(&one(&rubbing)).0;
-        assert_relative_eq!(found, expected, max_relative = 1e-12);
-    }
-}
-
-/// k over the pressure: 1e-13 1/Pa up to 100 MPa, falling by a fifth up to 300 MPa.
-fn over_pressure() -> LookUp {
-    let dimensions = [Dimension::PRESSURE, Dimension::WEAR_COEFFICIENT];
-    LookUp::new(&[1e8, 3e8], &[1e-13, 0.8e-13], dimensions).unwrap()
-}
-
-fn tabulated(formula: &str) -> Result<Expression, crate::parameters::Invalid> {
-    let tables = [("k.csv", over_pressure())];
-    Expression::with_tables(formula, &[("f", "2")], &tables, Per::Increment)
-}
-
-/// The law `table` over the pressure, value and slope, between the points, at them and beyond; in chunks as one by one.
-#[test]
-fn values_are_looked_up_as_by_the_law_of_tables() {
-    let law = tabulated("f*table('k.csv', p)*p*s/2").unwrap();
-    let listed = Table::new(Over::Pressure, &[1e8, 3e8], &[1e-13, 0.8e-13]).unwrap();
-    let points = [0.0, 5e7, 1e8, 1.7e8, 3e8, 9e8].map(|pressure| Rubbing::new(pressure, 0.2));
-    let columns = Columns::of(points, law.inputs());
-    let (mut depths, mut slopes) = ([0.0; 6], [0.0; 6]);
-    law.depths(&columns, &mut depths, &mut slopes);
-    for (at, point) in points.into_iter().enumerate() {
-        assert_relative_eq!(1e6 * depths[at], 1e6 * listed.depth(point), max_relative = 1e-14);
-        assert_relative_eq!(1e14 * slopes[at], 1e14 * listed.slope(point), max_relative = 1e-13);
-        assert_eq!((depths[at], slopes[at]), (law.depth(point), law.slope(point)));
-    }
-}
-
-/// At a point of the table a place that falls as the pressure grows takes the slope before it.
-#[test]
-fn slopes_at_points_are_those_towards_more_pressure() {
-    let tables = [("k.csv", over_pressure())];
-    let constants = [("p0", "400 MPa")];
-    let formula = "table('k.csv', max(p0 - p, 0))*p*s";
-    let law = Expression::with_tables(formula, &constants, &tables, Per::Increment).unwrap();
-    // At p = 100 MPa the place is 300 MPa and falls: the coefficient rises by 1e-22 1/Pa^2.
-    let slope = law.slope(Rubbing::new(1e8, 1.0));
-    assert_relative_eq!(1e13 * slope, 0.8 + 0.1, max_relative = 1e-12);
-    // At p = 300 MPa the place is 100 MPa, below which the table is held.
-    assert_relative_eq!(1e13 * law.slope(Rubbing::new(3e8, 1.0)), 1.0, max_relative = 1e-12);
-}
-
-#[test]
-fn tables_that_do_not_fit_are_pointed_at() {
-    for (formula, at, message) in [
-        ("table('k.csv', s)*p*s", "s", "`k.csv` is over a pressure, and this is a length"),
-        ("table('mu.csv', p)*p*s", "'mu.csv'", "there is no table `mu.csv`"),
-        ("table('k.csv')*p*s", "table", "`table` takes a file and a value"),
-        ("table(p, 'k.csv')*p*s", "table", "`table` takes a file and a value"),
-        ("table*p*s", "table", "`table` takes a file and a value"),
-        ("'k.csv'*p*s", "'k.csv'", "the name of a file stands in `table` only"),
-        ("table('k.csv, p)*p*s", "'k.csv, p)*p*s", "this name of a file is not closed"),
-        ("table('k.csv', p)*s", "table('k.csv', p)*s", "a depth is a length, and this gives"),
-    ] {
-        let error = tabulated(formula).unwrap_err();
-        assert!(error.message.contains(message), "{formula}: {error}");
-        let within = error.within.unwrap();
-        assert_eq!(&formula[within], at, "{formula}");
-    }
-    let constant = Expression::new("table*p*s", &[("table", "1 1/Pa")], Per::Increment);
-    assert!(constant.unwrap_err().message.contains("has a meaning in formulas"));
 }
