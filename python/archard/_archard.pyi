@@ -7,7 +7,17 @@ from typing import Any, final
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["UNITS", "CaseFile", "Checked", "Run", "__version__", "fit", "read_fields", "solve_elastic"]
+__all__ = [
+    "UNITS",
+    "CaseFile",
+    "Checked",
+    "Run",
+    "__version__",
+    "fit",
+    "next_tests",
+    "read_fields",
+    "solve_elastic",
+]
 __version__: str
 UNITS: list[str]
 
@@ -29,6 +39,7 @@ class Checked:
     @property
     def toml(self) -> str: ...
     def is_kept(self, toml: str) -> bool: ...
+    def on_a_larger_frame(self) -> str | None: ...
     def expectations(self) -> str: ...
     @property
     def warnings(self) -> list[_Told]: ...
@@ -72,3 +83,6 @@ def fit(
     uncertain: Sequence[tuple[str, float]],
     dir: str | PathLike[str],
 ) -> tuple[str, str, str]: ...
+def next_tests(
+    coefficients: Sequence[tuple[float, float, float]], correlation: float, points: Sequence[Sequence[float]]
+) -> list[list[float]]: ...

@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import io
 import json
-import math
 import os
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -87,29 +86,28 @@ class Fit:
     def samples(self, count: int, seed: int = 0) -> list[dict[str, str]]:
         """Draw coefficients as the next tests will have them: the rows of :func:`archard.sweep`, a dict each.
 
-        Student's t on the logarithms; two coefficients of the same tests are drawn with their correlation.
+        Student's t on the logarithms; two coefficients of the same tests are drawn with their correlation, as by
+        ``archard sweep --from``.
 
         Raises:
             ValueError: a coefficient that the tests reject, or fewer than three tests of it.
 
         """
-        random = np.random.default_rng(seed)
         together = self.json["correlation_of_coefficients"]
         correlation = together["value"] if together else 0.0
-        deviates = random.standard_normal((len(self.coefficients), count))
-        if len(deviates) == 2:
-            deviates[1] = correlation * deviates[0] + math.sqrt(max(1 - correlation**2, 0)) * deviates[1]
-        drawn = []
-        for own, known, deviate in zip(self.coefficients, self.json["coefficients"], deviates, strict=True):
+        given = []
+        for own, known in zip(self.coefficients, self.json["coefficients"], strict=True):
             scale, degrees = known["next_test_log_deviation"], known["next_test_degrees_of_freedom"]
             if own.rejected is not None:
                 raise ValueError(f"the tests give no `{own.key}` to predict with: {own.rejected}")
             if scale is None or degrees < 2:
                 raise ValueError(f"fewer than three tests do not tell how `{own.key}` scatters")
-            student = deviate / np.sqrt(random.chisquare(degrees, count) / degrees)
-            drawn.append([f"{float(own.median * math.exp(scale * one))!r} {own.unit}".rstrip() for one in student])
-        keys = [own.key for own in self.coefficients]
-        return [dict(zip(keys, row, strict=True)) for row in zip(*drawn, strict=True)]
+            given.append((own.median, scale, degrees))
+        points = np.random.default_rng(seed).random((count, len(given)))
+        return [
+            {own.key: f"{k!r} {own.unit}".rstrip() for own, k in zip(self.coefficients, row, strict=True)}
+            for row in _archard.next_tests(given, correlation, points.tolist())
+        ]
 
     def write(self, out: str | os.PathLike[str]) -> None:
         """Write ``fit.json``, which ``archard sweep --from`` reads, and ``fit.csv`` into a folder."""
@@ -179,7 +177,11 @@ def _table(data: Any) -> tuple[str, bytes, Path]:
     if not isinstance(data, Mapping) or not data:
         raise ValueError("data are a CSV file, a dict of columns or a data frame")
     text = io.StringIO()
-    writer = csv.writer(text)
+    # Without quotes a row that begins with `#` would be a comment.
+    writer = csv.writer(text, quoting=csv.QUOTE_ALL)
+    lengths = {name: len(column) for name, column in data.items()}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"columns are of one length, a row a reading; these are not: {lengths}")
     writer.writerow(data)
     writer.writerows([_cell(value) for value in row] for row in zip(*data.values(), strict=True))
     return "data", text.getvalue().encode(), Path()
@@ -189,6 +191,8 @@ def _cell(value: Any) -> str:
     """Return the text of a value; what is not a number was not measured."""
     if value is None or type(value).__name__ in ("NAType", "NaTType") or value != value:
         return ""
+    if isinstance(value, os.PathLike):
+        return str(os.fspath(value))
     return str(value) if isinstance(value, (str, int)) else repr(float(value))
 
 

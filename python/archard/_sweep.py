@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import itertools
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -17,6 +17,9 @@ from archard._errors import RunError
 from archard.case import Case
 from archard.result import Result, Table
 from archard.result import open as open_result
+
+_FRAMES = 4
+"""Times the frame of a row is enlarged."""
 
 
 class Row(NamedTuple):
@@ -59,7 +62,8 @@ def sweep(
 
     Rows that fail are recorded with their error; the others go on. With ``out`` rows that are done are not run
     again, and rows that were interrupted go on, so that the same call finishes what was killed. Workers have to
-    see that folder.
+    see that folder. Rows whose contact outgrows the frame run again on a larger one, with elements as large,
+    unless the study goes over frames.
 
     Args:
         case: the case, or what makes one.
@@ -75,6 +79,7 @@ def sweep(
 
     """
     base, settings = Case(case), _rows(over)
+    grows = not any(key.split(".")[0] == "frame" for row in settings for key in row)
     cases, keys, folders = [], [], []
     for number, row in enumerate(settings, 1):
         one = base.copy()
@@ -83,16 +88,19 @@ def sweep(
         checked = one._compiled().check()
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
         kept = None if folder is None else _text(folder / "case.toml")
-        if kept is not None and not checked.is_kept(kept):
-            raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
+        if kept is not None:
+            own = next((own for own in _frames(one, grows) if own._compiled().check().is_kept(kept)), None)
+            if own is None:
+                raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
+            one = own
         cases.append(one)
         keys.append({name: entry for key in row for name, entry in [_number(key, checked.toml)]})
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
-            rows = _run_all(pool, settings, cases, folders)
+            rows = _run_all(pool, settings, cases, folders, grows)
     else:
-        rows = _run_all(executor, settings, cases, folders)
+        rows = _run_all(executor, settings, cases, folders, grows)
     study = Sweep(rows, keys)
     if out is not None:
         _write(Path(out) / "sweep.csv", study.table)
@@ -113,9 +121,13 @@ def _rows(over: Mapping[str, Sequence[Any]] | Iterable[Mapping[str, Any]]) -> li
 
 
 def _run_all(
-    executor: Executor, settings: list[dict[str, Any]], cases: list[Case], folders: list[Path | None]
+    executor: Executor,
+    settings: list[dict[str, Any]],
+    cases: list[Case],
+    folders: list[Path | None],
+    grows: bool,
 ) -> list[Row]:
-    futures = [executor.submit(_run, case, folder) for case, folder in zip(cases, folders, strict=True)]
+    futures = [executor.submit(_settle, case, folder, grows) for case, folder in zip(cases, folders, strict=True)]
     try:
         outcomes = [future.result() for future in futures]
     except BaseException:
@@ -130,20 +142,47 @@ def _run_all(
     return rows
 
 
-def _run(case: Case, folder: Path | None) -> tuple[Result | None, str | None]:
-    """Run a row; of one in a folder the result stays there."""
+def _frames(case: Case, grows: bool) -> Iterator[Case]:
+    """Yield the case, then the same on larger and larger frames where there are any."""
+    yield case
+    for _ in range(_FRAMES if grows else 0):
+        toml = case._compiled().check().on_a_larger_frame()
+        if toml is None:
+            return
+        frame, case = _toml.read(toml)["frame"], case.copy()
+        case["frame.size"], case["frame.elements"] = frame["size"], frame["elements"]
+        yield case
+
+
+def _settle(case: Case, folder: Path | None, grows: bool) -> tuple[Result | None, str | None]:
+    """Run a row on a frame that holds its contact, as far as there is one."""
+    outcome: tuple[Result | None, str | None] = (None, None)
+    for number, own in enumerate(_frames(case, grows)):
+        outcome = _run(own, folder, force=number > 0)
+        result = outcome[0]
+        if folder is not None and (folder / "summary.json").exists():
+            result = open_result(folder)
+        lines = [] if result is None else result.verdict.lines
+        if not any(line["subject"] in ("edges", "beyond") and line["word"] != "good" for line in lines):
+            break
+    return outcome
+
+
+def _run(case: Case, folder: Path | None, *, force: bool) -> tuple[Result | None, str | None]:
+    """Run a row; of one in a folder the result stays there, forced in the place of one on a smaller frame."""
     try:
         if folder is None:
             return case.run(threads=1), None
         kept = _text(folder / "case.toml")
-        if kept is not None and case._compiled().check().is_kept(kept) and (folder / "summary.json").exists():
+        own = kept is not None and case._compiled().check().is_kept(kept)
+        if own and (folder / "summary.json").exists():
             known = open_result(folder)
             if known.complete:
                 return None, known.verdict.wrong or None
-        if (folder / "checkpoint").exists():
+        if own and (folder / "checkpoint").exists():
             case.run(threads=1, resume=folder)
         else:
-            case.run(threads=1, out=folder)
+            case.run(threads=1, out=folder, force=force)
     except RunError as error:
         return (error.result if folder is None else None), str(error).splitlines()[0]
     return None, None

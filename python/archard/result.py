@@ -240,20 +240,21 @@ class Result:
     def to_xarray(self) -> Any:
         """Return the fields of all outputs as an xarray ``Dataset`` over progress, y and x (or pair).
 
-        Units are attributes, so that plots label themselves. Variables are named without their unit.
+        Units are attributes, so that plots label themselves. Variables are named without their unit. Outputs in
+        a smaller frame than the last (``frame.doubles``) are means over its elements, and NaN beside their own.
         """
         import xarray
 
         outputs = list(self.fields)
         if not outputs:
             raise ValueError("the result has no fields")
-        first = outputs[0]
+        first = outputs[-1]
         grid = first.z is None
         dims = ("progress", "y", "x") if grid else ("progress", "pair")
         variables = {
             _bare(name): (
                 dims[: first[name].ndim + 1],
-                np.stack([one[name] for one in outputs]),
+                np.stack([_on_grid(one, name, first) if grid else one[name] for one in outputs]),
                 {"units": unit(name)},
             )
             for name in first.names
@@ -387,6 +388,26 @@ class _Outputs(Sequence[Snapshot]):
 
 def _snapshot(progress: float, name: str, files: Mapping[str, bytes]) -> Snapshot:
     return Snapshot(progress, *_archard.read_fields(name, files[name]))
+
+
+def _on_grid(one: Snapshot, name: str, grid: Snapshot) -> Array:
+    """Return a field as means over the elements of another output, NaN where it has none."""
+    if np.array_equal(one.x, grid.x) and np.array_equal(one.y, grid.y):
+        return one[name]
+    along_x, along_y = _shares(one.x, grid.x), _shares(one.y, grid.y)
+    covered = np.outer(along_y.sum(axis=1), along_x.sum(axis=1))
+    sums = along_y @ one[name] @ along_x.T
+    means: Array = np.full(sums.shape, np.nan)
+    np.divide(sums, covered, out=means, where=covered > 0.0)
+    return means
+
+
+def _shares(own: Array, grid: Array) -> Array:
+    """Return how long (m) each element of one axis (columns) lies in each of another (rows)."""
+    half, wide = 0.5 * (own[1] - own[0]), 0.5 * (grid[1] - grid[0])
+    rows = grid[:, None]
+    within: Array = np.minimum(own + half, rows + wide) - np.maximum(own - half, rows - wide)
+    return np.where(within > 1e-6 * half, within, 0.0)
 
 
 def _read_table(content: bytes) -> Table:

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use archard::case::{Case, Following, Resolved, Unsettled};
 use archard::output::Store;
+use archard::problem::ContactProblem;
 use archard::simulation::{Companion, Observer, Report, Simulation};
 use archard::wear::try_out;
 use pyo3::exceptions::PyValueError;
@@ -35,7 +36,10 @@ pub struct Laws {
 impl Laws {
     /// Puts them into a simulation, once they were tried.
     fn put(&self, simulation: &mut Simulation) -> PyResult<()> {
-        let problem = &mut simulation.problem;
+        simulation.each_frame(&mut |one| self.put_into(&mut one.problem))
+    }
+
+    fn put_into(&self, problem: &mut ContactProblem) -> PyResult<()> {
         if let Some((pressures, limits)) = &self.friction {
             problem.friction = Some(Box::new(Sampled::new(pressures.clone(), limits.clone())?));
         }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use archard::fit::{Files, Following, Request, fit as fit_case};
+use archard::fit::{Files, Following, Request, fit as fit_case, next_test, together};
 use archard::measured::Table;
+use archard::measured::surface::Surface;
 use archard::output::Store;
 use archard::simulation::{Observer, Report};
 use pyo3::exceptions::PyValueError;
@@ -52,10 +53,8 @@ pub fn fit(
     let mut following = Waited(left.clone());
     let work = move || {
         let names = columns.iter().map(|(name, title)| (name.as_str(), title.as_str()));
-        let of_files = |(name, _): &(&str, &str)| {
-            ["x", "y", "z"].contains(&name.split('_').next().unwrap_or(name))
-        };
-        let (of_files, names): (Vec<_>, Vec<_>) = names.partition(of_files);
+        let (of_files, names): (Vec<_>, Vec<_>) =
+            names.partition(|(name, _)| Surface::has_column(name));
         let wrong = |error: String| (false, error);
         let table = Table::read(&name, &data).and_then(|table| table.naming(&names));
         let table = table.map_err(|error| wrong(error.to_string()))?;
@@ -77,4 +76,22 @@ pub fn fit(
     outcome?.map_err(|(convergence, why): (bool, String)| {
         if convergence { NotConverged::new_err(why) } else { PyValueError::new_err(why) }
     })
+}
+
+/// Coefficients of the next tests, each by its median, the scale of its logarithm and its degrees of freedom: a row for each
+/// point, whose coordinates lie between zero and one. The first two go together.
+#[pyfunction]
+pub fn next_tests(
+    coefficients: Vec<[f64; 3]>,
+    correlation: f64,
+    points: Vec<Vec<f64>>,
+) -> Vec<Vec<f64>> {
+    let row = |mut point: Vec<f64>| {
+        if let [one, other, ..] = &mut point[..] {
+            *other = together([*one, *other], correlation);
+        }
+        let all = coefficients.iter().zip(point);
+        all.map(|(own, share)| next_test(*own, share)).collect()
+    };
+    points.into_iter().map(row).collect()
 }

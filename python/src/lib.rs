@@ -34,7 +34,7 @@ mod _archard {
     #[pymodule_export]
     use super::fields::read_fields;
     #[pymodule_export]
-    use super::fit::fit;
+    use super::fit::{fit, next_tests};
     #[pymodule_export]
     use super::run::Run;
 

@@ -64,6 +64,26 @@ def test_frames_of_other_libraries(result):
     np.testing.assert_array_equal(dataset.pressure[-1], result.fields[-1].pressure)
 
 
+def test_outputs_of_smaller_frames_are_resampled():
+    case = archard.Case("pin_on_disc")
+    case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24], "doubles": ["40 mm"]}
+    case["motion.sliding.step"] = "25 mm"
+    case["output.every"] = "250 mm"
+    result = case.run()
+    first, last = result.fields[0], result.fields[-1]
+    assert last.x[-1] - last.x[0] == pytest.approx(2 * (first.x[-1] - first.x[0]))
+    dataset = result.to_xarray()
+    np.testing.assert_array_equal(dataset.x, last.x)
+    pressure = dataset.pressure[0].to_numpy()
+    assert np.isnan(pressure[0, 0])
+    assert np.isnan(pressure).sum() == 24 * 24 - 12 * 12
+    assert 4 * np.nansum(pressure) == pytest.approx(first.pressure.sum())
+    np.testing.assert_array_equal(dataset.pressure[-1], last.pressure)
+    # A law in Python is that of all frames.
+    own = case.run(laws={"pin": lambda p, s: 1.33e-13 * p * s}).history
+    np.testing.assert_allclose(own["wear_depth_m"], result.history["wear_depth_m"], rtol=1e-6)
+
+
 def test_other_libraries_may_be_missing(result, monkeypatch):
     for name, use in [("pandas", result.to_pandas), ("xarray", result.to_xarray), ("matplotlib", result.plot)]:
         monkeypatch.setitem(sys.modules, name, None)

@@ -64,13 +64,13 @@ def test_done_rows_are_not_run_again(case, tmp_path):
         archard.sweep(case, {"motion.sliding.load": ["9 N"]}, out=tmp_path)
 
 
-def _killed_once(case, folder):
+def _killed_once(case, folder, grows):
     """Run a row; of the second one the worker is killed the first time."""
     mark = folder.parent / "killed"
     if folder.name == "0002" and not mark.exists():
         mark.touch()
         os.kill(os.getpid(), signal.SIGKILL)
-    return _sweep.__dict__["_run_really"](case, folder)
+    return _sweep.__dict__["_settle_really"](case, folder, grows)
 
 
 class Once:
@@ -80,12 +80,12 @@ class Once:
         self.pool = pool
 
     def submit(self, function, *arguments):
-        assert function is _sweep._run
+        assert function is _sweep._settle
         return self.pool.submit(_killed_once, *arguments)
 
 
 def test_a_killed_worker_costs_nothing_that_was_done(case, tmp_path, monkeypatch):
-    monkeypatch.setattr(_sweep, "_run_really", _sweep._run, raising=False)
+    monkeypatch.setattr(_sweep, "_settle_really", _sweep._settle, raising=False)
     (tmp_path / "rows").mkdir()
     with ProcessPoolExecutor(1) as pool, pytest.raises(BrokenProcessPool):
         archard.sweep(case, FRICTIONLESS, executor=Once(pool), out=tmp_path)
@@ -95,6 +95,29 @@ def test_a_killed_worker_costs_nothing_that_was_done(case, tmp_path, monkeypatch
         study = archard.sweep(case, FRICTIONLESS, executor=pool, out=tmp_path)
     assert all(file.stat().st_mtime_ns == time for file, time in done.items())
     assert_like_single_runs(study, case)
+
+
+def test_rows_that_outgrow_their_frame_run_on_a_larger_one(case, tmp_path):
+    """Not where the study goes over frames itself."""
+    over = {"motion.sliding.distance": ["24 mm", "300 mm"]}
+    with ThreadPoolExecutor(1) as executor:
+        kept = archard.sweep(case, over, executor=executor, out=tmp_path)
+        times = [file.stat().st_mtime_ns for file in sorted(tmp_path.glob("rows/*/summary.json"))]
+        again = archard.sweep(case, over, executor=executor, out=tmp_path)
+        held = archard.sweep(case, over, executor=executor)
+        frames = [{"frame.elements": [24, 24], "motion.sliding.distance": "300 mm"}]
+        outgrown = archard.sweep(case, frames, executor=executor)
+    assert times == [file.stat().st_mtime_ns for file in sorted(tmp_path.glob("rows/*/summary.json"))]
+    elements = [archard.Case(tmp_path / "rows" / row / "case.toml")["frame.elements"] for row in ("0001", "0002")]
+    assert list(elements[0]) == [24, 24]
+    assert list(elements[1]) == [36, 36]
+    case["frame"] = {"size": ["0.9 mm", "0.9 mm"], "elements": [36, 36]}
+    case["motion.sliding.distance"] = "300 mm"
+    alone = case.run(threads=1).history["wear_depth_m"][-1]
+    for study in (kept, again, held):
+        assert study.table["wear_depth_m"][1] == pytest.approx(alone, rel=1e-12)
+        assert set(study.table["status"]) == {"done"}
+    assert outgrown.table["verdict"][0] != "good"
 
 
 def test_failed_rows_are_recorded(case):

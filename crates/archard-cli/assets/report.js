@@ -79,14 +79,13 @@
     const rows = (values) => y.map((_, row) => Array.from(values.subarray(row * x.length, (row + 1) * x.length)));
     const values = (name, output) => {
       const { step } = fields[name];
+      // Beside the frame of its time an output has no values.
+      const value = (whole) => (whole === -32768 ? NaN : whole * step);
       const raw = new Int16Array(bytes(fields[name].outputs[output]).buffer);
-      return shown ? Float64Array.from(shown, (part) => (part < 0 ? 0 : raw[part] * step)) : Float64Array.from(raw, (whole) => whole * step);
+      return shown ? Float64Array.from(shown, (part) => (part < 0 ? 0 : value(raw[part]))) : Float64Array.from(raw, value);
     };
-    const largest = (name) => {
-      let most = 0;
-      for (let i = 0; i < outputs.length; i += 1) for (const value of values(name, i)) most = Math.max(most, Math.abs(value));
-      return most;
-    };
+    const top = (list) => list.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 0);
+    const largest = (name) => Math.max(...outputs.map((_, output) => top(values(name, output))));
     const blank = (z) => z.map((row) => row.map((value) => (value > 0 ? value : null)));
     const length = (ends) => Math.abs(ends[ends.length - 1] - ends[0]);
     const slender = Math.max(length(x), length(y)) > 4 * Math.min(length(x), length(y));
@@ -95,7 +94,7 @@
       yaxis: { title: { text: `y (${across})` }, constrain: "domain", showgrid: false, ...(slender ? {} : { scaleanchor: "x" }) },
     });
     const heat = (name, title, output) => ({ type: "heatmap", x, y, z: blank(rows(values(name, output))), colorscale: "Viridis",
-      zmin: 0, zmax: values(name, output).reduce((most, value) => Math.max(most, value), 0) || 1, colorbar: { title: { text: `${title} (${fields[name].unit})`, side: "right" }, thickness: 14 },
+      zmin: 0, zmax: top(values(name, output)) || 1, colorbar: { title: { text: `${title} (${fields[name].unit})`, side: "right" }, thickness: 14 },
       hovertemplate: `x %{x} ${across}<br>y %{y} ${across}<br>%{z:.4g} ${fields[name].unit}<extra></extra>` });
     // Tractions as arrows on a coarser grid, the longest as long as its cells.
     const arrows = (output) => {
@@ -210,6 +209,22 @@
     for (const button of document.querySelectorAll("button[data-view]")) {
       button.addEventListener("click", () => solid && Plotly.relayout("surface", { "scene.camera.eye": views[button.dataset.view] }));
     }
+    // By the arrow keys too: about the vertical in steps of 10 degrees, and up and down.
+    const turns = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+    const turned = document.getElementById("surface");
+    turned.tabIndex = 0;
+    turned.addEventListener("keydown", (event) => {
+      const turn = turns[event.key];
+      if (!turn || !solid) return;
+      event.preventDefault();
+      const { x, y, z } = turned._fullLayout.scene.camera.eye;
+      const step = Math.PI / 18;
+      const across = Math.atan2(y, x) + turn[0] * step;
+      const far = Math.hypot(x, y, z);
+      const up = Math.min(Math.max(Math.asin(z / far) + turn[1] * step, -1.5), 1.5);
+      const eye = { x: far * Math.cos(up) * Math.cos(across), y: far * Math.cos(up) * Math.sin(across), z: far * Math.sin(up) };
+      Plotly.relayout("surface", { "scene.camera.eye": eye });
+    });
   }
 })().catch((error) => {
   console.error(error);

@@ -352,13 +352,14 @@ pub struct Fit {
     /// The case of the tests.
     #[command(flatten)]
     pub case: Case,
-    /// The measured tests, as CSV
+    /// The measured tests, as CSV, a row a reading: test, how far it was (distance, turns, cycles, time), and volume, depth,
+    /// section, mass, width, length or diameter, or in the column file the name of a profile or height map
     #[arg(long, value_name = "FILE")]
     pub data: PathBuf,
     /// The key to be fitted; if not given, the wear coefficient of each body of which there are readings
     #[arg(long, value_name = "KEY")]
     pub parameter: Option<String>,
-    /// Use a column of another header, e.g. depth="Tiefe [um]"
+    /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps
     #[arg(long, value_name = "NAME=HEADER")]
     pub column: Vec<String>,
     /// A standard uncertainty that all tests have in common, e.g. motion.sliding.load=1% or distance=0.5%

@@ -51,7 +51,16 @@ fn grid(resolved: &Resolved) -> String {
     let frame = &resolved.case.frame;
     let [x, y] = frame.size.map(|size| format!("{:.4} mm", 1e3 * size));
     let [nx, ny] = frame.elements;
-    format!("the run takes {nx} x {ny} elements on {x} x {y}")
+    let grid = format!("the run takes {nx} x {ny} elements on {x} x {y}");
+    let places = &resolved.case.doubles;
+    match resolved.case.motion.build() {
+        Ok((motion, _)) if !places.is_empty() => {
+            let progress = motion.progress();
+            let places: Vec<_> = places.iter().map(|&place| progress.length(place)).collect();
+            format!("{grid}, twice as large from {} {} on", progress.name, places.join(", "))
+        }
+        _ => grid,
+    }
 }
 
 fn failure(error: Unsettled) -> Failure {

@@ -79,7 +79,7 @@ fn outputs_beyond_the_end_are_left_out() {
     let resolved = resolve(&file);
     assert_eq!(resolved.case.output, Output::At(vec![0.01, 0.02]));
     let said = |text| resolved.warnings.iter().any(|one| one.message.contains(text));
-    assert!(said("nothing is put out there"), "{:?}", resolved.warnings);
+    assert!(said("lies beyond the end of the motion"), "{:?}", resolved.warnings);
 }
 
 /// A slope has no unit.

@@ -5,6 +5,7 @@ mod common;
 mod verification {
     mod accuracy;
     mod cattaneo_mindlin;
+    mod chosen_frames;
     mod compliance;
     mod elastic_bodies;
     mod flash_temperature;
@@ -28,6 +29,7 @@ mod verification {
     mod rolling;
     mod rolling_on_triangles;
     mod rolling_order;
+    mod rolling_wear;
     mod rough;
     mod running_in;
     mod similarity;
@@ -41,4 +43,5 @@ mod verification {
     mod track;
     mod unequal_pairs;
     mod wear_laws;
+    mod wider_frames;
 }

@@ -15,6 +15,8 @@ use crate::report::quantity;
 
 /// Wear relative to the deepest below which a place is outside of a scar.
 const EDGE: f64 = 1e-3;
+/// The angle (rad) between a track and its map from which on their mean is none of the track: 2 degrees.
+const ASKEW: f64 = 0.035;
 
 /// Compares the surface of a body with a height map; that of a track by its mean section.
 pub(super) fn compare(
@@ -29,23 +31,26 @@ pub(super) fn compare(
     );
     let shape = profile::shape(results, body)?;
     let passes = results.passes(body);
-    let height = |[x, y]: [f64; 2]| match passes {
-        Some(Axis::X) => shape([0.0, y]),
-        Some(Axis::Y) => shape([x, 0.0]),
-        None => shape([x, y]),
-    };
-    let through = [Axis::X, Axis::Y].map(|axis| passes == Some(axis));
-    let unworn = Unworn { height: &height, through };
+    let unworn = Unworn::passing(&shape, passes.map(Axis::index));
     let scar = Scar::find(surface, unworn).with_context(|| surface.source().to_owned())?;
+    ensure!(
+        scar.angle.abs() < ASKEW,
+        "{}: the track lies askew in the map by {:.1} degrees, which makes its mean wider: turn the map until the track runs along an axis",
+        surface.source(),
+        scar.angle.to_degrees()
+    );
     let depths = scar.depths(surface, unworn);
     let level = level(&scar);
     let mut comparison = match passes {
-        Some(along) => track(results, (surface, &depths), (body, along.other()), &height)?,
+        Some(along) => track(results, (surface, &depths), (body, along.other()), &shape)?,
         None => bowl(results, (surface, &scar, &depths), body)?,
     };
     comparison.lines.splice(1..1, level);
     if scar.gaps > 0 {
-        comparison.remarks.push(format!("places in the scar without a reading: {}", scar.gaps));
+        comparison.remarks.push(format!(
+            "places in the scar without a reading, or with one far off those around it: {}",
+            scar.gaps
+        ));
     }
     Ok(comparison)
 }

@@ -25,6 +25,8 @@ const WHOLE: f64 = 32767.0;
 pub(super) struct Maps {
     pub(super) value: Value,
     pub(super) left_out: usize,
+    /// Whether some were put out on other elements than the last.
+    pub(super) resampled: bool,
 }
 
 /// A field of all outputs shown.
@@ -49,8 +51,8 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
         Some(_) => Seen::elements(files, windows)?,
         None => Seen::cells(files, windows)?,
     };
-    let Some(Seen { edges, shape, shown, .. }) = &seen else { return Ok(None) };
-    let (edges, shape, shown) = (*edges, *shape, shown.as_deref());
+    let Some(Seen { edges, shape, shown, resampled, .. }) = &seen else { return Ok(None) };
+    let (edges, shape, shown, resampled) = (*edges, *shape, shown.as_deref(), *resampled);
     let field = |name: &str| seen.as_ref()?.field(name);
     let mut fields = Vec::new();
     let mut add = |name: String, unit: fn(f64) -> Unit| {
@@ -93,7 +95,7 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
         "shown": shown,
         "fields": fields.iter().map(|field| (field.name.clone(), field.packed())).collect::<serde_json::Map<_, _>>(),
     });
-    Ok(Some(Maps { value, left_out: all.len() - count }))
+    Ok(Some(Maps { value, left_out: all.len() - count, resampled }))
 }
 
 /// The outputs as a page shows them.
@@ -104,6 +106,8 @@ struct Seen {
     shape: [usize; 2],
     /// Of meshed bodies the element that each cell shows, a row along x after the other; -1 beside them.
     shown: Option<Vec<i32>>,
+    /// Whether some outputs were on other elements.
+    resampled: bool,
     /// The values of a field at every output: of each cell, or of each element where cells show elements.
     values: Values,
 }
@@ -120,6 +124,9 @@ impl Seen {
     fn cells(files: impl Iterator<Item = PathBuf>, windows: [[f64; 2]; 2]) -> Result<Option<Self>> {
         let images: Vec<Image> =
             files.map(|file| Ok(Image::of_output(&file)?)).collect::<Result<_>>()?;
+        let Some(last) = images.last() else { return Ok(None) };
+        let resampled = images.iter().any(|image| !image.is_on(last));
+        let images: Vec<Image> = images.iter().map(|image| image.resampled(last)).collect();
         let Some(first) = images.first() else { return Ok(None) };
         let Some(pressure) = first.field(PRESSURE) else { return Ok(None) };
         let Cells { edges, rows } = Cells::of(first, pressure, windows);
@@ -129,7 +136,7 @@ impl Seen {
                 |image: &Image| Some(Cells::of(image, image.field(name)?, windows).rows.concat());
             images.iter().map(of).collect()
         };
-        Ok(Some(Self { edges, shape, shown: None, values: Box::new(values) }))
+        Ok(Some(Self { edges, shape, shown: None, resampled, values: Box::new(values) }))
     }
 
     /// Meshed bodies, on their own elements.
@@ -164,19 +171,22 @@ impl Seen {
             };
             surfaces.iter().map(of).collect()
         };
-        Ok(Some(Self { edges, shape, shown, values: Box::new(values) }))
+        Ok(Some(Self { edges, shape, shown, resampled: false, values: Box::new(values) }))
     }
 }
 
 impl Packed {
-    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit.
+    /// Whole numbers of 16 bits, little endian, and what one of them is worth in the unit; the least of them is none.
     fn packed(&self) -> Value {
         let most = self.outputs.iter().map(|values| size(values)).fold(0.0, f64::max);
         let step = if most > 0.0 { most / WHOLE } else { 1.0 };
         let pack = |values: &Vec<f64>| {
             let bytes: Vec<u8> = values
                 .iter()
-                .flat_map(|value| ((value / step).round() as i16).to_le_bytes())
+                .flat_map(|value| match value.is_nan() {
+                    true => i16::MIN.to_le_bytes(),
+                    false => ((value / step).round() as i16).to_le_bytes(),
+                })
                 .collect();
             STANDARD.encode(bytes)
         };
@@ -185,5 +195,27 @@ impl Packed {
             "step": step * self.unit.factor,
             "outputs": self.outputs.iter().map(pack).collect::<Vec<_>>(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use base64::Engine;
+    use base64::engine::general_purpose::STANDARD;
+
+    use super::{Packed, Unit};
+
+    /// What is not known is no number of the page, and no zero either.
+    #[test]
+    fn what_is_not_known_is_told_from_zero() {
+        let outputs = vec![vec![f64::NAN, 0.0, -2e6], vec![1e6, f64::NAN, 2e6]];
+        let packed = Packed { name: "one".to_owned(), unit: Unit::pressure(), outputs }.packed();
+        let shown = |output: usize| -> Vec<i16> {
+            let text = packed["outputs"][output].as_str().unwrap();
+            let bytes = STANDARD.decode(text).unwrap();
+            bytes.chunks(2).map(|two| i16::from_le_bytes([two[0], two[1]])).collect()
+        };
+        assert_eq!(shown(0), [i16::MIN, 0, -32767]);
+        assert_eq!(shown(1)[1..], [i16::MIN, 32767]);
     }
 }

@@ -299,10 +299,16 @@ fn drawn(number: usize, Figure { title, words, .. }: &Figure) -> String {
 }
 
 /// The place of the maps, with the slider that goes through the outputs.
-fn mapped(Maps { value, left_out }: &Maps, results: &Results) -> String {
+fn mapped(Maps { value, left_out, resampled }: &Maps, results: &Results) -> String {
     let labels = value["outputs"].as_array().map_or(&[][..], Vec::as_slice);
     let last = labels.len().saturating_sub(1);
     let label = escape(labels.last().and_then(Value::as_str).unwrap_or_default());
+    let resampled = match resampled {
+        true => {
+            "<p>The frame became wider: earlier outputs are shown on the elements of the last, as far as their frame went.</p>\n"
+        }
+        false => "",
+    };
     let left_out = match left_out {
         0 => String::new(),
         left_out => format!(
@@ -329,7 +335,7 @@ fn mapped(Maps { value, left_out }: &Maps, results: &Results) -> String {
     if has("traction_x_Pa") {
         stick += " Arrows show the traction on body 1, the longest at its largest.";
     }
-    let mut html = left_out + &slider + "<div class=\"figures\">\n";
+    let mut html = left_out + resampled + &slider + "<div class=\"figures\">\n";
     html += &figure(
         "map-pressure",
         "Pressure",
@@ -368,7 +374,7 @@ fn mapped(Maps { value, left_out }: &Maps, results: &Results) -> String {
         "surface",
         "Surface",
         &format!(
-            "The surface of a body at the output chosen, heights enlarged; {colours}. Drag to turn it."
+            "The surface of a body at the output chosen, heights enlarged; {colours}. Drag to turn it, or use the arrow keys."
         ),
     )
 }

@@ -22,7 +22,7 @@ pub(super) fn case(case: &str) -> String {
             groups.len() - 1
         });
         let value = shown(value);
-        let several = rest.last() == Some(&"at");
+        let several = matches!(rest.last(), Some(&("at" | "doubles")));
         let value = if several { value.replace(" × ", ", ") } else { value };
         put(&mut groups[place].1, rest, &value);
     }
@@ -72,6 +72,7 @@ fn phrase(keys: &[&str], value: &str) -> String {
     let word = |key: &&str| match *key {
         "young" => "Young's modulus".to_owned(),
         "poisson" => "Poisson's ratio".to_owned(),
+        "doubles" => "twice as wide from".to_owned(),
         key => key.replace('_', " "),
     };
     let name = keys.iter().map(word).collect::<Vec<_>>().join(" ");
@@ -153,6 +154,7 @@ mod tests {
              body.pin.material.poisson = 0.3\nbody.pin.profile.sphere.radius = \"0.05 m\"\n\
              body.pin.wear.archard.coefficient = \"1.33e-13 1/Pa\"\nbody.disc.profile.flat = {}\n\
              frame.size = [\"0.0012 m\", \"0.0012 m\"]\nframe.elements = [30, 30]\n\
+             frame.doubles = [\"0.05 m\", \"2.5 m\"]\n\
              motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"0.5 m\"\n\
              solver.conjugate_gradient = {}\n";
         let words = case(printed);
@@ -160,7 +162,7 @@ mod tests {
             "<dt>Body pin</dt><dd><b>material</b>: Young's modulus 210 GPa, Poisson's ratio 0.3<br><b>profile</b>: sphere, radius 50 mm",
             "coefficient 1.33·10⁻⁴ mm³/(N m)",
             "<b>profile</b>: flat",
-            "size 1.2 mm × 1.2 mm, elements 30 × 30",
+            "size 1.2 mm × 1.2 mm, elements 30 × 30, twice as wide from 50 mm, 2.5 m",
             "<b>sliding</b>: load 10.2 N, distance 500 mm",
         ] {
             assert!(words.contains(part), "{part} is not in\n{words}");

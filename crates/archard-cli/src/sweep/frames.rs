@@ -6,6 +6,7 @@
 use std::path::Path;
 
 use archard::case::Resolved;
+use serde_json::Value;
 
 use super::design::{Design, Row};
 use super::row;
@@ -76,6 +77,7 @@ fn outgrew(dir: &Path, resolved: &Resolved) -> bool {
     let summary = row::summary(dir).unwrap_or_default();
     let lines = summary["verdict"]["lines"].as_array();
     lines.is_some_and(|lines| {
-        lines.iter().any(|line| line["subject"] == "edges" && line["word"] != "good")
+        let of_frame = |line: &Value| line["subject"] == "edges" || line["subject"] == "beyond";
+        lines.iter().any(|line| of_frame(line) && line["word"] != "good")
     })
 }

@@ -1,6 +1,6 @@
 //! Points of the unit cube that samples are drawn at.
 
-use statrs::distribution::{ContinuousCDF, Normal};
+use archard::fit;
 
 use crate::arguments::Layout;
 
@@ -23,15 +23,11 @@ pub fn points(layout: Layout, (count, dimensions): (usize, usize), seed: u32) ->
     }
 }
 
-/// Makes the first two coordinates of points go together: normal deviates of them have that correlation, and each is spread
-/// as before. A Gaussian copula.
+/// Makes the first two coordinates of points go together, as [`archard::fit::together`] does.
 pub fn together(points: &mut [Vec<f64>], correlation: f64) {
-    let normal = Normal::standard();
-    let own = (1.0 - correlation * correlation).max(0.0).sqrt();
     for point in points {
         if let [one, other, ..] = &mut point[..] {
-            let [a, b] = [*one, *other].map(|share| normal.inverse_cdf(share));
-            *other = normal.cdf(correlation * a + own * b).clamp(HALF, 1.0 - HALF);
+            *other = fit::together([*one, *other], correlation).clamp(HALF, 1.0 - HALF);
         }
     }
 }

@@ -78,9 +78,10 @@ fn attempt(
         return Ok(Outcome::Interrupted);
     }
     let (resolved, settled) = match settled {
-        Ok((settled, companion)) => (&settled.clone(), Ok(companion)),
-        Err(error) => (resolved, Err(error.to_string())),
+        Ok((settled, companion)) => (settled, Ok(companion)),
+        Err(error) => (resolved.clone(), Err(error.to_string())),
     };
+    let resolved = &resolved;
     let (folder, kept) = begin(dir, resolved)?;
     let mut results = Following { folder, requests };
     let beside = store.map(|store| Store::new(store.folder()));

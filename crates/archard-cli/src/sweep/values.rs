@@ -1,6 +1,7 @@
 //! What a study puts at a key: a list of values, a range of them, or a distribution to draw them from.
 
-use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
+use archard::fit;
+use statrs::distribution::{ContinuousCDF, Normal};
 
 /// A distribution of a value, in the unit that it is given in.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,9 +125,7 @@ impl Distribution {
             Kind::LogNormal(median, deviation) => median * (deviation * deviate).exp(),
             Kind::Uniform(from, to) => from + share * (to - from),
             Kind::LogStudent(median, scale, degrees) => {
-                let student = StudentsT::new(0.0, 1.0, degrees);
-                let deviate = student.map_or(deviate, |student| student.inverse_cdf(share));
-                median * (scale * deviate).exp()
+                fit::next_test([median, scale, degrees], share)
             }
         };
         written(value, &self.unit)

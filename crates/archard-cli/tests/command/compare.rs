@@ -160,7 +160,9 @@ fn what_cannot_be_compared_is_refused_in_words() {
     let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &["--body", "ball"]);
     assert!(message.contains("the bodies are pin and disc"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &[]);
-    assert!(message.contains("no scar stands out"), "{message}");
+    assert!(message.contains("1 readings do not tell a scar"), "{message}");
+    let message = refused("x [mm],z [um]\n0,\n0.1,\n", &[]);
+    assert!(message.contains("no place has a height"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &["--levelled"]);
     assert!(message.contains("leave --levelled out"), "{message}");
     let message = refused("distance [m],mass [mg]\n0.1,1\n", &[]);
@@ -189,6 +191,23 @@ fn a_profile_along_a_track_is_refused() {
     let across = archard(&dir, &[&arguments[..], &["--column", "y=x [mm]"]].concat()).success();
     let deepest = printed(&across);
     assert!((number(&deepest, "deepest") - 2.4).abs() < 0.1, "{deepest}");
+    // A map of three lines across it, and one of a track that lies askew.
+    for (slope, said) in [(0.0, "worn section"), (0.1, "lies askew in the map by 5.7 degrees")] {
+        let mut text = String::from("x [mm],y [mm],z [um]\n");
+        for (i, j) in (-80..=80).flat_map(|j| (0..3).map(move |i| (i, j))) {
+            let [x, y] = [0.2 * f64::from(i), 0.01 * f64::from(j)];
+            let depth = 2.4 * (1.0 - ((y - slope * x) / 0.27).powi(2)).max(0.0);
+            text += &format!("{x},{y},{:.6}\n", 0.5 * y - depth);
+        }
+        fs::write(dir.path().join("map.csv"), text).unwrap();
+        let output = archard(&dir, &["compare", "track", "map.csv", "--body", "disc"]);
+        let output =
+            if slope == 0.0 { printed(&output.success()) } else { super::said(&output.code(2)) };
+        assert!(output.contains(said), "{output}");
+        if slope == 0.0 {
+            assert!((number(&output, "deepest") - 2.4).abs() < 0.01, "{output}");
+        }
+    }
 }
 
 /// A height map made of the worn pin, which is a body of revolution: tilted, moved, with gaps, and half as deep again.

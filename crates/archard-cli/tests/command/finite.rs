@@ -148,13 +148,17 @@ fn sections_are_put_out_and_shown_in_paraview() {
     let sheet = sheet.unwrap();
     assert_eq!((sheet.points.len(), sheet.cells.len()), (9 * 9, 8 * 8));
     let at = |place: &[f64; 3]| {
-        place[0].abs() < 1e-9 && place[1] == 0.0 && (place[2] + 0.05).abs() < 1e-9
+        place[0].abs() < 1e-9 && place[1] == 0.0 && (place[2] - 0.05).abs() < 1e-9
     };
-    let place = sheet.points.iter().position(at).expect("a place 50 mm below");
+    // The block lies above the plane of contact, turned over; the table keeps to its own coordinates.
+    let place = sheet.points.iter().position(at).expect("a place 50 mm within");
     let stress = sheet.fields.iter().find(|field| field.name == "stress_zz_Pa").unwrap();
     let table = fs::read_to_string(dir.path().join("first/points.csv")).unwrap();
     let known: f64 = table.lines().nth(1).unwrap().split(',').nth(11).unwrap().parse().unwrap();
     assert!((stress.values[place] / known - 1.0).abs() < 1e-9, "{known}");
+    let sinks = sheet.fields.iter().find(|field| field.name == "displacement_z_m").unwrap();
+    let known: f64 = table.lines().nth(1).unwrap().split(',').nth(8).unwrap().parse().unwrap();
+    assert!((sinks.values[place] / -known - 1.0).abs() < 1e-9, "{known}");
     let said = printed(&archard(&dir, &["paraview", "first"]).success());
     assert!(said.contains("stress_block.vtu, section_block_middle.vtu"), "{said}");
     for name in ["stress_block.vtu", "section_block_middle.vtu", "block.pvd", "open.py"] {

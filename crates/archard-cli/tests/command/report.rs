@@ -175,6 +175,13 @@ fn the_slider_goes_through_the_outputs() {
          setTimeout(() => done(document.getElementById('surface')._fullLayout.scene.camera.eye.z), 500); })",
     );
     assert_eq!(turned, json!(2.1));
+    let eye = "document.getElementById('surface')._fullLayout.scene.camera.eye";
+    let pressed = page.value(&format!(
+        "new Promise((done) => {{ const place = document.getElementById('surface'); place.focus(); const before = {eye}.z; \
+         for (const key of ['ArrowDown', 'ArrowRight']) place.dispatchEvent(new KeyboardEvent('keydown', {{ key, cancelable: true }})); \
+         setTimeout(() => done([document.activeElement === place, {eye}.z < before - 0.01, Math.abs({eye}.x) > 0.01]), 500); }})"
+    ));
+    assert_eq!(pressed, json!([true, true, true]));
     assert!(page.printed().starts_with(b"%PDF"));
     assert_eq!(page.complaints, Vec::<String>::new());
 }

@@ -32,6 +32,8 @@ pub struct Case {
     pub bodies: [BodyCase; 2],
     /// The potential contact zone.
     pub frame: FrameCase,
+    /// From where on (the motion's own unit) it is twice as wide, with elements twice as large; rising.
+    pub doubles: Vec<f64>,
     /// The friction between the bodies; `None` without.
     pub friction: Option<Chosen<Box<dyn Friction>>>,
     /// The motion.
@@ -238,6 +240,17 @@ impl Case {
         self.bodies.iter().any(|body| body.finite.is_some())
     }
 
+    /// The frame after it became wider so many times.
+    pub(super) fn frame_after(&self, doubled: usize) -> FrameCase {
+        let factor = 2f64.powi(i32::try_from(doubled).unwrap_or(i32::MAX));
+        FrameCase { size: self.frame.size.map(|size| factor * size), ..self.frame }
+    }
+
+    /// The frame at the end.
+    pub(super) fn last_frame(&self) -> FrameCase {
+        self.frame_after(self.doubles.len())
+    }
+
     /// Whether a second thread would cost more than it saves: half-spaces on a frame of few elements.
     pub fn is_small(&self) -> bool {
         let [nx, ny] = self.frame.elements;
@@ -274,14 +287,23 @@ impl Case {
     /// The same with something that condenses meshed bodies or knows that they were.
     #[doc(hidden)]
     pub fn build_with(&self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
+        let mut simulation = self.build_on(self.last_frame(), condense)?;
+        for (doubled, from) in self.doubles.iter().enumerate().rev() {
+            simulation =
+                self.build_on(self.frame_after(doubled), condense)?.widened(*from, simulation)?;
+        }
+        Ok(simulation)
+    }
+
+    fn build_on(&self, frame: FrameCase, condense: Condense<'_>) -> Result<Simulation, BuildError> {
         let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
         let outputs = self.output.places(schedule.extent);
         let mut builder = Simulation::builder(bodies, (motion, schedule)).outputs(outputs);
         builder.friction = friction;
         builder.solver = self.solver.build()?;
         builder.friction_solver = self.friction_solver.build()?;
-        let (rectangle, elements) = (self.frame.rectangle(), self.frame.elements);
-        let builder = match self.frame.line {
+        let (rectangle, elements) = (frame.rectangle(), frame.elements);
+        let builder = match frame.line {
             _ if self.is_meshed() => builder,
             true => builder.line(rectangle, elements[0]),
             false => builder.frame(rectangle, elements),

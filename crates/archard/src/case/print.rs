@@ -56,7 +56,11 @@ impl Display for Case {
                 writeln!(f, "frame.plane_strain = true\nframe.length = {y}")?;
                 writeln!(f, "frame.size = {x}\nframe.elements = {}\n", elements[0])?;
             } else {
-                writeln!(f, "frame.size = [{x}, {y}]\nframe.elements = {elements:?}\n")?;
+                writeln!(f, "frame.size = [{x}, {y}]\nframe.elements = {elements:?}")?;
+                if !self.doubles.is_empty() {
+                    writeln!(f, "frame.doubles = [{}]", self.places(&self.doubles))?;
+                }
+                writeln!(f)?;
             }
         }
         if let Some(friction) = &self.friction {
@@ -80,21 +84,23 @@ impl Display for Case {
 
 impl Case {
     fn print_output(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let quantity =
-            self.motion.build().map_or(Quantity::Number, |(motion, _)| motion.progress().quantity);
-        let place = |place: f64| match measure(quantity, &Values::default()) {
-            Some(measure) => si(place, &measure.si),
-            None => number(place),
-        };
         match &self.output {
             // What goes nowhere is put out once, whatever the interval.
             Output::Every(0.0) => Ok(()),
-            Output::Every(interval) => writeln!(f, "output.every = {}", place(*interval)),
-            Output::At(places) => {
-                let places: Vec<String> = places.iter().map(|&at| place(at)).collect();
-                writeln!(f, "output.at = [{}]", places.join(", "))
-            }
+            Output::Every(interval) => writeln!(f, "output.every = {}", self.places(&[*interval])),
+            Output::At(places) => writeln!(f, "output.at = [{}]", self.places(places)),
         }
+    }
+
+    /// Places of the motion, with their unit.
+    fn places(&self, places: &[f64]) -> String {
+        let quantity =
+            self.motion.build().map_or(Quantity::Number, |(motion, _)| motion.progress().quantity);
+        let place = |&place: &f64| match measure(quantity, &Values::default()) {
+            Some(measure) => si(place, &measure.si),
+            None => number(place),
+        };
+        places.iter().map(place).collect::<Vec<_>>().join(", ")
     }
 }
 

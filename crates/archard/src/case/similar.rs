@@ -19,11 +19,12 @@ impl Case {
     ///
     /// The load is constant, surfaces slide or roll steadily, steps are implicit, every body that wears has Holm-Archard's
     /// law, and nothing is put out at points inside, which only the end of a run has. Cases with an accuracy have grids of
-    /// their own.
+    /// their own, and frames that become wider do so at a place of their own.
     pub fn wears_by_k_s(&self) -> Option<WearByKs> {
         let (motion, schedule) = self.motion.build().ok()?;
         let nothing_inside = self.points.iter().all(Vec::is_empty);
         if self.accuracy.is_some()
+            || !self.doubles.is_empty()
             || !(motion.is_steady() && schedule.is_steady() && nothing_inside)
         {
             return None;

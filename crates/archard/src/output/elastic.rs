@@ -30,7 +30,7 @@ pub fn write_elastic(
         table.flush()?;
         table.sync()?;
     }
-    write_sections(dir, "", deformed)?;
+    write_sections(dir, "", deformed, false)?;
     let summary = format!("{:#}\n", summary(body, deformed, totals));
     file::write_whole(&dir.join("summary.json"), summary.as_bytes())
 }
@@ -43,8 +43,13 @@ pub(super) const POINTS: &str = "points.csv";
 /// The folder of sections.
 pub(super) const SECTIONS: &str = "sections";
 
-/// Writes a file a section, its name behind a prefix.
-pub(super) fn write_sections(dir: &Path, prefix: &str, deformed: &Deformed) -> Result<(), Error> {
+/// Writes a file a section, its name behind a prefix; of a body that is turned over in its place.
+pub(super) fn write_sections(
+    dir: &Path,
+    prefix: &str,
+    deformed: &Deformed,
+    turned: bool,
+) -> Result<(), Error> {
     if deformed.sections.is_empty() {
         return Ok(());
     }
@@ -52,7 +57,9 @@ pub(super) fn write_sections(dir: &Path, prefix: &str, deformed: &Deformed) -> R
     let refused = |source| Error::Write { path: folder.clone(), source };
     std::fs::create_dir_all(&folder).map_err(refused)?;
     deformed.sections.iter().try_for_each(|sampled| {
-        Sheet::of_section(sampled).write(&folder.join(format!("{prefix}{}.vtu", sampled.name)))
+        let sheet = Sheet::of_section(sampled);
+        let sheet = if turned { sheet.turned_over() } else { sheet };
+        sheet.write(&folder.join(format!("{prefix}{}.vtu", sampled.name)))
     })
 }
 

@@ -14,7 +14,7 @@ pub struct Field {
 
 impl Field {
     /// A field of that name.
-    fn new(name: impl Into<String>, values: Vec<f64>) -> Self {
+    pub(super) fn new(name: impl Into<String>, values: Vec<f64>) -> Self {
         Self { name: name.into(), values }
     }
 }

@@ -14,7 +14,7 @@ use crate::elastic::{self, Deformed, ElasticError, Point, Section};
 use crate::frame::VectorField;
 use crate::simulation::{Observer, Report};
 
-/// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2.
+/// The files of displacements, tractions and stresses on the surfaces of body 1 and body 2, where they lie in contact.
 pub(super) const SURFACES: [&str; 2] = ["surface_1.vtu", "surface_2.vtu"];
 
 /// Keeps the last tractions and the wear of a run, for the stresses inside where these are asked for.
@@ -87,11 +87,15 @@ impl Inside {
             let deformed = Deformed::in_contact_by(bodies, which, acting, wanted, &solve)
                 .map_err(|cause| InsideError::Body { body: body.clone(), cause })?;
             let Some(deformed) = deformed else { continue };
-            Surface::of_elastic(&deformed).write(&dir.join(SURFACES[which]))?;
+            let placed = bodies[which].finite.as_ref().is_none_or(|finite| finite.meshed.placed);
+            let turned = which == 1 && !placed;
+            let surface = Surface::of_elastic(&deformed);
+            let surface = if turned { surface.turned_over() } else { surface };
+            surface.write(&dir.join(SURFACES[which]))?;
             if let Some(table) = &mut table {
                 write_points(table, &[("body", body.clone())], &self.points[which], &deformed)?;
             }
-            write_sections(dir, &format!("{body}_"), &deformed)?;
+            write_sections(dir, &format!("{body}_"), &deformed, turned)?;
         }
         if let Some(mut table) = table {
             table.flush()?;

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::sheet::turn_over;
 use super::{Error, Field, Image, fields, vtk};
 use crate::frame::ContactFrame;
 use crate::problem::{ContactProblem, ContactState};
@@ -28,6 +29,19 @@ pub struct Surface {
 }
 
 impl Surface {
+    /// Turned over, as body 2 is above the plane of contact: z changes its sign.
+    #[must_use]
+    pub(super) fn turned_over(mut self) -> Self {
+        let outlines = self.outlines.iter_mut();
+        let outlines = outlines.flat_map(|outline| {
+            outline.reverse();
+            outline
+        });
+        self.places.iter_mut().chain(outlines).for_each(|place| place[2] = -place[2]);
+        turn_over(&mut self.fields, &mut self.vectors);
+        self
+    }
+
     /// The surface of a state; see [`fields()`] for what is on it. Vectors are the whole traction on body 1, the
     /// slip, and the normals of curved surfaces.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Self {

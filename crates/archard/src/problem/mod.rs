@@ -1,10 +1,12 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
+mod beyond;
 mod gap;
 mod grip;
 mod heat;
 mod swung;
 
+pub use beyond::{Beyond, Overlap};
 pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};

@@ -16,10 +16,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::evolution::{Evolution, Increment};
+use super::wider::widened;
 use super::{Effort, Error, Simulation};
 use crate::motion::Control;
 use crate::numerics::vector::Values;
-use crate::problem::{ContactState, Swung};
+use crate::problem::{ContactProblem, ContactState, Swung};
 
 /// Aim of the controller relative to the tolerance.
 const AIM: f64 = 0.9;
@@ -183,6 +184,22 @@ impl Adaptive {
                 return Err(Error::StepTooSmall { measure, progress, step: self.step });
             }
         }
+    }
+
+    /// Both histories go over from the frame of a problem to a wider one.
+    pub fn widen(
+        &mut self,
+        from: &ContactProblem,
+        to: &Simulation,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        for history in [&mut self.coarse, &mut self.fine] {
+            *history = history.widened(from, to, effort)?;
+        }
+        for (body, worn) in self.worn.iter_mut().enumerate() {
+            *worn = widened(worn, body, from);
+        }
+        Ok(())
     }
 
     /// One coarse and two fine steps.

@@ -183,7 +183,7 @@ impl Builder {
             }
         };
         let problem = ContactProblem { bodies, frame, compliance, friction, motion };
-        Ok(Simulation { problem, solver, friction_solver, schedule, companion: None })
+        Ok(Simulation { problem, solver, friction_solver, schedule, companion: None, wider: None })
     }
 
     fn check(&self) -> Result<(), Invalid> {

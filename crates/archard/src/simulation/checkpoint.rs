@@ -81,5 +81,9 @@ pub(crate) fn digest(simulation: &Simulation) -> [u8; 32] {
     let places = (0..listed).flat_map(|pair| frame.place(pair));
     let numbers = frame.gap().iter().chain(&own).chain(few).copied().chain(places);
     numbers.for_each(|number| hash.update(number.to_le_bytes()));
+    if let Some(wider) = &simulation.wider {
+        hash.update(wider.from.to_le_bytes());
+        hash.update(digest(&wider.simulation));
+    }
     hash.finalize().into()
 }

@@ -6,9 +6,10 @@ use super::adaptive::Adaptive;
 use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
 use super::evolution::{Evolution, Increment};
+use super::wider::Wider;
 use super::{Effort, Error, Report, Simulation};
 use crate::motion::{Motion, Stepping};
-use crate::problem::ContactState;
+use crate::problem::{ContactProblem, ContactState};
 
 /// Two values of progress closer than this, relative to the extent, are the same.
 pub(super) const SAME: f64 = 1e-9;
@@ -19,6 +20,8 @@ pub struct March {
     /// Of the simulation.
     pub(super) digest: [u8; 32],
     stepper: Stepper,
+    /// Frames that were left for wider ones.
+    behind: usize,
     /// Outputs that were put out.
     past: usize,
     /// Whether the fields of the present state are due.
@@ -46,8 +49,10 @@ struct Steps {
 impl March {
     /// The initial contact; bodies that are pressed together later only touch.
     pub(super) fn begin(simulation: &Simulation) -> Result<Self, Error> {
-        simulation.check_frame()?;
-        simulation.problem.check_inputs()?;
+        for one in simulation.frames() {
+            one.check_frame()?;
+            one.problem.check_inputs()?;
+        }
         let stepper = match &simulation.problem.motion {
             Motion::Shift(shift) => {
                 Stepper::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
@@ -56,11 +61,12 @@ impl March {
                 Stepper::Steps(Box::new(Steps::begin(simulation)?))
             }
         };
-        Ok(Self { digest: digest(simulation), stepper, past: 0, output: true })
+        Ok(Self { digest: digest(simulation), stepper, behind: 0, past: 0, output: true })
     }
 
     /// Goes on to the next state that is shown; whether there was one.
     pub(super) fn step(&mut self, simulation: &Simulation) -> Result<bool, Error> {
+        let simulation = self.widen(simulation)?;
         let schedule = &simulation.schedule;
         let next = schedule.outputs.get(self.past).copied().unwrap_or(schedule.extent);
         let next = next.min(schedule.extent);
@@ -85,6 +91,26 @@ impl March {
         Ok(went)
     }
 
+    /// The simulation in the frame that the run is in.
+    fn present<'a>(&self, simulation: &'a Simulation) -> &'a Simulation {
+        simulation.frames().nth(self.behind).unwrap_or(simulation)
+    }
+
+    /// Goes over to a wider frame where it is time to; returns what the run goes on with.
+    fn widen<'a>(&mut self, simulation: &'a Simulation) -> Result<&'a Simulation, Error> {
+        let mut present = self.present(simulation);
+        let Stepper::Steps(steps) = &mut self.stepper else { return Ok(present) };
+        let margin = SAME * simulation.schedule.extent;
+        while let Some(Wider { from, simulation: wider }) = present.wider.as_deref()
+            && steps.evolution.state.progress >= from - margin
+        {
+            steps.widen(&present.problem, wider)?;
+            present = wider;
+            self.behind += 1;
+        }
+        Ok(present)
+    }
+
     fn state(&self) -> &ContactState {
         match &self.stepper {
             Stepper::Steps(steps) => &steps.evolution.state,
@@ -103,12 +129,13 @@ impl March {
     /// The present state.
     pub(super) fn report<'a>(&'a self, simulation: &'a Simulation) -> Report<'a> {
         let (state, schedule) = (self.state(), &simulation.schedule);
+        let problem = &self.present(simulation).problem;
         let (effort, prescribed) = match &self.stepper {
             Stepper::Steps(steps) => (steps.effort, schedule.control_at(state.progress)),
             Stepper::Cycles(cycles) => (cycles.shown().effort, cycles.shown().control),
         };
         Report {
-            problem: &simulation.problem,
+            problem,
             state,
             effort,
             output: self.output,
@@ -138,6 +165,17 @@ impl Steps {
             _ => None,
         };
         Ok(Self { evolution, adaptive, effort })
+    }
+
+    /// Goes over from the frame of a problem to a wider one.
+    fn widen(&mut self, from: &ContactProblem, to: &Simulation) -> Result<(), Error> {
+        match &mut self.adaptive {
+            Some(adaptive) => adaptive.widen(from, to, &mut self.effort),
+            None => {
+                self.evolution = self.evolution.widened(from, to, &mut self.effort)?;
+                Ok(())
+            }
+        }
     }
 
     /// One accepted step, which ends on an output or before it where steps are chosen by error.

@@ -18,6 +18,7 @@ mod scar;
 mod second_order;
 mod step;
 mod swing;
+mod wider;
 
 use std::error::Error as StdError;
 
@@ -35,6 +36,8 @@ pub use march::March;
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
 pub(crate) use swing::solves_of_a_step;
+pub use wider::Wider;
+pub(crate) use wider::can_widen;
 
 use crate::closed_form::flash_temperature::FAST;
 use crate::motion::{Control, Progress, Schedule, Stepping};
@@ -57,6 +60,8 @@ pub struct Simulation {
     pub schedule: Schedule,
     /// The same on fewer elements, where the error by the elements is asked for.
     pub companion: Option<Companion>,
+    /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].
+    pub wider: Option<Box<Wider>>,
 }
 
 /// What an observer is shown after the initial contact and after every accepted step.

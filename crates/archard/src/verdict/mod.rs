@@ -8,8 +8,8 @@ mod bounds;
 mod line;
 
 pub use bounds::{
-    accuracy, balance, contact, edges, energy, first_contact, heat, load, roughness, slenderness,
-    stick_zone, time, touch, volume,
+    accuracy, balance, beyond, contact, edges, energy, first_contact, heat, load, roughness,
+    slenderness, stick_zone, time, touch, volume,
 };
 pub use line::{Bound, Line, Word, four};
 

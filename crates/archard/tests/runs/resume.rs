@@ -8,7 +8,7 @@ use archard::problem::ContactState;
 use archard::simulation::{NotResumed, Observer, Report, Run, Simulation, row};
 
 /// Cases with settings, one of each way through the engine.
-const CASES: [(&str, &[&str]); 16] = [
+const CASES: [(&str, &[&str]); 17] = [
     ("pin_on_disc", &["frame.elements=[12, 12]", "motion.sliding.step=90 mm"]),
     (
         "pin_on_disc",
@@ -84,6 +84,17 @@ const CASES: [(&str, &[&str]); 16] = [
             "motion.sliding.ends=true",
             "motion.sliding.distance=10 m",
             "motion.sliding.tolerance=0.1",
+        ],
+    ),
+    // Frames that become wider.
+    (
+        "pin_on_disc",
+        &[
+            "frame.size=[\"0.6 mm\", \"0.6 mm\"]",
+            "frame.elements=[16, 16]",
+            "frame.doubles=[\"20 mm\", \"200 mm\"]",
+            "motion.sliding.step=",
+            "motion.sliding.tolerance=0.03",
         ],
     ),
     // A law that goes by the temperature of the contact.

@@ -99,7 +99,10 @@ fn assert_alike(step: &Step<'_>, on_part: &Outcome, whole: &Outcome) {
             assert!((on_part.gap[pair] - gap).abs() < 1e-7 * scale);
             assert!((on_part.displacement[pair] - displaced).abs() < 1e-7 * scale);
         } else {
-            assert!((on_part.gap[pair] + displaced - gap).abs() < 1e-12 * scale && gap > 0.0);
+            // Far from the contact gaps are wider than displacements, and rounded where they are.
+            let rounded = 1e-12 * scale.max(gap);
+            assert!((on_part.gap[pair] + displaced - gap).abs() < rounded, "{gap:e} of {scale:e}");
+            assert!(gap > 0.0, "{gap:e} of {scale:e}");
         }
     }
 }

@@ -41,6 +41,11 @@ pub trait Profile: Debug + Send + Sync {
         [[f64::NEG_INFINITY, f64::INFINITY]; 2]
     }
 
+    /// Places along x and y (m) at which the shape was measured, rising; none along an axis where a formula gives it.
+    fn places(&self) -> [&[f64]; 2] {
+        [&[]; 2]
+    }
+
     /// Curvatures (1/m) along x and y at the centre, where the shape is smooth and has them;
     /// estimates before a run use them.
     fn curvatures(&self) -> Option<[f64; 2]> {

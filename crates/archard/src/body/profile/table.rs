@@ -97,6 +97,10 @@ impl Profile for Table {
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         })
     }
+
+    fn places(&self) -> [&[f64]; 2] {
+        [&self.x, &self.y].map(|places| if places.len() > 1 { &places[..] } else { &[] })
+    }
 }
 
 fn wrong(message: impl Into<String>) -> Invalid {

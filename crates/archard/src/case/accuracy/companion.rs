@@ -2,13 +2,14 @@
 
 use std::error::Error as StdError;
 
-use super::{MOST, OF_STEPS, increments, locate, order, slips_partly};
+use super::{MOST, OF_STEPS, even, increments, locate, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::frame::extent;
 use crate::output::Store;
+use crate::problem::{Beyond, Overlap};
 use crate::simulation::history::{self, Row};
 use crate::simulation::{Companion, Error, Kind, Observer, Part, Report, Simulation};
 
@@ -88,6 +89,7 @@ pub enum Unsettled {
 struct Watched {
     rows: Vec<Row>,
     sides: Sides,
+    beyond: Option<Beyond>,
 }
 
 /// The lower and the upper side along x, and along y.
@@ -98,6 +100,16 @@ impl Observer for Watched {
         self.rows.push(history::row(report));
         let elements = report.problem.frame.elements();
         let pressure = &report.state.pressure;
+        let beyond = Beyond::of(report.problem, self.beyond.take());
+        if let Some(Overlap { place, .. }) = beyond.overlap(report.problem, report.state) {
+            let rectangle = report.problem.frame.rectangle();
+            for (axis, sides) in self.sides.iter_mut().enumerate() {
+                let off = 2.0 * (place[axis] - rectangle.centre[axis]);
+                sides[0] |= off < -rectangle.size[axis];
+                sides[1] |= off > rectangle.size[axis];
+            }
+        }
+        self.beyond = Some(beyond);
         let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else { return Ok(()) };
         for (axis, range) in pressed.into_iter().enumerate().filter(|(axis, _)| elements[*axis] > 1)
         {
@@ -208,7 +220,7 @@ impl Resolved {
         }
         let coarser = |by: f64| {
             let share = (1.0 / by).max(FEWEST / across);
-            elements.map(|n| if n == 1 { 1 } else { ((n as f64 * share).round() as usize).max(2) })
+            elements.map(|n| if n == 1 { 1 } else { alike(n as f64 * share, n) })
         };
         let own = increments::of_rubbing(&self.case);
         let [half, quarter] = [coarser(2.0), coarser(4.0)];
@@ -345,7 +357,9 @@ impl Resolved {
     }
 }
 
-/// The even number of elements from some number on.
-fn even(elements: f64) -> usize {
-    2 * (0.5 * elements).ceil() as usize
+/// The number of elements next to some number, even or odd as that of the run: at the apex there is a pair on all grids, or on
+/// none.
+fn alike(wanted: f64, run: usize) -> usize {
+    let odd = run % 2;
+    odd + 2 * ((0.5 * (wanted - odd as f64)).round() as usize).max(1)
 }

@@ -5,7 +5,7 @@ use crate::case::check::Parts;
 use crate::case::definition::{Case, FrameCase};
 use crate::frame::{Rectangle, extent};
 use crate::motion::Control;
-use crate::solve::{self, Status, Step};
+use crate::solve::{self, ConjugateGradient, Status, Step};
 
 /// Elements of the window along an axis, and those of a line of contact.
 const WINDOW: usize = 64;
@@ -14,8 +14,6 @@ const OF_A_LINE: usize = 512;
 const FILLED: f64 = 0.25;
 /// Size of the next window beside the contact in this one.
 const AROUND: f64 = 1.6;
-/// By how much a window grows at a side that the contact meets.
-const GROWS: f64 = 1.0;
 /// What is nothing beside the size of a rectangle.
 const ROUND: f64 = 1e-9;
 /// Windows, at most.
@@ -66,22 +64,22 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
         let corner = window.corner();
         let ends = [0, 1].map(|axis| [corner[axis], corner[axis] + window.size[axis]]);
         let mut next = ends;
-        let mut narrow = true;
+        let mut filled = true;
         for axis in 0..axes {
             for side in 0..2 {
                 if !meets[axis][side] {
                     continue;
                 }
                 let sign = [-1.0, 1.0][side];
-                let moved = ends[axis][side] + sign * GROWS * window.size[axis];
+                let moved = ends[axis][side] + sign * window.size[axis];
                 next[axis][side] = moved.clamp(known[axis][0], known[axis][1]);
                 if next[axis][side] == ends[axis][side] {
                     return Err(Lost::AtTheEnd(axis));
                 }
             }
-            narrow &= around.size[axis] >= FILLED * window.size[axis];
+            filled &= around.size[axis] >= FILLED * window.size[axis];
         }
-        if next == ends && narrow {
+        if next == ends && filled {
             return Ok(around);
         }
         if next == ends {
@@ -93,8 +91,8 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
                     [(middle - half).max(ends[axis][0]), (middle + half).min(ends[axis][1])];
             }
         }
-        window.centre = next.map(|[low, high]| 0.5 * (low + high));
-        window.size = next.map(|[low, high]| high - low);
+        let centre = next.map(|[low, high]| 0.5 * (low + high));
+        window = within(Rectangle { centre, size: next.map(|[low, high]| high - low) }, known);
     }
     Err(Lost::Nowhere)
 }
@@ -152,10 +150,14 @@ fn press(case: &Case, window: Rectangle) -> Option<Contact> {
         measure: problem.frame.measure(),
         control: simulation.schedule.control,
     };
-    let outcome = solve::press(&*simulation.solver, &step, None);
+    let outcome = solve::press(&ConjugateGradient::default(), &step, None);
     let element = case.frame.spacing();
-    if outcome.status == Status::FrameFull {
-        return Some(Contact { around: window, meets: [[true; 2]; 2], element });
+    match outcome.status {
+        Status::Converged => {}
+        Status::FrameFull => {
+            return Some(Contact { around: window, meets: [[true; 2]; 2], element });
+        }
+        Status::OutOfIterations => return None,
     }
     let pressure = &outcome.pressure;
     let [columns, rows] = extent(elements, |pair| pressure[pair] > 0.0)?;

@@ -7,6 +7,7 @@
 mod companion;
 mod increments;
 mod locate;
+mod wider;
 
 pub use companion::{Following, Unsettled};
 
@@ -54,7 +55,7 @@ impl Chose {
         match key {
             "frame.centre" => self.place,
             "frame.size" => self.size,
-            "frame.elements" => self.elements,
+            "frame.elements" | "frame.doubles" => self.elements,
             _ => self.increments && key.starts_with("motion.") && key.ends_with(".increments"),
         }
     }
@@ -144,13 +145,21 @@ pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
     if !(chose.size || chose.elements) {
         return Ok((case, chose));
     }
-    let found;
-    (case.frame, found) = chosen(&case, accuracy, chose)?;
+    let Frame { frame, doubles, found } = chosen(&case, accuracy, chose)?;
+    (case.frame, case.doubles) = (frame, doubles);
     Ok((case, Chose { place: found, ..chose }))
 }
 
-/// The frame, and whether its place was looked for: it is the middle where closed forms know the contact.
-fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<(FrameCase, bool), Problem> {
+/// A frame that was chosen.
+struct Frame {
+    frame: FrameCase,
+    /// From where on it is twice as wide.
+    doubles: Vec<f64>,
+    /// Whether its place was looked for: it is the middle where closed forms know the contact.
+    found: bool,
+}
+
+fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let parts =
         Parts::of(case).map_err(|error| Problem::error(Key::default(), error.to_string()))?;
     let foreseen = |progress: f64| parts.estimate(&Estimator::default(), progress);
@@ -181,15 +190,30 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<(FrameCase, bool),
     let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
     let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
     let across = across(accuracy, order(&parts), slips_partly(&parts));
-    for axis in 0..if frame.line { 1 } else { 2 } {
+    let element = [0, 1].map(|axis| {
         let unworn = unworn.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
-        let element = 2.0 * (first[axis] / across).min(unworn / UNWORN);
+        2.0 * (first[axis] / across).min(unworn / UNWORN)
+    });
+    let axes = if frame.line { 1 } else { 2 };
+    for axis in 0..axes {
         if chose.size {
-            frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element;
+            frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element[axis];
             let held = locate::within(frame.rectangle(), locate::known(&parts));
             (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }
-        let elements = (0.5 * frame.size[axis] / element).ceil() * 2.0;
+        if chose.elements {
+            frame.elements[axis] = even(frame.size[axis] / element[axis]);
+        }
+    }
+    if frame.line {
+        frame.elements[1] = 1;
+    }
+    let one = Frame { frame, doubles: vec![], found };
+    let all = chose.size && chose.elements;
+    let wider = all.then(|| wider::widening(&parts, &one, element, across)).flatten();
+    let chosen = wider.unwrap_or(one);
+    for axis in 0..axes {
+        let elements = chosen.frame.elements[axis] as f64;
         if elements > MOST {
             let allows = accuracy * (elements / MOST).powf(order(&parts));
             let message = format!(
@@ -198,14 +222,8 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<(FrameCase, bool),
             );
             return Err(Problem::error(Key::of(["accuracy"]), message));
         }
-        if chose.elements {
-            frame.elements[axis] = elements as usize;
-        }
     }
-    if frame.line {
-        frame.elements[1] = 1;
-    }
-    Ok((frame, found))
+    Ok(chosen)
 }
 
 /// What to do where a contact is not found.
@@ -226,6 +244,11 @@ fn lost(why: Lost) -> Problem {
             Problem::missing(frame, message).help(help)
         }
     }
+}
+
+/// The even number of elements from some number on; beyond what can be counted there are as many as there can be.
+fn even(elements: f64) -> usize {
+    ((0.5 * elements).ceil() as usize).saturating_mul(2)
 }
 
 /// Elements across the contact of the first output.

@@ -11,7 +11,7 @@ pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
     if parts.case.is_meshed() {
         return Verdict::default();
     }
-    let frame = &parts.case.frame;
+    let frame = &parts.case.last_frame();
     let (spacing, elements) = (frame.spacing(), frame.elements);
     let fewest = |across: [f64; 2]| {
         let resolved = (0..2).filter(|&axis| elements[axis] > 1).map(|axis| across[axis]);

@@ -3,13 +3,15 @@
 use super::Parts;
 use super::words::{length, size_list};
 use crate::body::Profile;
+use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::frame::ContactFrame;
 
 /// What is wrong with frame and profiles; nothing else is worth checking then.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
-    let frame = parts.case.frame;
+    let case = parts.case;
+    let frame = case.frame;
     if !parts.plane() {
         return vec![];
     }
@@ -17,9 +19,16 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         return vec![problem];
     }
     let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
-    match ContactFrame::uniform(frame.rectangle(), frame.elements, profiles) {
-        Err(off) => vec![beyond(parts, off.body)],
-        Ok(built) => touch(parts, built.gap()).into_iter().collect(),
+    let on = |frame: FrameCase| ContactFrame::uniform(frame.rectangle(), frame.elements, profiles);
+    let widest = (!case.doubles.is_empty()).then(|| on(case.last_frame()));
+    match (on(frame), widest) {
+        (Err(off), _) => vec![beyond(parts, off.body)],
+        (_, Some(Err(off))) => {
+            let name = &case.bodies[off.body].name;
+            let message = format!("the frame becomes wider than the surface of the body `{name}`");
+            vec![Problem::error(Key::of(["frame", "doubles"]), message)]
+        }
+        (Ok(built), _) => touch(parts, built.gap()).into_iter().collect(),
     }
 }
 

@@ -8,6 +8,20 @@ use crate::compliance::bem::Surface;
 /// Points outside of their bodies, sections without places.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = vec![];
+    let bodies = parts.case.bodies.iter().zip(&parts.case.sections);
+    let mut files: Vec<String> = vec![];
+    for (body, section) in
+        bodies.flat_map(|(body, sections)| sections.iter().map(|one| (&body.name, one)))
+    {
+        let file = format!("{body}_{}", section.name);
+        if files.contains(&file) {
+            let key = Key::of(["output", "sections", body, &section.name]);
+            let message =
+                format!("another section is `sections/{file}.vtu` too: give it another name");
+            problems.push(Problem::error(key, message));
+        }
+        files.push(file);
+    }
     let wanted = parts.case.points.iter().zip(&parts.case.sections);
     for (body, (points, sections)) in parts.bodies.iter().zip(wanted) {
         let any = !points.is_empty() || !sections.is_empty();

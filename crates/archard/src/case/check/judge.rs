@@ -236,7 +236,7 @@ fn extents_in_words(extents: [f64; 2]) -> String {
 
 /// A contact that fills the frame along an axis, or will once it has worn.
 fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
-    let size = parts.case.frame.rectangle().about_origin();
+    let size = parts.case.last_frame().rectangle().about_origin();
     let (key, word) = (parts.frame_key("size"), parts.frame_word());
     let contact = forecast.estimate.contact.as_ref()?;
     if let Some(axis) = [0, 1].into_iter().find(|&axis| contact.semi_axes[axis].is_infinite()) {

@@ -6,12 +6,18 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Line, Reader, Section};
 use crate::case::tree::{Item, Node};
+use crate::motion::Planned;
 use crate::parameters::Quantity;
+use crate::simulation::can_widen;
 
 impl Reader<'_> {
     /// Size and elements; those that are to be chosen may be missing.
     pub(super) fn frame(&mut self, section: &Section<'_>, chosen: bool) -> Option<FrameCase> {
-        self.unknown(section, "key", &["centre", "size", "elements", "plane_strain", "length"]);
+        self.unknown(
+            section,
+            "key",
+            &["centre", "size", "elements", "doubles", "plane_strain", "length"],
+        );
         if let Some(length) = self.line_of_contact(section)? {
             return self.line(section, length, chosen);
         }
@@ -45,6 +51,39 @@ impl Reader<'_> {
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, elements));
         Some(FrameCase { centre: centre?, size: size?, elements: elements?, line: false })
+    }
+
+    /// From where on the frame is twice as wide: nowhere, if the key is not there.
+    pub(super) fn doubles(
+        &mut self,
+        root: &Section<'_>,
+        frame: Option<FrameCase>,
+        (motion, schedule): &Planned,
+    ) -> Option<Vec<f64>> {
+        let Some((key, entry)) = root.get("frame") else { return Some(vec![]) };
+        let Item::Table(table) = &entry.node.item else { return Some(vec![]) };
+        let Some((key, entry)) = (Section { key, table }).get("doubles") else {
+            return Some(vec![]);
+        };
+        let frame = frame?;
+        let wrong = if frame.line || !can_widen(motion) {
+            Some(
+                "frames become wider only where bodies slide and neither swings, and no line of contact does",
+            )
+        } else if frame.size[0] == 0.0 || frame.elements[0] == 0 {
+            Some(
+                "tells how an explicit frame becomes wider: give its `size` and `elements`, or leave this out",
+            )
+        } else if frame.elements.iter().any(|count| !count.is_multiple_of(2)) {
+            Some("takes an even number of elements along both axes: two of them become one")
+        } else {
+            None
+        };
+        if let Some(wrong) = wrong {
+            self.push(Problem::error(key, wrong).at_name());
+            return None;
+        }
+        self.places(key, entry, motion.progress().quantity, schedule.extent)
     }
 
     /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read

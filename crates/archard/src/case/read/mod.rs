@@ -54,6 +54,7 @@ impl Reader<'_> {
                 .and_then(|section| self.frame(&section, root.get("accuracy").is_some())),
         };
         let motion = self.motion(root);
+        let doubles = motion.as_ref().and_then(|(_, motion)| self.doubles(root, frame, motion));
         let friction = self.friction(root);
         let solver = self.solver(root, "solver", SOLVERS);
         let friction_solver = self.friction_solver(root);
@@ -65,6 +66,7 @@ impl Reader<'_> {
             accuracy: accuracy?,
             bodies: bodies?,
             frame: frame?,
+            doubles: doubles?,
             motion: motion?.0,
             friction: friction?,
             solver: solver?,

@@ -35,7 +35,9 @@ impl Reader<'_> {
                 let interval = self.number(key.clone(), &entry.node, quantity)?;
                 self.few_outputs(key, interval, schedule.extent)
             }
-            (None, Some((key, entry))) => self.places(key, entry, quantity, schedule.extent),
+            (None, Some((key, entry))) => {
+                self.places(key, entry, quantity, schedule.extent).map(Output::At)
+            }
         }
     }
 
@@ -112,13 +114,14 @@ impl Reader<'_> {
         Some(Output::Every(interval))
     }
 
-    fn places(
+    /// Places of the motion in a list, rising.
+    pub(super) fn places(
         &mut self,
         key: Key,
         entry: &Entry,
         quantity: Quantity,
         extent: f64,
-    ) -> Option<Output> {
+    ) -> Option<Vec<f64>> {
         let Item::Array(nodes) = &entry.node.item else {
             let example = measure(quantity, &Values::default())
                 .map_or("0.5".to_owned(), |measure| format!("\"{}\"", measure.example));
@@ -134,7 +137,7 @@ impl Reader<'_> {
             sound &= place.is_some();
             match place {
                 Some(place) if place > extent => {
-                    let message = "lies beyond the end of the motion: nothing is put out there";
+                    let message = "lies beyond the end of the motion: nothing happens there";
                     self.push(Problem::warning(key, message));
                 }
                 place => places.extend(place),
@@ -142,7 +145,7 @@ impl Reader<'_> {
         }
         places.sort_by(f64::total_cmp);
         places.dedup();
-        sound.then_some(Output::At(places))
+        sound.then_some(places)
     }
 }
 

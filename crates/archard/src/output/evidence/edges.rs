@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frame::ContactFrame;
+use crate::frame::{ContactFrame, Rectangle};
 use crate::problem::ContactProblem;
 
 /// What the pairs at the edge bear.
@@ -49,10 +49,11 @@ pub(super) fn of(frame: &ContactFrame, border: &[usize], pressure: &[f64]) -> Op
 
 /// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
 fn is_even(problem: &ContactProblem, axis: usize) -> bool {
-    let size = problem.frame.size();
+    let Rectangle { centre, size } = problem.frame.rectangle();
     let gap = |along: f64, across: f64| -> Option<f64> {
-        let mut place = [0.0; 2];
-        (place[axis], place[1 - axis]) = (along * size[axis], across * size[1 - axis]);
+        let mut place = centre;
+        place[axis] += along * size[axis];
+        place[1 - axis] += across * size[1 - axis];
         let recess = |index: usize| problem.bodies[index].profile.recess(place[0], place[1]);
         let gap = recess(0) + recess(1);
         gap.is_finite().then_some(gap)

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
-use crate::problem::ContactProblem;
+use crate::problem::{Beyond, ContactProblem, Overlap};
 use crate::simulation::history::{SPACE_ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::simulation::{OF_STEPS, Part, Report};
 use crate::verdict::{self, Verdict};
@@ -28,6 +28,11 @@ pub(super) struct Evidence {
     edges: Option<Edges>,
     /// The pairs there, once they were looked for.
     border: Option<Vec<usize>>,
+    /// The measured places beyond the frame.
+    #[serde(skip)]
+    beyond: Option<Beyond>,
+    /// How deep the bodies overlap beyond the frame, relative to the approach, and where (m).
+    overlap: Option<(f64, [f64; 2])>,
     /// What is left of the balance of forces and of moments on bodies whose equations were solved.
     balance: Option<[f64; 2]>,
     /// Elements across the contact at the first output that bears a load, and when it was largest.
@@ -67,6 +72,13 @@ impl Evidence {
         {
             self.edges = Some(edges);
         }
+        let beyond = Beyond::of(problem, self.beyond.take());
+        if let Some(Overlap { depth, place }) = beyond.overlap(problem, state)
+            && self.overlap.is_none_or(|(known, _)| depth >= known * state.approach)
+        {
+            self.overlap = Some((depth / state.approach, place));
+        }
+        self.beyond = Some(beyond);
         if let Some(across) = extent::across(problem, |pair| state.pressure[pair] > 0.0) {
             if report.output {
                 self.first.get_or_insert(across);
@@ -108,6 +120,7 @@ impl Evidence {
         let lines = [
             self.load.map(verdict::load),
             self.edges.map(|Edges { share, pairs }| verdict::edges(share, pairs)),
+            self.overlap.map(|(depth, place)| verdict::beyond(depth, place)),
             self.first.map(verdict::first_contact),
             self.largest.map(verdict::contact),
             self.stick.map(verdict::stick_zone),

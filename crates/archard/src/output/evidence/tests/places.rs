@@ -116,3 +116,28 @@ fn elements_are_counted_along_the_axis_with_the_fewest() {
     assert_eq!(across(&described("sphere", [true, true], false), &[0, 1, 3, 4]), Some(4.0));
     assert_eq!(across(&described("sphere", [true, false], false), &[0, 3]), Some(2.0));
 }
+
+/// A fan of 24 triangles around the first point of contact is one element to either side, not five across.
+#[test]
+fn a_ring_of_narrow_elements_resolves_nothing() {
+    let corner = |step: usize| {
+        let angle = std::f64::consts::TAU * step as f64 / 24.0;
+        [1e-3 * angle.cos(), 1e-3 * angle.sin(), 0.0]
+    };
+    let outline = |step: usize| vec![[0.0; 3], corner(step), corner(step + 1)];
+    let place = |step: usize| {
+        let outline = outline(step);
+        [0, 1, 2].map(|axis| outline.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0)
+    };
+    let mut problem = line_contact([5, 4]);
+    let pairs = Pairs {
+        places: (0..24).map(place).collect(),
+        areas: vec![1e-7; 24],
+        gap: vec![0.0; 24],
+        outlines: (0..24).map(outline).collect(),
+        ..Pairs::default()
+    };
+    problem.frame = ContactFrame::described(pairs).unwrap();
+    let across = extent::across(&problem, |_| true).unwrap();
+    assert!((across - 2.8).abs() < 0.1, "{across}");
+}
