@@ -56,6 +56,8 @@ class Verdict(NamedTuple):
     """``"good"``, ``"doubtful"`` or ``"wrong"``: the worst of all lines."""
     lines: list[dict[str, Any]]
     """What was judged: ``subject``, ``value``, ``word``, its bounds, and ``text``."""
+    outgrown: bool = False
+    """Whether the contact outgrew its frame: a larger one is needed."""
 
     @property
     def wrong(self) -> str:
@@ -164,7 +166,7 @@ class Result:
     def verdict(self) -> Verdict:
         """Whether what was computed can be believed; without a summary it cannot."""
         found = self.summary.get("verdict")
-        return Verdict(found["word"], found["lines"]) if found else Verdict("doubtful", [])
+        return Verdict(found["word"], found["lines"], found.get("outgrown", False)) if found else Verdict("doubtful", [])
 
     @property
     def doubt(self) -> str:

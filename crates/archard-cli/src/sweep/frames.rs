@@ -6,7 +6,6 @@
 use std::path::Path;
 
 use archard::case::Resolved;
-use serde_json::Value;
 
 use super::design::{Design, Row};
 use super::row;
@@ -75,9 +74,5 @@ fn outgrew(dir: &Path, resolved: &Resolved) -> bool {
         return false;
     }
     let summary = row::summary(dir).unwrap_or_default();
-    let lines = summary["verdict"]["lines"].as_array();
-    lines.is_some_and(|lines| {
-        let of_frame = |line: &Value| line["subject"] == "edges" || line["subject"] == "beyond";
-        lines.iter().any(|line| of_frame(line) && line["word"] != "good")
-    })
+    summary["verdict"]["outgrown"] == true
 }

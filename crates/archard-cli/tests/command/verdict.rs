@@ -58,3 +58,22 @@ fn a_contact_on_one_element_is_wrong() {
     let picture = fs::read_to_string(dir.path().join("wrong/plots/overview.svg")).unwrap();
     assert!(picture.contains("the result is wrong: contact"));
 }
+
+/// Frames that become wider before the scar does: few elements are left at the end, though the first frame had many.
+#[test]
+fn a_contact_that_wider_frames_do_not_resolve_is_doubtful() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let run = |folder: &str, doubles: &str| {
+        let doubles = format!("frame.doubles={doubles}");
+        let set =
+            ["frame.elements=[60,60]", "motion.sliding.step=", "motion.sliding.tolerance=1e-2"];
+        let set = set.into_iter().chain([doubles.as_str()]).flat_map(|key| ["--set", key]);
+        let options = ["run", pin.to_str().unwrap(), "-o", folder];
+        archard(&dir, &options.into_iter().chain(set).collect::<Vec<_>>()).success();
+    };
+    run("late", "[\"0.2 m\"]");
+    run("early", "[\"10 mm\",\"20 mm\",\"30 mm\"]");
+    assert_eq!(word(&dir, "late", "contact"), "good");
+    assert_eq!(word(&dir, "early", "contact"), "doubtful");
+}

@@ -1,6 +1,9 @@
 //! The lines there are, each with its bounds and what these were measured on.
 
-use super::{Bound, Line};
+use super::{Bound, Line, four};
+
+/// Subjects of the lines that a larger frame makes good.
+pub(super) const OF_THE_FRAME: [&str; 2] = ["edges", "beyond"];
 
 /// The load, or approach, against the one prescribed: how far off it is, relative to it.
 ///
@@ -69,10 +72,13 @@ pub fn time(error: f64, tolerance: f64) -> Line {
     Line::new("time", error, Bound::AtMost([1.5 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
-/// The estimated error of the worst quantity by the steps and by the elements, against the accuracy asked for. The run has
-/// elements that half of it was foreseen for; what it shows may be more.
-pub fn accuracy(error: f64, asked: f64) -> Line {
-    let text = format!("estimated error by steps and elements, {asked} asked");
+/// The estimated error of the worst quantity by the steps and by the elements at the end, against the accuracy asked for,
+/// and its largest at an output. The run has elements that half of it was foreseen for at the end; what it shows may be more.
+pub fn accuracy(error: f64, largest: f64, asked: f64) -> Line {
+    let mut text = format!("estimated error by steps and elements at the end, {asked} asked");
+    if largest > error {
+        text += &format!("; up to {} at outputs before it", four(largest));
+    }
     Line::new("accuracy", error, Bound::AtMost([asked, (10.0 * asked).max(0.1)]), text)
 }
 

@@ -27,6 +27,11 @@ impl Verdict {
         self.lines.iter().map(Line::word).max().unwrap_or(Word::Good)
     }
 
+    /// Whether the contact outgrew its frame: a larger one is needed.
+    pub fn outgrown(&self) -> bool {
+        self.complaints().any(|line| bounds::OF_THE_FRAME.contains(&line.subject))
+    }
+
     /// The lines that are not good, in words.
     pub fn complaints(&self) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(|line| line.word() != Word::Good)

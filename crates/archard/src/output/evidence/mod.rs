@@ -35,9 +35,10 @@ pub(super) struct Evidence {
     overlap: Option<(f64, [f64; 2])>,
     /// What is left of the balance of forces and of moments on bodies whose equations were solved.
     balance: Option<[f64; 2]>,
-    /// Elements across the contact at the first output that bears a load, and when it was largest.
+    /// Elements across the contact at the first output that bears a load.
     first: Option<f64>,
-    largest: Option<f64>,
+    /// Sizes (m) of the frames that the run went through, and the elements across the contact when it was largest there.
+    largest: Vec<(f64, f64)>,
     /// Elements across the stick zone at the end of bodies that are shifted; `None` where nothing sticks, or all does.
     stick: Option<f64>,
     /// Error of the division into steps at the end, and the tolerance asked for.
@@ -51,8 +52,9 @@ pub(super) struct Evidence {
     volume: Option<f64>,
     /// Alternation and spikes of the pressures at outputs, relative to the largest.
     roughness: Option<f64>,
-    /// Estimated error by steps and elements, and the accuracy asked for.
-    accuracy: Option<[f64; 2]>,
+    /// Estimated error by steps and elements at the end, the largest at an output before, and the accuracy asked for.
+    accuracy: Option<[f64; 3]>,
+    worst_output: Option<f64>,
     /// The smallest Peclet number of a contact that is warmed.
     peclet: Option<f64>,
 }
@@ -83,7 +85,11 @@ impl Evidence {
             if report.output {
                 self.first.get_or_insert(across);
             }
-            worst(&mut self.largest, Some(across));
+            let size = problem.frame.rectangle().size[0];
+            match self.largest.last_mut() {
+                Some((known, largest)) if *known == size => *largest = largest.max(across),
+                _ => self.largest.push((size, across)),
+            }
         }
         let shifted = problem.motion.period().is_some();
         self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
@@ -100,7 +106,11 @@ impl Evidence {
             let space = number(row, SPACE_ERROR).unwrap_or(f64::NAN);
             let increments = companion.worst(row, Part::Increments);
             let time = OF_STEPS * effort.time_error.unwrap_or_default();
-            [space + time + increments, companion.asked]
+            let error = space + time + increments;
+            if report.output {
+                worst(&mut self.worst_output, Some(error));
+            }
+            [error, self.worst_output.unwrap_or_default(), companion.asked]
         });
         self.touch =
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
@@ -122,10 +132,10 @@ impl Evidence {
             self.edges.map(|Edges { share, pairs }| verdict::edges(share, pairs)),
             self.overlap.map(|(depth, place)| verdict::beyond(depth, place)),
             self.first.map(verdict::first_contact),
-            self.largest.map(verdict::contact),
+            self.largest.iter().map(|(_, across)| *across).reduce(f64::min).map(verdict::contact),
             self.stick.map(verdict::stick_zone),
             self.time.map(|[error, tolerance]| verdict::time(error, tolerance)),
-            self.accuracy.map(|[error, asked]| verdict::accuracy(error, asked)),
+            self.accuracy.map(|[error, largest, asked]| verdict::accuracy(error, largest, asked)),
             self.touch.map(verdict::touch),
             self.energy.map(verdict::energy),
             self.volume.map(verdict::volume),
