@@ -166,7 +166,9 @@ class Result:
     def verdict(self) -> Verdict:
         """Whether what was computed can be believed; without a summary it cannot."""
         found = self.summary.get("verdict")
-        return Verdict(found["word"], found["lines"], found.get("outgrown", False)) if found else Verdict("doubtful", [])
+        if not found:
+            return Verdict("doubtful", [])
+        return Verdict(found["word"], found["lines"], found.get("outgrown", False))
 
     @property
     def doubt(self) -> str:

@@ -67,7 +67,7 @@ fn a_contact_that_wider_frames_do_not_resolve_is_doubtful() {
     let run = |folder: &str, doubles: &str| {
         let doubles = format!("frame.doubles={doubles}");
         let set =
-            ["frame.elements=[60,60]", "motion.sliding.step=", "motion.sliding.tolerance=1e-2"];
+            ["frame.elements=[40,40]", "motion.sliding.step=", "motion.sliding.tolerance=1e-2"];
         let set = set.into_iter().chain([doubles.as_str()]).flat_map(|key| ["--set", key]);
         let options = ["run", pin.to_str().unwrap(), "-o", folder];
         archard(&dir, &options.into_iter().chain(set).collect::<Vec<_>>()).success();

@@ -23,6 +23,9 @@ pub(crate) const BYTES_A_PAIR: f64 = 210.0;
 /// Memory for each pair of half-spaces beyond that (bytes): kernels of the parts of the frame that were solved on.
 // With parts `pin_on_disc` took 41 and 50 bytes a pair more (256, 512), with a tolerance 33 (256).
 const BYTES_A_PAIR_OF_PARTS: f64 = 50.0;
+/// Memory for each pair and each wider frame that the run goes on in (bytes): its gap and its kernels.
+// With 1, 2 and 4 of them `pin_on_disc` took 36, 65 and 203 bytes a pair more (512).
+const BYTES_A_PAIR_OF_A_WIDER_FRAME: f64 = 50.0;
 /// Memory for each pair beyond that (bytes) where two histories are kept to choose steps by error.
 const BYTES_A_PAIR_OF_HISTORIES: f64 = 170.0;
 /// The same of histories that keep tractions and slip as well.
@@ -77,7 +80,8 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
     };
     let factors = of_factors(parts);
     let kernels = if parts.case.is_meshed() { 0.0 } else { BYTES_A_PAIR_OF_PARTS };
-    let fields = (BYTES_A_PAIR + kernels + histories + friction) * pairs;
+    let wider = BYTES_A_PAIR_OF_A_WIDER_FRAME * parts.case.doubles.len() as f64;
+    let fields = (BYTES_A_PAIR + kernels + wider + histories + friction) * pairs;
     BYTES_OF_THE_PROGRAM + meshed + factors + fields
 }
 
