@@ -89,9 +89,14 @@
     const blank = (z) => z.map((row) => row.map((value) => (value > 0 ? value : null)));
     const length = (ends) => Math.abs(ends[ends.length - 1] - ends[0]);
     const slender = Math.max(length(x), length(y)) > 4 * Math.min(length(x), length(y));
+    // The whole of the elements, whichever of them show something.
+    const range = (places) => {
+      const half = length(places) / Math.max(1, places.length - 1) / 2;
+      return half > 0 ? [Math.min(...places) - half, Math.max(...places) + half] : undefined;
+    };
     const plane = () => styled({
-      xaxis: { title: { text: `x (${across})` }, constrain: "domain", showgrid: false },
-      yaxis: { title: { text: `y (${across})` }, constrain: "domain", showgrid: false, ...(slender ? {} : { scaleanchor: "x" }) },
+      xaxis: { title: { text: `x (${across})` }, range: range(x), constrain: "domain", showgrid: false },
+      yaxis: { title: { text: `y (${across})` }, range: range(y), constrain: "domain", showgrid: false, ...(slender ? {} : { scaleanchor: "x" }) },
     });
     const heat = (name, title, output) => ({ type: "heatmap", x, y, z: blank(rows(values(name, output))), colorscale: "Viridis",
       zmin: 0, zmax: top(values(name, output)) || 1, colorbar: { title: { text: `${title} (${fields[name].unit})`, side: "right" }, thickness: 14 },

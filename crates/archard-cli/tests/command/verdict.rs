@@ -77,3 +77,26 @@ fn a_contact_that_wider_frames_do_not_resolve_is_doubtful() {
     assert_eq!(word(&dir, "late", "contact"), "good");
     assert_eq!(word(&dir, "early", "contact"), "doubtful");
 }
+
+/// What a frame holds is foreseen by the widest that it becomes.
+#[test]
+fn wider_frames_are_foreseen() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let foreseen = |more: &[&str]| {
+        let set =
+            ["--set", "frame.size=[\"0.8 mm\",\"0.8 mm\"]", "--set", "frame.elements=[60,60]"];
+        let options = ["check", pin.to_str().unwrap(), "--json"];
+        let options = [&options[..], &set, more].concat();
+        let text = printed(&archard(&dir, &options).success());
+        let check: serde_json::Value = serde_json::from_str(&text).unwrap();
+        let lines = check["verdict_foreseen"]["lines"].as_array().unwrap();
+        let of = |subject: &str| lines.iter().find(|line| line["subject"] == subject).unwrap();
+        ["contact", "edges"].map(|subject| of(subject)["value"].as_f64().unwrap())
+    };
+    // A scar 0.959 mm wide: the frame ends within it, or holds it on elements twice as large.
+    let [across, beyond] = foreseen(&[]);
+    assert!(across == 60.0 && beyond > 0.05, "{across} {beyond}");
+    let [across, beyond] = foreseen(&["--set", "frame.doubles=[\"60 mm\"]"]);
+    assert!((across - 36.0).abs() < 0.5 && beyond == 0.0, "{across} {beyond}");
+}

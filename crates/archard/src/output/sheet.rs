@@ -56,3 +56,31 @@ pub(super) fn turn_over(fields: &mut [Field], vectors: &mut [(String, Vec<[f64; 
     let vectors = vectors.iter_mut().flat_map(|(_, vectors)| vectors);
     vectors.for_each(|vector| vector[2] = -vector[2]);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Sheet;
+    use crate::output::Field;
+
+    /// What lies below lies above: vectors and shears along z change their sign, all else keeps its.
+    #[test]
+    fn turned_over_it_is_the_mirror_image() {
+        let names =
+            ["stress_xx_Pa", "stress_zz_Pa", "stress_xy_Pa", "stress_yz_Pa", "stress_xz_Pa"];
+        let fields = [&names[..], &["displacement_x_m", "displacement_z_m"]].concat();
+        let sheet = Sheet {
+            points: vec![[1.0, 2.0, -3.0], [1.5, 2.0, -3.0], [1.0, 2.5, -2.0]],
+            cells: vec![vec![0, 1, 2]],
+            fields: fields.iter().map(|name| Field::new(*name, vec![7.0; 3])).collect(),
+            vectors: vec![("displacement_m".into(), vec![[1.0, 2.0, 3.0]; 3])],
+        };
+        let turned = sheet.clone().turned_over();
+        assert_eq!(turned.points[2], [1.0, 2.5, 2.0]);
+        assert_eq!(turned.vectors[0].1[1], [1.0, 2.0, -3.0]);
+        let signs = turned.fields.iter().map(|field| field.values[2] / 7.0).collect::<Vec<_>>();
+        assert_eq!(signs, [1.0, 1.0, 1.0, -1.0, -1.0, 1.0, -1.0]);
+        // Seen from outside, cells go around as they did.
+        assert_eq!(turned.cells[0], [2, 1, 0]);
+        assert_eq!(turned.turned_over(), sheet);
+    }
+}

@@ -198,6 +198,13 @@ fn other_cases_do_not_go_on() {
         let refused = Run::resume(build((swings.0, &settings)), &kept).err();
         assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
     }
+    let wider = CASES[15];
+    let kept = Run::begin(build(wider)).unwrap().checkpoint();
+    for other in ["frame.doubles=[\"20 mm\", \"210 mm\"]", "frame.doubles=[\"20 mm\"]"] {
+        let settings = [wider.1, &[other]].concat();
+        let refused = Run::resume(build((wider.0, &settings)), &kept).err();
+        assert_eq!(refused, Some(NotResumed::OtherCase), "{other}");
+    }
     let meshed = CASES[11];
     let kept = Run::begin(build(meshed)).unwrap().checkpoint();
     let stiffer = [meshed.1, &["body.block.material.young=211 GPa"]].concat();

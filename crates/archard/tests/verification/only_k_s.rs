@@ -134,6 +134,7 @@ fn only_where_k_alone_differs() {
         "body.disc.wear={ power = { coefficient = \"1e-13 1/Pa\", pressure_exponent = 1.2, reference_pressure = \"1 MPa\" } }",
         "body.disc.wear={ threshold = { coefficient = \"1e-13 1/Pa\", threshold = \"1 MPa\" } }",
         "motion.sliding.scheme=explicit",
+        "frame.doubles=[\"0.2 m\"]",
     ] {
         assert_eq!(kind(&[other]), None, "{other}");
     }
