@@ -66,7 +66,7 @@ mod tests {
     #[test]
     fn turned_over_it_is_the_mirror_image() {
         let names =
-            ["stress_xx_Pa", "stress_zz_Pa", "stress_xy_Pa", "stress_yz_Pa", "stress_xz_Pa"];
+            ["stress_xx_Pa", "stress_zz_Pa", "stress_xy_Pa", "stress_yz_Pa", "stress_zx_Pa"];
         let fields = [&names[..], &["displacement_x_m", "displacement_z_m"]].concat();
         let sheet = Sheet {
             points: vec![[1.0, 2.0, -3.0], [1.5, 2.0, -3.0], [1.0, 2.5, -2.0]],

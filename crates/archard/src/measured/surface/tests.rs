@@ -355,7 +355,7 @@ fn a_track_is_measured_square_to_it() {
     let off =
         |_| track(30.0, [6, 200]).map(|scar| (scar.worn - SECTION) / scar.uncertainty).unwrap();
     let spread = (0..200).map(off).map(|off: f64| off * off).sum::<f64>() / 200.0;
-    assert!((0.7..1.3).contains(&spread), "{spread}");
+    assert!((0.6..1.5).contains(&spread), "{spread}");
     let refused = track(0.0, [30, 12]).unwrap_err();
     assert!(matches!(refused, NoScar::Coarse { axis: "y", .. }), "{refused}");
 }
