@@ -39,10 +39,11 @@ impl<'a> Values<'a> {
     }
 
     /// A group of lanes.
+    #[inline]
     fn lanes(self, group: usize) -> [f64; LANES] {
         match self {
             Self::All(value) => [value; LANES],
-            Self::Each(values) => from_fn(|lane| values[group * LANES + lane]),
+            Self::Each(values) => values.as_chunks().0[group],
         }
     }
 }

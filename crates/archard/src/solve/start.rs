@@ -29,11 +29,24 @@ pub(super) fn first_guess(step: &Step<'_>) -> (Vec<f64>, f64) {
     let edge = match step.control {
         Control::Approach(approach) => 0.5 * (approach - lowest),
         Control::Load(load) => {
-            let load_at = |edge: f64| 8.0 / (3.0 * PI) * modulus * edge * (PI * area(edge)).sqrt();
+            let load_at =
+                |edge: f64, area: f64| 8.0 / (3.0 * PI) * modulus * edge * (PI * area).sqrt();
             let (mut low, mut high) = (0.0, highest - lowest);
+            // What pairs count whose gaps are up to the low end, and those between both ends.
+            let mut inside = 0.0;
+            let weighed = |(pair, gap): (usize, &f64)| [gap - lowest, step.measure.weight.at(pair)];
+            let mut open: Vec<[f64; 2]> = step.gap.iter().enumerate().map(weighed).collect();
             for _ in 0..HALVINGS {
                 let middle = 0.5 * (low + high);
-                if load_at(middle) < load { low = middle } else { high = middle }
+                let closed = open.iter().filter(|[gap, _]| *gap <= middle);
+                let all = inside + closed.map(|[_, weight]| weight).sum::<f64>();
+                if load_at(middle, all * step.measure.area) < load {
+                    (low, inside) = (middle, all);
+                    open.retain(|[gap, _]| *gap > middle);
+                } else {
+                    high = middle;
+                    open.retain(|[gap, _]| *gap <= middle);
+                }
             }
             high
         }

@@ -312,10 +312,13 @@ impl Cycles {
         self.position.done += 1;
         self.effort.true_cycles += 1;
         let shifted = &mut self.position.shifted;
-        if shift.released {
+        let fresh = self.position.done == 1 && shift.lead.is_empty();
+        if shift.released && !fresh {
             shifted.release(&simulation.problem);
         }
-        shifted.begin_cycle();
+        if !fresh {
+            shifted.begin_cycle();
+        }
         let comparable = shift.peak() == shift.cycle.len() - 1 && !shift.released;
         let begun = comparable.then(|| shifted.evolution.state.pressure.clone());
         Open { begun, ..Open::default() }

@@ -108,6 +108,9 @@ impl Shifted {
         known: Option<&WarmStart>,
         effort: &mut Effort,
     ) -> Result<WarmStart, Error> {
+        if self.evolution.state.tangential.is_none() {
+            return self.solve_increment(simulation, (station, progress), known, effort);
+        }
         let before = self.clone_contact();
         let warm_start = self.solve_increment(simulation, (station, progress), known, effort)?;
         self.rubbed.take_up(&mut self.evolution, &before, &simulation.problem);
@@ -264,9 +267,6 @@ impl Shifted {
         let frame = &problem.frame;
         let (rigid, prescribed) = self.rigid_slip(problem, station, Some(pressed));
         let Some(law) = &problem.friction else {
-            if self.evolution.state.tangential.is_none() {
-                return Ok(Solved::default());
-            }
             let traction = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
             self.elastic_displacement = [pressed.t1.clone(), pressed.t2.clone()];
             self.approached = self.evolution.state.approach;

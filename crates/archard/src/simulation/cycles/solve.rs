@@ -146,6 +146,9 @@ impl Shifted {
         self.start_from(increment, known);
         let gap_by_friction = self.opened_by_shift(problem, station);
         self.press(simulation, increment, &gap_by_friction, effort)?;
+        if self.evolution.state.tangential.is_none() {
+            return Ok(Solved::default());
+        }
         let pressed = self.displacement_under(problem, None);
         self.solve_friction(simulation, increment, station, &pressed, known, effort)
     }
