@@ -4,7 +4,6 @@ import concurrent.futures
 import logging
 import multiprocessing
 import pickle
-import signal
 import subprocess
 import sys
 import threading
@@ -170,6 +169,8 @@ def test_processes(method):
 
 INTERRUPTED = """
 import archard, signal, threading, os, time, sys, warnings
+# Where a shell that put the tests into the background has it ignored.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 warnings.simplefilter("ignore")
 case = archard.Case("pin_on_disc")
 case["frame.elements"] = [64, 64]
@@ -189,6 +190,7 @@ except KeyboardInterrupt as error:
     run = case.steps(laws=law, resume=result)
     assert next(run).progress == result.history["distance_m"][-1]
     next(run)
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     print("kept", rows)
 """
 
@@ -198,11 +200,11 @@ def test_ctrl_c_keeps_what_is_done(law):
     done = subprocess.run([sys.executable, "-c", INTERRUPTED, law], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
     assert done.stdout.startswith("kept")
-    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
 
 
 LEFT = """
 import archard, signal, threading, os, time, warnings
+signal.signal(signal.SIGINT, signal.default_int_handler)
 warnings.simplefilter("ignore")
 case = archard.Case("pin_on_disc")
 calls = []
