@@ -8,10 +8,13 @@
 //! feeding it back, or any linear second-order step, leaves spikes there.
 //!
 //! The error that remains after extrapolation is estimated by the error removed, times the relative
-//! change of the rate of wear over the step: how far the step is from resolving the history. The
-//! estimate never falls during a run. The pressure of an Euler step lags behind by the order of the
-//! step; the two histories show by how much, and the step is kept short enough for that too. At the
-//! centre, where no edge passes, the lag is known well enough to be taken off (`Effort::centre_lag`).
+//! change of the rate of wear over half of the step: how far the step is from resolving the history.
+//! Of w' = w^-m the error that one step leaves is 0.8 to 1.2 times what this makes of the difference
+//! that is new in the fine history; later, what both histories are off already takes off more than half
+//! of that. So the coarse history's difference counts, and what is new of it twice. The estimate never
+//! falls during a run. The pressure of an Euler step lags behind by the order of the step; the two
+//! histories show by how much, and the step is kept short enough for that too. At the centre, where no
+//! edge passes, the lag is known well enough to be taken off (`Effort::centre_lag`).
 
 use serde::{Deserialize, Serialize};
 
@@ -24,13 +27,18 @@ use crate::problem::{ContactProblem, ContactState, Swung};
 
 /// Aim of the controller relative to the tolerance.
 const AIM: f64 = 0.9;
+/// What the difference of both histories counts where none of it is new. With 1 for what is, the estimate is 1.1 times the
+/// true error and more on the pin on disc, 2 and more on tracks, rings and punches.
+const SETTLED: f64 = 0.9;
 /// Lag of the pressure at the deepest point that is allowed, relative to the root of the tolerance.
-/// Both the lag and the root of the wear's error grow with the step: 3 % go with a tolerance of 1e-3.
-const LAG: f64 = 1.0;
+/// Both the lag and the root of the wear's error grow with the step: 4.4 % go with a tolerance of 1e-3.
+const LAG: f64 = 1.4;
 /// Lag of the pressure at the centre, relative, from which on an edge is thought to pass there.
 const EDGE: f64 = 0.1;
 /// Bounds on the change of the step from one to the next.
 const CHANGE: (f64, f64) = (0.2, 2.0);
+/// The most by which the next step is longer because the steps before it could have become longer from one to the next.
+const TREND: f64 = 1.15;
 /// Share of a step whose contact was not found that is tried next.
 const SHORTER: f64 = 0.25;
 /// Shortest step that the lag of the pressures of surfaces that swing asks for, relative to the progress.
@@ -50,6 +58,10 @@ pub(super) struct Adaptive {
     swung: Option<Swung>,
     /// Length of the next step (the motion's unit).
     step: f64,
+    /// Length that the last step could have had (the motion's unit).
+    allowed: f64,
+    /// What extrapolation has removed so far (m): the root of the sum of its squares over all pairs.
+    removed: f64,
     /// Error of the deepest wear (m), the largest estimate so far.
     error: f64,
 }
@@ -63,24 +75,33 @@ struct Trial {
     /// Deepest total wear (m) and its error (m).
     depth: f64,
     error: f64,
+    /// What extrapolation removes (m), over all pairs.
+    removed: f64,
     /// Relative lag of the pressure where the wear is deepest.
     lag: f64,
 }
 
+/// What a step began with and came through, as far as its error asks for it.
+struct Way<'a> {
+    /// Pressures of the fine history before the step and after its first half (Pa).
+    pressures: [&'a [f64]; 2],
+    /// Depths of the fine history there (m), where laws change by themselves.
+    aged: Option<[&'a [Vec<f64>; 2]; 2]>,
+    /// What extrapolation had removed before (m).
+    removed: f64,
+    /// Whether an edge moves by whole elements: of what sticks, or of a surface that swings. The change over the whole step
+    /// is no more than enough then.
+    jumps: bool,
+}
+
 impl Trial {
-    /// Extrapolates both histories and estimates the error, from the pressures before the step too, and where laws age from
-    /// the fine history's depths (m) at the start and after a half.
-    fn of(
-        coarse: Evolution,
-        fine: Evolution,
-        before: &[f64],
-        aged: Option<[&[Vec<f64>; 2]; 2]>,
-    ) -> Self {
+    /// Extrapolates both histories and estimates the error.
+    fn of(coarse: Evolution, fine: Evolution, way: &Way<'_>) -> Self {
         let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
         let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
         let fine_pressure = &fine.state.pressure;
         let (mut deepest, mut depth, mut removed, mut square) = (0, 0.0, 0.0, 0.0);
-        for pair in 0..before.len() {
+        for pair in 0..fine_pressure.len() {
             let value = total(&worn, pair);
             // Planes wear evenly: the lag is that of their most pressed pair.
             if value > depth || value == depth && fine_pressure[pair] > fine_pressure[deepest] {
@@ -89,17 +110,25 @@ impl Trial {
             removed += (value - total(&coarse.state.worn, pair)).powi(2);
             square += value * value;
         }
+        let removed = f64::sqrt(removed);
         let last = fine_pressure[deepest];
-        let mut resolved = relative_change(before[deepest], last);
-        if let Some([start, half]) = aged {
+        let [before, middle] = way.pressures.map(|pressure| pressure[deepest]);
+        let mut resolved = if way.jumps {
+            relative_change(before, last)
+        } else {
+            let half = relative_change(before, middle).max(relative_change(middle, last));
+            let new = if removed > 0.0 { (1.0 - way.removed / removed).max(0.0) } else { 0.0 };
+            ((SETTLED + new) * half).min(1.0)
+        };
+        if let Some([start, half]) = way.aged {
             // Of a law that changes by itself the pressure does not tell: the wear of the two halves does.
             let [one, two] = [(start, half), (half, &fine.state.worn)]
                 .map(|(from, to)| total(to, deepest) - total(from, deepest));
             resolved = resolved.max((2.0 * relative_change(one, two)).min(1.0));
         }
-        let error = if square > 0.0 { depth * (removed / square).sqrt() * resolved } else { 0.0 };
+        let error = if square > 0.0 { depth * removed / f64::sqrt(square) * resolved } else { 0.0 };
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, error, lag }
+        Self { coarse, fine, worn, depth, error, removed, lag }
     }
 
     /// Error relative to what the tolerance allows; of second order in the step.
@@ -138,6 +167,8 @@ impl Adaptive {
             worn: initial.state.worn.clone(),
             swung: initial.state.swung.clone(),
             step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
+            allowed: f64::INFINITY,
+            removed: 0.0,
             error: 0.0,
         })
     }
@@ -171,8 +202,10 @@ impl Adaptive {
             }
             if excess <= 1.0 {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
-                let next = if shortened { self.step.max(change * length) } else { change * length };
-                self.step = next.max(smallest);
+                let allowed = change * length;
+                let next = if shortened { self.step.max(allowed) } else { allowed };
+                let trend = (allowed / self.allowed).clamp(1.0, TREND);
+                (self.step, self.allowed) = ((trend * next).max(smallest), allowed);
                 let weight = simulation.problem.frame.measure().weight;
                 effort.centre_lag = centre_lag(simulation, &trial);
                 return Ok(self.accept(trial, weight, effort));
@@ -199,6 +232,8 @@ impl Adaptive {
         for (body, worn) in self.worn.iter_mut().enumerate() {
             *worn = widened(worn, body, from);
         }
+        // A quarter of the pairs that touch is left.
+        self.removed *= 0.5;
         Ok(())
     }
 
@@ -219,11 +254,18 @@ impl Adaptive {
         let (mut coarse, mut fine) = (self.coarse.clone(), self.fine.clone());
         coarse.implicit(simulation, increment(length, end), effort)?;
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
-        let middle = simulation.problem.ages().then(|| fine.state.worn.clone());
+        let middle = fine.state.pressure.clone();
+        let aged = simulation.problem.ages().then(|| fine.state.worn.clone());
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let before = &self.fine.state;
-        let aged = middle.as_ref().map(|middle| [&before.worn, middle]);
-        let mut trial = Trial::of(coarse, fine, &before.pressure, aged);
+        let motion = &simulation.problem.motion;
+        let way = Way {
+            pressures: [&before.pressure, &middle],
+            aged: aged.as_ref().map(|half| [&before.worn, half]),
+            removed: self.removed,
+            jumps: motion.slips_partly() || motion.swing().is_some(),
+        };
+        let mut trial = Trial::of(coarse, fine, &way);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
             // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
             trial.lag = 0.0;
@@ -235,6 +277,7 @@ impl Adaptive {
     /// extrapolated wear.
     fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Evolution {
         self.error = self.error.max(trial.error);
+        self.removed = trial.removed;
         effort.time_error = Some(if trial.depth > 0.0 { self.error / trial.depth } else { 0.0 });
         effort.pressure_error = Some(trial.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {

@@ -8,8 +8,8 @@ use crate::common::{Ball, depth, peak, states};
 
 /// Outputs (m).
 const OUTPUTS: [f64; 9] = [5e-3, 10e-3, 20e-3, 50e-3, 100e-3, 200e-3, 300e-3, 400e-3, 500e-3];
-/// Elements along a side.
-const CELLS: usize = 24;
+/// Elements along a side: eight across the first contact.
+const CELLS: usize = 40;
 
 /// A run's outputs after the initial contact.
 fn outputs(tolerance: f64) -> Vec<(ContactState, Effort)> {
@@ -120,15 +120,11 @@ fn the_estimate_is_honest() {
     }
 }
 
-/// A tolerance of 1e-3: depths within 0.5 % and at most 150 solves.
+/// A tolerance of 1e-3 takes at most 90 solves with nine outputs. That the depths are within it, the test above asserts.
 #[test]
-fn a_thousandth_takes_at_most_150_solves() {
-    let outputs = outputs(1e-3);
-    for ((state, _), reference) in outputs.iter().zip(converged()) {
-        assert!((depth(state) / reference - 1.0).abs() < 0.005);
-    }
-    let solves = outputs.last().unwrap().1.solves;
-    assert!(solves <= 150, "{solves} solves");
+fn a_thousandth_takes_at_most_90_solves() {
+    let solves = outputs(1e-3).last().unwrap().1.solves;
+    assert!(solves <= 90, "{solves} solves");
 }
 
 /// No spike at the moving edge. A pair that has just been touched climbs fast, and so differs at any
