@@ -83,7 +83,7 @@ impl Surface {
     /// The elements of an image of the surface as it looks along z, without fields, and the part that each of them shows, an
     /// index into [`Surface::parts`]; none beside the surface.
     pub fn raster(&self) -> (Image, Vec<Option<usize>>) {
-        let image = self.frame();
+        let image = self.frame(MOST);
         let sides = self.sides();
         let part = |(pair, own): (usize, [bool; 2])| {
             let side = sides.iter().position(|known| *known == own).unwrap_or(0);
@@ -97,7 +97,7 @@ impl Surface {
     /// The surface as it looks along z: each element of the image has the value of the pair it shows, or zero
     /// beside the surface. Mirror images are shown.
     pub fn image(&self) -> Image {
-        let mut image = self.frame();
+        let mut image = self.frame(1);
         let shown = self.shown(&image);
         let values = |field: &Field| {
             let value = |shown: &Option<(usize, [bool; 2])>| {
@@ -109,14 +109,16 @@ impl Surface {
         image
     }
 
-    /// An image as large as the surface, fine enough to tell its parts apart.
-    fn frame(&self) -> Image {
+    /// An image as large as the surface, fine enough to tell its parts apart, with so many elements along its longer side at
+    /// least.
+    fn frame(&self, least: usize) -> Image {
         let [x, y] = [0, 1].map(|axis| self.extent(axis));
+        let longer = (x[1] - x[0]).max(y[1] - y[0]);
         let side = ((x[1] - x[0]) * (y[1] - y[0]) / self.places.len().max(1) as f64).sqrt();
         let mut image =
             Image { origin: [x[0], y[0]], spacing: [0.0; 2], elements: [0; 2], fields: vec![] };
         for (axis, [low, high]) in [x, y].into_iter().enumerate() {
-            let count = FINER * (high - low) / side;
+            let count = (FINER / side).max(least as f64 / longer) * (high - low);
             let count = if count.is_finite() { count.ceil().clamp(1.0, MOST as f64) } else { 1.0 };
             (image.elements[axis], image.spacing[axis]) = (count as usize, (high - low) / count);
         }
