@@ -66,7 +66,10 @@ fn bare(folder: &Path) -> Vec<String> {
         .filter(goes)
         .map(|key| format!("motion.{}.{key}=", kind.get_ref()))
         .collect();
-    options.extend(["frame.size=", "frame.elements="].map(str::to_owned));
+    let frame = document.get("frame").and_then(|frame| frame.get_ref().as_table());
+    let given = ["size", "elements"].into_iter();
+    let given = given.filter(|key| frame.is_some_and(|frame| frame.contains_key(*key)));
+    options.extend(given.map(|key| format!("frame.{key}=")));
     options
 }
 
