@@ -121,12 +121,12 @@ fn pin_on_disc() -> Result<(), Box<dyn std::error::Error>> {
 
 fn tolerances() -> Result<(), Box<dyn std::error::Error>> {
     println!(
-        "\nSteps chosen by error, 30 x 30: largest true and estimated error of the depth from 5 mm on\n"
+        "\nSteps chosen by error, 60 x 60: largest true and estimated error of the depth from 5 mm on\n"
     );
     println!("| tolerance | contact solves | true error | estimate |\n|---|---|---|---|");
-    let converged = run("pin_on_disc", &sliding(30, "tolerance=2e-6"))?;
+    let converged = run("pin_on_disc", &sliding(60, "tolerance=2e-6"))?;
     for tolerance in ["1e-2", "3e-3", "1e-3", "3e-4", "1e-4"] {
-        let outputs = run("pin_on_disc", &sliding(30, &format!("tolerance={tolerance}")))?;
+        let outputs = run("pin_on_disc", &sliding(60, &format!("tolerance={tolerance}")))?;
         let (mut error, mut estimate) = (0.0f64, 0.0f64);
         for ((state, effort), (exact, _)) in outputs.iter().zip(&converged).skip(1) {
             error = error.max((peak(&state.total_worn()) / peak(&exact.total_worn()) - 1.0).abs());
