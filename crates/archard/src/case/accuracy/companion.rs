@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::{MOST, OF_STEPS, even, increments, locate, order, slips_partly};
+use super::{MOST, OF_ELEMENTS, even, increments, locate, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -168,7 +168,7 @@ impl Resolved {
             };
             let errors = [Part::Foreseen, Part::Increments].map(worst);
             error = errors[0] + errors[1];
-            let allowed = (1.0 - OF_STEPS) * accuracy;
+            let allowed = OF_ELEMENTS * accuracy;
             let chose = [self.chose.elements, self.chose.increments];
             if error <= allowed || chose == [false; 2] {
                 return Ok((self, Some(companion)));

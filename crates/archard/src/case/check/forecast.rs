@@ -144,23 +144,22 @@ impl Solves {
 
     /// Solves with steps chosen by error: three a step, one step between two outputs at least.
     ///
-    /// The column `solves` of `pin_on_disc` with its ten outputs ended at 64, 88, 130, 235 and 406 for
-    /// tolerances of 1e-2, 3e-3, 1e-3, 3e-4 and 1e-4 (60 x 60 elements: 64, 88, 136, 229 and 376),
-    /// which the sum meets within a tenth. A tenth or ten times the distance changed it by up to two
+    /// The column `solves` of `pin_on_disc` with its ten outputs ended at 52, 64, 91, 148 and 277 for
+    /// tolerances of 1e-2, 3e-3, 1e-3, 3e-4 and 1e-4 (60 x 60 elements: 52, 61, 85, 139 and 244),
+    /// which the sum meets within an eighth. A tenth or ten times the distance changed it by up to two
     /// fifths.
     fn by_error(tolerance: f64, outputs: usize) -> u64 {
-        let steps_by_error = (28.0 + 3.6 / tolerance.sqrt()).ceil() as u64;
+        let steps_by_error = (26.0 + 2.2 / tolerance.sqrt()).ceil() as u64;
         steps_by_error.max(1 + 3 * outputs as u64)
     }
 
     /// The same in rolling, where rates of wear change less.
     ///
-    /// The column `solves` of `twin_disc` ended at 49, 54, 75, 100 and 163 for tolerances of 1e-2, 3e-3,
-    /// 1e-3, 3e-4 and 1e-4 (ten outputs: 53, 59, 74, 106 and 169; 61 x 121 elements as well: 52, 59, 72,
-    /// 106 and 166), which the sum meets within a tenth. Three times the creepage changed it by up to a
+    /// The column `solves` of `twin_disc` ended at 45, 47, 58, 94 and 166 for tolerances of 1e-2, 3e-3,
+    /// 1e-3, 3e-4 and 1e-4, which the sum meets within a seventh. Three times the creepage changed it by up to a
     /// fifth, a tenth or ten times the revolutions by up to a third.
     fn by_error_in_rolling(tolerance: f64, outputs: usize) -> u64 {
-        let steps_by_error = (36.0 + 1.2 / tolerance.sqrt()).ceil() as u64;
+        let steps_by_error = (28.0 + 1.2 / tolerance.sqrt()).ceil() as u64;
         steps_by_error.max(1 + 3 * outputs as u64)
     }
 }
