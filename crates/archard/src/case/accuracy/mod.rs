@@ -24,8 +24,9 @@ use locate::Lost;
 
 /// The least accuracy that can be asked for.
 const COARSEST: f64 = 0.2;
-/// Shares of the error: the tolerance of the steps, whose errors are stated with a margin, and what is left to the elements.
-const OF_STEPS: f64 = 0.3;
+/// Tolerance of the steps, whose errors are stated with a margin, relative to the accuracy.
+const TOLERANCE: f64 = 0.3;
+/// Share of the error that is left to the elements.
 const OF_ELEMENTS: f64 = 0.5;
 /// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
 const BESIDE: f64 = 1.15;
@@ -116,7 +117,7 @@ pub(super) fn imply(table: &mut Table) {
     }
     // What is wrong with the accuracy is said once.
     let value = match accuracy.item {
-        Item::Number { value, .. } if admitted(value) => OF_STEPS * value,
+        Item::Number { value, .. } if admitted(value) => TOLERANCE * value,
         _ => COARSEST,
     };
     let item = Item::Number { text: value.to_string(), value, whole: false };
