@@ -21,7 +21,7 @@ use crate::frame::{ContactFrame, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Motion, Rolling};
 use crate::numerics::vector;
-use crate::wear::{Columns, Input, Per, Rubbing};
+use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
@@ -58,6 +58,18 @@ impl ContactProblem {
     /// Whether a wear law goes by what was before.
     pub fn ages(&self) -> bool {
         self.asks(Input::Distance) || self.asks(Input::Depth)
+    }
+
+    /// Whether all that wears does so in proportion to the pressure, below one (Pa), and by nothing that changes meanwhile.
+    pub fn is_proportional(&self, pressure: f64) -> bool {
+        let depth =
+            |law: &dyn WearLaw, pressure: f64| law.depth(self.rubbing(pressure, 1e-6, [1.0, 0.0]));
+        let mut laws = self.bodies.iter().filter_map(|body| body.wear.as_deref());
+        let straight = |law: &dyn WearLaw| {
+            let whole = depth(law, pressure);
+            (whole - 2.0 * depth(law, 0.5 * pressure)).abs() <= 1e-6 * whole
+        };
+        !self.ages() && !self.asks(Input::Temperature) && laws.all(straight)
     }
 
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its

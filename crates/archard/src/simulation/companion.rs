@@ -16,7 +16,7 @@ const AS_A_RULE: f64 = 1.5;
 const OF_FRICTION: f64 = 4.5;
 /// Factor on the estimated error by the steps, which encloses the true one where bodies slide, and may be half of it in the
 /// first revolutions of twin discs (`tests/verification/accuracy.rs`).
-pub(crate) const OF_STEPS: f64 = 3.0;
+pub(super) const OF_STEPS: f64 = 3.0;
 /// The same on the lag of the pressures, which was the true one there or more.
 pub(super) const OF_LAG: f64 = 1.5;
 /// The same on the lag that is taken off the pressure at the centre: what was left was up to 0.15 of it there.

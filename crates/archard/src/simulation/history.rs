@@ -3,7 +3,7 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{Companion, OF_CENTRE, OF_LAG, OF_STEPS, Part};
+use super::companion::{Companion, OF_CENTRE, OF_LAG, Part};
 use super::scar::{scar, track_width};
 use super::{Effort, Report};
 use crate::body::Body;
@@ -242,7 +242,8 @@ pub fn row(report: &Report<'_>) -> Row {
 
 /// Errors by the steps, where those are chosen by error, and by the elements, in the units of the columns.
 fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
-    let Effort { time_error, pressure_error, centre_lag, .. } = report.effort;
+    let Effort { pressure_error, centre_lag, .. } = report.effort;
+    let depth = report.effort.enclosing_time_error();
     let by_error = matches!(report.stepping, Stepping::Tolerance(_));
     let estimated = |name: &str| ESTIMATED.iter().any(|column| is_of(column, name));
     let has =
@@ -250,7 +251,6 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
     let mut errors = vec![];
     for (name, value) in row.iter().filter(has) {
         let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
-        let depth = time_error.map(|error| OF_STEPS * error);
         let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
         let by_steps = match name.as_str() {
             CENTRE_PRESSURE if centre_lag != 0.0 => OF_CENTRE * centre_lag.abs(),

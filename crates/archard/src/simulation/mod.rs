@@ -28,7 +28,7 @@ pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub(crate) use checkpoint::digest;
-pub(crate) use companion::OF_STEPS;
+use companion::OF_STEPS;
 pub use companion::{Companion, Kind, Part};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
@@ -114,6 +114,8 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
+    /// What of it shorter steps cure; the rest is that of ripples, which the edge of the contact makes as it passes elements.
+    pub curable_error: Option<f64>,
     /// The same of the pressures, relative.
     pub pressure_error: Option<f64>,
     /// What the pressure at the centre of the frame lags by (Pa): less this it is of second order in the steps; 0 where
@@ -129,6 +131,14 @@ pub struct Effort {
     /// the work of the creepages a revolution over the coefficient of friction (N), to compare worn
     /// sections with.
     pub load_distance: f64,
+}
+
+impl Effort {
+    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one.
+    pub(crate) fn enclosing_time_error(&self) -> Option<f64> {
+        let time = self.time_error?;
+        Some(time.max(OF_STEPS * self.curable_error.unwrap_or(time)))
+    }
 }
 
 /// Someone who follows a run: writes files, draws a bar.

@@ -134,11 +134,7 @@ fn the_estimate_is_honest_for_other_shapes() {
     let outputs = [1e-3, 5e-3, 20e-3, 0.1, 0.5];
     let at = "output={ at = [\"1 mm\", \"5 mm\", \"20 mm\", \"100 mm\", \"500 mm\"] }";
     for exponent in [1, 6, 12] {
-        let coefficient = 0.9e-6 / 0.3e-3f64.powi(exponent);
-        let unit = if exponent == 1 { String::new() } else { format!(" 1/m^{}", exponent - 1) };
-        let profile = format!(
-            "body.pin.profile={{ axisymmetric_power = {{ exponent = {exponent}, coefficient = \"{coefficient}{unit}\" }} }}"
-        );
+        let profile = power_profile(exponent);
         let with = |tolerance: &str| {
             let tolerance = format!("motion.sliding.tolerance={tolerance}");
             let elements = "frame.elements=[60, 60]";
@@ -159,6 +155,55 @@ fn the_estimate_is_honest_for_other_shapes() {
             }
         }
     }
+}
+
+/// And where the wear of a pair stops below a pressure, or its coefficient runs in, or a blunt punch ripples, on few elements
+/// and on many: against steps that are held to a thousandth.
+#[test]
+fn the_estimate_is_honest_for_laws_that_turn() {
+    let wear = |law: &str| format!("body.pin.wear={{ {law} }}");
+    let archard = wear("archard = { coefficient = \"3e-13 1/Pa\" }");
+    let cases = [
+        vec![wear("threshold = { coefficient = \"1.33e-13 1/Pa\", threshold = \"20 MPa\" }")],
+        vec![wear(
+            "running_in = { initial_coefficient = \"1e-12 1/Pa\", \
+             final_coefficient = \"1e-13 1/Pa\", running_in_distance = \"30 mm\" }",
+        )],
+        vec![archard, power_profile(6)],
+    ];
+    let at = "output={ at = [\"2 mm\", \"10 mm\", \"50 mm\", \"200 mm\", \"500 mm\"] }";
+    for (case_of, cells) in cases.iter().flat_map(|one| [(one, 36), (one, 60)]) {
+        let elements = format!("frame.elements=[{cells}, {cells}]");
+        let due = |tolerance: &str| {
+            let tolerance = format!("motion.sliding.tolerance={tolerance}");
+            let size = "frame.size=[\"1.6 mm\", \"1.6 mm\"]";
+            let mut options = vec!["motion.sliding.step=", &tolerance, &elements, size, at];
+            options.extend(case_of.iter().map(String::as_str));
+            let states = states(&case(PIN, &options)).unwrap().into_iter().skip(1);
+            states.filter(|(_, _, due)| *due).collect::<Vec<_>>()
+        };
+        let converged = due("1e-5");
+        for tolerance in ["1e-2", "1e-3", "3e-4"] {
+            for ((state, effort, _), (reference, ..)) in due(tolerance).iter().zip(&converged) {
+                let error = (depth(state) / depth(reference) - 1.0).abs();
+                let estimate = effort.time_error.unwrap();
+                assert!(
+                    error <= estimate,
+                    "{case_of:?}, {cells}, {tolerance} at {}: {error:e} > {estimate:e}",
+                    state.progress
+                );
+            }
+        }
+    }
+}
+
+/// The option that makes the pin a punch as a power of r, 0.9 um deep at 0.3 mm.
+fn power_profile(exponent: i32) -> String {
+    let coefficient = 0.9e-6 / 0.3e-3f64.powi(exponent);
+    let unit = if exponent == 1 { String::new() } else { format!(" 1/m^{}", exponent - 1) };
+    format!(
+        "body.pin.profile={{ axisymmetric_power = {{ exponent = {exponent}, coefficient = \"{coefficient}{unit}\" }} }}"
+    )
 }
 
 /// A tolerance of 1e-3: depths within 0.5 % and at most 150 solves.

@@ -13,7 +13,7 @@ use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
 use crate::problem::{Beyond, ContactProblem, Overlap};
 use crate::simulation::history::{SPACE_ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
-use crate::simulation::{OF_STEPS, Part, Report};
+use crate::simulation::{Part, Report};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
@@ -99,13 +99,16 @@ impl Evidence {
             extent::across(problem, sticks).filter(|_| partial)
         });
         self.time = match (report.stepping, effort.time_error) {
-            (Stepping::Tolerance(tolerance), Some(error)) => Some([error, tolerance]),
+            // An accuracy that is asked for has a line of its own.
+            (Stepping::Tolerance(tolerance), Some(error)) if report.companion.is_none() => {
+                Some([error, tolerance])
+            }
             _ => None,
         };
         self.accuracy = report.companion.map(|companion| {
             let space = number(row, SPACE_ERROR).unwrap_or(f64::NAN);
             let increments = companion.worst(row, Part::Increments);
-            let time = OF_STEPS * effort.time_error.unwrap_or_default();
+            let time = effort.enclosing_time_error().unwrap_or_default();
             let error = space + time + increments;
             if report.output {
                 worst(&mut self.worst_output, Some(error));
