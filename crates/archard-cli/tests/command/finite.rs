@@ -276,3 +276,25 @@ tip = ["5 m", "0 m", "-0.5 m"]
     assert!(ran.contains("verdict           good"), "{ran}");
     assert_eq!(summary()["verdict"]["word"], "good");
 }
+
+/// In a bush pressures wear that do not bear the load: k F s is no closed form of the volume there.
+#[test]
+fn no_volume_is_said_to_follow_from_the_load_where_the_contact_is_curved() {
+    let dir = TempDir::new().unwrap();
+    let case = case("pin_in_bush");
+    let short = ["--set", "motion.sliding.distance=20 m"];
+    let mut arguments = vec!["run", case.to_str().unwrap(), "-o", "out", "--quiet"];
+    arguments.extend(short);
+    archard(&dir, &arguments).success();
+    let text = fs::read_to_string(dir.path().join("out/summary.json")).unwrap();
+    let summary: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let wear = &summary["wear"]["bush"];
+    assert!(wear["worn_volume_m3"].as_f64().unwrap() > 0.0, "{wear}");
+    assert!(
+        wear["expected_volume_m3"].is_null() && wear["relative_difference"].is_null(),
+        "{wear}"
+    );
+    archard(&dir, &["report", "out"]).success();
+    let page = fs::read_to_string(dir.path().join("out/report.html")).unwrap();
+    assert!(!page.contains("k F s"));
+}

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use super::evidence::worn_over_coefficient;
 use super::{Standard, closed_forms};
 use crate::estimate::{Estimator, Subject};
 use crate::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
@@ -108,7 +109,8 @@ pub(crate) fn json_of(verdict: &Verdict) -> Value {
 /// across the direction; and, where its law says what that must be, k F s and how far the two are apart;
 /// of a test by a standard, what that says.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
-    let Report { problem, effort, .. } = report;
+    let problem = report.problem;
+    let expected = worn_over_coefficient(report);
     let (measure, unit, column) = match problem.motion.rolling() {
         Some(_) => ("section", "m2", WORN_SECTION),
         None => ("volume", "m3", WORN_VOLUME),
@@ -117,12 +119,13 @@ fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {
         let worn = number(row, &of_body(column, &body.name)).unwrap_or(0.0);
         let mut entry = json!({ format!("worn_{measure}_{unit}"): worn });
-        if let Some(k) = Subject::from(*problem).wear_coefficient(index) {
-            let expected = k * effort.load_distance;
-            let difference = (expected > 0.0).then(|| worn / expected - 1.0);
+        if let Some(k) = Subject::from(problem).wear_coefficient(index) {
             entry["coefficient_per_Pa"] = json!(k);
-            entry[format!("expected_{measure}_{unit}")] = json!(expected);
-            entry["relative_difference"] = json!(difference);
+            if let Some(expected) = expected.map(|expected| k * expected) {
+                let difference = (expected > 0.0).then(|| worn / expected - 1.0);
+                entry[format!("expected_{measure}_{unit}")] = json!(expected);
+                entry["relative_difference"] = json!(difference);
+            }
         }
         if let Some(standard) = standards.iter().find(|standard| standard.body == index) {
             entry["standard"] = standard.json();

@@ -172,10 +172,9 @@ fn missing(report: &Report<'_>) -> Option<f64> {
     }
 }
 
-/// Worn volume or section off what follows: in sliding from k F s with the load prescribed, in rolling from the work of
-/// the creepages, in cycles from the dissipated energy; the larger of both bodies. `None` where laws are not so
-/// simple, or nothing has worn.
-fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
+/// What worn volumes or sections are over the wear coefficient: in sliding F s (N m), in rolling the work of the creepages
+/// over the coefficient of friction (N), in cycles the dissipated energy over it. `None` where that does not hold.
+pub(super) fn worn_over_coefficient(report: &Report<'_>) -> Option<f64> {
     let Report { problem, effort, .. } = report;
     if !problem.frame.is_plane() {
         // Pressures in other directions than the load's wear too.
@@ -185,12 +184,19 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
+    match problem.motion.shift() {
+        Some(shift) if shift.end_pressure => None,
+        Some(_) => Some(effort.dissipated[1] / Subject::from(*problem).friction_coefficient()?),
+        None => Some(effort.load_distance),
+    }
+}
+
+/// Worn volume or section off [what follows](worn_over_coefficient) with the load prescribed; the larger of both bodies.
+/// `None` where laws are not so simple, or nothing has worn.
+fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
+    let Report { problem, .. } = report;
     let subject = Subject::from(*problem);
-    let expected = match problem.motion.shift() {
-        Some(shift) if shift.end_pressure => return None,
-        Some(_) => effort.dissipated[1] / subject.friction_coefficient()?,
-        None => effort.load_distance,
-    };
+    let expected = worn_over_coefficient(report)?;
     let off = |body: usize| {
         let k = subject.wear_coefficient(body)?;
         let name = &problem.bodies[body].name;
