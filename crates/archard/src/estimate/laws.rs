@@ -20,12 +20,13 @@ const TRIALS: [(f64, f64, [f64; 2]); 9] = [
 
 impl Subject<'_> {
     /// The k (1/Pa) of a body whose depth of wear is k p s; `None` for one that does not wear or wears
-    /// by another law.
+    /// by another law, or by the work of a friction that changes.
     pub fn wear_coefficient(&self, body: usize) -> Option<f64> {
         let law = self.bodies[body].wear.as_ref()?;
         // The trials do not age.
         let tried = |input: &Input| matches!(input, Input::Friction | Input::Vectors);
-        if !law.inputs().iter().all(tried) {
+        let friction_changes = self.friction.is_some_and(|friction| !friction.inputs().is_empty());
+        if !law.inputs().iter().all(tried) || friction_changes && !law.inputs().is_empty() {
             return None;
         }
         let ratio = |(pressure, slip, direction): (f64, f64, [f64; 2])| {

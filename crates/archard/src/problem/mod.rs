@@ -60,7 +60,8 @@ impl ContactProblem {
         self.asks(Input::Distance) || self.asks(Input::Depth)
     }
 
-    /// Whether all that wears does so in proportion to the pressure, below one (Pa), and by nothing that changes meanwhile.
+    /// Whether each depth of wear is proportional to the pressure at one (Pa) and half of it, and the factor stays as it is
+    /// while bodies slide. It may go by the direction of slip, so that there need be no coefficient k.
     pub fn is_proportional(&self, pressure: f64) -> bool {
         let depth =
             |law: &dyn WearLaw, pressure: f64| law.depth(self.rubbing(pressure, 1e-6, [1.0, 0.0]));
@@ -69,7 +70,8 @@ impl ContactProblem {
             let whole = depth(law, pressure);
             (whole - 2.0 * depth(law, 0.5 * pressure)).abs() <= 1e-6 * whole
         };
-        !self.ages() && !self.asks(Input::Temperature) && laws.all(straight)
+        let changes = self.ages() || self.counts_distance() || self.goes_by_temperature();
+        !changes && laws.all(straight)
     }
 
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its

@@ -10,13 +10,15 @@
 //! The error that remains after extrapolation is estimated from D, the error removed from the coarse
 //! history, and c, the relative change of the pressure or of the rate of wear over half of the step. A
 //! single step leaves an error of about c D. In steps that grow with the distance most of it is
-//! compensated by what both histories were off before. The estimate is 2.5 c times D and
-//! what the step adds to D. It never falls during a run.
+//! compensated by what both histories were off before. The estimate is 2.5 c (D + what the step adds to
+//! D). It never falls during a run.
 //!
-//! Beneath it lies what only steps cure that are shorter than the edge of the contact takes over an
-//! element: the pressures ripple as pairs are touched one ring after the other, and either history meets
-//! the ripple at its own ends. What the wear of a step would differ by between the rates that both end
-//! with is an error too, of which a share is stated.
+//! That is the truncation error of a smooth evolution. Besides, the pressures ripple as the edge of the
+//! contact reaches one ring of elements after the other. Steps that pass more than a ring meet the ripple
+//! at their ends, each history at its own. The error of that is estimated from the difference between the
+//! rates of wear with which both end, times the length of the step. Where coefficients rise with the distance slid, each
+//! history also remembers when it met a ring: what joins the contact wears little at first. Then extrapolation removes
+//! nothing for certain, and the error removed counts as one that remains.
 //!
 //! The pressure of an Euler step lags behind by the order of the step; the two histories show by how
 //! much, and the step is kept short enough for that too. At the centre, where no edge passes, the lag is
@@ -37,11 +39,13 @@ const AIM: f64 = 0.9;
 /// What the error removed counts. Less was below the true error on punches of r^6 and r^8
 /// (`tests/verification/step_by_error.rs`).
 const REMOVED: f64 = 2.5;
-/// Share of the difference between the rates that both histories end with that is stated, and the same where wear is not
-/// proportional to the pressure: such laws make ripples larger and what they leave does not fade. Less was below the true
+/// What the wear of a step at the rates that both histories end with differs by counts, and the same where wear is not
+/// proportional to the pressure: such laws make ripples larger, and what those leave does not fade. Less was below the true
 /// error of a punch of r^6, and of running in and a threshold (`tests/verification/step_by_error.rs`).
 const RIPPLE: f64 = 0.15;
 const RIPPLE_OF_LAWS: f64 = 5.0;
+/// What counts of the error removed, relative to how much less wears of what joins the contact.
+const JOINING: f64 = 2.0;
 /// Lag of the pressure at the deepest point that is allowed, relative to the root of the tolerance.
 /// Both the lag and the root of the wear's error grow with the step: 4.4 % go with a tolerance of 1e-3.
 const LAG: f64 = 1.4;
@@ -51,9 +55,11 @@ const EDGE: f64 = 0.1;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// The shortest step after another, relative, that ripples ask for.
 const SLOWER: f64 = 0.5;
+/// Lag of a shorter step, relative to that of a longer, above which it is that of what both histories remember.
+const REMEMBERED: f64 = 0.95;
 /// Share of a step whose contact was not found that is tried next.
 const SHORTER: f64 = 0.25;
-/// Shortest step that the lag of the pressures of surfaces that swing asks for, relative to the progress.
+/// Shortest step that a lag asks for which does not go by the step, relative to the progress.
 const SHORTEST: f64 = 0.06;
 /// Smallest step, relative to the extent of the motion.
 const SMALLEST: f64 = 1e-10;
@@ -70,8 +76,8 @@ pub(super) struct Adaptive {
     swung: Option<Swung>,
     /// Length of the next step (the motion's unit).
     step: f64,
-    /// Error of the deepest wear that steps can cure, and that of the ripples (m), the largest estimates so far.
-    error: f64,
+    /// Errors of the deepest wear by truncation and by ripples (m), the largest estimates so far.
+    truncation: f64,
     ripple: f64,
 }
 
@@ -81,9 +87,9 @@ struct Trial {
     fine: Evolution,
     /// Extrapolated depths worn off body 1 and body 2 (m).
     worn: [Vec<f64>; 2],
-    /// Deepest total wear (m), its error that steps can cure and that of the ripples (m).
+    /// Deepest total wear (m), its errors by truncation and by ripples (m).
     depth: f64,
-    error: f64,
+    truncation: f64,
     ripple: f64,
     /// Relative lag of the pressure where the wear is deepest.
     lag: f64,
@@ -99,15 +105,31 @@ struct Way<'a> {
     worn: &'a [Vec<f64>; 2],
 }
 
+impl Way<'_> {
+    /// How much less than the deepest pair, relative and under the same pressure, those wear that join the contact of the
+    /// fine history; 0 where no law goes by what was before.
+    fn less_of_what_joins(&self, end: &ContactState, deepest: usize) -> f64 {
+        if !self.problem.ages() && !self.problem.counts_distance() {
+            return 0.0;
+        }
+        let started = &self.before[1].pressure;
+        let of = |pair: usize| [both(&end.worn, pair) - both(self.worn, pair), end.pressure[pair]];
+        let joining = (0..started.len()).filter(|&pair| started[pair] == 0.0).map(of);
+        let [worn, pressure] = joining.fold([0.0; 2], |sum, one| [0, 1].map(|i| sum[i] + one[i]));
+        let [deepest_worn, deepest_pressure] = of(deepest);
+        let (rate, deepest_rate) = (worn * deepest_pressure, deepest_worn * pressure);
+        if rate < deepest_rate { 1.0 - rate / deepest_rate } else { 0.0 }
+    }
+}
+
 impl Trial {
     /// Extrapolates both histories and estimates the error.
     fn of(coarse: Evolution, fine: Evolution, way: &Way<'_>) -> Self {
         let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
-        let total = |worn: &[Vec<f64>; 2], pair: usize| worn[0][pair] + worn[1][pair];
         let fine_pressure = &fine.state.pressure;
         let (mut deepest, mut depth, mut square) = (0, 0.0, 0.0);
         for pair in 0..fine_pressure.len() {
-            let value = total(&worn, pair);
+            let value = both(&worn, pair);
             // Planes wear evenly: the lag is that of their most pressed pair.
             if value > depth || value == depth && fine_pressure[pair] > fine_pressure[deepest] {
                 (deepest, depth) = (pair, value);
@@ -118,29 +140,31 @@ impl Trial {
         let last = fine_pressure[deepest];
         let [before, middle] =
             [&fine_before.pressure, way.pressure].map(|pressure| pressure[deepest]);
-        // Where laws are not straight in the pressure, or change by themselves, the wear of both halves tells more.
+        // Where a law is not straight in the pressure, or changes by itself, the wear of both halves tells more.
         let worn_in =
-            |from: &[Vec<f64>; 2], to: &[Vec<f64>; 2]| total(to, deepest) - total(from, deepest);
+            |from: &[Vec<f64>; 2], to: &[Vec<f64>; 2]| both(to, deepest) - both(from, deepest);
         let halves = [worn_in(&fine_before.worn, way.worn), worn_in(way.worn, &fine.state.worn)];
         let of_wear = relative_change(halves[0], halves[1]);
         let was_is = [removed(coarse_before, fine_before), removed(&coarse.state, &fine.state)];
-        // There the edge moves by whole elements that counts: of what sticks, or of a surface that swings.
+        let there =
+            (2.0 * (both(&fine.state.worn, deepest) - both(&coarse.state.worn, deepest))).abs();
+        let everywhere = if square > 0.0 { depth * was_is[1] / f64::sqrt(square) } else { 0.0 };
+        // The edge that counts moves by whole elements there: that of what sticks, or of a surface that swings.
         let motion = &way.problem.motion;
         let (resolved, ripple) = if motion.slips_partly() || motion.swing().is_some() {
             let of_wear = if way.problem.ages() { (2.0 * of_wear).min(1.0) } else { 0.0 };
             (relative_change(before, last).max(of_wear), 0.0)
         } else {
-            let changes = [relative_change(before, middle), relative_change(middle, last), of_wear];
+            let change =
+                relative_change(before, middle).max(relative_change(middle, last)).max(of_wear);
             let share = if way.problem.is_proportional(last) { RIPPLE } else { RIPPLE_OF_LAWS };
             let differ = worn_in(&coarse_before.worn, &coarse.state.worn) - 2.0 * halves[1];
-            (remaining(changes, was_is), share * differ.abs())
+            let joining = (JOINING * way.less_of_what_joins(&fine.state, deepest)).min(1.0);
+            (remaining(change, was_is), (share * differ.abs()).max(joining * everywhere))
         };
-        let there =
-            (2.0 * (total(&fine.state.worn, deepest) - total(&coarse.state.worn, deepest))).abs();
-        let everywhere = if square > 0.0 { depth * was_is[1] / f64::sqrt(square) } else { 0.0 };
-        let error = resolved * everywhere.max(there);
+        let truncation = resolved * everywhere.max(there);
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, error, ripple, lag }
+        Self { coarse, fine, worn, depth, truncation, ripple, lag }
     }
 
     /// Error relative to what the tolerance allows; of second order in the step.
@@ -150,10 +174,10 @@ impl Trial {
 
     /// The same of the depth alone.
     fn excess_of_depth(&self, tolerance: f64) -> f64 {
-        if self.depth > 0.0 { self.error / (tolerance * self.depth) } else { 0.0 }
+        if self.depth > 0.0 { self.truncation / (tolerance * self.depth) } else { 0.0 }
     }
 
-    /// The same of the ripples, which need no margin and may be as large as the other error with its own.
+    /// The same of the ripples. They need no margin, and may be as large as the error by truncation with its own.
     fn excess_of_ripple(&self, tolerance: f64) -> f64 {
         if self.depth > 0.0 { self.ripple / (OF_STEPS * tolerance * self.depth) } else { 0.0 }
     }
@@ -184,7 +208,7 @@ impl Adaptive {
             worn: initial.state.worn.clone(),
             swung: initial.state.swung.clone(),
             step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
-            error: 0.0,
+            truncation: 0.0,
             ripple: 0.0,
         })
     }
@@ -197,6 +221,7 @@ impl Adaptive {
         target: f64,
         effort: &mut Effort,
     ) -> Result<Evolution, Error> {
+        let mut lag_of_longer = f64::INFINITY;
         loop {
             let progress = self.fine.state.progress;
             let length = landing(self.step, target - progress);
@@ -211,13 +236,15 @@ impl Adaptive {
             };
             let mut excess = trial.excess(self.tolerance);
             let mut change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
-            if simulation.problem.motion.swing().is_some() {
-                // How the surfaces fit after the last position of a swing stays in the pressures, however short the step.
+            let remembered = trial.lag > REMEMBERED * lag_of_longer;
+            if simulation.problem.motion.swing().is_some() || remembered {
+                // How the surfaces fit after the last position of a swing, or where each history met the last ring, stays
+                // in the pressures, however short the step.
                 excess = trial.excess_of_depth(self.tolerance);
                 change = change.max(SHORTEST * progress / length);
             }
             if excess <= 1.0 {
-                // Ripples reject no step: kept would be those that happen to end where both histories agree.
+                // Ripples reject no step: else those would be accepted that end where both histories agree by chance.
                 let of_ripple = (AIM / trial.excess_of_ripple(self.tolerance)).sqrt();
                 change = change.min(of_ripple.max(SLOWER));
                 let shortened = length < 0.9 * self.step && change >= 1.0;
@@ -228,6 +255,7 @@ impl Adaptive {
                 return Ok(self.accept(trial, weight, effort));
             }
             effort.rejected += 1;
+            lag_of_longer = trial.lag;
             self.step = length * change.min(0.8);
             if self.step < smallest {
                 let measure = simulation.problem.motion.progress();
@@ -270,13 +298,13 @@ impl Adaptive {
         coarse.implicit(simulation, increment(length, end), effort)?;
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
         let middle = fine.state.pressure.clone();
-        let half = fine.state.worn.clone();
+        let worn = fine.state.worn.clone();
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let way = Way {
             problem: &simulation.problem,
             before: [&self.coarse.state, &self.fine.state],
             pressure: &middle,
-            worn: &half,
+            worn: &worn,
         };
         let mut trial = Trial::of(coarse, fine, &way);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
@@ -289,11 +317,11 @@ impl Adaptive {
     /// Takes a trial over and returns the state to put out: the fine history's contact with the
     /// extrapolated wear.
     fn accept(&mut self, trial: Trial, weight: Values<'_>, effort: &mut Effort) -> Evolution {
-        self.error = self.error.max(trial.error);
+        self.truncation = self.truncation.max(trial.truncation);
         self.ripple = self.ripple.max(trial.ripple);
         let relative = |error: f64| if trial.depth > 0.0 { error / trial.depth } else { 0.0 };
-        effort.time_error = Some(relative(self.error.max(self.ripple)));
-        effort.curable_error = Some(relative(self.error));
+        effort.time_error = Some(relative(self.truncation.max(self.ripple)));
+        effort.truncation_error = Some(relative(self.truncation));
         effort.pressure_error = Some(trial.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
             raise(shown, worn, weight);
@@ -337,15 +365,19 @@ fn removed(coarse: &ContactState, fine: &ContactState) -> f64 {
     f64::sqrt(one.zip(two).map(square).sum())
 }
 
-/// The share of the error removed that remains, by relative changes over half of a step, and by what was removed before it
-/// and after.
-fn remaining(changes: [f64; 3], [was, is]: [f64; 2]) -> f64 {
-    let half = changes.into_iter().fold(0.0, f64::max);
+/// The share of the error removed that remains, by the largest relative change over half of a step, and by what was removed
+/// before it and after.
+fn remaining(change: f64, [was, is]: [f64; 2]) -> f64 {
     let new = if is > 0.0 { (1.0 - was / is).max(0.0) } else { 0.0 };
-    (REMOVED * (1.0 + new) * half).min(1.0)
+    (REMOVED * (1.0 + new) * change).min(1.0)
 }
 
-/// Change between two pressures relative to the larger.
+/// Depth worn off both bodies at a pair (m).
+fn both(worn: &[Vec<f64>; 2], pair: usize) -> f64 {
+    worn[0][pair] + worn[1][pair]
+}
+
+/// Change between two pressures, or depths worn, relative to the larger.
 fn relative_change(one: f64, other: f64) -> f64 {
     let larger = one.max(other);
     if larger > 0.0 { (other - one).abs() / larger } else { 0.0 }
@@ -404,10 +436,10 @@ mod tests {
                     let found = extrapolate(&[coarse], &[fine])[0];
                     let is: f64 = found - coarse;
                     let rates = [before, middle, fine].map(|worn: f64| worn.powf(-m));
-                    let changes = [0, 1].map(|i| relative_change(rates[i], rates[i + 1]));
-                    let changes = [changes[0], changes[1], 0.0];
+                    let halves = [0, 1].map(|half| relative_change(rates[half], rates[half + 1]));
+                    let change = halves[0].max(halves[1]);
                     // It never falls.
-                    estimate = estimate.max(is.abs() * remaining(changes, [removed, is.abs()]));
+                    estimate = estimate.max(is.abs() * remaining(change, [removed, is.abs()]));
                     removed = is.abs();
                     let exact = (1.0 + (1.0 + m) * distance).powf(1.0 / (1.0 + m));
                     let error = (found - exact).abs();

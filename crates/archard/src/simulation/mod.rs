@@ -114,8 +114,9 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
-    /// What of it shorter steps cure; the rest is that of ripples, which the edge of the contact makes as it passes elements.
-    pub curable_error: Option<f64>,
+    /// The same by truncation alone, without the ripples of the pressure that the edge of the contact makes as it passes
+    /// elements; `None` where they are not told apart.
+    pub truncation_error: Option<f64>,
     /// The same of the pressures, relative.
     pub pressure_error: Option<f64>,
     /// What the pressure at the centre of the frame lags by (Pa): less this it is of second order in the steps; 0 where
@@ -134,10 +135,10 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one.
+    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one: by truncation, none by ripples.
     pub(crate) fn enclosing_time_error(&self) -> Option<f64> {
         let time = self.time_error?;
-        Some(time.max(OF_STEPS * self.curable_error.unwrap_or(time)))
+        Some(time.max(OF_STEPS * self.truncation_error.unwrap_or(time)))
     }
 }
 
