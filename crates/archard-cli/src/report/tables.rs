@@ -302,18 +302,20 @@ fn worn(results: &Results, pairs: &mut Vec<Pair<'_>>) {
     let last = |column: &str| {
         results.history.column(column).ok().and_then(|values| values.last().copied())
     };
+    // What the coefficient multiplies: load and distance, the work of the creepages, the energy of cycles.
+    let of_volumes = if results.summary["dissipated_J"].is_null() { "k F s" } else { "k E / mu" };
     for body in &results.bodies {
         let block = &results.summary["wear"][&**body];
-        for (column, key, what, unit) in [
-            (WORN_VOLUME, "expected_volume_m3", "Worn volume", "m3"),
-            (WORN_SECTION, "expected_section_m2", "Worn section", "m2"),
+        for (column, key, what, work, unit) in [
+            (WORN_VOLUME, "expected_volume_m3", "Worn volume", of_volumes, "m3"),
+            (WORN_SECTION, "expected_section_m2", "Worn section", "k W / mu", "m2"),
         ] {
             if let Some((expected, computed)) =
                 block[key].as_f64().zip(last(&of_body(column, body)))
             {
                 pairs.push(Pair {
                     what: format!("{what} of {body}"),
-                    theory: "k F s",
+                    theory: work,
                     unit,
                     expected,
                     computed,

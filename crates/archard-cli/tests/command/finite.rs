@@ -277,7 +277,7 @@ tip = ["5 m", "0 m", "-0.5 m"]
     assert_eq!(summary()["verdict"]["word"], "good");
 }
 
-/// In a bush pressures wear that do not bear the load: k F s is no closed form of the volume there.
+/// In a bush there are pressures that wear and do not bear the load: k F s is no closed form of the volume there.
 #[test]
 fn no_volume_is_said_to_follow_from_the_load_where_the_contact_is_curved() {
     let dir = TempDir::new().unwrap();

@@ -184,6 +184,9 @@ pub(super) fn worn_over_coefficient(report: &Report<'_>) -> Option<f64> {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
+    if !ends_a_cycle(problem, report.state.progress) {
+        return None;
+    }
     match problem.motion.shift() {
         Some(shift) if shift.end_pressure => None,
         Some(_) => Some(effort.dissipated[1] / Subject::from(*problem).friction_coefficient()?),
@@ -206,7 +209,7 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
     };
     let mut both = None;
     (0..2).for_each(|body| worst(&mut both, off(body)));
-    both.filter(|_| ends_a_cycle(problem, report.state.progress))
+    both
 }
 
 /// Whether whole cycles are done, which count as dissipated; always where there are none.
