@@ -1,7 +1,7 @@
 //! Sums and updates of long vectors, in parallel with results that do not depend on the number of
 //! threads: partial sums of fixed blocks and lanes, added in order.
 
-use std::array::from_fn;
+use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
@@ -101,25 +101,27 @@ pub fn sweep_with<const W: usize, const M: usize, const R: usize, const N: usize
     others: [&[f64]; R],
     change: impl Fn([f64; W], [f64; M], [f64; R]) -> ([f64; M], [f64; N]) + Sync,
 ) -> [f64; N] {
-    let length =
-        vectors.iter().map(|v| v.len()).chain(others.iter().map(|v| v.len())).next().unwrap_or(0);
-    if length <= BLOCK {
-        return Block { beside, vectors, others }.sweep(&change);
+    let mut block = Block { beside, vectors, others };
+    if block.length() <= BLOCK {
+        return block.sweep(&change);
     }
-    let mut parts = vectors.map(|vector| vector.chunks_mut(BLOCK));
-    let mut other_parts = others.map(|vector| vector.chunks(BLOCK));
-    let blocks: Vec<Block<'_, W, M, R>> = (0..length.div_ceil(BLOCK))
-        .map(|block| Block {
-            beside: beside.map(|values| values.part(block * BLOCK, BLOCK)),
-            vectors: parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
-            others: other_parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
-        })
-        .collect();
-    let partial: Vec<[f64; N]> = blocks.into_par_iter().map(|block| block.sweep(&change)).collect();
-    partial.into_iter().fold([0.0; N], |mut total, part| {
-        add(&mut total, part);
-        total
-    })
+    let parts: Vec<Mutex<(Block<'_, W, M, R>, [f64; N])>> =
+        block.divided().into_iter().map(|block| Mutex::new((block, [0.0; N]))).collect();
+    for_each(parts.len(), &|index| {
+        let (block, partial) = &mut *parts[index].lock().unwrap_or_else(PoisonError::into_inner);
+        *partial = block.sweep(&change);
+    });
+    let mut total = [0.0; N];
+    for part in parts {
+        let (_, partial) = part.into_inner().unwrap_or_else(PoisonError::into_inner);
+        add(&mut total, partial);
+    }
+    total
+}
+
+/// Does the work of every index below a count, in parallel.
+fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
+    (0..count).into_par_iter().for_each(work);
 }
 
 /// Does some work on a thread of the pool, so that its many short parallel passes start without waking
@@ -129,61 +131,123 @@ pub fn in_pool<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 }
 
 /// The same stretch of several vectors.
+///
+/// What is compiled for every sweep is written in plain loops and without threads: closures over arrays and parallel
+/// iterators, compiled a hundred times, were a third of all code.
 struct Block<'a, const W: usize, const M: usize, const R: usize> {
     beside: [Values<'a>; W],
     vectors: [&'a mut [f64]; M],
     others: [&'a [f64]; R],
 }
 
-impl<const W: usize, const M: usize, const R: usize> Block<'_, W, M, R> {
+impl<'a, const W: usize, const M: usize, const R: usize> Block<'a, W, M, R> {
+    /// Elements that all vectors have.
+    fn length(&self) -> usize {
+        let vectors = self.vectors.iter().map(|v| v.len());
+        vectors.chain(self.others.iter().map(|v| v.len())).min().unwrap_or(0)
+    }
+
+    /// Its parts of the size of a block.
+    fn divided(self) -> Vec<Self> {
+        let length = self.length();
+        let mut parts = self.vectors.map(|vector| vector.chunks_mut(BLOCK));
+        let mut other_parts = self.others.map(|vector| vector.chunks(BLOCK));
+        (0..length.div_ceil(BLOCK))
+            .map(|block| Block {
+                beside: self.beside.map(|values| values.part(block * BLOCK, BLOCK)),
+                vectors: parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
+                others: other_parts.each_mut().map(|parts| parts.next().unwrap_or_default()),
+            })
+            .collect()
+    }
+
     /// Whole groups of lanes, then the rest.
     fn sweep<const N: usize>(
-        self,
+        &mut self,
         change: &impl Fn([f64; W], [f64; M], [f64; R]) -> ([f64; M], [f64; N]),
     ) -> [f64; N] {
+        let length = self.length();
+        let groups = length / LANES;
+        let stays = self.beside;
+        let (mut written, read) = groups_of(&mut self.vectors, &self.others, groups);
         let mut lanes = [[0.0; LANES]; N];
-        let mut written = self.vectors.map(|vector| vector.as_chunks_mut::<LANES>());
-        let read = self.others.map(|vector| vector.as_chunks::<LANES>());
-        let groups = written
-            .iter()
-            .map(|w| w.0.len())
-            .chain(read.iter().map(|r| r.0.len()))
-            .min()
-            .unwrap_or(0);
         for group in 0..groups {
             // Copies on the stack: the compiler sees that nothing overlaps and takes lanes together.
-            let before: [[f64; LANES]; M] = from_fn(|v| written[v].0[group]);
-            let others: [[f64; LANES]; R] = from_fn(|v| read[v].0[group]);
-            let beside = self.beside.map(|values| values.lanes(group));
+            let (mut beside, mut before, mut others) =
+                ([[0.0; LANES]; W], [[0.0; LANES]; M], [[0.0; LANES]; R]);
+            for (values, from) in beside.iter_mut().zip(&stays) {
+                *values = from.lanes(group);
+            }
+            for (values, from) in before.iter_mut().zip(&written) {
+                *values = from[group];
+            }
+            for (values, from) in others.iter_mut().zip(&read) {
+                *values = from[group];
+            }
             let (mut after, mut terms) = ([[0.0; LANES]; M], [[0.0; LANES]; N]);
             for lane in 0..LANES {
-                let (values, sums) = change(
-                    from_fn(|v| beside[v][lane]),
-                    from_fn(|v| before[v][lane]),
-                    from_fn(|v| others[v][lane]),
-                );
-                (0..M).for_each(|v| after[v][lane] = values[v]);
-                (0..N).for_each(|n| terms[n][lane] = sums[n]);
+                let (values, sums) =
+                    change(of(&beside, lane), of(&before, lane), of(&others, lane));
+                for (after, value) in after.iter_mut().zip(values) {
+                    after[lane] = value;
+                }
+                for (terms, sum) in terms.iter_mut().zip(sums) {
+                    terms[lane] = sum;
+                }
             }
-            (0..M).for_each(|v| written[v].0[group] = after[v]);
-            (0..N).for_each(|n| (0..LANES).for_each(|lane| lanes[n][lane] += terms[n][lane]));
+            for (to, values) in written.iter_mut().zip(after) {
+                to[group] = values;
+            }
+            for (lanes, terms) in lanes.iter_mut().zip(terms) {
+                add(lanes, terms);
+            }
         }
-        let mut total = lanes.map(|lanes| lanes.iter().sum());
-        let rest = written
-            .iter()
-            .map(|w| w.1.len())
-            .chain(read.iter().map(|r| r.1.len()))
-            .min()
-            .unwrap_or(0);
-        for i in 0..rest {
-            let values = written.each_ref().map(|vector| vector.1[i]);
-            let beside = self.beside.map(|beside| beside.at(groups * LANES + i));
-            let (values, terms) = change(beside, values, read.map(|vector| vector.1[i]));
-            written.iter_mut().zip(values).for_each(|(vector, value)| vector.1[i] = value);
+        let mut total = [0.0; N];
+        for (total, lanes) in total.iter_mut().zip(lanes) {
+            *total = lanes.iter().sum();
+        }
+        for i in groups * LANES..length {
+            let (mut beside, mut before, mut others) = ([0.0; W], [0.0; M], [0.0; R]);
+            for (value, from) in beside.iter_mut().zip(&stays) {
+                *value = from.at(i);
+            }
+            for (value, from) in before.iter_mut().zip(&self.vectors) {
+                *value = from[i];
+            }
+            for (value, from) in others.iter_mut().zip(&self.others) {
+                *value = from[i];
+            }
+            let (values, terms) = change(beside, before, others);
+            for (to, value) in self.vectors.iter_mut().zip(values) {
+                to[i] = value;
+            }
             add(&mut total, terms);
         }
         total
     }
+}
+
+/// Elements handled side by side.
+type Group = [f64; LANES];
+
+/// The first groups of some vectors that are written and of others that are read.
+fn groups_of<'a, const M: usize, const R: usize>(
+    vectors: &'a mut [&mut [f64]; M],
+    others: &'a [&[f64]; R],
+    groups: usize,
+) -> ([&'a mut [Group]; M], [&'a [Group]; R]) {
+    let written = vectors.each_mut().map(|vector| &mut vector.as_chunks_mut().0[..groups]);
+    (written, others.each_ref().map(|vector| &vector.as_chunks().0[..groups]))
+}
+
+/// One lane of some groups.
+#[inline(always)]
+fn of<const N: usize>(groups: &[[f64; LANES]; N], lane: usize) -> [f64; N] {
+    let mut values = [0.0; N];
+    for (value, group) in values.iter_mut().zip(groups) {
+        *value = group[lane];
+    }
+    values
 }
 
 fn add<const N: usize>(total: &mut [f64; N], terms: [f64; N]) {

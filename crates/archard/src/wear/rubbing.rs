@@ -48,6 +48,7 @@ impl Rubbing {
 
     /// The same along t1 and t2: slip of body 2 over body 1 (m), and traction on body 1 (Pa).
     #[must_use]
+    #[inline]
     pub fn with_vectors(self, slip_vector: [f64; 2], traction: [f64; 2]) -> Self {
         let [x, y] = slip_vector;
         let length = x.hypot(y);
