@@ -7,8 +7,10 @@ use rayon::prelude::*;
 
 /// Elements of a block, handled by one thread.
 const BLOCK: usize = 16_384;
-/// Elements of a block handled side by side.
+/// Number of elements handled side by side.
 const LANES: usize = 8;
+/// Elements handled side by side.
+type Group = [f64; LANES];
 
 /// A vector that may be one value throughout, which then is not stored.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +42,7 @@ impl<'a> Values<'a> {
 
     /// A group of lanes.
     #[inline]
-    fn lanes(self, group: usize) -> [f64; LANES] {
+    fn lanes(self, group: usize) -> Group {
         match self {
             Self::All(value) => [value; LANES],
             Self::Each(values) => values.as_chunks().0[group],
@@ -119,7 +121,7 @@ pub fn sweep_with<const W: usize, const M: usize, const R: usize, const N: usize
     total
 }
 
-/// Does the work of every index below a count, in parallel.
+/// Does the work of every index below a count, in parallel; compiled once for all sweeps.
 fn for_each(count: usize, work: &(dyn Fn(usize) + Sync)) {
     (0..count).into_par_iter().for_each(work);
 }
@@ -132,8 +134,8 @@ pub fn in_pool<R: Send>(work: impl FnOnce() -> R + Send) -> R {
 
 /// The same stretch of several vectors.
 ///
-/// What is compiled for every sweep is written in plain loops and without threads: closures over arrays and parallel
-/// iterators, compiled a hundred times, were a third of all code.
+/// Sweeps are compiled for each of a hundred callers. They are written in plain loops and without threads: closures over
+/// arrays and parallel iterators would be most of what the compiler has to do here.
 struct Block<'a, const W: usize, const M: usize, const R: usize> {
     beside: [Values<'a>; W],
     vectors: [&'a mut [f64]; M],
@@ -168,6 +170,7 @@ impl<'a, const W: usize, const M: usize, const R: usize> Block<'a, W, M, R> {
     ) -> [f64; N] {
         let length = self.length();
         let groups = length / LANES;
+        // Copied: what is written might overlap with it otherwise, for all that the compiler knows.
         let stays = self.beside;
         let (mut written, read) = groups_of(&mut self.vectors, &self.others, groups);
         let mut lanes = [[0.0; LANES]; N];
@@ -227,9 +230,6 @@ impl<'a, const W: usize, const M: usize, const R: usize> Block<'a, W, M, R> {
     }
 }
 
-/// Elements handled side by side.
-type Group = [f64; LANES];
-
 /// The first groups of some vectors that are written and of others that are read.
 fn groups_of<'a, const M: usize, const R: usize>(
     vectors: &'a mut [&mut [f64]; M],
@@ -242,7 +242,7 @@ fn groups_of<'a, const M: usize, const R: usize>(
 
 /// One lane of some groups.
 #[inline(always)]
-fn of<const N: usize>(groups: &[[f64; LANES]; N], lane: usize) -> [f64; N] {
+fn of<const N: usize>(groups: &[Group; N], lane: usize) -> [f64; N] {
     let mut values = [0.0; N];
     for (value, group) in values.iter_mut().zip(groups) {
         *value = group[lane];

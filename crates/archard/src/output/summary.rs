@@ -106,7 +106,7 @@ pub(crate) fn json_of(verdict: &Verdict) -> Value {
 }
 
 /// For each body, the volume by the integral of its depth (the paper's eq. 56), in rolling the section
-/// across the direction; and, where it follows from the load, the work or the energy, what it must be and how far the two are apart;
+/// across the direction; where it follows from the load, the work or the energy, also what it must be, and how far off it is;
 /// of a test by a standard, what that says.
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let problem = report.problem;

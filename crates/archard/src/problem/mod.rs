@@ -60,6 +60,11 @@ impl ContactProblem {
         self.asks(Input::Distance) || self.asks(Input::Depth)
     }
 
+    /// Whether wear, or the friction that wears, goes by what was before.
+    pub fn remembers(&self) -> bool {
+        self.ages() || self.counts_distance()
+    }
+
     /// Whether each depth of wear is proportional to the pressure at one (Pa) and half of it, and the factor stays as it is
     /// while bodies slide. It may go by the direction of slip, so that there need be no coefficient k.
     pub fn is_proportional(&self, pressure: f64) -> bool {
@@ -70,8 +75,7 @@ impl ContactProblem {
             let whole = depth(law, pressure);
             (whole - 2.0 * depth(law, 0.5 * pressure)).abs() <= 1e-6 * whole
         };
-        let changes = self.ages() || self.counts_distance() || self.goes_by_temperature();
-        !changes && laws.all(straight)
+        !self.remembers() && !self.goes_by_temperature() && laws.all(straight)
     }
 
     /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its

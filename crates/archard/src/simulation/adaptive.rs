@@ -16,9 +16,11 @@
 //! That is the truncation error of a smooth evolution. Besides, the pressures ripple as the edge of the
 //! contact reaches one ring of elements after the other. Steps that pass more than a ring meet the ripple
 //! at their ends, each history at its own. The error of that is estimated from the difference between the
-//! rates of wear with which both end, times the length of the step. Where coefficients rise with the distance slid, each
-//! history also remembers when it met a ring: what joins the contact wears little at first. Then extrapolation removes
-//! nothing for certain, and the error removed counts as one that remains.
+//! rates of wear with which both end, times the length of the step.
+//!
+//! Where coefficients rise with the distance slid, pairs that join the contact wear little at first. When they
+//! joined stays in the depths, and the two histories do not agree on it: what extrapolation removes counts
+//! as an error that remains.
 //!
 //! The pressure of an Euler step lags behind by the order of the step; the two histories show by how
 //! much, and the step is kept short enough for that too. At the centre, where no edge passes, the lag is
@@ -44,7 +46,7 @@ const REMOVED: f64 = 2.5;
 /// error of a punch of r^6, and of running in and a threshold (`tests/verification/step_by_error.rs`).
 const RIPPLE: f64 = 0.15;
 const RIPPLE_OF_LAWS: f64 = 5.0;
-/// What counts of the error removed, relative to how much less wears of what joins the contact.
+/// Share of the error removed that counts as one that remains, over the share by which what joins the contact wears less.
 const JOINING: f64 = 2.0;
 /// Lag of the pressure at the deepest point that is allowed, relative to the root of the tolerance.
 /// Both the lag and the root of the wear's error grow with the step: 4.4 % go with a tolerance of 1e-3.
@@ -55,11 +57,11 @@ const EDGE: f64 = 0.1;
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// The shortest step after another, relative, that ripples ask for.
 const SLOWER: f64 = 0.5;
-/// Lag of a shorter step, relative to that of a longer, above which it is that of what both histories remember.
-const REMEMBERED: f64 = 0.95;
+/// Lag of a step over that of the longer one tried before, above which it comes from the steps before.
+const INHERITED: f64 = 0.95;
 /// Share of a step whose contact was not found that is tried next.
 const SHORTER: f64 = 0.25;
-/// Shortest step that a lag asks for which does not go by the step, relative to the progress.
+/// Shortest step, relative to the progress, that a lag from the steps before asks for.
 const SHORTEST: f64 = 0.06;
 /// Smallest step, relative to the extent of the motion.
 const SMALLEST: f64 = 1e-10;
@@ -106,10 +108,10 @@ struct Way<'a> {
 }
 
 impl Way<'_> {
-    /// How much less than the deepest pair, relative and under the same pressure, those wear that join the contact of the
-    /// fine history; 0 where no law goes by what was before.
-    fn less_of_what_joins(&self, end: &ContactState, deepest: usize) -> f64 {
-        if !self.problem.ages() && !self.problem.counts_distance() {
+    /// By what share the pairs that join the contact of the fine history wear less than the deepest one does under the same
+    /// pressure; 0 where they wear more, or no law goes by what was before.
+    fn less_wear_of_what_joins(&self, end: &ContactState, deepest: usize) -> f64 {
+        if !self.problem.remembers() {
             return 0.0;
         }
         let started = &self.before[1].pressure;
@@ -159,7 +161,7 @@ impl Trial {
                 relative_change(before, middle).max(relative_change(middle, last)).max(of_wear);
             let share = if way.problem.is_proportional(last) { RIPPLE } else { RIPPLE_OF_LAWS };
             let differ = worn_in(&coarse_before.worn, &coarse.state.worn) - 2.0 * halves[1];
-            let joining = (JOINING * way.less_of_what_joins(&fine.state, deepest)).min(1.0);
+            let joining = (JOINING * way.less_wear_of_what_joins(&fine.state, deepest)).min(1.0);
             (remaining(change, was_is), (share * differ.abs()).max(joining * everywhere))
         };
         let truncation = resolved * everywhere.max(there);
@@ -236,8 +238,8 @@ impl Adaptive {
             };
             let mut excess = trial.excess(self.tolerance);
             let mut change = (AIM / excess).sqrt().clamp(CHANGE.0, CHANGE.1);
-            let remembered = trial.lag > REMEMBERED * lag_of_longer;
-            if simulation.problem.motion.swing().is_some() || remembered {
+            let inherited = trial.lag > INHERITED * lag_of_longer;
+            if simulation.problem.motion.swing().is_some() || inherited {
                 // How the surfaces fit after the last position of a swing, or where each history met the last ring, stays
                 // in the pressures, however short the step.
                 excess = trial.excess_of_depth(self.tolerance);

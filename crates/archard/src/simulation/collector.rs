@@ -106,8 +106,8 @@ impl<'a> Collector<'a> {
                 self.problem.wear(pairs.iter().map(rubbing), self.stays, before)
             };
             let pairs = state.pressure.len();
-            let aged = self.problem.ages() || self.problem.counts_distance();
-            let even = matches!(distance, Values::All(_)) && warm.is_none() && !aged;
+            let remembers = self.problem.remembers();
+            let even = matches!(distance, Values::All(_)) && warm.is_none() && !remembers;
             if !even {
                 return wear(&(0..pairs).collect::<Vec<_>>());
             }
