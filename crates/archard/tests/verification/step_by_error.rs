@@ -198,7 +198,8 @@ fn the_estimate_is_honest_where_coefficients_rise() {
             .map(|step| depths(&run(&format!("motion.sliding.step={step}"))));
         let converged: Vec<f64> =
             coarse.iter().zip(&fine).map(|(coarse, fine)| 2.0 * fine - coarse).collect();
-        for tolerance in [1e-2, 1e-3, 3e-4] {
+        // At the last, a lag from the steps before ends the run if it may reject steps.
+        for tolerance in [1e-2, 1e-3, 1e-4] {
             let what = format!("{law:?}, {tolerance}");
             let outputs = run(&format!("motion.sliding.tolerance={tolerance}"));
             enclosed(&outputs, &converged, f64::max(10.0 * tolerance, 0.02), &what);
