@@ -17,7 +17,8 @@ pub(super) fn png(scene: &Scene, width: f64) -> Result<Vec<u8>> {
     shrink(&drawn.map_err(|message| anyhow!(message))?)
 }
 
-/// The picture with the mean of each block of pixels in its place.
+/// The picture with the mean of each block of pixels in its place. Releases do not optimize what
+/// draws: these sums are written out, without iterators.
 fn shrink(drawn: &[u8]) -> Result<Vec<u8>> {
     let mut reader = png::Decoder::new(Cursor::new(drawn)).read_info()?;
     let mut pixels = vec![0; reader.output_buffer_size().unwrap_or_default()];
@@ -28,20 +29,23 @@ fn shrink(drawn: &[u8]) -> Result<Vec<u8>> {
     );
     let samples = info.color_type.samples();
     let [width, height] = [info.width, info.height].map(|size| size as usize / OVERSAMPLING);
-    let mut means = Vec::with_capacity(width * height * samples);
-    for y in 0..height {
-        for x in 0..width {
-            for sample in 0..samples {
-                let mut sum = 0_usize;
-                for row in 0..OVERSAMPLING {
-                    let start = (y * OVERSAMPLING + row) * info.line_size;
-                    let first = start + x * OVERSAMPLING * samples + sample;
-                    sum += (0..OVERSAMPLING)
-                        .map(|column| usize::from(pixels[first + column * samples]))
-                        .sum::<usize>();
-                }
-                means.push((sum / (OVERSAMPLING * OVERSAMPLING)) as u8);
-            }
+    let mut means = vec![0; width * height * samples];
+    for (y, means) in means.chunks_exact_mut(width * samples).enumerate() {
+        let [above, middle, below]: [&[u8]; OVERSAMPLING] =
+            std::array::from_fn(|row| &pixels[(y * OVERSAMPLING + row) * info.line_size..]);
+        for (place, mean) in means.iter_mut().enumerate() {
+            let left = place / samples * OVERSAMPLING * samples + place % samples;
+            let (centre, right) = (left + samples, left + 2 * samples);
+            let sum = above[left] as usize
+                + above[centre] as usize
+                + above[right] as usize
+                + middle[left] as usize
+                + middle[centre] as usize
+                + middle[right] as usize
+                + below[left] as usize
+                + below[centre] as usize
+                + below[right] as usize;
+            *mean = (sum / (OVERSAMPLING * OVERSAMPLING)) as u8;
         }
     }
     encode(&means, [width, height], info.color_type)
