@@ -2,6 +2,7 @@
 
 use std::error::Error as StdError;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use archard::case::{Case, Following, Resolved, Unsettled};
 use archard::output::Store;
@@ -41,7 +42,7 @@ impl Laws {
 
     fn put_into(&self, problem: &mut ContactProblem) -> PyResult<()> {
         if let Some((pressures, limits)) = &self.friction {
-            problem.friction = Some(Box::new(Sampled::new(pressures.clone(), limits.clone())?));
+            problem.friction = Some(Arc::new(Sampled::new(pressures.clone(), limits.clone())?));
         }
         for given in &self.wear {
             let again = |py: Python<'_>| {
@@ -59,7 +60,7 @@ impl Laws {
                 Err(_) => return Err(raised(&self.failed)),
             }
             match problem.bodies.iter_mut().find(|body| body.name == given.0) {
-                Some(body) => body.wear = Some(Box::new(law)),
+                Some(body) => body.wear = Some(Arc::new(law)),
                 None => {
                     return Err(PyValueError::new_err(format!("no body is called `{}`", given.0)));
                 }

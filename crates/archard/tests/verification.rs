@@ -44,4 +44,5 @@ mod verification {
     mod unequal_pairs;
     mod wear_laws;
     mod wider_frames;
+    mod windows;
 }

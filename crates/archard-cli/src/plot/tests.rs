@@ -11,6 +11,7 @@ mod rolling;
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use archard::body::profile::{Flat, Sphere};
 use archard::body::{Body, Material};
@@ -63,7 +64,7 @@ fn problem(
     for (body, coefficient) in bodies.iter_mut().zip(coefficients) {
         let worn = coefficient > 0.0;
         body.material = Some(steel);
-        body.wear = worn.then(|| Box::new(Archard::new(coefficient).unwrap()) as _);
+        body.wear = worn.then(|| Arc::new(Archard::new(coefficient).unwrap()) as _);
     }
     let profiles = bodies.each_ref().map(|body| &*body.profile);
     let frame = ContactFrame::uniform([1.2e-3; 2], [60, 60], profiles).unwrap();

@@ -11,6 +11,8 @@ pub use material::{Material, contact_modulus};
 pub use profile::Profile;
 pub use thermal::Thermal;
 
+use std::sync::Arc;
+
 use crate::parameters::{Parameter, Quantity};
 use crate::wear::WearLaw;
 
@@ -19,18 +21,18 @@ use crate::wear::WearLaw;
 /// A body is an elastic half-space whose surface is the plane of contact less the recess of its
 /// profile, unless it is rigid or of finite shape.
 #[non_exhaustive]
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Body {
     /// The user's name for it; result columns carry it.
     pub name: String,
     /// The shape of its surface near the contact.
-    pub profile: Box<dyn Profile>,
+    pub profile: Arc<dyn Profile>,
     /// What it is made of; `None` for a rigid body.
     pub material: Option<Material>,
     /// Its surface where it is of finite shape; `None` for a half-space.
     pub finite: Option<Finite>,
     /// How it wears; `None` if it does not.
-    pub wear: Option<Box<dyn WearLaw>>,
+    pub wear: Option<Arc<dyn WearLaw>>,
     /// In plane strain: how far below the contact (m) its approach and shift are measured from, a length that a line of
     /// contact by itself leaves open. `None` for the [default](Body::depths).
     pub depth: Option<f64>,
@@ -45,7 +47,7 @@ impl Body {
     ///
     /// Result columns carry the name: letters, digits, `_` and `-`.
     pub fn new(name: impl Into<String>, profile: impl Profile + 'static) -> Self {
-        let profile = Box::new(profile);
+        let profile = Arc::new(profile);
         Self {
             name: name.into(),
             profile,
@@ -83,7 +85,7 @@ impl Body {
     /// The same body, worn by that law.
     #[must_use]
     pub fn wear(self, law: impl WearLaw + 'static) -> Self {
-        Self { wear: Some(Box::new(law)), ..self }
+        Self { wear: Some(Arc::new(law)), ..self }
     }
 
     /// The same body, its approach and shift in plane strain measured from that depth (m).

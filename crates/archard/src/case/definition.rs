@@ -223,10 +223,10 @@ impl BodyCase {
     pub(super) fn build(&self) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
-            profile: self.profile.build()?,
+            profile: self.profile.build()?.into(),
             material: self.material,
             finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
-            wear: self.wear.as_ref().map(Chosen::build).transpose()?,
+            wear: self.wear.as_ref().map(Chosen::build).transpose()?.map(Into::into),
             depth: self.depth,
             density: self.density,
             thermal: self.thermal,
@@ -299,9 +299,9 @@ impl Case {
         let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
         let outputs = self.output.places(schedule.extent);
         let mut builder = Simulation::builder(bodies, (motion, schedule)).outputs(outputs);
-        builder.friction = friction;
-        builder.solver = self.solver.build()?;
-        builder.friction_solver = self.friction_solver.build()?;
+        builder.friction = friction.map(Into::into);
+        builder.solver = self.solver.build()?.into();
+        builder.friction_solver = self.friction_solver.build()?.into();
         let (rectangle, elements) = (frame.rectangle(), frame.elements);
         let builder = match frame.line {
             _ if self.is_meshed() => builder,

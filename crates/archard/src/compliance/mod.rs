@@ -10,6 +10,7 @@ mod slip;
 mod worn_lines;
 
 use std::fmt::Debug;
+use std::sync::Arc;
 
 use crate::frame::{ContactFrame, Flow, Part, VectorField};
 
@@ -92,6 +93,11 @@ pub trait Compliance: Debug + Send + Sync {
     /// The same bodies where only the pairs of a part of the frame bear tractions and are displaced; `None` where that
     /// is not possible.
     fn within(&self, _part: &Part) -> Option<Box<dyn Compliance + '_>> {
+        None
+    }
+
+    /// The same by itself, for a problem of its own on that part.
+    fn alone_within(&self, _part: &Part) -> Option<Arc<dyn Compliance>> {
         None
     }
 

@@ -134,6 +134,14 @@ impl ContactFrame {
         self
     }
 
+    /// The pairs of a part of a uniform frame, with the gaps they have; `None` of another one.
+    pub fn within(&self, part: &Part) -> Option<Self> {
+        let Shape::Uniform(grid) = &self.shape else { return None };
+        let rectangle = part.rectangle(grid.rectangle);
+        let grid = Grid { rectangle, elements: part.size(), ..*grid };
+        Some(Self { shape: Shape::Uniform(grid), gap: part.cut(&self.gap) })
+    }
+
     /// Number of pairs.
     pub fn len(&self) -> usize {
         self.gap.len()

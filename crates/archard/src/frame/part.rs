@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
+use super::Rectangle;
 use crate::numerics::convolution::even_smooth;
 
 /// Share of the frame's elements above which a part of it is not worth while.
@@ -54,6 +55,19 @@ impl Part {
         (share < WHOLE).then_some(Self { frame: elements, first, size })
     }
 
+    /// What it covers of a rectangle that the whole grid covers.
+    pub fn rectangle(&self, whole: Rectangle) -> Rectangle {
+        let spacing = [0, 1].map(|axis| whole.size[axis] / self.frame[axis] as f64);
+        let middle = |axis: usize| {
+            let steps = 2 * self.first[axis] + self.size[axis];
+            whole.centre[axis] + 0.5 * spacing[axis] * (steps as f64 - self.frame[axis] as f64)
+        };
+        Rectangle {
+            centre: [0, 1].map(middle),
+            size: [0, 1].map(|axis| spacing[axis] * self.size[axis] as f64),
+        }
+    }
+
     /// Number of elements along x and y.
     pub fn size(&self) -> [usize; 2] {
         self.size
@@ -69,6 +83,23 @@ impl Part {
         let own = self.extent();
         (0..2)
             .all(|axis| own[axis].start <= extent[axis].start && extent[axis].end <= own[axis].end)
+    }
+
+    /// A rectangle of the frame as one of a part that holds it; `None` of one that does not.
+    pub fn seen_from(&self, outer: &Self) -> Option<Self> {
+        let first = |axis: usize| self.first[axis] - outer.first[axis];
+        outer.holds(&self.extent()).then(|| Self {
+            frame: outer.size,
+            first: [0, 1].map(first),
+            size: self.size,
+        })
+    }
+
+    /// A rectangle of a part as one of the frame.
+    #[must_use]
+    pub fn lying_in(&self, outer: &Self) -> Self {
+        let first = [0, 1].map(|axis| outer.first[axis] + self.first[axis]);
+        Self { frame: outer.frame, first, size: self.size }
     }
 
     /// The number in the rectangle of a pair of the frame; `None` beside it.
@@ -114,7 +145,7 @@ fn roomy(n: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, extent};
+    use super::{Part, Rectangle, extent};
 
     #[test]
     fn a_part_is_cut_out_and_put_back() {
@@ -129,6 +160,23 @@ mod tests {
             let found = part.place(pair).map(|place| cut[place]);
             assert_eq!(found, cut.contains(value).then_some(*value));
         }
+    }
+
+    /// Parts of parts are parts of the frame, and cover what they did.
+    #[test]
+    fn parts_lie_in_parts() {
+        let outer = Part { frame: [12, 9], first: [3, 2], size: [6, 5] };
+        let inner = Part { frame: [6, 5], first: [1, 2], size: [4, 2] };
+        let whole = inner.lying_in(&outer);
+        assert_eq!(whole.extent(), [4..8, 4..6]);
+        assert_eq!(whole.seen_from(&outer), Some(inner));
+        assert_eq!(outer.seen_from(&whole), None);
+        let field: Vec<f64> = (0..108).map(f64::from).collect();
+        assert_eq!(whole.cut(&field), inner.cut(&outer.cut(&field)));
+        let frame = Rectangle { centre: [1.0, -2.0], size: [24.0, 9.0] };
+        let within = whole.rectangle(frame);
+        assert_eq!(within, inner.rectangle(outer.rectangle(frame)));
+        assert_eq!((within.corner(), within.size), ([-3.0, -2.5], [8.0, 2.0]));
     }
 
     #[test]

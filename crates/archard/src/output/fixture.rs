@@ -1,6 +1,8 @@
 //! A pin on a disc, one that frets and twin discs without a solver, for tests of the writers: bowls of pressure on
 //! growing scars whose worn volumes or sections close by construction.
 
+use std::sync::Arc;
+
 use crate::body::{Body, Material, Profile, profile::PROFILES};
 use crate::closed_form::pin_on_disc;
 use crate::compliance::Compliance;
@@ -57,10 +59,10 @@ pub(super) const CROWN: f64 = 125e-3;
 fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
     Body {
         name: name.to_owned(),
-        profile,
+        profile: profile.into(),
         finite: None,
         material: Some(Material { young: 210e9, poisson: 0.3 }),
-        wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)])),
+        wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)]).into()),
         depth: None,
         density: None,
         thermal: None,
@@ -84,7 +86,7 @@ impl Run {
             problem: ContactProblem {
                 bodies: [body("pin", sphere, COEFFICIENTS[0]), body("disc", flat, COEFFICIENTS[1])],
                 frame: frame.expect("the sphere reaches"),
-                compliance: Box::new(Stiff),
+                compliance: Arc::new(Stiff),
                 friction: None,
                 motion: build(MOTIONS, "sliding", &motion).0,
             },
@@ -100,7 +102,8 @@ impl Run {
         let motion = MOTIONS.iter().find(|motion| motion.name == "fretting").expect("fretting");
         let (motion, _) = (motion.build)(&values).expect("fretting");
         let mut run = Self::pin_on_disc(elements);
-        run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]));
+        run.problem.friction =
+            Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]).into());
         run.problem.motion = motion;
         run
     }
@@ -110,7 +113,8 @@ impl Run {
         let mut run = Self::pin_on_disc(elements);
         run.problem.bodies[0].material = None;
         run.problem.bodies.iter_mut().for_each(|body| body.wear = None);
-        run.problem.friction = Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", friction)]));
+        run.problem.friction =
+            Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", friction)]).into());
         run.problem.motion = build(MOTIONS, "indentation", &[("load", LOAD)]).0;
         run
     }
@@ -136,8 +140,10 @@ impl Run {
                     body("two", plain, COEFFICIENTS[1]),
                 ],
                 frame: frame.expect("the discs reach"),
-                compliance: Box::new(Stiff),
-                friction: Some(build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)])),
+                compliance: Arc::new(Stiff),
+                friction: Some(
+                    build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]).into(),
+                ),
                 motion: Motion::Rolling(rolling),
             },
         }

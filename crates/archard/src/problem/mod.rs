@@ -12,6 +12,7 @@ pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -35,9 +36,9 @@ pub struct ContactProblem {
     /// The pairs that may touch.
     pub frame: ContactFrame,
     /// How both bodies deform, seen from the frame.
-    pub compliance: Box<dyn Compliance>,
+    pub compliance: Arc<dyn Compliance>,
     /// How much tangential traction the pairs bear; `None` without friction.
-    pub friction: Option<Box<dyn Friction>>,
+    pub friction: Option<Arc<dyn Friction>>,
     /// How the pairs rub.
     pub motion: Motion,
 }

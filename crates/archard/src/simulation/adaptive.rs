@@ -253,7 +253,6 @@ impl Adaptive {
                 let next = if shortened { self.step.max(change * length) } else { change * length };
                 self.step = next.max(smallest);
                 let weight = simulation.problem.frame.measure().weight;
-                effort.centre_lag = centre_lag(simulation, &trial);
                 return Ok(self.accept(trial, weight, effort));
             }
             effort.rejected += 1;
@@ -263,6 +262,34 @@ impl Adaptive {
                 let measure = simulation.problem.motion.progress();
                 return Err(Error::StepTooSmall { measure, progress, step: self.step });
             }
+        }
+    }
+
+    /// What the fine history's pressure at the centre lags by (Pa): half of what the coarse one's does. `at_centre` finds a
+    /// field's value there.
+    pub fn centre_lag(&self, problem: &ContactProblem, at_centre: impl Fn(&[f64]) -> f64) -> f64 {
+        let [coarse, fine] = [&self.coarse, &self.fine].map(|one| at_centre(&one.state.pressure));
+        let safe = problem.motion.swing().is_none() && relative_change(coarse, fine) < EDGE;
+        if safe { coarse - fine } else { 0.0 }
+    }
+
+    /// The larger approach (m) of both histories.
+    pub fn approach(&self) -> f64 {
+        self.coarse.state.approach.max(self.fine.state.approach)
+    }
+
+    /// The same in another frame: `history` takes a history there, `field` a field.
+    pub fn moved(
+        &self,
+        history: impl Fn(&Evolution) -> Evolution,
+        field: impl Fn(&[f64]) -> Vec<f64>,
+    ) -> Self {
+        Self {
+            coarse: history(&self.coarse),
+            fine: history(&self.fine),
+            worn: self.worn.each_ref().map(|worn| field(worn)),
+            swung: None,
+            ..*self
         }
     }
 
@@ -341,15 +368,6 @@ impl Adaptive {
         let forward = self.fine.forward;
         Evolution { state, displacement: vec![], known: None, load_distance, forward }
     }
-}
-
-/// What the fine history's pressure at the centre lags by (Pa): half of what the coarse one's does.
-fn centre_lag(simulation: &Simulation, trial: &Trial) -> f64 {
-    let problem = &simulation.problem;
-    let at_centre = |one: &Evolution| problem.frame.at_centre(&one.state.pressure);
-    let (coarse, fine) = (at_centre(&trial.coarse), at_centre(&trial.fine));
-    let safe = problem.motion.swing().is_none() && relative_change(coarse, fine) < EDGE;
-    if safe { coarse - fine } else { 0.0 }
 }
 
 /// A step that ends on the next target, alone or with one more of its length, if it comes near it.

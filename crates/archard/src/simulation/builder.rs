@@ -1,5 +1,7 @@
 //! A simulation put together from its parts, in SI.
 
+use std::sync::Arc;
+
 use super::Simulation;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
@@ -34,9 +36,9 @@ use crate::solve::{ConjugateGradient, Solver};
 pub struct Builder {
     bodies: [Body; 2],
     planned: Planned,
-    pub(crate) friction: Option<Box<dyn Friction>>,
-    pub(crate) solver: Box<dyn Solver>,
-    pub(crate) friction_solver: Box<dyn FrictionSolver>,
+    pub(crate) friction: Option<Arc<dyn Friction>>,
+    pub(crate) solver: Arc<dyn Solver>,
+    pub(crate) friction_solver: Arc<dyn FrictionSolver>,
     contact: Touch,
 }
 
@@ -50,7 +52,7 @@ enum Touch {
     /// Along a line, in plane strain: over that rectangle, of so many elements along x.
     Line(Rectangle, usize),
     /// As given.
-    Given(ContactFrame, Box<dyn Compliance>),
+    Given(ContactFrame, Arc<dyn Compliance>),
 }
 
 /// Why parts do not make a simulation.
@@ -82,8 +84,8 @@ impl Simulation {
             bodies,
             planned,
             friction: None,
-            solver: Box::new(ConjugateGradient::default()),
-            friction_solver: Box::new(Newton::default()),
+            solver: Arc::new(ConjugateGradient::default()),
+            friction_solver: Arc::new(Newton::default()),
             contact: Touch::Meshed,
         }
         .outputs([])
@@ -108,25 +110,25 @@ impl Builder {
     /// The bodies may touch at these pairs, and deform there by that compliance.
     #[must_use]
     pub fn contact(self, frame: ContactFrame, compliance: impl Compliance + 'static) -> Self {
-        Self { contact: Touch::Given(frame, Box::new(compliance)), ..self }
+        Self { contact: Touch::Given(frame, Arc::new(compliance)), ..self }
     }
 
     /// Friction between the bodies; none otherwise.
     #[must_use]
     pub fn friction(self, law: impl Friction + 'static) -> Self {
-        Self { friction: Some(Box::new(law)), ..self }
+        Self { friction: Some(Arc::new(law)), ..self }
     }
 
     /// The solver of the contact steps; [`ConjugateGradient`] otherwise.
     #[must_use]
     pub fn solver(self, solver: impl Solver + 'static) -> Self {
-        Self { solver: Box::new(solver), ..self }
+        Self { solver: Arc::new(solver), ..self }
     }
 
     /// The solver of friction; [`Newton`] otherwise.
     #[must_use]
     pub fn friction_solver(self, solver: impl FrictionSolver + 'static) -> Self {
-        Self { friction_solver: Box::new(solver), ..self }
+        Self { friction_solver: Arc::new(solver), ..self }
     }
 
     /// Fields are due at these places (the motion's own unit) and, always, at the end of the motion; places beyond
@@ -160,11 +162,11 @@ impl Builder {
             friction_solver,
             contact,
         } = self;
-        let (frame, compliance): (_, Box<dyn Compliance>) = match contact {
+        let (frame, compliance): (_, Arc<dyn Compliance>) = match contact {
             Touch::Given(frame, compliance) => (frame, compliance),
             Touch::Meshed => {
                 let Contact { frame, compliance } = Contact::new(bodies.each_ref(), condense)?;
-                (frame, Box::new(compliance))
+                (frame, Arc::new(compliance))
             }
             Touch::Line(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
@@ -172,18 +174,26 @@ impl Builder {
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
                 let depths = Body::depths(bodies.each_ref(), rectangle.size[0]);
                 let half_space = HalfSpace::plane_strain(materials, depths, &frame);
-                (frame, Box::new(half_space))
+                (frame, Arc::new(half_space))
             }
             Touch::Frame(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
                 let frame = ContactFrame::uniform(rectangle, elements, profiles)?;
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
                 let half_space = HalfSpace::new(materials, &frame);
-                (frame, Box::new(half_space))
+                (frame, Arc::new(half_space))
             }
         };
         let problem = ContactProblem { bodies, frame, compliance, friction, motion };
-        Ok(Simulation { problem, solver, friction_solver, schedule, companion: None, wider: None })
+        Ok(Simulation {
+            problem,
+            solver,
+            friction_solver,
+            schedule,
+            companion: None,
+            beside: f64::INFINITY,
+            wider: None,
+        })
     }
 
     fn check(&self) -> Result<(), Invalid> {

@@ -179,11 +179,11 @@ impl Evolution {
         effort.applications += outcome.applications;
         effort.residual = outcome.residual;
         match outcome.status {
-            Status::Converged => {
+            Status::Converged if outcome.approach <= simulation.beside => {
                 self.take(outcome, simulation, increment);
                 Ok(())
             }
-            Status::FrameFull => Err(Error::FrameFull {
+            Status::Converged | Status::FrameFull => Err(Error::FrameFull {
                 measure: problem.motion.progress(),
                 progress: increment.progress,
             }),

@@ -7,6 +7,7 @@ use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
 use super::evolution::{Evolution, Increment};
 use super::wider::Wider;
+use super::window::Window;
 use super::{Effort, Error, Report, Simulation};
 use crate::motion::{Motion, Stepping};
 use crate::problem::{ContactProblem, ContactState};
@@ -40,11 +41,22 @@ enum Stepper {
 /// A motion in steps of wear.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Steps {
+    histories: Histories,
+    /// Where they live, if not in the whole frame; and the present state in it then.
+    window: Option<(Window, ContactState)>,
+    effort: Effort,
+}
+
+/// What steps of wear go on from.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+struct Histories {
     evolution: Evolution,
     /// Both histories, where steps are chosen by error.
     adaptive: Option<Adaptive>,
-    effort: Effort,
 }
+
+/// How a history takes a step.
+type Scheme = fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>;
 
 impl March {
     /// The initial contact; bodies that are pressed together later only touch.
@@ -102,7 +114,7 @@ impl March {
         let Stepper::Steps(steps) = &mut self.stepper else { return Ok(present) };
         let margin = SAME * simulation.schedule.extent;
         while let Some(Wider { from, simulation: wider }) = present.wider.as_deref()
-            && steps.evolution.state.progress >= from - margin
+            && steps.state().progress >= from - margin
         {
             steps.widen(&present.problem, wider)?;
             present = wider;
@@ -113,7 +125,7 @@ impl March {
 
     fn state(&self) -> &ContactState {
         match &self.stepper {
-            Stepper::Steps(steps) => &steps.evolution.state,
+            Stepper::Steps(steps) => steps.state(),
             Stepper::Cycles(cycles) => &cycles.shown().state,
         }
     }
@@ -164,15 +176,54 @@ impl Steps {
             }
             _ => None,
         };
-        Ok(Self { evolution, adaptive, effort })
+        let histories = Histories { evolution, adaptive };
+        Ok(Self { histories, window: None, effort }.looking(simulation))
+    }
+
+    /// The same with the histories in a window, where there is one.
+    fn looking(mut self, simulation: &Simulation) -> Self {
+        let window = Window::around(simulation, self.histories.approach());
+        self.move_to(window);
+        self
+    }
+
+    /// Brings histories in the frame to a window.
+    fn move_to(&mut self, window: Option<Window>) {
+        let Some(window) = window else { return };
+        let shown = self.histories.evolution.state.clone();
+        let field = |field: &[f64]| window.cut(field);
+        self.histories = self.histories.moved(|history| window.cut_history(history), field);
+        self.window = Some((window, shown));
+    }
+
+    /// Brings histories in a window back to the frame; returns the window.
+    fn leave_window(&mut self, problem: &ContactProblem) -> Option<Window> {
+        let (window, _) = self.window.take()?;
+        let field = |field: &[f64]| window.put(field);
+        let history = |history: &Evolution| window.put_history(history, &problem.frame);
+        self.histories = self.histories.moved(history, field);
+        Some(window)
+    }
+
+    /// Takes a larger window, or the frame.
+    fn grow(&mut self, simulation: &Simulation) {
+        let Some(window) = self.leave_window(&simulation.problem) else { return };
+        self.move_to(window.larger(simulation, self.histories.approach()));
+    }
+
+    /// The present state in the whole frame.
+    fn state(&self) -> &ContactState {
+        self.window.as_ref().map_or(&self.histories.evolution.state, |(_, shown)| shown)
     }
 
     /// Goes over from the frame of a problem to a wider one.
     fn widen(&mut self, from: &ContactProblem, to: &Simulation) -> Result<(), Error> {
-        match &mut self.adaptive {
+        self.leave_window(from);
+        let Histories { evolution, adaptive } = &mut self.histories;
+        match adaptive {
             Some(adaptive) => adaptive.widen(from, to, &mut self.effort),
             None => {
-                self.evolution = self.evolution.widened(from, to, &mut self.effort)?;
+                *evolution = evolution.widened(from, to, &mut self.effort)?;
                 Ok(())
             }
         }
@@ -180,36 +231,98 @@ impl Steps {
 
     /// One accepted step, which ends on an output or before it where steps are chosen by error.
     fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
-        let schedule = &simulation.schedule;
-        if self.evolution.state.progress >= schedule.extent {
+        let extent = simulation.schedule.extent;
+        if self.state().progress >= extent {
             return Ok(false);
         }
         self.effort.iterations = 0;
-        match (&mut self.adaptive, schedule.stepping) {
-            (Some(adaptive), _) => {
-                self.evolution = adaptive.step(simulation, next, &mut self.effort)?;
-            }
-            (None, Stepping::Explicit(step)) => {
-                self.fixed(simulation, step, Evolution::explicit)?
-            }
-            (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
-                self.fixed(simulation, step, Evolution::implicit)?;
-            }
-            (None, Stepping::ToOutputs) => {
-                self.to(simulation, next, Evolution::implicit)?;
-            }
-            // Cycles are gone through elsewhere.
-            (None, Stepping::Jumps(_)) => {
-                self.fixed(simulation, schedule.extent, Evolution::implicit)?
+        let narrow =
+            |(window, _): &(Window, _)| window.is_narrow(simulation, self.histories.approach());
+        if self.window.as_ref().is_some_and(narrow) {
+            self.grow(simulation);
+        }
+        loop {
+            let window = self.window.as_ref();
+            let Some(within) = window.and_then(|(window, _)| window.simulation(simulation)) else {
+                self.leave_window(&simulation.problem);
+                self.histories.step(simulation, next, &mut self.effort)?;
+                break;
+            };
+            let before = self.histories.clone();
+            match self.histories.step(&within, next, &mut self.effort) {
+                Err(Error::FrameFull { .. }) => {
+                    self.histories = before;
+                    self.grow(simulation);
+                }
+                went => break went?,
             }
         }
         self.effort.steps += 1;
-        self.effort.load_distance = self.evolution.load_distance;
-        let progress = &mut self.evolution.state.progress;
-        if schedule.extent - *progress <= SAME * schedule.extent {
-            *progress = schedule.extent;
+        let Histories { evolution, adaptive } = &mut self.histories;
+        self.effort.load_distance = evolution.load_distance;
+        let progress = &mut evolution.state.progress;
+        if extent - *progress <= SAME * extent {
+            *progress = extent;
+        }
+        let frame = &simulation.problem.frame;
+        if let Some((window, shown)) = &mut self.window {
+            *shown = window.put_state(&evolution.state, frame);
+        }
+        if let Some(adaptive) = adaptive {
+            let at_centre = |field: &[f64]| match &self.window {
+                Some((window, _)) => frame.at_centre(&window.put(field)),
+                None => frame.at_centre(field),
+            };
+            self.effort.centre_lag = adaptive.centre_lag(&simulation.problem, at_centre);
         }
         Ok(true)
+    }
+}
+
+impl Histories {
+    /// The largest approach (m) of all.
+    fn approach(&self) -> f64 {
+        let adaptive = self.adaptive.as_ref().map_or(f64::NEG_INFINITY, Adaptive::approach);
+        self.evolution.state.approach.max(adaptive)
+    }
+
+    /// The same in another frame: `history` takes a history there, `field` a field.
+    fn moved(
+        &self,
+        history: impl Fn(&Evolution) -> Evolution,
+        field: impl Fn(&[f64]) -> Vec<f64>,
+    ) -> Self {
+        Self {
+            evolution: history(&self.evolution),
+            adaptive: self.adaptive.as_ref().map(|adaptive| adaptive.moved(history, field)),
+        }
+    }
+
+    /// One accepted step.
+    fn step(
+        &mut self,
+        simulation: &Simulation,
+        next: f64,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let schedule = &simulation.schedule;
+        match (&mut self.adaptive, schedule.stepping) {
+            (Some(adaptive), _) => self.evolution = adaptive.step(simulation, next, effort)?,
+            (None, Stepping::Explicit(step)) => {
+                self.fixed(simulation, step, Evolution::explicit, effort)?
+            }
+            (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
+                self.fixed(simulation, step, Evolution::implicit, effort)?;
+            }
+            (None, Stepping::ToOutputs) => {
+                self.to(simulation, next, Evolution::implicit, effort)?;
+            }
+            // Cycles are gone through elsewhere.
+            (None, Stepping::Jumps(_)) => {
+                self.fixed(simulation, schedule.extent, Evolution::implicit, effort)?
+            }
+        }
+        Ok(())
     }
 
     /// One step of a given length, the last one shorter where the extent is not a multiple of it.
@@ -217,13 +330,14 @@ impl Steps {
         &mut self,
         simulation: &Simulation,
         step: f64,
-        scheme: fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>,
+        scheme: Scheme,
+        effort: &mut Effort,
     ) -> Result<(), Error> {
         let extent = simulation.schedule.extent;
         // From the count of steps, so that rounding does not add up.
-        let end = ((self.effort.steps + 1) as f64 * step).min(extent);
+        let end = ((effort.steps + 1) as f64 * step).min(extent);
         let end = if extent - end <= SAME * extent { extent } else { end };
-        self.to(simulation, end, scheme)
+        self.to(simulation, end, scheme, effort)
     }
 
     /// One step to a place.
@@ -231,11 +345,12 @@ impl Steps {
         &mut self,
         simulation: &Simulation,
         end: f64,
-        scheme: fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>,
+        scheme: Scheme,
+        effort: &mut Effort,
     ) -> Result<(), Error> {
         let advance = end - self.evolution.state.progress;
         let increment =
             Increment { advance, progress: end, control: simulation.schedule.control_at(end) };
-        scheme(&mut self.evolution, simulation, increment, &mut self.effort)
+        scheme(&mut self.evolution, simulation, increment, effort)
     }
 }

@@ -19,8 +19,10 @@ mod second_order;
 mod step;
 mod swing;
 mod wider;
+mod window;
 
 use std::error::Error as StdError;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -53,13 +55,16 @@ pub struct Simulation {
     /// The bodies, the frame and the motion.
     pub problem: ContactProblem,
     /// Solver of the contact steps.
-    pub solver: Box<dyn Solver>,
+    pub solver: Arc<dyn Solver>,
     /// Solver of friction, where the motion tells slip from stick.
-    pub friction_solver: Box<dyn FrictionSolver>,
+    pub friction_solver: Arc<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
     /// The same on fewer elements, where the error by the elements is asked for.
     pub companion: Option<Companion>,
+    /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
+    /// [window](window::Window).
+    pub(crate) beside: f64,
     /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].
     pub wider: Option<Box<Wider>>,
 }

@@ -1,6 +1,8 @@
 //! Half-spaces under rectangles of unequal sizes, maybe on a quarter of a symmetric frame: a dense matrix, as
 //! meshed bodies have one.
 
+use std::sync::Arc;
+
 use archard::body::Material;
 use archard::compliance::{Compliance, Preconditioner};
 use archard::frame::{ContactFrame, Pairs, VectorField};
@@ -112,7 +114,7 @@ impl Uneven {
     pub fn take_over(&self, simulation: &mut Simulation) {
         let problem = &mut simulation.problem;
         (problem.frame, problem.compliance) =
-            (self.frame(problem), Box::new(self.compliance(problem)));
+            (self.frame(problem), Arc::new(self.compliance(problem)));
     }
 }
 

@@ -4,6 +4,8 @@
 
 pub mod dense;
 
+use std::sync::Arc;
+
 use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
 use archard::case::CaseFile;
@@ -78,7 +80,7 @@ impl Ball {
         for (index, body) in bodies.iter_mut().enumerate() {
             body.material = self.materials[index];
             let law = Some(self.wear[index]).filter(|&coefficient| coefficient > 0.0);
-            body.wear = law.map(|k| Box::new(Archard::new(k).expect("a coefficient")) as _);
+            body.wear = law.map(|k| Arc::new(Archard::new(k).expect("a coefficient")) as _);
         }
         let planned =
             (Motion::Sliding(Sliding::new()), Schedule::steady(self.control, extent, stepping));

@@ -199,7 +199,7 @@ fn worn(motion: &str, law: Option<Box<dyn WearLaw>>) -> ([Vec<f64>; 2], Simulati
     };
     let worn = usize::from(motion != "stays");
     let mut bodies = ball_and_flat(0, thermal);
-    bodies[worn].wear = Some(law.unwrap_or_else(|| Box::new(Archard::new(1e-20).unwrap())));
+    bodies[worn].wear = Some(law.unwrap_or_else(|| Box::new(Archard::new(1e-20).unwrap())).into());
     let planned = match motion {
         "rolls" => Rolling::along(Direction::X)
             .longitudinal(Drive::Creepage(1.0))
@@ -289,7 +289,7 @@ fn laws_stop_where_the_temperature_is_not_known() {
     let run = |thermal: Option<Thermal>, speed: f64, friction: bool| {
         let [table, _] = laws();
         let mut bodies = ball_and_flat(0, [None, thermal]);
-        bodies[0].wear = Some(table);
+        bodies[0].wear = Some(table.into());
         let sliding = Sliding::new().on(Track::around(1, 0.03).unwrap()).at_speed(speed);
         let planned = sliding.over(3.0, Control::Load(50.0), Stepping::Implicit(1.0)).unwrap();
         let builder = Simulation::builder(bodies, planned).frame([0.6e-3; 2], [12; 2]);

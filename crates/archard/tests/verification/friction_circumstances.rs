@@ -43,7 +43,7 @@ fn table(over: Circumstance, places: [f64; 2], coefficients: [f64; 2]) -> Box<dy
 
 /// The same with another law of friction.
 fn with(mut simulation: Simulation, law: Box<dyn Friction>) -> Simulation {
-    simulation.problem.friction = Some(law);
+    simulation.problem.friction = Some(law.into());
     simulation
 }
 
@@ -204,7 +204,7 @@ fn hot_friction_is_that_of_its_own_heat() {
         };
         let law = table(Circumstance::Temperature, [293.15, 893.15], [cold, hot]);
         let mut simulation = case(LINE, &["body.one.wear.energy.coefficient=1e-12 mm^3/J"]);
-        simulation.problem.friction = Some(law);
+        simulation.problem.friction = Some(law.into());
         let mut rows = Rows::default();
         simulation.run(&mut [&mut rows]).unwrap();
         let (hottest, friction) = marched(mu);
@@ -309,7 +309,8 @@ fn swings_run_in() {
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).unwrap();
     let (whole, cycles) = (rows.column("dissipated_J"), rows.column("cycle"));
-    simulation.problem.friction = Some(table(Circumstance::Distance, [0.0, 0.05], [0.9, 0.5]));
+    simulation.problem.friction =
+        Some(table(Circumstance::Distance, [0.0, 0.05], [0.9, 0.5]).into());
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).unwrap();
     let last = rows.column("cycle").len() - 1;

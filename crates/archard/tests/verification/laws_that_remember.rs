@@ -1,5 +1,7 @@
 //! Wear laws that ask for what was before, for vectors and for the speed.
 
+use std::sync::Arc;
+
 use approx::assert_relative_eq;
 use archard::simulation::Error;
 use archard::wear::{Input, Rubbing, WearLaw};
@@ -89,7 +91,7 @@ const ELLIPSE: &str = "[friction.orthotropic]\ncoefficients = [0.3, 0.1]\nangle 
 fn run(text: &str, law: Option<fn() -> Box<dyn WearLaw>>) -> (Vec<f64>, [Vec<f64>; 2]) {
     let mut simulation = case(&format!("{BODIES}{text}"), &[]);
     if let Some(law) = law {
-        simulation.problem.bodies.iter_mut().for_each(|body| body.wear = Some(law()));
+        simulation.problem.bodies.iter_mut().for_each(|body| body.wear = Some(law().into()));
     }
     let mut states = states(&simulation).expect("it converges");
     let state = states.pop().expect("a state").0;
@@ -211,7 +213,7 @@ fn the_speed_is_asked_for() {
     let (_, fast) = run(&format!("{slides}\nspeed = \"0.2 m/s\""), Some(|| Box::new(Fast)));
     assert_relative_eq!(peak(&fast[0]) / peak(&plain[0]), 0.2, max_relative = 1e-6);
     let mut simulation = case(&format!("{BODIES}{slides}"), &[]);
-    simulation.problem.bodies[0].wear = Some(Box::new(Fast));
+    simulation.problem.bodies[0].wear = Some(Arc::new(Fast));
     let refused = simulation.run(&mut []);
     assert!(matches!(refused, Err(Error::NoSpeed { body }) if body == "ball"));
 }

@@ -151,7 +151,7 @@ fn all_kinds() -> Vec<Simulation> {
 
 /// The same simulation under another law.
 fn under(friction: Box<dyn Friction>, mut simulation: Simulation) -> Simulation {
-    simulation.problem.friction = Some(friction);
+    simulation.problem.friction = Some(friction.into());
     simulation
 }
 

@@ -1,5 +1,7 @@
 //! Wear laws that are not linear in the pressure, or go by the work of friction.
 
+use std::sync::Arc;
+
 use approx::assert_relative_eq;
 use archard::motion::Stepping;
 use archard::simulation::{Error, Simulation};
@@ -35,7 +37,7 @@ fn implicit_steps_obey_the_law_and_the_contact() {
     for law in laws {
         let step = 10e-3;
         let mut simulation = Ball::pin_on_disc(24).sliding(0.1, Stepping::Implicit(step), &[]);
-        simulation.problem.bodies[0].wear = Some(law());
+        simulation.problem.bodies[0].wear = Some(law().into());
         let states = states(&simulation).unwrap();
         assert_eq!(states.len(), 11);
         for pair in states.windows(2) {
@@ -109,7 +111,7 @@ fn by_the_work_of_friction_is_archards_law_where_all_slides() {
     for motion in [slides.to_owned(), rolls("1.0"), rolls("0.002")] {
         let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
         let archard = rows(&simulation);
-        simulation.problem.bodies[0].wear = Some(Box::new(Energy { alpha: 1e-12 }));
+        simulation.problem.bodies[0].wear = Some(Arc::new(Energy { alpha: 1e-12 }));
         let energy = rows(&simulation);
         for column in ["approach_m", "centre_pressure_Pa", "wear_depth_ball_m"] {
             let pairs = archard.column(column).into_iter().zip(energy.column(column));
@@ -125,7 +127,7 @@ fn by_the_work_of_friction_wears_by_the_work_of_the_motion() {
     let motion = "[motion.fretting]\nload = \"10 N\"\namplitude = [\"0.3 um\", \"0 um\"]\ncycles = 40\nincrements = 20";
     let [every, jumps] = ["", "jump = 10"].map(|jumps| {
         let mut simulation = case(&format!("{BODIES}{motion}\n{jumps}"), &[]);
-        simulation.problem.bodies[0].wear = Some(Box::new(Energy { alpha: 1e-12 }));
+        simulation.problem.bodies[0].wear = Some(Arc::new(Energy { alpha: 1e-12 }));
         rows(&simulation)
     });
     let [force, shift] = ["force_x_N", "shift_x_m"].map(|column| every.column(column));
@@ -146,7 +148,7 @@ fn by_the_work_of_friction_wears_by_the_work_of_the_motion() {
 fn by_the_work_of_friction_asks_for_friction() {
     let motion = "[motion.sliding]\nload = \"10 N\"\ndistance = \"0.3 m\"\nstep = \"60 mm\"";
     let mut simulation = case(&format!("{BODIES}{motion}"), &["friction="]);
-    simulation.problem.bodies[0].wear = Some(Box::new(Energy { alpha: 1e-12 }));
+    simulation.problem.bodies[0].wear = Some(Arc::new(Energy { alpha: 1e-12 }));
     let refused = simulation.run(&mut []);
     assert!(matches!(refused, Err(Error::NoFriction { body }) if body == "ball"));
 }
@@ -186,7 +188,7 @@ impl WearLaw for Beyond {
 /// Depths (m) worn off the ball between the first and the last state, by a law so weak that the contact stays.
 fn worn(motion: &str, threshold: f64, per: Per) -> Vec<f64> {
     let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
-    simulation.problem.bodies[0].wear = Some(Box::new(Beyond { alpha: 1e-18, threshold, per }));
+    simulation.problem.bodies[0].wear = Some(Arc::new(Beyond { alpha: 1e-18, threshold, per }));
     let states = states(&simulation).expect("it converges");
     let [first, last] = [&states[0].0.worn[0], &states[states.len() - 1].0.worn[0]];
     first.iter().zip(last).map(|(first, last)| last - first).collect()
@@ -225,7 +227,7 @@ fn a_law_of_whole_cycles_asks_for_cycles() {
     let motion = "[motion.sliding]\nload = \"10 N\"\ndistance = \"0.3 m\"\nstep = \"60 mm\"";
     let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
     let law = Beyond { alpha: 1e-12, threshold: 1.0, per: Per::Cycle };
-    simulation.problem.bodies[0].wear = Some(Box::new(law));
+    simulation.problem.bodies[0].wear = Some(Arc::new(law));
     let refused = simulation.run(&mut []);
     assert!(matches!(refused, Err(Error::NoCycle { body }) if body == "ball"));
 }

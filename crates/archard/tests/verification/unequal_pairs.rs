@@ -65,7 +65,7 @@ fn hertz_on_unequal_pairs() {
 fn solvers_agree_on_unequal_pairs() {
     let solve = |name: &str| {
         let mut simulation = sliding(Control::Load(10.2), false);
-        simulation.solver = crate::common::solver(name, 1e-7);
+        simulation.solver = crate::common::solver(name, 1e-7).into();
         let grid = Uneven::new(SIDE, 14);
         slide(&mut simulation, Some(grid)).0
     };

@@ -90,7 +90,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
     let body = body.build()?;
     let rigid = Body {
         name: String::new(),
-        profile,
+        profile: profile.into(),
         material: None,
         finite: None,
         wear: None,

@@ -217,6 +217,10 @@ impl Compliance for HalfSpace {
         Some(Box::new(WholeOrPart::Part(self.part(part.size()))))
     }
 
+    fn alone_within(&self, part: &Part) -> Option<Arc<dyn Compliance>> {
+        Some(self.part(part.size()))
+    }
+
     fn least_displacement(&self, away: [usize; 2]) -> f64 {
         self.influence.least_nn(away)
     }

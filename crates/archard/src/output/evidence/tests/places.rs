@@ -9,7 +9,7 @@ use crate::problem::ContactProblem;
 /// A cylinder along y on a flat, on a frame of that many elements.
 fn line_contact(elements: [usize; 2]) -> ContactProblem {
     let mut problem = Run::pressed([4, 4], 0.3).problem;
-    problem.bodies[0].profile = build(PROFILES, "cylinder", &[("radius", 50e-3)]);
+    problem.bodies[0].profile = build(PROFILES, "cylinder", &[("radius", 50e-3)]).into();
     let profiles = problem.bodies.each_ref().map(|body| &*body.profile);
     problem.frame = ContactFrame::uniform([1e-3, 5e-3], elements, profiles).unwrap();
     problem
@@ -47,18 +47,18 @@ fn line_contacts_may_be_cut_off_along_them() {
     assert_eq!(edges::border(&problem), [0, 4, 5, 9, 10, 14, 15, 19]);
     assert_eq!(edges::border(&line_contact([5, 1])), [0, 4]);
     let crowned = [("radius", 50e-3), ("crown", 1.0)];
-    problem.bodies[0].profile = build(PROFILES, "disc", &crowned);
+    problem.bodies[0].profile = build(PROFILES, "disc", &crowned).into();
     assert_eq!(edges::border(&problem).len(), 14);
     // A contact that only looks like a line: the crown is on the other body.
     problem = line_contact([5, 4]);
-    problem.bodies[1].profile = build(PROFILES, "disc", &[("radius", 1.0), ("crown", 0.5)]);
+    problem.bodies[1].profile = build(PROFILES, "disc", &[("radius", 1.0), ("crown", 0.5)]).into();
     assert_eq!(edges::border(&problem).len(), 14);
 }
 
 /// Squares of 1 mm in three rows of three, as meshes have them, with the gaps of profiles.
 fn described(profile: &str, mirrored: [bool; 2], closed: bool) -> ContactProblem {
     let mut problem = line_contact([5, 4]);
-    problem.bodies[0].profile = build(PROFILES, profile, &[("radius", 50e-3)]);
+    problem.bodies[0].profile = build(PROFILES, profile, &[("radius", 50e-3)]).into();
     let corner = |index: usize, axis: usize, count: f64| {
         let middle = if mirrored[axis] { 0.0 } else { 0.5 * count };
         1e-3 * (index as f64 - middle)
