@@ -40,9 +40,25 @@ fn pressed() {
     for n in [64, 128, 256] {
         for steps in ["step = \"20 mm\"", "tolerance = 1e-3"] {
             let runs = if n > 128 { 2 } else { 5 };
-            let cost = cost(n, runs, 1, &pin_on_disc(n, steps));
+            let cost = cost(n, runs, 1, &pin_on_disc(n, steps, 1));
             row(n, steps, cost.effort.solves, &cost);
         }
+    }
+    println!("\nThe same at a tolerance of 1e-3 in wider frames, elements as large\n");
+    println!("| n | frame | solves | ms | times as long |");
+    println!("|---|---|---|---|---|");
+    let mut first = None;
+    for wide in [1, 2, 4] {
+        let Cost { seconds, effort, .. } =
+            cost(120, 7, 1, &pin_on_disc(120, "tolerance = 1e-3", wide));
+        let times = seconds / *first.get_or_insert(seconds);
+        let n = 120 * wide;
+        println!(
+            "| {n} | {:.1} mm | {} | {:.1} | {times:.2} |",
+            1.2 * wide as f64,
+            effort.solves,
+            1e3 * seconds
+        );
     }
     println!("\nOne thread against two, Hertz\n");
     println!("| n | one thread ms | two threads ms | ratio | ratio of a round trip |");
@@ -190,10 +206,17 @@ fn hertz_case(n: usize, solver: &str) -> Case {
     )
 }
 
-fn pin_on_disc(n: usize, steps: &str) -> Case {
-    let steps = steps.replace(' ', "");
-    let options = ["motion.sliding.step=".to_owned(), format!("motion.sliding.{steps}")];
-    case("pin_on_disc", &[&options[..], &[format!("frame.elements=[{n},{n}]")]].concat())
+/// The pin in a frame so many times as wide as it is with n elements.
+fn pin_on_disc(n: usize, steps: &str, wide: usize) -> Case {
+    let (steps, n) = (steps.replace(' ', ""), n * wide);
+    let size = format!("\"{} mm\"", 1.2 * wide as f64);
+    let options = [
+        "motion.sliding.step=".to_owned(),
+        format!("motion.sliding.{steps}"),
+        format!("frame.elements=[{n},{n}]"),
+        format!("frame.size=[{size},{size}]"),
+    ];
+    case("pin_on_disc", &options)
 }
 
 /// A case by its text.

@@ -171,3 +171,75 @@ fn stays_apart(problem: &ContactProblem) -> bool {
     };
     stay && plain && !problem.goes_by_temperature() && open().depth(0) == 0.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Window;
+    use crate::body::profile::{Flat, Sphere};
+    use crate::body::{Body, Material};
+    use crate::frame::Part;
+    use crate::motion::{Control, Sliding, Stepping};
+    use crate::simulation::evolution::{Evolution, Increment};
+    use crate::simulation::{Effort, Simulation};
+    use crate::wear::Archard;
+
+    /// What a history says it knows of displacements and gaps, in the frame and in windows of two sizes, is so.
+    #[test]
+    fn what_is_known_stays_true() {
+        let steel = Material::new(210e9, 0.3).unwrap();
+        let ball = Body::new("ball", Sphere::new(50e-3).unwrap()).material(steel);
+        let ball = ball.wear(Archard::new(1.33e-13).unwrap());
+        let control = Control::Load(10.2);
+        let sliding = Sliding::new().over(1.0, control, Stepping::Implicit(1.0)).unwrap();
+        let simulation = Simulation::builder([ball, Body::new("flat", Flat)], sliding)
+            .frame([2.4e-3, 2.0e-3], [96, 80])
+            .build()
+            .unwrap();
+        let problem = &simulation.problem;
+        let mut history = Evolution::new(problem);
+        let press = Increment { advance: 0.0, progress: 0.0, control };
+        history.press(&simulation, press, &mut Effort::default()).unwrap();
+        let narrow = Window::around(&simulation, history.state.approach).unwrap();
+        let wide = Window::around(&simulation, 2.5 * history.state.approach).unwrap();
+        assert!(wide.part.holds(&narrow.part.extent()) && !narrow.part.holds(&wide.part.extent()));
+        let expected = history.state.gap_of(problem).into_owned();
+        let is_true = |history: &Evolution, simulation: &Simulation, what: &str| {
+            let problem = &simulation.problem;
+            let mut displacement = vec![0.0; problem.frame.len()];
+            problem.compliance.apply_normal(&history.state.pressure, &mut displacement);
+            let known =
+                |pair: usize| history.known.is_none_or(|part: Part| part.place(pair).is_some());
+            let mut count = 0;
+            for pair in (0..displacement.len()).filter(|&pair| known(pair)) {
+                let off = (history.displacement[pair] - displacement[pair]).abs();
+                assert!(off < 1e-12, "{what}, {pair}: {off:e}");
+                count += 1;
+            }
+            assert!(count > 0, "{what}");
+            let gap = history.state.gap_of(problem).into_owned();
+            for (pair, gap) in gap.iter().enumerate() {
+                let undeformed = problem.frame.gap()[pair] - history.state.approach;
+                let off = (gap - undeformed - displacement[pair]).abs();
+                assert!(off < 1e-12, "gap, {what}, {pair}: {off:e}");
+            }
+        };
+        is_true(&history, &simulation, "frame");
+        let completed = {
+            let mut whole = history.clone();
+            whole.complete(problem, &mut Effort::default());
+            whole
+        };
+        for (name, history) in [("solved", &history), ("completed", &completed)] {
+            let first = narrow.cut_history(history);
+            is_true(&first, &narrow.simulation(&simulation).unwrap(), name);
+            let back = narrow.put_history(&first, &problem.frame);
+            is_true(&back, &simulation, name);
+            let second = wide.cut_history(&back);
+            is_true(&second, &wide.simulation(&simulation).unwrap(), name);
+            let shown = wide.put_state(&second.state, &problem.frame);
+            for (one, other) in shown.gap_of(problem).iter().zip(&expected) {
+                assert!((one - other).abs() < 1e-12, "{name}: {one:e} {other:e}");
+            }
+        }
+    }
+}
