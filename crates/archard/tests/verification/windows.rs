@@ -14,6 +14,9 @@ use archard::wear::{Archard, Rubbing, WearLaw};
 
 use crate::common::{STEEL, case, peak, states};
 
+/// States, with what they took and whether they were due for output.
+type States = Vec<(ContactState, Effort, bool)>;
+
 /// Half-spaces that count the windows that were asked for, and grant them or not.
 #[derive(Debug)]
 struct Counting {
@@ -64,7 +67,7 @@ fn counting(mut simulation: Simulation, grants: bool) -> (Simulation, Arc<Atomic
 }
 
 /// States in windows and in the whole frame, and the number of windows.
-fn both(make: impl Fn() -> Simulation) -> ([Vec<(ContactState, Effort, bool)>; 2], usize) {
+fn both(make: impl Fn() -> Simulation) -> ([States; 2], usize) {
     let mut windows = 0;
     let runs = [true, false].map(|grants| {
         let (simulation, count) = counting(make(), grants);
@@ -84,11 +87,7 @@ fn assert_close(one: &[f64], other: &[f64], within: f64, what: &str) {
 }
 
 /// Every state of two runs is the same.
-fn assert_same(
-    [one, other]: [Vec<(ContactState, Effort, bool)>; 2],
-    problem: &Simulation,
-    name: &str,
-) {
+fn assert_same([one, other]: [States; 2], problem: &Simulation, name: &str) {
     assert_eq!(one.len(), other.len(), "{name}");
     for ((one, effort, _), (other, whole, _)) in one.iter().zip(&other) {
         let at = format!("{name} at {:e}", one.progress);
