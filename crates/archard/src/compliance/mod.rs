@@ -96,7 +96,8 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
-    /// The same by itself, for a problem of its own on that part.
+    /// The same by itself, for a problem of its own on that part; only where pressures on any pair open the gaps of all
+    /// others.
     fn alone_within(&self, _part: &Part) -> Option<Arc<dyn Compliance>> {
         None
     }

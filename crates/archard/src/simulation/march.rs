@@ -177,11 +177,11 @@ impl Steps {
             _ => None,
         };
         let histories = Histories { evolution, adaptive };
-        Ok(Self { histories, window: None, effort }.looking(simulation))
+        Ok(Self { histories, window: None, effort }.in_a_window(simulation))
     }
 
     /// The same with the histories in a window, where there is one.
-    fn looking(mut self, simulation: &Simulation) -> Self {
+    fn in_a_window(mut self, simulation: &Simulation) -> Self {
         let window = Window::around(simulation, self.histories.approach());
         self.move_to(window);
         self
@@ -248,6 +248,7 @@ impl Steps {
                 self.histories.step(simulation, next, &mut self.effort)?;
                 break;
             };
+            // A step that fails may have worn the bodies: an explicit one does so first.
             let before = self.histories.clone();
             match self.histories.step(&within, next, &mut self.effort) {
                 Err(Error::FrameFull { .. }) => {

@@ -46,17 +46,17 @@ impl Window {
         let near = extent(frame.elements(), |pair| frame.gap()[pair] < AMPLE * approach)?;
         let part = Part::around(frame.elements(), &near, [MARGIN; 2])?;
         let window = Self { part, simulation: OnceLock::new() };
-        let within = window.make(simulation)?;
-        Some(Self { simulation: OnceLock::from(within), ..window })
+        window.simulation(simulation)?;
+        Some(window)
     }
 
     /// The problem in the window, and all else as in a simulation.
     pub fn simulation(&self, simulation: &Simulation) -> Option<Arc<Simulation>> {
-        let made = || self.make(simulation);
-        self.simulation.get().cloned().or_else(|| {
-            let made = made()?;
-            Some(Arc::clone(self.simulation.get_or_init(|| made)))
-        })
+        if let Some(within) = self.simulation.get() {
+            return Some(Arc::clone(within));
+        }
+        let made = self.make(simulation)?;
+        Some(Arc::clone(self.simulation.get_or_init(|| made)))
     }
 
     fn make(&self, simulation: &Simulation) -> Option<Arc<Simulation>> {

@@ -56,7 +56,7 @@ impl Compliance for Counting {
     }
 }
 
-/// The same on such half-spaces; the number of windows will be in what is returned.
+/// The same on such half-spaces, and what counts their windows.
 fn counting(mut simulation: Simulation, grants: bool) -> (Simulation, Arc<AtomicUsize>) {
     let problem = &mut simulation.problem;
     let materials = problem.bodies.each_ref().map(|body| body.material.as_ref());
@@ -107,7 +107,7 @@ fn assert_same([one, other]: [States; 2], problem: &Simulation, name: &str) {
     }
 }
 
-/// A ball of 50 mm on a flat, in a frame five times as wide as the contact is at first.
+/// A ball of 50 mm on a flat, in a frame more than four times as wide as the contact is at first.
 const BALL: &str = r#"
     [body.ball]
     material = { young = "210 GPa", poisson = 0.3 }
@@ -130,7 +130,7 @@ const BALL: &str = r#"
 "#;
 
 /// What is computed in a window is what is computed in the frame: steps by error and given ones, by their ends or starts; both
-/// bodies, laws that remember, friction that changes; off the middle; under an approach.
+/// bodies; a law that remembers; by the work of friction; off the middle; under an approach.
 #[test]
 fn windows_change_nothing() {
     let law = |law: &str| format!("body.flat.wear.{law}");
