@@ -6,6 +6,10 @@
 //! slide there, implicitly, and the depths are laid down where the points of each surface are. It goes there with most of the
 //! cycles and back with the rest; the next step begins at the other end.
 //!
+//! Positions of fine elements lie several elements apart. Where many of them fall on the length of the contact, wear is laid
+//! down at the position itself: spread over the elements between, it would leave teeth that no position sees. Where few do, it
+//! is spread: the ends of the contact would stay as stairs.
+//!
 //! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
@@ -26,6 +30,9 @@ const BACK: f64 = 0.1;
 
 /// Positions to a contact's length, at least, where a stroke is many contacts long.
 const CLOSE: usize = 6;
+
+/// Positions to a contact's length from which wear is laid down where it was worn.
+const DENSE: usize = 12;
 
 /// The frame, and the body that is moved over it.
 struct Course<'a> {
@@ -88,8 +95,11 @@ impl Evolution {
         // Of the mean way, those of the pairs.
         let shares: Vec<f64> =
             elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
-        let stride = course.stride(&self.state.pressure);
-        let mut positions = positions(reach, problem.frame.spacing()[course.axis()], stride);
+        let element = problem.frame.spacing()[course.axis()];
+        let contact = course.contact_length(&self.state.pressure);
+        let stride = stride(course.sliding, element, contact);
+        let mut positions =
+            positions(reach, element, stride, stride > 1 && contact < DENSE * stride);
         self.forward = !self.forward;
         if !self.forward {
             positions.reverse();
@@ -144,8 +154,9 @@ struct Position {
     ways: Vec<(isize, f64)>,
 }
 
-/// Positions on elements of that length (m), so many elements apart; the reach is half the sum of their lengths.
-fn positions(reach: f64, element: f64, stride: usize) -> Vec<Position> {
+/// Positions on elements of that length (m), so many elements apart; the reach is half the sum of their lengths. What is
+/// worn there is spread over the elements between them, or laid down at the position.
+fn positions(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Position> {
     let side = stride as f64 * element;
     let most = (reach / side).ceil() as isize;
     // The integral of a hat of base two, from its middle on, as far as a place.
@@ -166,10 +177,10 @@ fn positions(reach: f64, element: f64, stride: usize) -> Vec<Position> {
             let place = middle + way as f64 * element;
             (way, integral(place - 0.5 * element, place + 0.5 * element) / length)
         };
-        let ways = if stride == 1 {
-            vec![(0, 1.0)]
-        } else {
+        let ways = if spread {
             (-reach..=reach).map(share).filter(|(_, share)| *share > 0.0).collect()
+        } else {
+            vec![(0, 1.0)]
         };
         Position { offset: number * reach, length, ways }
     };
@@ -232,13 +243,12 @@ impl<'a> Course<'a> {
         if self.sliding.track.is_some() { 0.0 } else { BACK }
     }
 
-    /// Elements from one position to the next, under pressures (Pa).
-    fn stride(&self, pressure: &[f64]) -> usize {
+    /// Elements along the motion from end to end of a contact under pressures (Pa).
+    fn contact_length(&self, pressure: &[f64]) -> usize {
         let (frame, axis) = (&self.problem.frame, self.axis());
         let along = |pair: usize| [pair % frame.elements()[0], pair / frame.elements()[0]][axis];
         let pressed = || (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0).map(along);
-        let length = pressed().max().zip(pressed().min()).map_or(1, |(most, least)| most - least);
-        stride(self.sliding, frame.spacing()[axis], length)
+        pressed().max().zip(pressed().min()).map_or(1, |(most, least)| most - least)
     }
 
     /// Whether pairs at an end of the frame along the motion are pressed.
@@ -371,10 +381,11 @@ mod tests {
     }
 
     /// The lengths of all positions are those of a half cycle, even to both sides.
+    /// The way in all, and that none of it lies to one side.
     #[test]
     fn positions_share_the_way() {
         for (reach, stride) in [(2e-6, 1), (9e-6, 1), (24.6e-6, 2), (300e-6, 4)] {
-            let positions = positions(reach, 1e-5, stride);
+            let positions = positions(reach, 1e-5, stride, false);
             let sum = |power: i32| -> f64 {
                 positions
                     .iter()
@@ -383,6 +394,25 @@ mod tests {
             };
             assert_relative_eq!(sum(0), 2.0 * reach, max_relative = 1e-12);
             assert!(sum(1).abs() < 1e-12 * reach * reach);
+            assert!(positions.iter().all(|one| one.ways == [(0, 1.0)]));
+        }
+    }
+
+    /// Spread, each element within the reach has as much of the way as every other.
+    #[test]
+    fn positions_spread_the_way_evenly() {
+        let (reach, element) = (305e-6, 1e-5);
+        for stride in [2, 4, 7] {
+            let mut ways = vec![0.0; 81];
+            for position in positions(reach, element, stride, true) {
+                for (way, share) in position.ways {
+                    ways[(40 + position.offset + way) as usize] += share * position.length;
+                }
+            }
+            assert_relative_eq!(ways.iter().sum::<f64>(), 2.0 * reach, max_relative = 1e-12);
+            for within in &ways[40 - 30..=40 + 30] {
+                assert_relative_eq!(*within, element, max_relative = 1e-9);
+            }
         }
     }
 }

@@ -190,6 +190,30 @@ fn wide_swings_take_fewer_positions() {
     assert!((0.996..0.999).contains(&slid), "{slid}");
 }
 
+/// Elements much finer than the way from one position to the next wear as coarse ones do, and no pressure stands out.
+#[test]
+fn fine_elements_leave_no_teeth() {
+    let run = |elements: &str| {
+        let options = [
+            "motion.fretting.cycles=4500",
+            "motion.fretting.tolerance=0.0005",
+            "frame.size=0.8 mm",
+            "output={}",
+            elements,
+        ];
+        rows(CASE, &options)
+    };
+    let [coarse, fine] = [run("frame.elements=128"), run("frame.elements=1024")];
+    for (column, within) in [
+        ("wear_depth_flat_m", 5e-3),
+        ("wear_depth_cylinder_m", 5e-3),
+        ("worn_volume_flat_m3", 1e-3),
+        ("peak_pressure_Pa", 5e-2),
+    ] {
+        assert_relative_eq!(coarse.last(column) / fine.last(column), 1.0, epsilon = within);
+    }
+}
+
 /// Bodies that stick, and a contact that is carried beyond the frame.
 #[test]
 fn what_cannot_swing_is_refused() {
