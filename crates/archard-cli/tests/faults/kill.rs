@@ -227,10 +227,10 @@ fn what_cannot_go_on_is_refused_in_words() {
     refused("the run came to its end");
     let mut long = command(dir.path(), "pin_on_disc", &super::MANY_STEPS);
     let run = Run::start(long.arg("--force"));
-    super::wait_until("some rows", || super::lines(dir.path()) > 50);
+    let out = dir.path().join("out");
+    super::wait_until("a checkpoint", || out.join("checkpoint").exists());
     run.signal("KILL");
     run.end();
-    let out = dir.path().join("out");
     let kept = fs::read(out.join("checkpoint")).unwrap();
     let history = fs::read(out.join("history.csv")).unwrap();
     let put = |bytes: &[u8]| fs::write(out.join("checkpoint"), bytes).unwrap();

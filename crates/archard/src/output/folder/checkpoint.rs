@@ -2,8 +2,8 @@
 //!
 //! The file `checkpoint` is a line that names its format and the program's version, what the results so far amount to,
 //! the run itself, and a checksum of all before it. It is written when fields are put out, and at least twice a minute
-//! as far as steps end in that time; never so often that it takes more than a fiftieth of the time. When the run has
-//! come to its end, it goes.
+//! as far as steps end in that time; never so often that it takes more than a fiftieth of the time, nor in the first
+//! fifth of a second. When the run has come to its end, it goes.
 
 use std::fs;
 use std::io;
@@ -28,6 +28,8 @@ const SUM: usize = 32;
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
 const SPARE: u32 = 50;
+/// What keeping it is taken to last before it was kept.
+const FIRST: Duration = Duration::from_millis(4);
 
 /// What the results of a run amount to, beside what is in their files.
 #[derive(Debug, Serialize, Deserialize)]
@@ -51,7 +53,7 @@ pub(super) struct Clock {
 
 impl Clock {
     pub fn new() -> Self {
-        Self { last: Instant::now(), took: Duration::ZERO }
+        Self { last: Instant::now(), took: FIRST }
     }
 
     /// Whether the run is to be kept again.
@@ -60,9 +62,14 @@ impl Clock {
         since >= LONGEST || output && since >= SPARE * self.took
     }
 
-    /// Keeps it.
-    pub fn keep(&mut self, dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
-        let begun = Instant::now();
+    /// Keeps it, as was begun then.
+    pub fn keep(
+        &mut self,
+        begun: Instant,
+        dir: &Path,
+        kept: &Kept,
+        run: &[u8],
+    ) -> Result<(), Error> {
         let mut bytes = FORMAT.as_bytes().to_vec();
         // Numbers, names and lists, which always can be written.
         bytes.extend(postcard::to_allocvec(kept).unwrap_or_default());

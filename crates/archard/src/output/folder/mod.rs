@@ -154,6 +154,7 @@ impl ResultFolder {
         if ended || !anyway && !self.clock.is_due(report.output) {
             return Ok(());
         }
+        let begun = Instant::now();
         let Some(run) = report.checkpoint() else { return Ok(()) };
         let keep = |table: Option<&Table>| table.map(Table::keep).transpose();
         let tables = [
@@ -171,7 +172,7 @@ impl ResultFolder {
             evidence: self.evidence.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
         };
-        self.clock.keep(&self.dir, &kept, &run)
+        self.clock.keep(begun, &self.dir, &kept, &run)
     }
 
     /// Keeps the run where it is shown, whether it is time to or not: nothing of it is lost then.
