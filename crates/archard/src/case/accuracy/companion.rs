@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::{MOST, OF_ELEMENTS, even, increments, locate, order, slips_partly};
+use super::{BESIDE, MOST, OF_ELEMENTS, OPEN, even, increments, locate, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -21,6 +21,8 @@ const COARSER: f64 = 0.75;
 const ROUNDS: usize = 12;
 /// By how much a frame grows that was outgrown.
 const GROWS: f64 = 1.4;
+/// A frame closes in on what touches where that leaves less of it than this.
+const CLOSES: f64 = 0.8;
 /// How much finer a grid becomes beside what the estimate asks for, and at most.
 const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
@@ -84,11 +86,12 @@ pub enum Unsettled {
     Wrong(String),
 }
 
-/// The rows of a run, and which sides of the frame its contact came to.
+/// The rows of a run, which sides of the frame its contact came to, and how far (m) from the middle it reached.
 #[derive(Default)]
 struct Watched {
     rows: Vec<Row>,
     sides: Sides,
+    reach: [f64; 2],
     beyond: Option<Beyond>,
 }
 
@@ -111,8 +114,11 @@ impl Observer for Watched {
         }
         self.beyond = Some(beyond);
         let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else { return Ok(()) };
+        let spacing = report.problem.frame.spacing();
         for (axis, range) in pressed.into_iter().enumerate().filter(|(axis, _)| elements[*axis] > 1)
         {
+            let far = elements[axis] - 2 * range.start.min(elements[axis] - range.end);
+            self.reach[axis] = self.reach[axis].max(0.5 * far as f64 * spacing[axis]);
             self.sides[axis][0] |= range.start == 0;
             self.sides[axis][1] |= range.end == elements[axis];
         }
@@ -122,7 +128,8 @@ impl Observer for Watched {
 
 /// What runs on fewer elements came to.
 enum Judged {
-    By(Companion),
+    /// By a companion, whose contact reached so far (m) from the middle.
+    By(Companion, [f64; 2]),
     /// The contact left the frame at these sides.
     Outgrown(Sides),
     /// On so few elements there is no solution to be found.
@@ -150,8 +157,8 @@ impl Resolved {
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
-            let companion = match self.judged(kind, accuracy, store, following)? {
-                Judged::By(companion) => companion,
+            let (companion, reach) = match self.judged(kind, accuracy, store, following)? {
+                Judged::By(companion, reach) => (companion, reach),
                 Judged::Outgrown(sides) => {
                     self.case = self.grown(sides)?;
                     self.settle_again()?;
@@ -183,6 +190,7 @@ impl Resolved {
             if finer == [1.0; 2] {
                 return Ok((self, Some(companion)));
             }
+            self.close_in(reach);
             let known = self.case.frame.elements;
             match self.refine(finer) {
                 Ok(true) => {}
@@ -228,12 +236,16 @@ impl Resolved {
         let runs = [(half, own), (quarter, own), (quarter, fewer.map(|[_, fewer]| fewer))];
         let wanted = if fewer.is_some() { 3 } else { 2 };
         let mut rows = vec![];
+        let mut reach = [0.0; 2];
         for (grid, increments) in runs.into_iter().take(wanted) {
             match self.run(grid, increments, store, following) {
                 Ok(run) if self.chose.size && run.sides != Sides::default() => {
                     return Ok(Judged::Outgrown(run.sides));
                 }
-                Ok(run) => rows.push(run.rows),
+                Ok(run) => {
+                    reach = [0, 1].map(|axis| run.reach[axis].max(reach[axis]));
+                    rows.push(run.rows);
+                }
                 Err(Unsettled::Run { cause, .. })
                     if cause.is_of_convergence() && self.chose.elements =>
                 {
@@ -246,10 +258,27 @@ impl Resolved {
         let mut rows = rows.into_iter();
         let grids = [rows.next(), rows.next()].map(Option::unwrap_or_default);
         let companion = Companion::new(grids, numbers, kind, accuracy);
-        Ok(Judged::By(match (rows.next(), fewer) {
+        let companion = match (rows.next(), fewer) {
             (Some(fewest), Some(counts)) => companion.with_increments(fewest, counts),
             _ => companion,
-        }))
+        };
+        Ok(Judged::By(companion, reach))
+    }
+
+    /// Takes the frame in, on elements as large as before, where nothing touched in a good part of it.
+    fn close_in(&mut self, reach: [f64; 2]) {
+        if !(self.chose.size && self.chose.elements && self.case.doubles.is_empty()) {
+            return;
+        }
+        let spacing = self.case.frame.spacing();
+        let frame = &mut self.case.frame;
+        for axis in 0..if frame.line { 1 } else { 2 } {
+            let size = 2.0 * (BESIDE * reach[axis] + OPEN * spacing[axis]);
+            if size < CLOSES * frame.size[axis] {
+                frame.size[axis] = size;
+                frame.elements[axis] = even(size / spacing[axis]);
+            }
+        }
     }
 
     /// Takes that many times as many elements along each axis, and increments; whether so many are allowed.
