@@ -17,7 +17,7 @@
 
 mod common;
 mod published {
-    mod accuracy;
+    pub mod accuracy;
     pub mod gallery;
     pub mod validation;
 }
@@ -28,9 +28,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
 
-use archard::body::{Finite, Material};
 use archard::case::{CaseFile, Task};
-use archard::compliance::bem::contact::Job;
 use archard::elastic;
 use archard::output::Store;
 use archard::units::{self, Dimension, Measure};
@@ -158,11 +156,12 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             return Ok(Results { points, rows });
         }
     };
+    let settled = resolved.with_companion(Some(store), &mut published::accuracy::Alone::default());
+    let (resolved, companion) = settled.map_err(|error| error.to_string())?;
     // Cases of the same body share its compliance.
-    let condense =
-        |finite: &Finite, material: &Material, job: &Job<'_>| store.condense(finite, material, job);
-    let built = resolved.case.build_with(&condense);
-    let simulation = built.map_err(|error| error.to_string())?;
+    let built = resolved.case.build_keeping(store);
+    let mut simulation = built.map_err(|error| error.to_string())?;
+    simulation.companion = companion;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(Results { points: vec![], rows })

@@ -39,7 +39,9 @@ const LESS: [(&str, &str); 3] =
 const OF_STEPS: [&str; 4] = ["step", "tolerance", "jump", "increments"];
 /// Motions whose increments are what is put out, not what they are computed in.
 const OF_OUTPUTS: [&str; 1] = ["creepage_sweep"];
-struct Alone(Rows);
+/// Nobody follows.
+#[derive(Default)]
+pub(crate) struct Alone(Rows);
 
 impl Following for Alone {
     fn begins(&mut self, _: [usize; 2]) {}
@@ -99,7 +101,7 @@ fn answer(folder: &Path, accuracy: &str) -> Result<(Vec<Row>, [usize; 2], f64), 
         problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join(" ")
     };
     let resolved = file.resolve().map_err(wrong)?;
-    let companion = resolved.with_companion(None, &mut Alone(Rows::default()));
+    let companion = resolved.with_companion(None, &mut Alone::default());
     let (resolved, companion) = companion.map_err(|error| error.to_string())?;
     let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
     simulation.companion = companion;

@@ -98,7 +98,10 @@ const CASES: [(&str, &[&str]); 17] = [
         ],
     ),
     // A law that goes by the temperature of the contact.
-    ("warm_twin_disc", &["frame.elements=40", "motion.rolling.step=30"]),
+    (
+        "warm_twin_disc",
+        &["accuracy=", "frame.size=0.8 mm", "frame.elements=40", "motion.rolling.step=30"],
+    ),
 ];
 
 fn build((case, settings): (&str, &[&str])) -> Simulation {
