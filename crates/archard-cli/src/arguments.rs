@@ -159,10 +159,11 @@ impl Run {
     }
 }
 
-/// A share that may be written in percent.
+/// A share that may be written in percent, or without the zero before its point; anything else stays as it is.
 fn share(text: &str) -> String {
-    let percent = text.strip_suffix('%').and_then(|number| number.trim().parse::<f64>().ok());
-    percent.map_or_else(|| text.to_owned(), |percent| (0.01 * percent).to_string())
+    let (number, unit) = text.strip_suffix('%').map_or((text, 1.0), |number| (number, 0.01));
+    let number = number.trim().parse::<f64>();
+    number.map_or_else(|_| text.to_owned(), |number| (unit * number).to_string())
 }
 
 const NEW_EXAMPLES: &str = "\

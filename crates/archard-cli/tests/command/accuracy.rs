@@ -40,8 +40,11 @@ fn one_number_takes_the_place_of_frame_and_steps() {
     let case = read("one", "case.toml");
     assert!(case.contains("accuracy = 0.05") && case.contains("frame.size"), "{case}");
     archard(&dir, &["run", "one", "-o", "two", "-q"]).success();
-    assert_eq!(history, read("two", "history.csv"));
-    assert_eq!(case, read("two", "case.toml"));
+    archard(&dir, &["run", "pin.toml", "--accuracy", ".05", "-o", "three", "-q"]).success();
+    for other in ["two", "three"] {
+        assert_eq!(history, read(other, "history.csv"));
+        assert_eq!(case, read(other, "case.toml"));
+    }
 }
 
 /// Without the number there has to be a frame.
