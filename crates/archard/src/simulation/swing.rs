@@ -381,7 +381,6 @@ mod tests {
     }
 
     /// The lengths of all positions are those of a half cycle, even to both sides.
-    /// The way in all, and that none of it lies to one side.
     #[test]
     fn positions_share_the_way() {
         for (reach, stride) in [(2e-6, 1), (9e-6, 1), (24.6e-6, 2), (300e-6, 4)] {

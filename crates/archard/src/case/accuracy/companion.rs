@@ -274,7 +274,7 @@ impl Resolved {
         let frame = &mut self.case.frame;
         for axis in 0..if frame.line { 1 } else { 2 } {
             let size = 2.0 * (BESIDE * reach[axis] + OPEN * spacing[axis]);
-            if size < CLOSES * frame.size[axis] {
+            if reach[axis] > 0.0 && size < CLOSES * frame.size[axis] {
                 frame.size[axis] = size;
                 frame.elements[axis] = even(size / spacing[axis]);
             }

@@ -64,7 +64,7 @@ impl Writer {
         values: impl Iterator<Item = [u8; N]>,
     ) -> io::Result<String> {
         let mut raw = Vec::with_capacity(N * values.size_hint().0);
-        values.for_each(|value| raw.extend_from_slice(&value));
+        values.for_each(|value| raw.extend(value));
         let mut encoder = ZlibEncoder::new(vec![0; HEADER], Compression::fast());
         encoder.write_all(&raw)?;
         let mut array = encoder.finish()?;
