@@ -17,7 +17,7 @@
 
 mod common;
 mod published {
-    pub mod accuracy;
+    mod accuracy;
     pub mod gallery;
     pub mod validation;
 }
@@ -156,7 +156,7 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             return Ok(Results { points, rows });
         }
     };
-    let settled = resolved.with_companion(Some(store), &mut published::accuracy::Alone::default());
+    let settled = resolved.with_companion(Some(store), &mut Rows::default());
     let (resolved, companion) = settled.map_err(|error| error.to_string())?;
     // Cases of the same body share its compliance.
     let built = resolved.case.build_keeping(store);

@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
-use archard::case::CaseFile;
+use archard::case::{CaseFile, Following};
 use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState};
@@ -159,6 +159,14 @@ pub fn peak(field: &[f64]) -> f64 {
 /// Keeps the rows of a run.
 #[derive(Debug, Default)]
 pub struct Rows(pub Vec<Vec<(String, f64)>>);
+
+impl Following for Rows {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self
+    }
+}
 
 impl Observer for Rows {
     fn observe(

@@ -6,8 +6,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 use std::time::Instant;
 
-use archard::case::{CaseFile, Following};
-use archard::simulation::Observer;
+use archard::case::CaseFile;
 use archard::simulation::history::{ERRORS, Row, number};
 use toml::de::{DeTable, DeValue};
 
@@ -16,9 +15,9 @@ use crate::{Expected, expected, folders, read};
 
 /// What all cases are asked for.
 const ASKED: &str = "0.01";
-/// What some are asked for besides.
+/// What some are asked for besides, and which.
 const BESIDES: [&str; 2] = ["0.1", "0.001"];
-const OF_MORE: [&str; 10] = [
+const ASKED_MORE: [&str; 10] = [
     "carter",
     "hertz",
     "mccoll_fretting",
@@ -39,17 +38,6 @@ const LESS: [(&str, &str); 3] =
 const OF_STEPS: [&str; 4] = ["step", "tolerance", "jump", "increments"];
 /// Motions whose increments are what is put out, not what they are computed in.
 const OF_OUTPUTS: [&str; 1] = ["creepage_sweep"];
-/// Nobody follows.
-#[derive(Default)]
-pub(crate) struct Alone(Rows);
-
-impl Following for Alone {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        &mut self.0
-    }
-}
 
 /// A case without what an accuracy takes the place of.
 fn bare(folder: &Path) -> Vec<String> {
@@ -101,7 +89,7 @@ fn answer(folder: &Path, accuracy: &str) -> Result<(Vec<Row>, [usize; 2], f64), 
         problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join(" ")
     };
     let resolved = file.resolve().map_err(wrong)?;
-    let companion = resolved.with_companion(None, &mut Alone::default());
+    let companion = resolved.with_companion(None, &mut Rows::default());
     let (resolved, companion) = companion.map_err(|error| error.to_string())?;
     let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
     simulation.companion = companion;
@@ -158,7 +146,7 @@ fn answers_to_an_accuracy() {
         }
         let all = expected(&fs::read_to_string(folder.join("expected.toml")).unwrap());
         let known: Vec<&Expected> = all.iter().filter(|one| one.known_to.is_some()).collect();
-        let more = if OF_MORE.contains(&&*name) { &BESIDES[..] } else { &[] };
+        let more = if ASKED_MORE.contains(&&*name) { &BESIDES[..] } else { &[] };
         let less = LESS.iter().find(|(case, _)| *case == name).map(|(_, less)| *less);
         for accuracy in [&[less.unwrap_or(ASKED)], more].concat() {
             if known.is_empty() {

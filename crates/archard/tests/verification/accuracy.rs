@@ -1,24 +1,12 @@
 //! One number in, one error bar out: what is asked for is met, and the error that is stated encloses the true one.
 
 use approx::assert_relative_eq;
-use archard::case::{CaseFile, Following, Resolved};
+use archard::case::{CaseFile, Resolved};
 use archard::closed_form::Hertz;
+use archard::simulation::Companion;
 use archard::simulation::history::{ERRORS, Row, SPACE_ERROR, TIME_ERROR, number};
-use archard::simulation::{Companion, Observer};
 
 use crate::common::Rows;
-
-/// Nobody follows.
-#[derive(Default)]
-pub(super) struct Alone(Rows);
-
-impl Following for Alone {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        &mut self.0
-    }
-}
 
 pub(super) fn resolved(text: &str, options: &[&str]) -> Result<Resolved, String> {
     let file = CaseFile::from_text("case.toml", text, "");
@@ -35,7 +23,7 @@ pub(super) fn answer(text: &str, options: &[&str]) -> Row {
 /// The last row of a case.
 pub(super) fn run(resolved: Resolved) -> Row {
     let (resolved, companion) =
-        resolved.with_companion(None, &mut Alone::default()).expect("a grid");
+        resolved.with_companion(None, &mut Rows::default()).expect("a grid");
     ended(resolved, companion)
 }
 
@@ -201,7 +189,7 @@ fn fretting_that_jumps_lies_within_the_errors_stated() {
     ];
     let resolved = resolved(SPHERE, &options).unwrap();
     let chosen = resolved.case.frame.size[0];
-    let (resolved, companion) = resolved.with_companion(None, &mut Alone::default()).unwrap();
+    let (resolved, companion) = resolved.with_companion(None, &mut Rows::default()).unwrap();
     let taken = resolved.case.frame.size[0];
     assert!(chosen > 0.8e-3 && (0.42e-3..0.6e-3).contains(&taken), "{chosen} {taken}");
     let row = ended(resolved, companion);
@@ -223,7 +211,7 @@ fn what_is_given_is_kept() {
     let coarse = answer(PIN, &given("frame.elements=[30, 30]"));
     assert!(number(&coarse, SPACE_ERROR).unwrap() > 1e-3);
     let coarser = resolved(PIN, &given("frame.elements=[14, 14]")).unwrap();
-    let refused = coarser.with_companion(None, &mut Alone::default()).map(|_| ()).unwrap_err();
+    let refused = coarser.with_companion(None, &mut Rows::default()).map(|_| ()).unwrap_err();
     assert!(refused.to_string().starts_with("3.5 elements"), "{refused}");
     let chosen = resolved(PIN, &["accuracy=0.02", "motion.sliding.step=", "frame="]).unwrap();
     let again = resolved(&chosen.case.to_string(), &[]).unwrap();

@@ -7,7 +7,7 @@ use archard::output::{Image, ResultFolder};
 use archard::simulation::history::{Row, number};
 use archard::verdict::Word;
 
-use super::accuracy::{Alone, DISCS, PIN, TRACK, answer, resolved, run, with_error};
+use super::accuracy::{DISCS, PIN, TRACK, answer, resolved, run, with_error};
 use crate::common::{Rows, states};
 
 /// A case of a tabulated paraboloid of 50 mm, its apex off the middle by tilting the table, on a flat.
@@ -143,7 +143,7 @@ fn nothing_touches_beyond_the_frame_unsaid() {
         let (dir, place) = spiked(5.0, share);
         let resolved = read(&dir, &["accuracy=0.1"]).unwrap();
         assert!(!resolved.case.frame.rectangle().holds([place, 0.0]));
-        let (resolved, _) = resolved.with_companion(None, &mut Alone::default()).expect("a grid");
+        let (resolved, _) = resolved.with_companion(None, &mut Rows::default()).expect("a grid");
         assert_eq!(resolved.case.frame.rectangle().holds([place, 0.0]), meets);
     }
     for (share, meets) in [(0.97, false), (1.06, true)] {
@@ -204,7 +204,7 @@ fn scars_that_outgrow_the_first_contact_take_wider_frames() {
         ];
         let resolved = resolved(PIN, &options).expect("a case");
         let (resolved, companion) =
-            resolved.with_companion(None, &mut Alone::default()).expect("a grid");
+            resolved.with_companion(None, &mut Rows::default()).expect("a grid");
         let case = resolved.case;
         assert_eq!(case.doubles.len(), 3, "{:?}", case.doubles);
         assert!(case.frame.elements[0] < 140, "{:?}", case.frame);

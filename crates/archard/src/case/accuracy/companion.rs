@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::{BESIDE, MOST, OF_ELEMENTS, OPEN, even, increments, locate, order, slips_partly};
+use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, locate, order, slips_partly};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -272,8 +272,9 @@ impl Resolved {
         }
         let spacing = self.case.frame.spacing();
         let frame = &mut self.case.frame;
-        for axis in 0..if frame.line { 1 } else { 2 } {
-            let size = 2.0 * (BESIDE * reach[axis] + OPEN * spacing[axis]);
+        let axes = if frame.line { 1 } else { 2 };
+        for axis in 0..axes {
+            let size = around(BESIDE * reach[axis], spacing[axis]);
             if reach[axis] > 0.0 && size < CLOSES * frame.size[axis] {
                 frame.size[axis] = size;
                 frame.elements[axis] = even(size / spacing[axis]);

@@ -200,7 +200,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let axes = if frame.line { 1 } else { 2 };
     for axis in 0..axes {
         if chose.size {
-            frame.size[axis] = 2.0 * beside * reach[axis] + 2.0 * OPEN * element[axis];
+            frame.size[axis] = around(beside * reach[axis], element[axis]);
             let held = locate::within(frame.rectangle(), locate::known(&parts));
             (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }
@@ -252,6 +252,11 @@ fn lost(why: Lost) -> Problem {
 /// The even number of elements from some number on; beyond what can be counted there are as many as there can be.
 fn even(elements: f64) -> usize {
     ((0.5 * elements).ceil() as usize).saturating_mul(2)
+}
+
+/// The side (m) of a frame that holds so much (m) to either side of its middle, and open elements of that length (m).
+fn around(half: f64, element: f64) -> f64 {
+    2.0 * (half + OPEN * element)
 }
 
 /// Elements across the contact of the first output.

@@ -1,6 +1,6 @@
 //! Where a frame becomes wider on the way, because elements for the first contact would be too many for the last scar.
 
-use super::{BESIDE, Frame, OPEN, even, locate};
+use super::{BESIDE, Frame, around, even, locate};
 use crate::case::check::Parts;
 use crate::case::definition::FrameCase;
 use crate::estimate::Estimator;
@@ -52,7 +52,8 @@ pub(super) fn widening(
     for place in doubles.iter().copied().chain([extent]) {
         let reach = reach(place)?;
         for axis in 0..2 {
-            let wanted = 2.0 * BESIDE * reach[axis] / (factor * element[axis]) + 2.0 * OPEN;
+            let element = factor * element[axis];
+            let wanted = around(BESIDE * reach[axis], element) / element;
             frame.elements[axis] = frame.elements[axis].max(even(wanted));
         }
         factor *= 2.0;

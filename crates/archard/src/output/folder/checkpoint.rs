@@ -28,7 +28,7 @@ const SUM: usize = 32;
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
 const SPARE: u32 = 50;
-/// What keeping it is taken to last before it was kept.
+/// How long keeping a run is taken to last before it was done once.
 const FIRST: Duration = Duration::from_millis(4);
 
 /// What the results of a run amount to, beside what is in their files.
@@ -62,24 +62,21 @@ impl Clock {
         since >= LONGEST || output && since >= SPARE * self.took
     }
 
-    /// Keeps it, as was begun then.
-    pub fn keep(
-        &mut self,
-        begun: Instant,
-        dir: &Path,
-        kept: &Kept,
-        run: &[u8],
-    ) -> Result<(), Error> {
-        let mut bytes = FORMAT.as_bytes().to_vec();
-        // Numbers, names and lists, which always can be written.
-        bytes.extend(postcard::to_allocvec(kept).unwrap_or_default());
-        bytes.extend_from_slice(run);
-        let sum = Sha256::digest(&bytes);
-        bytes.extend_from_slice(&sum);
-        file::write_whole(&dir.join(NAME), &bytes)?;
+    /// Takes note that the run was kept, which began then.
+    pub fn was_kept(&mut self, begun: Instant) {
         *self = Self { last: Instant::now(), took: begun.elapsed() };
-        Ok(())
     }
+}
+
+/// Keeps a run in a folder: the results so far, and the run.
+pub(super) fn write(dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
+    let mut bytes = FORMAT.as_bytes().to_vec();
+    // Numbers, names and lists, which always can be written.
+    bytes.extend(postcard::to_allocvec(kept).unwrap_or_default());
+    bytes.extend_from_slice(run);
+    let sum = Sha256::digest(&bytes);
+    bytes.extend_from_slice(&sum);
+    file::write_whole(&dir.join(NAME), &bytes)
 }
 
 /// What was kept in a folder: the results so far, and the run.

@@ -172,7 +172,9 @@ impl ResultFolder {
             evidence: self.evidence.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
         };
-        self.clock.keep(begun, &self.dir, &kept, &run)
+        checkpoint::write(&self.dir, &kept, &run)?;
+        self.clock.was_kept(begun);
+        Ok(())
     }
 
     /// Keeps the run where it is shown, whether it is time to or not: nothing of it is lost then.
