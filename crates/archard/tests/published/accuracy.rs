@@ -30,7 +30,7 @@ const ASKED_MORE: [&str; 10] = [
     "wheel_steel_twin_disc",
 ];
 
-/// Cases that are asked for less: one per cent takes a quarter of an hour, or more memory than a laptop has.
+/// Cases that are asked for less: one per cent takes a quarter of an hour or more.
 const LESS: [(&str, &str); 3] =
     [("fretting_energy", "0.03"), ("fretting_sphere", "0.1"), ("orthotropic_fretting", "0.1")];
 
