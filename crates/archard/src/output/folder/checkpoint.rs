@@ -2,8 +2,8 @@
 //!
 //! The file `checkpoint` is a line that names its format and the program's version, what the results so far amount to,
 //! the run itself, and a checksum of all before it. It is written when fields are put out, and at least twice a minute
-//! as far as steps end in that time; never so often that it takes more than a fiftieth of the time, nor in the first
-//! fifth of a second. When the run has come to its end, it goes.
+//! as far as steps end in that time; never so often that it takes more than a fiftieth of the time. When the
+//! run has come to its end, it goes.
 
 use std::fs;
 use std::io;
@@ -28,8 +28,6 @@ const SUM: usize = 32;
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
 const SPARE: u32 = 50;
-/// How long keeping a run is taken to last before it was done once.
-const FIRST: Duration = Duration::from_millis(4);
 
 /// What the results of a run amount to, beside what is in their files.
 #[derive(Debug, Serialize, Deserialize)]
@@ -53,7 +51,7 @@ pub(super) struct Clock {
 
 impl Clock {
     pub fn new() -> Self {
-        Self { last: Instant::now(), took: FIRST }
+        Self { last: Instant::now(), took: Duration::ZERO }
     }
 
     /// Whether the run is to be kept again.
