@@ -14,8 +14,8 @@ use super::history::{self, Row, number};
 /// order shows late.
 const AS_A_RULE: f64 = 1.5;
 const OF_FRICTION: f64 = 4.5;
-/// Factor on the estimated error by the steps, which encloses the true one where bodies slide, and may be half of it in the
-/// first revolutions of twin discs (`tests/verification/accuracy.rs`).
+/// Factor on the estimated error by the steps, unless that is known to enclose the true one: it may be half of that in the first
+/// revolutions of twin discs (`tests/verification/accuracy.rs`).
 pub(super) const OF_STEPS: f64 = 3.0;
 /// The same on the lag of the pressures, which was the true one there or more.
 pub(super) const OF_LAG: f64 = 1.5;

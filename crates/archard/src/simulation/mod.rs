@@ -119,9 +119,8 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
-    /// The same by truncation alone, without the ripples of the pressure that the edge of the contact makes as it passes
-    /// elements; `None` where they are not told apart.
-    pub truncation_error: Option<f64>,
+    /// The same with the margin that encloses the true one; `None` where it is the same everywhere.
+    pub enclosing: Option<f64>,
     /// The same of the pressures, relative.
     pub pressure_error: Option<f64>,
     /// What the pressure at the centre of the frame lags by (Pa): less this it is of second order in the steps; 0 where
@@ -140,10 +139,9 @@ pub struct Effort {
 }
 
 impl Effort {
-    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one: by truncation, none by ripples.
+    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one.
     pub(crate) fn enclosing_time_error(&self) -> Option<f64> {
-        let time = self.time_error?;
-        Some(time.max(OF_STEPS * self.truncation_error.unwrap_or(time)))
+        self.enclosing.or(self.time_error.map(|time| OF_STEPS * time))
     }
 }
 

@@ -207,7 +207,7 @@ fn scars_that_outgrow_the_first_contact_take_wider_frames() {
             resolved.with_companion(None, &mut Rows::default()).expect("a grid");
         let case = resolved.case;
         assert_eq!(case.doubles.len(), 3, "{:?}", case.doubles);
-        assert!(case.frame.elements[0] < 140, "{:?}", case.frame);
+        assert!(case.frame.elements[0] < 150, "{:?}", case.frame);
         let printed = CaseFile::from_text("case.toml", case.to_string(), "").resolve().unwrap();
         assert_eq!(printed.case, case);
         let mut simulation = case.build().expect("a simulation");

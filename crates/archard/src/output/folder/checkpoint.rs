@@ -21,7 +21,7 @@ use super::super::{Error, file};
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 10\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 11\n");
 /// Bytes of a checksum.
 const SUM: usize = 32;
 /// The longest a run is not kept where it could be.
