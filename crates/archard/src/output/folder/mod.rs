@@ -1,5 +1,6 @@
 //! The result folder of a run.
 
+mod behind;
 mod checkpoint;
 mod claim;
 mod lock;
@@ -11,6 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use behind::Behind;
 use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;
@@ -55,8 +57,9 @@ pub struct ResultFolder {
     /// The loops of bodies that are shifted, once there are any, and the one under way.
     fretting_loops: Option<Table>,
     fretting_loop: FrettingLoop,
-    /// Every output so far.
+    /// Every output so far, and the last one's fields on their way.
     collection: Collection,
+    behind: Behind,
     iterations: usize,
     estimator: Estimator,
     standing: Option<Standing>,
@@ -91,6 +94,7 @@ impl ResultFolder {
             fretting_loops: None,
             fretting_loop: FrettingLoop::default(),
             collection: Collection::default(),
+            behind: Behind::default(),
             iterations: 0,
             estimator: Estimator::default(),
             standing: None,
@@ -135,6 +139,7 @@ impl ResultFolder {
             fretting_loops,
             fretting_loop,
             collection: Collection { outputs },
+            behind: Behind::default(),
             iterations,
             estimator: Estimator::default(),
             standing: None,
@@ -156,6 +161,7 @@ impl ResultFolder {
         }
         let begun = Instant::now();
         let Some(run) = report.checkpoint() else { return Ok(()) };
+        self.behind.wait()?;
         let keep = |table: Option<&Table>| table.map(Table::keep).transpose();
         let tables = [
             keep(Some(&self.history))?,
@@ -205,7 +211,8 @@ impl ResultFolder {
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub fn finish(self, totals: &Totals) -> Result<(), Error> {
+    pub fn finish(mut self, totals: &Totals) -> Result<(), Error> {
+        self.behind.wait()?;
         let more = [&self.worn_profiles, &self.length_profiles, &self.fretting_loops];
         let mut tables =
             [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
@@ -249,7 +256,6 @@ impl ResultFolder {
     /// Writes the fields and sections of a report.
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
-        self.collection.write(&self.dir.join(COLLECTION))?;
         if let Some(swung) = &report.state.swung {
             let table = begun(&mut self.length_profiles, &self.dir.join(LENGTH_PROFILES))?;
             length_profiles::write(table, (report.problem, report.state), swung)?;
@@ -270,19 +276,20 @@ impl ResultFolder {
         let progress = (problem.motion.progress().column, state.progress);
         let name = format!("fields/{:04}", self.collection.outputs.len());
         let through = sections::through(problem, state);
-        let name = if problem.frame.is_uniform() {
-            let (image, name) = (Image::of(problem, state), format!("{name}.vti"));
-            image.write(&self.dir.join(&name))?;
-            sections::write(&mut self.profiles, progress, &image, through)?;
-            name
-        } else {
-            let (surface, name) = (Surface::of(problem, state), format!("{name}.vtu"));
-            surface.write(&self.dir.join(&name))?;
-            sections::write_surface(&mut self.profiles, progress, &surface, through)?;
-            name
-        };
+        let uniform = problem.frame.is_uniform();
+        let name = format!("{name}.{}", if uniform { "vti" } else { "vtu" });
+        let (path, all) = (self.dir.join(&name), self.dir.join(COLLECTION));
         self.collection.outputs.push((state.progress, name));
-        Ok(())
+        let collection = self.collection.clone();
+        if uniform {
+            let image = Image::of(problem, state);
+            sections::write(&mut self.profiles, progress, &image, through)?;
+            self.behind.write(move || image.write(&path).and_then(|()| collection.write(&all)))
+        } else {
+            let surface = Surface::of(problem, state);
+            sections::write_surface(&mut self.profiles, progress, &surface, through)?;
+            self.behind.write(move || surface.write(&path).and_then(|()| collection.write(&all)))
+        }
     }
 }
 
