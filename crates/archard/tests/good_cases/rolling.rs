@@ -136,7 +136,7 @@ fn the_forecast_counts_the_solves_of_rolling() {
     assert_eq!(solves(&at_rest), Solves::Exactly(1));
     let sweep = [&still[..], &["motion={creepage_sweep={load=300 N, creepage=0.01}}"]].concat();
     assert_eq!(solves(&sweep), Solves::Exactly(11));
-    // Measured: 56.
+    // Measured: 54.
     let by_error = ["motion.rolling.step=", "motion.rolling.tolerance=0.003"];
     assert_eq!(solves(&by_error), Solves::About(50));
 }
