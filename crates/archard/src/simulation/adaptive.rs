@@ -257,7 +257,9 @@ impl Adaptive {
             };
             let tolerance = self.tolerance * looser(simulation, progress + length);
             let mut excess = trial.excess(tolerance);
-            let trend = self.last.map_or(1.0, |[last, its]| length / last * (its / excess).sqrt());
+            let trend = self.last.map(|[last, its]| length / last * (its / excess).sqrt());
+            // Planes wear evenly, without an error.
+            let trend = trend.filter(|trend| trend.is_finite()).unwrap_or(1.0);
             let trend = trend.clamp(TREND.0, TREND.1);
             let mut change = (trend * (AIM / excess).sqrt()).clamp(CHANGE.0, CHANGE.1);
             let inherited = trial.lag > INHERITED * lag_of_longer;

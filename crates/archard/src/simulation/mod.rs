@@ -119,7 +119,7 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
-    /// The same with the margin that encloses the true one; `None` where it is the same everywhere.
+    /// The same with its margin, where that is not the common one: it encloses the true error.
     pub enclosing: Option<f64>,
     /// The same of the pressures, relative.
     pub pressure_error: Option<f64>,
