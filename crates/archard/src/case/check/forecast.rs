@@ -246,11 +246,11 @@ impl fmt::Display for Cycles {
 
 #[cfg(test)]
 mod tests {
-    use super::Solves;
+    use super::{WHERE_ALL_SLIDES, by_error};
 
     /// Three solves for a step between each two outputs and one at the start.
     #[test]
     fn outputs_ask_for_solves() {
-        assert_eq!(Solves::by_error(1e-2, 100), 301);
+        assert_eq!(by_error(WHERE_ALL_SLIDES, 1e-2, 100), 301);
     }
 }
