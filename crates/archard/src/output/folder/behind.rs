@@ -50,6 +50,7 @@ mod tests {
     use std::path::PathBuf;
 
     use super::{Behind, Error};
+    use crate::output::file;
 
     fn refused() -> Error {
         let why = "a disk that is full";
@@ -68,8 +69,8 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("one");
         let (first, second) = (path.clone(), path.clone());
-        behind.write(move || Ok(std::fs::write(first, "1").unwrap())).unwrap();
-        behind.write(move || Ok(std::fs::write(second, "2").unwrap())).unwrap();
+        behind.write(move || file::write_whole(&first, b"1")).unwrap();
+        behind.write(move || file::write_whole(&second, b"2")).unwrap();
         drop(behind);
         assert_eq!(std::fs::read_to_string(path).unwrap(), "2");
     }
