@@ -11,7 +11,7 @@
 //! history, and c, the relative change of the pressure or of the rate of wear over half of the step. A
 //! single step leaves an error of about c D. In steps that grow with the distance most of it is
 //! compensated by what both histories were off before. Steps are chosen by 1.3 c D, more if much of D is new.
-//! 1.6 times that is stated, and never falls during a run.
+//! 1.8 times that is stated, and never falls during a run.
 //!
 //! What steps err by early fades, since deeper places wear less from then on. Where all of the contact slides, the steps before
 //! the first output may therefore err by more than the tolerance.
@@ -44,9 +44,9 @@ const AIM: f64 = 0.9;
 /// What the error removed counts as steps are chosen, and how much more what a step adds to it.
 const REMOVED: f64 = 1.3;
 const ADDED: f64 = 2.0;
-/// Factor on it in what is stated, where all of the contact slides. With 1, the true error of a punch of r^6 was up to 1.5
-/// times as large as that (`tests/verification/step_by_error.rs`).
-const STATED: f64 = 1.6;
+/// Factor on it in what is stated, where all of the contact slides. With 1.6, the true error of a punch of r^6 was once
+/// more than that (`tests/verification/step_by_error.rs`).
+const STATED: f64 = 1.8;
 /// What the wear of a step at the rates that both histories end with differs by counts, and the same where wear is not
 /// proportional to the pressure: such laws make ripples larger, and what those leave does not fade. Less was below the true
 /// error of a punch of r^6, and of running in and a threshold (`tests/verification/step_by_error.rs`).
@@ -486,7 +486,7 @@ mod tests {
     }
 
     /// Of w' = w^-m from w = 1, whose solution is known, the true error of the extrapolation lies below the estimate, in equal
-    /// steps and in steps that grow with the distance; in those the estimate is at most 24 times as large.
+    /// steps and in steps that grow with the distance; in those the estimate is at most 28 times as large.
     #[test]
     fn the_estimate_encloses_what_is_left_of_a_power() {
         for m in [0.5, 1.0, 2.0, 3.0] {
@@ -513,7 +513,7 @@ mod tests {
                     let error = (found - exact).abs();
                     assert!(error <= estimate, "{m} {growth} {distance}: {error} of {estimate}");
                     assert!(
-                        growth < 0.1 || estimate <= 24.0 * error,
+                        growth < 0.1 || estimate <= 28.0 * error,
                         "{m} {growth} {distance}: {error} of {estimate}"
                     );
                 }

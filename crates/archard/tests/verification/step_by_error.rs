@@ -147,9 +147,9 @@ fn the_estimate_is_honest_for_other_shapes() {
             case(PIN, &["motion.sliding.step=", &tolerance, &profile, elements, at])
         };
         let converged = extrapolated(|| with(0.1).problem, &outputs);
-        for tolerance in [1e-2, 3e-3, 1e-3] {
+        for tolerance in [1e-2, 3e-3, 1e-3, 3e-4] {
             let what = format!("r^{exponent}, {tolerance}");
-            enclosed(&due(&with(tolerance)), &converged, 2.5 * tolerance, &what);
+            enclosed(&due(&with(tolerance)), &converged, 3.5 * tolerance, &what);
         }
     }
 }
@@ -267,7 +267,7 @@ fn power_profile(exponent: i32) -> String {
 }
 
 /// A tolerance of 1e-3 and ten outputs: at most 80 solves, and from 5 mm on depths within 1e-3 and the pressure at the centre
-/// within 1 %, at every step. What is stated is four times the tolerance at most before the first output, and 2.5 times after.
+/// within 1 %, at every step. What is stated is 4.5 times the tolerance at most before the first output, and 2.5 times after.
 #[test]
 fn a_thousandth_takes_at_most_80_solves() {
     let outputs: Vec<f64> = (1..=10).map(|output| 50e-3 * f64::from(output)).collect();
@@ -287,7 +287,7 @@ fn a_thousandth_takes_at_most_80_solves() {
         let frame = &simulation.problem.frame;
         let centre = frame.at_centre(&state.pressure) - effort.centre_lag;
         assert_relative_eq!(centre, frame.at_centre(pressure), max_relative = 0.01);
-        let most = if state.progress < outputs[0] { 4e-3 } else { 2.5e-3 };
+        let most = if state.progress < outputs[0] { 4.5e-3 } else { 2.5e-3 };
         assert!(effort.time_error.unwrap() <= most, "{:?} at {}", effort, state.progress);
     }
 }

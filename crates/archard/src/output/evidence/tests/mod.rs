@@ -146,7 +146,7 @@ fn errors_in_time_are_held_against_a_tolerance() {
         let verdict = verdict(Stepping::Tolerance(tolerance));
         verdict.lines.into_iter().find(|line| line.subject == "time").unwrap().word().text()
     };
-    assert_eq!([word(0.02), word(0.01), word(1e-3)], ["good", "doubtful", "doubtful"]);
+    assert_eq!([word(0.02), word(0.009), word(1e-3)], ["good", "doubtful", "doubtful"]);
     assert_eq!(value(&verdict(Stepping::Implicit(0.1)), "time"), None);
 }
 
