@@ -125,7 +125,7 @@ struct Way<'a> {
 
 impl Way<'_> {
     /// By what share the pairs that join the contact of the fine history wear less than the deepest one does under the same
-    /// pressure, and by what share that does; 0 where no law goes by what was before.
+    /// pressure, and by what share the deepest one wears less than they do; 0 where no law goes by what was before.
     fn less_wear(&self, end: &ContactState, deepest: usize) -> [f64; 2] {
         if !self.problem.remembers() {
             return [0.0; 2];
@@ -256,8 +256,9 @@ impl Adaptive {
                 attempt => attempt?,
             };
             let tolerance = self.tolerance * looser(simulation, progress + length);
-            let mut excess = trial.excess(tolerance);
-            let trend = self.last.map(|[last, its]| length / last * (its / excess).sqrt());
+            let with_lag = trial.excess(tolerance);
+            let mut excess = with_lag;
+            let trend = self.last.map(|[last, its]| length / last * (its / with_lag).sqrt());
             // Planes wear evenly, without an error.
             let trend = trend.filter(|trend| trend.is_finite()).unwrap_or(1.0);
             let trend = trend.clamp(TREND.0, TREND.1);
@@ -276,7 +277,7 @@ impl Adaptive {
                 let shortened = length < 0.9 * self.step && change >= 1.0;
                 let next = if shortened { self.step.max(change * length) } else { change * length };
                 self.step = next.max(smallest);
-                self.last = Some([length, excess]);
+                self.last = Some([length, with_lag]);
                 let weight = simulation.problem.frame.measure().weight;
                 return Ok(self.accept(trial, weight, slides(&simulation.problem), effort));
             }
