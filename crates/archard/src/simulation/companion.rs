@@ -6,8 +6,6 @@
 //! times a factor: a difference is three times the error of the finer run where the order is two,
 //! and as large as it where it is one.
 
-use serde::{Deserialize, Serialize};
-
 use super::history::{self, Row, number};
 
 /// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
@@ -33,7 +31,7 @@ const ALIKE: f64 = 1e-6;
 const MOST_SCALED: f64 = 4.0;
 
 /// What the elements and the increments of a run err by, from others that have fewer.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
 pub struct Companion {
     /// Runs on fewer elements and on fewer still.
     grids: Pair,
@@ -44,7 +42,7 @@ pub struct Companion {
 }
 
 /// What the increments of its cycles err by.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone)]
 struct Increments {
     /// Runs on the fewest elements, with all increments and with fewer.
     pair: Pair,
@@ -87,7 +85,7 @@ impl Companion {
         let late = slips_partly && order >= 2.0;
         let factor = if late { OF_FRICTION } else { AS_A_RULE };
         let factor = factor * error(own) / (error(half) - error(own));
-        let grids = Pair { rows, lowered, period, within: false };
+        let grids = Pair::new(rows, lowered, period, false);
         Self { grids, factor, increments: None, asked }
     }
 
@@ -95,7 +93,7 @@ impl Companion {
     pub fn with_increments(self, fewer: Vec<Row>, counts: [usize; 2]) -> Self {
         let [own, less] = counts.map(|count| 1.0 / count as f64);
         let rows = [self.grids.rows[1].clone(), fewer];
-        let pair = Pair { rows, lowered: 1.0, period: self.grids.period, within: true };
+        let pair = Pair::new(rows, 1.0, self.grids.period, true);
         let increments = Increments { pair, factor: AS_A_RULE * own / (less - own) };
         Self { increments: Some(increments), ..self }
     }
@@ -103,7 +101,7 @@ impl Companion {
     /// The error (in its unit) of a value in a column at some progress, by the elements; `None` for one that the others do
     /// not have.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
-        let difference = (value - self.grids.at(0, column, progress)?).abs();
+        let difference = (value - self.grids.at(0, self.grids.column(column)?, progress)).abs();
         let foreseen = self.grids.difference(column, progress)?;
         Some(self.factor(column) * difference.max(foreseen))
     }
@@ -117,8 +115,8 @@ impl Companion {
     /// The columns of the finer of both at some progress.
     pub fn row(&self, progress: f64) -> Row {
         let names = self.grids.rows[0].first().into_iter().flatten().map(|(name, _)| name);
-        let at = |name: &String| Some((name.clone(), self.grids.at(0, name, progress)?));
-        let mut row: Row = names.filter_map(at).collect();
+        let values = self.grids.all_at(0, progress);
+        let mut row: Row = names.cloned().zip(values).collect();
         row.iter_mut().take(1).for_each(|first| first.1 = progress);
         row
     }
@@ -165,10 +163,12 @@ impl Companion {
     }
 }
 
-/// The rows of two runs, the finer one first.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+/// The rows of two runs, the finer one first. All have the same columns.
+#[derive(Debug, Clone)]
 struct Pair {
     rows: [Vec<Row>; 2],
+    /// Where the coarser has rows, in their order.
+    apart: Vec<Apart>,
     /// What their difference is where it is needed.
     lowered: f64,
     period: Option<f64>,
@@ -176,62 +176,104 @@ struct Pair {
     within: bool,
 }
 
+/// How far two runs are apart at some progress.
+#[derive(Debug, Clone)]
+struct Apart {
+    progress: f64,
+    /// The finer one's value in each column, and the difference.
+    columns: Vec<[f64; 2]>,
+}
+
 impl Pair {
+    fn new(rows: [Vec<Row>; 2], lowered: f64, period: Option<f64>, within: bool) -> Self {
+        let mut pair = Self { rows, apart: vec![], lowered, period, within };
+        let places = pair.rows[1].iter().map(|row| row[0].1);
+        let places = places.filter(|at| !within || pair.is_shown(*at));
+        let apart = |progress: f64| {
+            let [finer, coarser] = [0, 1].map(|which| pair.all_at(which, progress));
+            let columns = finer.zip(coarser).map(|(finer, coarser)| [finer, finer - coarser]);
+            Apart { progress, columns: columns.collect() }
+        };
+        pair.apart = places.map(apart).collect();
+        pair
+    }
+
+    /// The place of a column in the rows.
+    fn column(&self, name: &str) -> Option<usize> {
+        self.rows[0].first()?.iter().position(|(known, _)| known == name)
+    }
+
     /// The largest difference of the two around some progress, lowered to where it is needed.
     fn difference(&self, column: &str, progress: f64) -> Option<f64> {
-        let here = self.at(0, column, progress)?;
+        let column = self.column(column)?;
+        let here = self.at(0, column, progress);
         let last = (2.0 * progress).max(progress + self.period.unwrap_or_default());
-        let near = |at: &f64| (0.5 * progress..=last).contains(at);
-        let places = self.rows[1].iter().map(|row| row[0].1).filter(near);
-        let itself = (!self.within).then_some(progress);
-        let places = places.filter(|at| !self.within || self.is_shown(*at)).chain(itself);
-        let difference = |at: f64| {
-            let [finer, coarser] = [self.at(0, column, at)?, self.at(1, column, at)?];
+        let first = self.apart.partition_point(|apart| apart.progress < 0.5 * progress);
+        let near = self.apart[first..].iter().take_while(|apart| apart.progress <= last);
+        let itself = (!self.within).then(|| [here, here - self.at(1, column, progress)]);
+        let difference = |[finer, difference]: [f64; 2]| {
             let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
-            Some(scale * (finer - coarser).abs())
+            scale * difference.abs()
         };
-        let most = places.filter_map(difference).fold(0.0, f64::max);
-        Some(self.lowered * most)
+        let differences = near.map(|apart| apart.columns[column]).chain(itself).map(difference);
+        Some(self.lowered * differences.fold(0.0, f64::max))
     }
 
     /// Whether the finer of both has a row there.
     fn is_shown(&self, progress: f64) -> bool {
-        let within = |row: &Row| (row[0].1 - progress).abs() <= SAME * progress.abs();
-        self.rows[0].iter().any(within)
+        let [before, after] = self.beside(0, progress);
+        [before, after].iter().any(|row| (row[0].1 - progress).abs() <= SAME * progress.abs())
     }
 
-    /// A column of one of them at some progress: a power of it between two rows where all is positive, otherwise straight.
-    fn at(&self, which: usize, column: &str, progress: f64) -> Option<f64> {
-        let [before, after] = self.around(which, progress);
-        let (from, to) = (before[0].1, after[0].1);
-        let (low, high) = (number(before, column)?, number(after, column)?);
-        if to <= from {
-            return Some(high);
-        }
-        if [from, low, high].into_iter().all(|one| one > 0.0) {
-            let share = (progress / from).ln() / (to / from).ln();
-            return Some(low * (high / low).powf(share));
-        }
-        Some(low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0))
+    /// A column of one of them at some progress.
+    fn at(&self, which: usize, column: usize, progress: f64) -> f64 {
+        between(self.around(which, progress), column, progress)
+    }
+
+    /// All columns of one of them at some progress.
+    fn all_at(&self, which: usize, progress: f64) -> impl Iterator<Item = f64> {
+        let around = self.around(which, progress);
+        (0..around[0].len()).map(move |column| between(around, column, progress))
     }
 
     /// The rows of one of them before and behind some progress, or the only one there is. Runs jump over different cycles,
     /// in which forces turn: rows lie alike in their cycles where there are such.
     fn around(&self, which: usize, progress: f64) -> [&Row; 2] {
         let rows = &self.rows[which];
+        let Some(period) = self.period else { return self.beside(which, progress) };
         let behind = rows.partition_point(|row| row[0].1 < progress);
-        let alike = |index: &usize| {
-            let apart = |period: f64| (rows[*index][0].1 - progress) / period;
-            self.period.map(apart).is_none_or(|cycles| (cycles - cycles.round()).abs() <= ALIKE)
+        let alike = |row: &&Row| {
+            let cycles = (row[0].1 - progress) / period;
+            (cycles - cycles.round()).abs() <= ALIKE
         };
-        let before = (0..behind).rev().find(alike);
-        let after = (behind..rows.len()).find(alike);
-        let [before, after] = match before.or(after).zip(after.or(before)) {
+        let before = rows[..behind].iter().rev().find(alike);
+        let after = rows[behind..].iter().find(alike);
+        match before.or(after).zip(after.or(before)) {
             Some((before, after)) => [before, after],
-            None => [behind.saturating_sub(1), behind.min(rows.len() - 1)],
-        };
-        [&rows[before], &rows[after]]
+            None => self.beside(which, progress),
+        }
     }
+
+    /// The rows of one of them next to some progress.
+    fn beside(&self, which: usize, progress: f64) -> [&Row; 2] {
+        let rows = &self.rows[which];
+        let behind = rows.partition_point(|row| row[0].1 < progress);
+        [&rows[behind.saturating_sub(1)], &rows[behind.min(rows.len() - 1)]]
+    }
+}
+
+/// A column at some progress between two rows: a power of it where all is positive, otherwise straight.
+fn between([before, after]: [&Row; 2], column: usize, progress: f64) -> f64 {
+    let (from, to) = (before[0].1, after[0].1);
+    let (low, high) = (before[column].1, after[column].1);
+    if to <= from {
+        return high;
+    }
+    if [from, low, high].into_iter().all(|one| one > 0.0) {
+        let share = (progress / from).ln() / (to / from).ln();
+        return low * (high / low).powf(share);
+    }
+    low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
@@ -263,12 +305,12 @@ mod tests {
         );
         let truth = 7.0;
         let error = truth * 3.0 / (24.0 * 24.0);
-        for value in [truth + error, companion.grids.at(0, "wear_depth_m", 49.0).unwrap()] {
+        for value in [truth + error, companion.row(49.0)[1].1] {
             let found = companion.error("wear_depth_m", 49.0, value).unwrap();
             assert_relative_eq!(found, 1.5 * error, max_relative = 0.02);
         }
         assert_relative_eq!(
-            companion.grids.at(0, "wear_depth_m", 50.0).unwrap(),
+            companion.row(50.0)[1].1,
             50f64.sqrt() * (1.0 + 3.0 / 144.0),
             max_relative = 1e-12
         );
