@@ -1,5 +1,7 @@
 //! Coefficients of tests that were made up by runs of their own, with readings that are off, are found again.
 
+mod framed;
+
 use std::error::Error as StdError;
 use std::fmt::Write;
 use std::path::Path;
@@ -32,7 +34,7 @@ impl Observer for Rows {
 }
 
 fn published(name: &str, options: &[&str]) -> CaseFile {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = framed::folder(name);
     let file = CaseFile::read(&path).unwrap();
     options.iter().fold(file, |file, option| file.set(*option))
 }
@@ -142,6 +144,20 @@ fn assert_found(own: &Coefficient, median: f64) {
 }
 
 const FAR_OFF: &str = "body.pin.wear.archard.coefficient=\"3e-15 1/Pa\"";
+
+/// A case with an accuracy is fitted on the elements that it takes: its coefficient is that of fine elements and short steps.
+#[test]
+fn an_accuracy_is_settled_once() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/pin_on_disc");
+    let asked = CaseFile::read(path.as_ref()).unwrap();
+    let fine = ["frame.elements=[120, 120]", "motion.sliding.step=2.5 mm"];
+    let fine = published("pin_on_disc", &fine);
+    let text = "test,distance_mm,depth_pin_um\nA,250,1.4\nA,500,2.0\nB,500,2.3\nC,500,1.9\n";
+    let [asked, fine] = [asked, fine].map(|file| fitted(&file, text, None).unwrap());
+    assert_eq!([asked.runs, fine.runs], [4; 2]);
+    let [asked, fine] = [asked, fine].map(|fit| fit.coefficients[0].estimate.median);
+    assert!((asked / fine - 1.0).abs() < 0.01, "{asked:e} {fine:e}");
+}
 
 /// From a guess forty times too small, by depths, volumes and the diameter of the scar.
 #[test]

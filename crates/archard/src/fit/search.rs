@@ -16,9 +16,10 @@ use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
 use super::surfaces;
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
-use crate::case::{Case, CaseFile};
+use crate::case::{self, Case, CaseFile, Resolved, Source};
 use crate::measured::Table;
 use crate::output::Store;
+use crate::simulation::Observer;
 
 /// The change of k by which the slopes of a law that is not linear are found.
 const TRIED: f64 = 1.1;
@@ -46,18 +47,13 @@ pub struct Request<'a> {
 /// # Errors
 /// If case and table do not go together, a reading cannot be used, a run fails, or the tests do not tell a coefficient.
 pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, Error> {
-    let case = file.resolve().map_err(|problems| {
+    let resolved = file.resolve().map_err(|problems| {
         let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
         Error::Mismatch(why.join("\n"))
     })?;
-    let case = case.case;
-    if case.accuracy.is_some() {
-        let why = "a fit takes a case with a frame and a step or tolerance: one with an `accuracy` looks for its elements by \
-                   runs of its own";
-        return Err(Error::Mismatch(why.to_owned()));
-    }
-    let mut measured = Measurement::of(table, &case, (request.parameter, request.files))?;
-    let load = load_key(&case, &measured)?;
+    let (file, case) = &settled(file, resolved, request.store, &mut *request.following)?;
+    let mut measured = Measurement::of(table, case, (request.parameter, request.files))?;
+    let load = load_key(case, &measured)?;
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
     let by_k_s = linear && case.wears_by_k_s().is_some();
     let runner = Runner {
@@ -70,7 +66,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         count: 0,
         kept: vec![],
     };
-    let others = others(&case, &measured.targets);
+    let others = others(case, &measured.targets);
     let mut search = Search {
         runner,
         table,
@@ -91,11 +87,11 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     // Before anything runs.
     for (key, relative) in request.uncertain {
         surfaces::refuse_shape(&measured.surfaces, key)?;
-        search.changed(&case, key, *relative)?;
+        search.changed(case, key, *relative)?;
     }
     let first = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
-    let commons = search.commons(&case, &first, request.uncertain, &mut remarks)?;
+    let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
     remarks.extend(search.doubts());
     kept::clear(request.dir, &search.runner.kept);
@@ -113,6 +109,34 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         remarks,
         by_k_s,
     })
+}
+
+/// A case with an accuracy as one with the frame, the elements and the tolerance that it takes at the coefficients it has:
+/// all runs of a fit have the same.
+fn settled(
+    file: &CaseFile,
+    resolved: Resolved,
+    store: Option<&Store>,
+    following: &mut dyn Following,
+) -> Result<(CaseFile, Case), Error> {
+    if resolved.case.accuracy.is_none() {
+        return Ok((file.clone(), resolved.case));
+    }
+    let settled = resolved.with_companion(store, &mut Companions(following));
+    let (settled, _) = settled.map_err(|error| Error::Mismatch(error.to_string()))?;
+    let case = Case { accuracy: None, ..settled.case };
+    Ok((CaseFile::from_text(file.name(Source::File), case.to_string(), ""), case))
+}
+
+/// Follows the runs that judge elements.
+struct Companions<'a>(&'a mut dyn Following);
+
+impl case::Following for Companions<'_> {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        self.0.observer()
+    }
 }
 
 /// The key of the load, where tests have loads of their own.

@@ -19,10 +19,14 @@ pub(super) const OF_STEPS: f64 = 3.0;
 pub(super) const OF_LAG: f64 = 1.5;
 /// The same on the lag that is taken off the pressure at the centre: what was left was up to 0.15 of it there.
 pub(super) const OF_CENTRE: f64 = 0.3;
-/// The same on counted areas, which err by the elements along their rim.
+/// The least relative error of forces and creepages where bodies roll, times the square of the number of elements along the frame: the
+/// edge of slip falls anywhere within an element, and what grids differ by may be nothing.
+const OF_EDGES: f64 = 10.0;
+/// The factor on counted areas, which err by the elements along their rim.
 const OF_AREAS: f64 = 3.0;
-/// The tangential force, relative to the load, below which its error is not told by its size.
+/// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
 const OF_LOAD: f64 = 0.01;
+const LEAST_CREEPAGE: f64 = 1e-5;
 /// Two progresses are the same to this, relative.
 const SAME: f64 = 1e-9;
 /// Two places lie alike in their cycles to this part of a cycle.
@@ -36,6 +40,8 @@ pub struct Companion {
     /// Runs on fewer elements and on fewer still.
     grids: Pair,
     factor: f64,
+    /// The least relative error of forces and creepages.
+    of_edges: f64,
     increments: Option<Increments>,
     /// The relative error that is asked for.
     pub asked: f64,
@@ -86,7 +92,8 @@ impl Companion {
         let factor = if late { OF_FRICTION } else { AS_A_RULE };
         let factor = factor * error(own) / (error(half) - error(own));
         let grids = Pair::new(rows, lowered, period, false);
-        Self { grids, factor, increments: None, asked }
+        let of_edges = if late { OF_EDGES * error(own) } else { 0.0 };
+        Self { grids, factor, of_edges, increments: None, asked }
     }
 
     /// The same where cycles are divided into so many increments, and a run on the fewest elements into fewer.
@@ -103,7 +110,8 @@ impl Companion {
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let difference = (value - self.grids.at(0, self.grids.column(column)?, progress)).abs();
         let foreseen = self.grids.difference(column, progress)?;
-        Some(self.factor(column) * difference.max(foreseen))
+        let told = self.factor(column) * difference.max(foreseen);
+        Some(told.max(self.least(column, value)))
     }
 
     /// The error (in its unit) in a column at some progress by the increments of the cycles; `None` where there are none.
@@ -127,11 +135,20 @@ impl Companion {
         let progress = row.first().map_or(0.0, |first| first.1);
         let wears = number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0);
         let force = self.force(row);
+        let [along, across] = history::CREEPAGE.map(|name| number(row, name).unwrap_or_default());
+        let creepage = along.hypot(across).max(LEAST_CREEPAGE);
         let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
         let errors = counted.filter_map(|(name, value)| {
-            let size = if history::FORCE.contains(&&**name) { force } else { value.abs() };
+            let size = match &**name {
+                name if history::FORCE.contains(&name) => force,
+                name if history::CREEPAGE.contains(&name) => creepage,
+                _ => value.abs(),
+            };
             let error = match part {
-                Part::Foreseen => self.factor(name) * self.grids.difference(name, progress)?,
+                Part::Foreseen => {
+                    let foreseen = self.factor(name) * self.grids.difference(name, progress)?;
+                    foreseen.max(self.least(name, *value))
+                }
                 Part::Elements => self.error(name, progress, *value)?,
                 Part::Increments => self.by_increments(name, progress)?,
             };
@@ -156,6 +173,12 @@ impl Companion {
         });
         let least = OF_LOAD * number(row, history::LOAD).unwrap_or_default();
         cycle.chain([of(row)]).fold(least, f64::max)
+    }
+
+    /// The least error (in its unit) of a value, whatever the others differ by.
+    fn least(&self, column: &str, value: f64) -> f64 {
+        let by_edges = [history::FORCE, history::CREEPAGE].as_flattened().contains(&column);
+        if by_edges { self.of_edges * value.abs() } else { 0.0 }
     }
 
     fn factor(&self, column: &str) -> f64 {

@@ -77,7 +77,7 @@ pub type Row = Vec<(String, f64)>;
 
 /// What a run is judged by where bodies wear, always, and where they do not.
 const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
-const ALWAYS: [&str; 4] = [LOAD, APPROACH, FORCE[0], FORCE[1]];
+const ALWAYS: [&str; 6] = [LOAD, APPROACH, FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
 const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
 /// What has errors beside.
 const ESTIMATED: [&str; 6] =

@@ -129,7 +129,7 @@ impl Observer for Watched {
 /// What runs on fewer elements came to.
 enum Judged {
     /// By a companion, whose contact reached so far (m) from the middle.
-    By(Companion, [f64; 2]),
+    By(Box<Companion>, [f64; 2]),
     /// The contact left the frame at these sides.
     Outgrown(Sides),
     /// On so few elements there is no solution to be found.
@@ -178,7 +178,7 @@ impl Resolved {
             let allowed = OF_ELEMENTS * accuracy;
             let chose = [self.chose.elements, self.chose.increments];
             if error <= allowed || chose == [false; 2] {
-                return Ok((self, Some(companion)));
+                return Ok((self, Some(*companion)));
             }
             // Each may take half of it, or what the other leaves.
             let finer = [(0, kind.order), (1, 1.0)].map(|(part, order)| {
@@ -188,7 +188,7 @@ impl Resolved {
                 if refines { wanted.clamp(FINER[0], FINER[1]) } else { 1.0 }
             });
             if finer == [1.0; 2] {
-                return Ok((self, Some(companion)));
+                return Ok((self, Some(*companion)));
             }
             self.close_in(reach);
             let known = self.case.frame.elements;
@@ -262,7 +262,7 @@ impl Resolved {
             (Some(fewest), Some(counts)) => companion.with_increments(fewest, counts),
             _ => companion,
         };
-        Ok(Judged::By(companion, reach))
+        Ok(Judged::By(Box::new(companion), reach))
     }
 
     /// Takes the frame in, on elements as large as before, where nothing touched in a good part of it.

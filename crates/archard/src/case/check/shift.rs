@@ -166,6 +166,12 @@ fn useless_phases(parts: &Parts<'_>) -> Vec<Problem> {
 /// Jumps that jump over nothing.
 fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let total = forecast.cycles?.total;
+    let (Solves::Exactly(computed) | Solves::AtLeast(computed) | Solves::About(computed)) =
+        forecast.cycles?.computed;
+    // The tolerance that goes with an accuracy was not asked for.
+    if parts.case.accuracy.is_some() && (parts.wears() || computed == total) {
+        return None;
+    }
     let (name, jump) = match parts.schedule.stepping {
         Stepping::Jumps(jump) => ("jump", jump as u64),
         Stepping::Tolerance(_) => ("tolerance", 0),
@@ -186,8 +192,6 @@ fn useless_jumps(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         );
         return Some(warning(message));
     }
-    let (Solves::Exactly(computed) | Solves::AtLeast(computed) | Solves::About(computed)) =
-        forecast.cycles?.computed;
     (computed == total && jump != 1).then(|| crowded(parts, total))?
 }
 
