@@ -66,6 +66,7 @@ def test_frames_of_other_libraries(result):
 
 def test_outputs_of_smaller_frames_are_resampled():
     case = archard.Case("pin_on_disc")
+    del case["accuracy"]
     case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24], "doubles": ["40 mm"]}
     case["motion.sliding.step"] = "25 mm"
     case["output.every"] = "250 mm"

@@ -147,6 +147,7 @@ def test_python_goes_on_while_a_run_solves(case):
 
 def run_at(load):
     case = archard.Case("pin_on_disc")
+    del case["accuracy"]
     case["motion.sliding"] = {"load": f"{load} N", "distance": "10 mm", "step": "5 mm"}
     case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24]}
     return case.run()
@@ -173,7 +174,8 @@ import archard, signal, threading, os, time, sys, warnings
 signal.signal(signal.SIGINT, signal.default_int_handler)
 warnings.simplefilter("ignore")
 case = archard.Case("pin_on_disc")
-case["frame.elements"] = [64, 64]
+del case["accuracy"]
+case["frame"] = {"size": ["1.2 mm", "1.2 mm"], "elements": [64, 64]}
 case["motion.sliding"] = {"load": "10.2 N", "distance": "5 m", "step": "0.1 mm"}
 def ask():
     time.sleep(1.0)
@@ -207,6 +209,9 @@ import archard, signal, threading, os, time, warnings
 signal.signal(signal.SIGINT, signal.default_int_handler)
 warnings.simplefilter("ignore")
 case = archard.Case("pin_on_disc")
+del case["accuracy"]
+case["frame"] = {"size": ["1.2 mm", "1.2 mm"], "elements": [30, 30]}
+case["motion.sliding.step"] = "5 mm"
 calls = []
 def law(p, s):
     calls.append(1)

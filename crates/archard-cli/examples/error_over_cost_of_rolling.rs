@@ -5,6 +5,9 @@
 //! seconds are those of one thread, for pressures and friction, the fewest of three runs. Errors are against the limit of fine elements, extrapolated
 //! from 240 and 320 across the contact for errors that fall with the square of their size.
 
+#[path = "../../archard/tests/framed/mod.rs"]
+mod framed;
+
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
@@ -152,7 +155,7 @@ fn contact(
     across: usize,
     options: &[&str],
 ) -> Result<(ContactProblem, ContactState, usize, f64), Wrong> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/twin_disc");
+    let path = framed::folder("twin_disc");
     let elements = across + 4;
     let [x, y] =
         [0.2165120, 0.8265901].map(|half: f64| 2.0 * half * elements as f64 / across as f64);

@@ -4,6 +4,8 @@
 
 #[path = "faults/folder.rs"]
 mod folder;
+#[path = "../../archard/tests/framed/mod.rs"]
+mod framed;
 #[path = "faults/kill.rs"]
 mod kill;
 #[path = "faults/signals.rs"]
@@ -30,7 +32,7 @@ const LONG_STEP: [&str; 2] =
 
 /// A published case.
 fn case(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name)
+    framed::folder(name)
 }
 
 /// The program with the default answers to signals, whatever they are where the tests run: a shell's background job, or

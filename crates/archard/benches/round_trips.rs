@@ -6,9 +6,10 @@
 
 #![allow(missing_docs, reason = "a program")]
 
+#[path = "../tests/framed/mod.rs"]
+mod framed;
 mod round_trip;
 
-use std::path::Path;
 use std::time::Instant;
 
 use archard::case::{Case, CaseFile};
@@ -226,7 +227,7 @@ fn resolve(text: &str) -> Case {
 
 /// A case of the gallery with options.
 fn case(name: &str, options: &[String]) -> Case {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = framed::folder(name);
     let file = CaseFile::read(&path).expect("a case of the gallery");
     let file = options.iter().fold(file, CaseFile::set);
     file.resolve().expect("options that fit").case

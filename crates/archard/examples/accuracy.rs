@@ -1,6 +1,7 @@
 //! The tables of the book's page on accuracy: `cargo run --release --example accuracy`.
 
-use std::path::Path;
+#[path = "../tests/framed/mod.rs"]
+mod framed;
 
 use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
@@ -43,7 +44,7 @@ impl Observer for Outputs {
 }
 
 fn case(name: &str, options: &[String]) -> Result<Case, Box<dyn std::error::Error>> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = framed::folder(name);
     let file = options.iter().fold(CaseFile::read(&path)?, CaseFile::set);
     let wrong = |problems: Vec<archard::case::Problem>| {
         problems.iter().map(|problem| problem.title()).collect::<Vec<_>>().join("\n")

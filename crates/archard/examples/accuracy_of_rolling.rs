@@ -1,6 +1,7 @@
 //! The rolling tables of the book's page on accuracy: `cargo run --release --example accuracy_of_rolling`.
 
-use std::path::Path;
+#[path = "../tests/framed/mod.rs"]
+mod framed;
 
 use archard::case::CaseFile;
 use archard::simulation::{Observer, Report, history, row};
@@ -46,7 +47,7 @@ fn number(row: &[(String, f64)], column: &str) -> f64 {
 
 /// The rows of a case of the gallery with options.
 fn run(name: &str, options: &[String]) -> Result<Rows, Wrong> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = framed::folder(name);
     let file = options.iter().fold(CaseFile::read(&path)?, CaseFile::set);
     let wrong = |problems: Vec<archard::case::Problem>| {
         problems.iter().map(|problem| problem.title()).collect::<Vec<_>>().join("\n")

@@ -1,5 +1,7 @@
 //! Whole profiles and height maps as data of a fit: made up by runs, tilted, shifted and noisy as instruments give them.
 
+mod framed;
+
 use std::error::Error as StdError;
 use std::fmt::Write;
 use std::fs;
@@ -70,7 +72,7 @@ impl Worn {
 }
 
 fn published(name: &str, options: &[&str]) -> CaseFile {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = framed::folder(name);
     let file = CaseFile::read(&path).unwrap();
     options.iter().fold(file, |file, option| file.set(*option))
 }

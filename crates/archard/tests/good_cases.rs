@@ -1,6 +1,7 @@
 //! Right cases: what they mean, whatever way they are written.
 
 mod common;
+mod framed;
 
 mod good_cases {
     mod curvatures;

@@ -1,13 +1,13 @@
 //! Cases run in ways the published ones are not, against closed forms and identities.
 
 mod common;
+mod framed;
 #[path = "runs/resume.rs"]
 mod resume;
 #[path = "runs/sections.rs"]
 mod sections;
 
 use std::fmt::Write;
-use std::path::Path;
 
 use approx::assert_relative_eq;
 use archard::case::{CaseFile, Solves};
@@ -17,7 +17,7 @@ use common::Rows;
 
 /// The rows of a published case with options.
 fn run(case: &str, options: &[&str]) -> Rows {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case);
+    let folder = framed::folder(case);
     let file = CaseFile::read(&folder).unwrap();
     let file = options.iter().fold(file, |file, option| file.set(*option));
     let resolved = file.resolve().unwrap_or_else(|problems| {
@@ -56,7 +56,7 @@ fn one_step_may_be_the_whole_run() {
 /// What `check` promises: exact for fixed steps, within a quarter for steps chosen by error.
 #[test]
 fn the_forecast_of_solves_is_right() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases/pin_on_disc");
+    let folder = framed::folder("pin_on_disc");
     let promised = |options: &[&str]| {
         let file = CaseFile::read(&folder).unwrap();
         let file = options.iter().fold(file, |file, option| file.set(*option));

@@ -15,7 +15,7 @@ use archard::solve::Settings;
 use archard::wear::Archard;
 use common::{Rows, STEEL, case};
 
-const PIN_ON_DISC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/pin_on_disc");
+const PIN_ON_DISC: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/framed/pin_on_disc");
 
 fn rows(simulation: &Simulation) -> Vec<(String, u64)> {
     let mut rows = Rows::default();

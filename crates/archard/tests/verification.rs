@@ -1,6 +1,7 @@
 //! The program against closed forms and independent solutions.
 
 mod common;
+mod framed;
 
 mod verification {
     mod accuracy;

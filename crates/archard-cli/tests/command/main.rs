@@ -5,6 +5,8 @@ mod browser;
 mod compare;
 mod finite;
 mod fit;
+#[path = "../../../archard/tests/framed/mod.rs"]
+mod framed;
 mod memory;
 mod report;
 mod running;
@@ -13,7 +15,7 @@ mod tasks;
 mod verdict;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use archard::friction::FRICTION;
 use archard::wear::WEAR_LAWS;
@@ -23,7 +25,7 @@ use tempfile::TempDir;
 
 /// A published case.
 fn case(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name)
+    framed::folder(name)
 }
 
 /// What the command does with these arguments in a folder.
@@ -46,7 +48,7 @@ fn printed(assert: &Assert) -> String {
 #[test]
 fn a_wrong_case_exits_with_two_and_points_at_the_line() {
     let dir = TempDir::new().unwrap();
-    let wrong = fs::read_to_string(case("pin_on_disc/case.toml")).unwrap();
+    let wrong = fs::read_to_string(case("pin_on_disc").join("case.toml")).unwrap();
     fs::write(dir.path().join("pin.toml"), wrong.replace("\"50 mm\" }", "50 }")).unwrap();
     for command in ["run", "check"] {
         let refused = archard(&dir, &[command, "pin.toml"]).code(2);

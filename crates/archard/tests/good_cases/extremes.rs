@@ -1,6 +1,5 @@
 //! Published cases with one number replaced by an extreme one: a case or an error, soon.
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use archard::case::CaseFile;
@@ -37,12 +36,11 @@ fn odd(case: &CaseFile, option: &str) -> Option<String> {
 
 #[test]
 fn one_extreme_number_makes_a_case_or_an_error() {
-    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
     let (mut tried, mut wrong) = (0, vec![]);
     for name in
         ["hertz", "pin_on_disc", "twin_disc", "kalker_creepage", "fretting_sphere", "roller_finite"]
     {
-        let file = CaseFile::read(&cases.join(name)).unwrap();
+        let file = CaseFile::read(&crate::framed::folder(name)).unwrap();
         let text = file.resolve().unwrap_or_else(|_| panic!("{name}")).case.to_string();
         for (key, value) in text.lines().filter_map(|line| line.split_once(" = ")) {
             for option in EXTREMES.iter().flat_map(|extreme| replaced(value, extreme)) {

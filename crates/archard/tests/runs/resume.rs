@@ -1,7 +1,6 @@
 //! Runs that are kept at some state and go on from there, to the same bits.
 
 use std::error::Error;
-use std::path::Path;
 
 use archard::case::CaseFile;
 use archard::problem::ContactState;
@@ -105,7 +104,7 @@ const CASES: [(&str, &[&str]); 17] = [
 ];
 
 fn build((case, settings): (&str, &[&str])) -> Simulation {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(case);
+    let folder = crate::framed::folder(case);
     let file = CaseFile::read(&folder).unwrap();
     let file = settings.iter().fold(file, |file, setting| file.set(*setting));
     let resolved = file.resolve().unwrap_or_else(|problems| {

@@ -48,14 +48,14 @@ const SIZES: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
 /// Case, options, the columns that are judged and the accuracy of what they are held against.
 type Judged = (&'static str, &'static [&'static str], &'static [&'static str], &'static str);
 
-pub(super) const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
-pub(super) const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
+pub(super) const PIN: &str = include_str!("../framed/pin_on_disc/case.toml");
+pub(super) const TRACK: &str = include_str!("../framed/pin_on_disc_track/case.toml");
 const SPHERE: &str = include_str!("../../../../cases/fretting_sphere/case.toml");
-pub(super) const DISCS: &str = include_str!("../../../../cases/twin_disc/case.toml");
-const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
-const CATTANEO: &str = include_str!("../../../../cases/cattaneo_mindlin/case.toml");
+pub(super) const DISCS: &str = include_str!("../framed/twin_disc/case.toml");
+const FRETTING: &str = include_str!("../framed/mccoll_fretting/case.toml");
+const CATTANEO: &str = include_str!("../framed/cattaneo_mindlin/case.toml");
 const SPENCE: &str = include_str!("../../../../cases/spence/case.toml");
-const HERTZ: &str = include_str!("../../../../cases/hertz/case.toml");
+const HERTZ: &str = include_str!("../framed/hertz/case.toml");
 
 /// Whatever is asked for, the true errors of depth, approach, pressure and force lie within those stated, and the worst of
 /// what counts is as asked: against runs several times as accurate.
@@ -141,6 +141,23 @@ fn hertz_lies_within_the_errors_stated() {
             let off = (found - truth).abs();
             println!("{accuracy} {column} {:.2e} stated {:.2e}", off / truth, error / truth);
             assert!(off <= error, "{column} at {accuracy}: {off:e} of {error:e}");
+        }
+    }
+}
+
+/// So does the creepage that a force takes: Carter's, xi = mu a / R (1 - sqrt(1 - T / (mu P))), mu a / R being 0.003.
+#[test]
+fn carters_creepage_lies_within_the_error_stated() {
+    const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
+    for force in [100.0, 1000.0, 1615.68, 2100.0] {
+        let truth = 0.003 * (1.0 - (1.0 - force / 2154.24_f64).sqrt());
+        for accuracy in SIZES {
+            let driven = format!("motion.rolling.force=\"{force} N\"");
+            let row = answer(CARTER, &["motion.rolling.creepage=", &driven, accuracy]);
+            let (found, error) = with_error(&row, "creepage");
+            let off = (found - truth).abs();
+            println!("{force} N {accuracy} {:.2e} stated {:.2e}", off / truth, error / truth);
+            assert!(error > 0.0 && off <= error, "{force} N at {accuracy}: {off:e} of {error:e}");
         }
     }
 }

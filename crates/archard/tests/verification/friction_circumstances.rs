@@ -304,7 +304,7 @@ fn fretting_runs_in() {
 /// Surfaces that swing dissipate mu(s) F times their way.
 #[test]
 fn swings_run_in() {
-    let text = include_str!("../../../../cases/mccoll_fretting/case.toml");
+    let text = include_str!("../framed/mccoll_fretting/case.toml");
     let mut simulation = case(text, &["motion.fretting.cycles=2000", "output={}"]);
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).unwrap();

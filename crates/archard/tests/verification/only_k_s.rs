@@ -1,7 +1,6 @@
 //! Under a constant load and Holm-Archard's law the worn state follows from k s alone.
 
 use std::error::Error;
-use std::path::Path;
 
 use archard::case::{Case, CaseFile};
 use archard::simulation::history::{self, rescaled};
@@ -26,7 +25,7 @@ fn rows(simulation: &Simulation) -> Vec<Vec<(String, f64)>> {
 
 /// A published case with options, wear coefficients (1/Pa) of some bodies among them.
 fn case(name: &str, options: &[&str], coefficients: &[(&str, f64)]) -> Case {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases").join(name);
+    let path = crate::framed::folder(name);
     let file = CaseFile::read(&path).unwrap();
     let file = options.iter().fold(file, |file, option| file.set(*option));
     let wear =

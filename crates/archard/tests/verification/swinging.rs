@@ -6,7 +6,7 @@ use archard::simulation::Error;
 
 use crate::common::{Rows, case};
 
-const CASE: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
+const CASE: &str = include_str!("../framed/mccoll_fretting/case.toml");
 
 fn rows(text: &str, options: &[&str]) -> Rows {
     let mut rows = Rows::default();

@@ -264,7 +264,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
 /// creepage.
 #[test]
 fn rolling_over_unequal_pairs() {
-    let text = include_str!("../../../../cases/twin_disc/case.toml")
+    let text = include_str!("../framed/twin_disc/case.toml")
         .replace("revolutions = 30000", "revolutions = 100")
         .replace("tolerance = 0.003", "step = 50")
         .replace("[1, 100, 1000, 5000, 10000, 20000]", "[100]")

@@ -5,8 +5,8 @@ use archard::simulation::{Run, Simulation};
 
 use crate::common::{case, peak, states};
 
-const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
-const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
+const PIN: &str = include_str!("../framed/pin_on_disc/case.toml");
+const TRACK: &str = include_str!("../framed/pin_on_disc_track/case.toml");
 
 fn simulation(text: &str, options: &[&str]) -> Simulation {
     case(text, options)
