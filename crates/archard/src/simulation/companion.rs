@@ -22,6 +22,8 @@ pub(super) const OF_CENTRE: f64 = 0.3;
 /// The least relative error of forces and creepages where bodies roll, times the square of the number of elements along the frame: the
 /// edge of slip falls anywhere within an element, and what grids differ by may be nothing.
 const OF_EDGES: f64 = 10.0;
+/// Forces and creepages that differ by less, relative, are what was prescribed or what friction bears at most.
+pub(super) const PRESCRIBED: f64 = 1e-6;
 /// The factor on counted areas, which err by the elements along their rim.
 const OF_AREAS: f64 = 3.0;
 /// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
@@ -110,8 +112,7 @@ impl Companion {
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let difference = (value - self.grids.at(0, self.grids.column(column)?, progress)).abs();
         let foreseen = self.grids.difference(column, progress)?;
-        let told = self.factor(column) * difference.max(foreseen);
-        Some(told.max(self.least(column, value)))
+        Some(self.enclosing(column, value, difference.max(foreseen)))
     }
 
     /// The error (in its unit) in a column at some progress by the increments of the cycles; `None` where there are none.
@@ -146,8 +147,7 @@ impl Companion {
             };
             let error = match part {
                 Part::Foreseen => {
-                    let foreseen = self.factor(name) * self.grids.difference(name, progress)?;
-                    foreseen.max(self.least(name, *value))
+                    self.enclosing(name, *value, self.grids.difference(name, progress)?)
                 }
                 Part::Elements => self.error(name, progress, *value)?,
                 Part::Increments => self.by_increments(name, progress)?,
@@ -175,10 +175,12 @@ impl Companion {
         cycle.chain([of(row)]).fold(least, f64::max)
     }
 
-    /// The least error (in its unit) of a value, whatever the others differ by.
-    fn least(&self, column: &str, value: f64) -> f64 {
+    /// The error (in its unit) of a value that a difference tells.
+    fn enclosing(&self, column: &str, value: f64, difference: f64) -> f64 {
+        let told = self.factor(column) * difference;
         let by_edges = [history::FORCE, history::CREEPAGE].as_flattened().contains(&column);
-        if by_edges { self.of_edges * value.abs() } else { 0.0 }
+        let found = told > PRESCRIBED * value.abs();
+        if by_edges && found { told.max(self.of_edges * value.abs()) } else { told }
     }
 
     fn factor(&self, column: &str) -> f64 {

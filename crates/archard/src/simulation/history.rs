@@ -3,7 +3,7 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{Companion, OF_CENTRE, OF_LAG, Part};
+use super::companion::{Companion, OF_CENTRE, OF_LAG, PRESCRIBED, Part};
 use super::scar::{scar, track_width};
 use super::{Effort, Report};
 use crate::body::Body;
@@ -79,6 +79,8 @@ pub type Row = Vec<(String, f64)>;
 const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
 const ALWAYS: [&str; 6] = [LOAD, APPROACH, FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
 const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
+/// What may be prescribed.
+const GIVEN: [&str; 5] = [LOAD, FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
 /// What has errors beside.
 const ESTIMATED: [&str; 6] =
     [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT, FRICTIONAL_POWER, DISSIPATED];
@@ -252,12 +254,16 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
     for (name, value) in row.iter().filter(has) {
         let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
         let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
+        let space = companion.error(name, report.state.progress, *value);
+        // What no grid changes no step does.
+        let given = GIVEN.contains(&name.as_str())
+            && space.is_some_and(|space| space <= PRESCRIBED * value.abs());
         let by_steps = match name.as_str() {
+            _ if given => 0.0,
             CENTRE_PRESSURE if centre_lag != 0.0 => OF_CENTRE * centre_lag.abs(),
             _ => relative * value.abs(),
         };
         let by_increments = companion.by_increments(name, report.state.progress);
-        let space = companion.error(name, report.state.progress, *value);
         if by_error || by_increments.is_some() {
             let time = by_steps + by_increments.unwrap_or_default();
             errors.push((format!("{}{name}", ERRORS[0]), time));
