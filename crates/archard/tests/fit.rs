@@ -159,6 +159,29 @@ fn an_accuracy_is_settled_once() {
     assert!((asked / fine - 1.0).abs() < 0.01, "{asked:e} {fine:e}");
 }
 
+/// What a fit cannot use is refused before the elements are settled, and who interrupts that is told so.
+#[test]
+fn an_accuracy_is_settled_for_what_can_be_fitted() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/pin_on_disc");
+    let asked = CaseFile::read(path.as_ref()).unwrap();
+    let tried = |uncertain: &[(String, f64)], text: &str| {
+        let dir = tempfile::tempdir().unwrap();
+        let table = Table::read("tests.csv", text.as_bytes()).unwrap();
+        let files = Files { folder: dir.path(), columns: &[] };
+        let following = &mut Until(Some(0), vec![]);
+        let dir = dir.path();
+        let request = Request { parameter: None, uncertain, files, dir, store: None, following };
+        fit(&asked, &table, request).unwrap_err()
+    };
+    let text = "test,distance_mm,depth_pin_um\nA,500,2.0\nB,500,2.3\n";
+    let stopped = tried(&[], text);
+    assert!(matches!(stopped, Error::Stopped { runs: 0, .. }), "{stopped}");
+    let unknown = tried(&[], "test,distance_mm,depth_ball_um\nA,500,2.0\n");
+    assert!(matches!(unknown, Error::Mismatch(_)), "{unknown}");
+    let uncertain = tried(&[("motion.sliding.speed".to_owned(), 0.1)], text);
+    assert!(uncertain.to_string().contains("`motion.sliding.speed` is no number"), "{uncertain}");
+}
+
 /// From a guess forty times too small, by depths, volumes and the diameter of the scar.
 #[test]
 fn a_pin_is_fitted() {

@@ -10,16 +10,18 @@ mod rounds;
 use std::collections::HashMap;
 use std::path::Path;
 
+use conclude::changed;
+
 use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
 use super::surfaces;
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
-use crate::case::{self, Case, CaseFile, Resolved, Source};
+use crate::case::{self, Case, CaseFile, Resolved, Source, Unsettled};
 use crate::measured::Table;
 use crate::output::Store;
-use crate::simulation::Observer;
+use crate::simulation::{self, Observer};
 
 /// The change of k by which the slopes of a law that is not linear are found.
 const TRIED: f64 = 1.1;
@@ -51,9 +53,14 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
         Error::Mismatch(why.join("\n"))
     })?;
+    let mut measured = Measurement::of(table, &resolved.case, (request.parameter, request.files))?;
+    let load = load_key(&resolved.case, &measured)?;
+    // Before anything runs.
+    for (key, relative) in request.uncertain {
+        surfaces::refuse_shape(&measured.surfaces, key)?;
+        changed(&resolved.case, (measured.progress.0, load.as_deref()), (key, *relative))?;
+    }
     let (file, case) = &settled(file, resolved, request.store, &mut *request.following)?;
-    let mut measured = Measurement::of(table, case, (request.parameter, request.files))?;
-    let load = load_key(case, &measured)?;
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
     let by_k_s = linear && case.wears_by_k_s().is_some();
     let runner = Runner {
@@ -84,11 +91,6 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         name: "run",
         of: None,
     };
-    // Before anything runs.
-    for (key, relative) in request.uncertain {
-        surfaces::refuse_shape(&measured.surfaces, key)?;
-        search.changed(case, key, *relative)?;
-    }
     let first = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
@@ -123,7 +125,15 @@ fn settled(
         return Ok((file.clone(), resolved.case));
     }
     let settled = resolved.with_companion(store, &mut Companions(following));
-    let (settled, _) = settled.map_err(|error| Error::Mismatch(error.to_string()))?;
+    let (settled, _) = settled.map_err(|error| match error {
+        Unsettled::Run { elements, cause } => match *cause {
+            simulation::Error::Observer(cause) => Error::Stopped { cause, runs: 0 },
+            cause => {
+                Error::Mismatch(Unsettled::Run { elements, cause: Box::new(cause) }.to_string())
+            }
+        },
+        other => Error::Mismatch(other.to_string()),
+    })?;
     let case = Case { accuracy: None, ..settled.case };
     Ok((CaseFile::from_text(file.name(Source::File), case.to_string(), ""), case))
 }

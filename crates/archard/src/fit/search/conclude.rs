@@ -50,7 +50,10 @@ impl Search<'_> {
             variants.push((BOTH.to_owned(), other));
         }
         for (key, relative) in uncertain {
-            variants.push((key.clone(), self.changed(case, key, *relative)?));
+            variants.push((
+                key.clone(),
+                changed(case, (self.progress, self.load.as_deref()), (key, *relative))?,
+            ));
         }
         let known = std::mem::take(&mut self.known);
         self.name = "check";
@@ -84,37 +87,6 @@ impl Search<'_> {
         }
         (self.variant, self.known, self.name) = (Variant::default(), known, "run");
         Ok(commons)
-    }
-
-    /// The runs with a value off by its uncertainty.
-    pub(super) fn changed(&self, case: &Case, key: &str, relative: f64) -> Result<Variant, Error> {
-        if !(relative > 0.0 && relative < MOST) {
-            return Err(Error::Mismatch(format!(
-                "`{key}` with a standard uncertainty of {} %: it lies between 0 % and {} %",
-                100.0 * relative,
-                100.0 * MOST
-            )));
-        }
-        if key == self.progress {
-            return Ok(Variant { far: Some(relative), ..Variant::default() });
-        }
-        if self.load.as_deref() == Some(key) {
-            return Ok(Variant { load: Some(relative), ..Variant::default() });
-        }
-        let extents = ["distance", "revolutions", "cycles"];
-        if extents.iter().any(|name| key == format!("motion.{}.{name}", case.motion.choice.name)) {
-            return Err(Error::Mismatch(format!(
-                "`{key}` is how far the run goes; the uncertainty of how far readings are is that of `{}`",
-                self.progress
-            )));
-        }
-        let Some((value, unit)) = case.number_at(key) else {
-            return Err(Error::Mismatch(format!(
-                "`{key}` is no number in the case that could be uncertain"
-            )));
-        };
-        let settings = vec![(key.to_owned(), value * (1.0 + relative), unit)];
-        Ok(Variant { settings, ..Variant::default() })
     }
 
     /// The coefficients with all that is known, and their curves.
@@ -207,4 +179,39 @@ impl Search<'_> {
         }
         doubts
     }
+}
+
+/// The runs with a value off by its uncertainty, where readings say in `progress` how far they are, and tests have that load.
+pub(super) fn changed(
+    case: &Case,
+    (progress, load): (&str, Option<&str>),
+    (key, relative): (&str, f64),
+) -> Result<Variant, Error> {
+    if !(relative > 0.0 && relative < MOST) {
+        return Err(Error::Mismatch(format!(
+            "`{key}` with a standard uncertainty of {} %: it lies between 0 % and {} %",
+            100.0 * relative,
+            100.0 * MOST
+        )));
+    }
+    if key == progress {
+        return Ok(Variant { far: Some(relative), ..Variant::default() });
+    }
+    if load == Some(key) {
+        return Ok(Variant { load: Some(relative), ..Variant::default() });
+    }
+    let extents = ["distance", "revolutions", "cycles"];
+    if extents.iter().any(|name| key == format!("motion.{}.{name}", case.motion.choice.name)) {
+        return Err(Error::Mismatch(format!(
+            "`{key}` is how far the run goes; the uncertainty of how far readings are is that of `{}`",
+            progress
+        )));
+    }
+    let Some((value, unit)) = case.number_at(key) else {
+        return Err(Error::Mismatch(format!(
+            "`{key}` is no number in the case that could be uncertain"
+        )));
+    };
+    let settings = vec![(key.to_owned(), value * (1.0 + relative), unit)];
+    Ok(Variant { settings, ..Variant::default() })
 }
