@@ -158,8 +158,34 @@ fn carters_creepage_lies_within_the_error_stated() {
             let off = (found - truth).abs();
             println!("{force} N {accuracy} {:.2e} stated {:.2e}", off / truth, error / truth);
             assert!(error > 0.0 && off <= error, "{force} N at {accuracy}: {off:e} of {error:e}");
+            // What was prescribed has none.
+            for (column, value) in [("force_x_N", force), ("load_N", 7180.8)] {
+                let (found, error) = with_error(&row, column);
+                assert_relative_eq!(found, value, max_relative = 1e-6);
+                assert!(error <= 1e-6 * value, "{column}: {error:e}");
+            }
         }
     }
+}
+
+/// A contact that is turned by a right angle errs as much, on elements of its own along each axis; its load errs by no step.
+#[test]
+fn turned_rolling_states_the_same_errors() {
+    let options = ["frame=", "motion.rolling.tolerance=", "output=", "accuracy=0.1"];
+    let [one, other] = ["x", "y"].map(|axis| {
+        let direction = format!("motion.rolling.direction={axis}");
+        let across = if axis == "x" { "y" } else { "x" };
+        let disc = format!(
+            "body.disc1.profile={{paraboloid={{radius_{axis}=16.199846 mm, radius_{across}=125 mm}}}}"
+        );
+        let set = [direction.as_str(), disc.as_str(), "body.disc2.profile={flat={}}"];
+        let row = answer(DISCS, &[&options[..], &set].concat());
+        let (load, error) = with_error(&row, "load_N");
+        assert!(error <= 1e-9 * load, "{error:e} of {load}");
+        with_error(&row, &format!("force_{axis}_N"))
+    });
+    assert_relative_eq!(one.0, other.0, max_relative = 1e-6);
+    assert_relative_eq!(one.1, other.1, max_relative = 1e-3);
 }
 
 /// So do the forces, energies and areas of closed forms where friction decides what slips in increments; both the elements and

@@ -154,10 +154,12 @@ impl Resolved {
             slips_partly: slips_partly(&parts),
             period: parts.motion.period(),
         };
+        // Rolling errs by the elements along it.
+        let axis = parts.motion.rolling().map_or(0, |rolling| rolling.direction.axis);
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
-            let (companion, reach) = match self.judged(kind, accuracy, store, following)? {
+            let (companion, reach) = match self.judged((kind, axis), accuracy, store, following)? {
                 Judged::By(companion, reach) => (companion, reach),
                 Judged::Outgrown(sides) => {
                     self.case = self.grown(sides)?;
@@ -213,7 +215,7 @@ impl Resolved {
     /// Runs the case on fewer elements, and in fewer increments.
     fn judged(
         &self,
-        kind: Kind,
+        (kind, axis): (Kind, usize),
         accuracy: f64,
         store: Option<&Store>,
         following: &mut dyn Following,
@@ -254,7 +256,7 @@ impl Resolved {
                 Err(error) => return Err(error),
             }
         }
-        let numbers = [elements, half, quarter].map(|grid| grid[0] as f64);
+        let numbers = [elements, half, quarter].map(|grid| grid[axis] as f64);
         let mut rows = rows.into_iter();
         let grids = [rows.next(), rows.next()].map(Option::unwrap_or_default);
         let companion = Companion::new(grids, numbers, kind, accuracy);
