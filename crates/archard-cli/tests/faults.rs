@@ -14,11 +14,12 @@ mod signals;
 mod streams;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use archard::output::{Collection, Image};
+use framed::folder as case;
 use serde_json::Value;
 
 /// Longest wait for anything (s): machines may be busy.
@@ -29,11 +30,6 @@ const MANY_STEPS: [&str; 2] = ["frame.elements=[16, 16]", "motion.sliding.step=0
 /// A pin on a disc whose first contact takes minutes, by the slow reference.
 const LONG_STEP: [&str; 2] =
     ["frame.elements=[181, 181]", "solver.uzawa={tolerance=1e-15, max_iterations=1000000000}"];
-
-/// A published case.
-fn case(name: &str) -> PathBuf {
-    framed::folder(name)
-}
 
 /// The program with the default answers to signals, whatever they are where the tests run: a shell's background job, or
 /// one under nohup, ignores some.

@@ -1,8 +1,9 @@
 //! The fretting tables of the book's page on accuracy: `cargo run --release --example accuracy_of_fretting`.
 
-use std::f64::consts::PI;
 #[path = "../tests/framed/mod.rs"]
 mod framed;
+
+use std::f64::consts::PI;
 
 use archard::body::{Material, contact_modulus};
 use archard::case::CaseFile;

@@ -15,7 +15,6 @@ mod tasks;
 mod verdict;
 
 use std::fs;
-use std::path::PathBuf;
 
 use archard::friction::FRICTION;
 use archard::wear::WEAR_LAWS;
@@ -23,10 +22,7 @@ use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use tempfile::TempDir;
 
-/// A published case.
-fn case(name: &str) -> PathBuf {
-    framed::folder(name)
-}
+use framed::folder as case;
 
 /// What the command does with these arguments in a folder.
 fn archard(dir: &TempDir, arguments: &[&str]) -> Assert {
