@@ -267,6 +267,37 @@ fn jumps_know_their_error() {
     }
 }
 
+/// So do a ball that slips at its edge, and one that slips in all of its contact: tractions remember what was before a jump,
+/// and the first cycle, which comes from the rest, is no measure of those that follow.
+#[test]
+fn jumps_over_what_sticks_know_their_error() {
+    for amplitude in ["1.023 um", "3 um"] {
+        let amplitude = format!("motion.fretting.amplitude=[\"{amplitude}\", \"0 um\"]");
+        let with = |stepping: &[&str]| {
+            let common = [
+                "frame.elements=[24, 24]",
+                "frame.size=[\"0.7 mm\", \"0.7 mm\"]",
+                "motion.fretting.cycles=240",
+                "body.ball.wear.archard.coefficient=1e-12 1/Pa",
+                "output=",
+                &amplitude,
+            ];
+            run("fretting_sphere", &[&common, stepping].concat())
+        };
+        let every = with(&["motion.fretting.tolerance=", "motion.fretting.jump=1"]);
+        for tolerance in ["0.03", "0.01", "0.003"] {
+            let rows = with(&[&format!("motion.fretting.tolerance={tolerance}")]);
+            for column in ["worn_volume_ball_m3", "wear_depth_ball_m"] {
+                let off = rows.last(column) / every.last(column) - 1.0;
+                let stated = rows.last("time_error");
+                println!("{amplitude} {tolerance} {column} {off:.1e} of {stated:.1e}");
+                // A run of every cycle lags by a part of one.
+                assert!(off.abs() < stated + 2e-4, "{amplitude} {tolerance} {column}: {off}");
+            }
+        }
+    }
+}
+
 /// Pairs that a jump brings into contact wear as their neighbours do, also where one of these had joined in the very
 /// cycle before: the pressures fall from output to output, as they do in every cycle.
 #[test]

@@ -15,6 +15,38 @@ use crate::problem::ContactProblem;
 use crate::simulation::evolution::{Evolution, Increment};
 use crate::simulation::{Effort, Error, Simulation};
 
+/// A part of a jump that an implicit solve stands for (cycles).
+#[derive(Clone, Copy)]
+struct Stage {
+    /// Where it is, behind the beginning of the jump.
+    at: f64,
+    /// Its weight in its own solve, and in the wear.
+    implicit: f64,
+    weight: f64,
+}
+
+/// Steps of second order that damp what is stiff and wear nothing backwards: two implicit stages, the last one at the end of
+/// the step (Alexander, SIAM J. Numer. Anal. 14 (1977), 1006, the method of two stages).
+const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
+/// A short step of one stage at the end of a jump, relative to the others. A pair that joins between the stages of a step
+/// wears in the last one only, under more than twice the pressure beside it; here that levels out.
+const LAST: f64 = 0.25;
+
+/// The stages of a jump over so many cycles in so many steps.
+fn stages(cycles: f64, steps: usize) -> impl Iterator<Item = Stage> {
+    let step = cycles / (steps as f64 + LAST);
+    let both = move |index: usize| {
+        let stage = |at: f64, weight: f64| Stage {
+            at: (index as f64 + at) * step,
+            implicit: GAMMA * step,
+            weight: weight * step,
+        };
+        [stage(GAMMA, 1.0 - GAMMA), stage(1.0, GAMMA)]
+    };
+    let last = Stage { at: cycles, implicit: LAST * step, weight: LAST * step };
+    (0..steps).flat_map(both).chain([last])
+}
+
 /// Wear a cycle as a function of the pressure at its most pressed instant.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Rate {
@@ -22,6 +54,8 @@ pub(super) struct Rate {
     /// The contact at the most pressed instant.
     reference: Evolution,
     control: Control,
+    /// The cycle, the first being 1.
+    cycle: usize,
     /// Ones where pairs in contact stuck throughout the cycle, zeros elsewhere.
     pub stuck: Vec<f64>,
 }
@@ -84,12 +118,13 @@ impl Wear {
 impl Rate {
     /// Of the cycle that shifted bodies have gone through, the most pressed instant of which is kept beside it.
     ///
-    /// `begun` holds the pressures (Pa) at its beginning where that is the same instant, one cycle earlier: a pair
-    /// that has joined since was rubbed for a part of the cycle only, and is given what its neighbours were.
+    /// `cycle` is its number, the first being 1. `begun` holds the pressures (Pa) at its beginning where that is the same
+    /// instant, one cycle earlier: a pair that has joined since was rubbed for a part of the cycle only, and is given what
+    /// its neighbours were.
     pub fn of(
         shifted: &Shifted,
         reference: Shifted,
-        begun: Option<&[f64]>,
+        (cycle, begun): (usize, Option<&[f64]>),
         control: Control,
         problem: &ContactProblem,
     ) -> Self {
@@ -138,14 +173,15 @@ impl Rate {
                 distance: shifted.rubbed.slip.clone(),
                 dissipated: shifted.rubbed.dissipated,
             },
+            cycle,
             stuck,
             reference: reference.evolution,
             control,
         }
     }
 
-    /// Wear after a number of cycles in a number of steps, while the rate goes evenly from this one to
-    /// another.
+    /// Wear after a number of cycles behind this one's in a number of steps, while the rate goes from this one to that of a
+    /// later cycle, evenly in the logarithm of the cycles.
     pub fn wear_on(
         &self,
         other: &Rate,
@@ -163,15 +199,20 @@ impl Rate {
         let mut wear = start.clone();
         let progress = evolution.state.progress;
         let increment = Increment { advance: 0.0, progress, control: self.control };
-        let length = cycles as f64 / steps as f64;
         let mut earlier: Option<Vec<f64>> = None;
-        for step in 0..steps {
-            let line = self.line.towards(&other.line, (step as f64 + 0.5) / steps as f64);
-            let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| length * (one + two));
+        // Rates are those of the middle of their cycles.
+        let [first, last] = [self, other].map(|rate| rate.cycle as f64 - 0.5);
+        let share = |passed: f64| match last > first {
+            true => (1.0 + (0.5 + passed) / first).ln() / (last / first).ln(),
+            false => 0.0,
+        };
+        for Stage { at, implicit, weight } in stages(cycles as f64, steps) {
+            let line = self.line.towards(&other.line, share(at));
+            let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| implicit * (one + two));
             let undeformed = evolution.undeformed_gap(problem);
             let gap = map(
                 [&undeformed, &line.gap_by_friction, &line.constant[0], &line.constant[1]],
-                |[gap, gap_by_friction, one, two]| gap + gap_by_friction + length * (one + two),
+                |[gap, gap_by_friction, one, two]| gap + gap_by_friction + implicit * (one + two),
             );
             if let Some(earlier) = earlier.replace(evolution.state.pressure.clone()) {
                 evolution.foresee(&earlier, problem);
@@ -188,7 +229,7 @@ impl Rate {
             for (body, worn) in evolution.state.worn.iter_mut().enumerate() {
                 let fields: [&[f64]; 3] = [&line.constant[body], &line.slope[body], pressure];
                 update(worn, fields, |worn, [constant, slope, pressure]| {
-                    worn + length * (constant + slope * pressure).max(0.0)
+                    worn + weight * (constant + slope * pressure).max(0.0)
                 });
             }
             let measure = problem.frame.measure();
@@ -196,10 +237,10 @@ impl Rate {
                 sum_with([measure.weight], [&line.slip, pressure], |[weight], [slip, p]| {
                     [weight * (slip * p)]
                 });
-            wear.load_distance += length * work * measure.area;
-            wear.dissipated += length * line.dissipated;
+            wear.load_distance += weight * work * measure.area;
+            wear.dissipated += weight * line.dissipated;
             for slid in wear.slid.iter_mut().filter(|slid| !slid.is_empty()) {
-                update(slid, [&line.distance], |slid, [distance]| slid + length * distance);
+                update(slid, [&line.distance], |slid, [distance]| slid + weight * distance);
             }
         }
         wear.worn = evolution.state.worn;
@@ -238,7 +279,28 @@ fn rubbed_throughout(pressure: &[f64], begun: Option<&[f64]>) -> Vec<bool> {
 
 #[cfg(test)]
 mod tests {
-    use super::rubbed_throughout;
+    use super::{rubbed_throughout, stages};
+
+    /// What decays at a rate, by stages as the wear of a jump takes them, is met to the second order, and a decay that is
+    /// much faster than the steps is over at the end.
+    #[test]
+    fn stages_are_of_the_second_order_and_damp() {
+        let left = |rate: f64, steps: usize| {
+            stages(3.0, steps).fold(1.0, |left: f64, stage| {
+                let slope = -rate * left / (1.0 + rate * stage.implicit);
+                left + stage.weight * slope
+            })
+        };
+        let error = |steps: usize| (left(0.5, steps) - (-1.5_f64).exp()).abs();
+        for steps in [4, 8, 16] {
+            let order = (error(steps) / error(2 * steps)).log2();
+            assert!((1.7..2.3).contains(&order), "{order}");
+        }
+        assert!(left(1e6, 1).abs() < 1e-5);
+        let total: f64 = stages(7.0, 3).map(|stage| stage.weight).sum();
+        assert!((total - 7.0).abs() < 1e-12);
+        assert_eq!(stages(7.0, 3).last().unwrap().at, 7.0);
+    }
 
     #[test]
     fn what_joined_in_the_cycle_is_not_known() {

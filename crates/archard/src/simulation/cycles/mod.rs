@@ -26,8 +26,8 @@ use shifted::Shifted;
 use solve::WarmStart;
 
 /// Steps within a jump of fixed length, and the fewest in others.
-const STEPS: usize = 8;
-const FEWEST_STEPS: usize = 2;
+const STEPS: usize = 4;
+const FEWEST_STEPS: usize = 1;
 
 /// A motion in increments.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -84,12 +84,14 @@ struct Foreseen {
     lag: f64,
 }
 
-/// A jump, the cycle behind it and the jump once more with what that cycle shows.
+/// A jump, the cycles behind it and the jump once more with what the last of them shows.
 struct Jumped {
     foreseen: Wear,
+    /// The wear at which the last cycle begins, less what the one before wore.
+    landed: Wear,
     corrected: Wear,
     next: Rate,
-    /// The states of the cycle.
+    /// The states of the last cycle.
     rows: Vec<Shown>,
     lag: f64,
 }
@@ -220,6 +222,10 @@ impl Cycles {
     /// Jumps towards the next output, so many cycles ahead, if jumps are asked for and a cycle shows the rate.
     fn jump_on(&mut self, setting: Setting<'_>, ahead: usize) -> Result<(), Error> {
         let Some(rate) = self.rate.take() else { return Ok(()) };
+        // The first cycle comes from the rest: what it rubs is not what the next ones do.
+        if self.position.done == 1 && !setting.shift.released {
+            return Ok(());
+        }
         match setting.simulation.schedule.stepping {
             Stepping::Jumps(every) => {
                 // Every so many cycles one is computed, and those that end at an output.
@@ -248,7 +254,7 @@ impl Cycles {
             let steps_before = self.effort.steps;
             let start = before.wear();
             let length = self.jump_control.jump(ahead);
-            let Jumped { foreseen, corrected, next, mut rows, lag } =
+            let Jumped { foreseen, landed, corrected, next, mut rows, lag } =
                 match self.jump_and_compute(setting, &rate, &start, length) {
                     Ok(jumped) => jumped,
                     // Too far on: shorter jumps are tried before the run is given up.
@@ -274,7 +280,7 @@ impl Cycles {
                 self.effort.rejected += 1;
                 continue;
             }
-            self.correct(&foreseen, &corrected, &mut rows);
+            self.correct(&landed, &corrected, &mut rows);
             self.effort.time_error = Some(self.jump_control.estimate(self.position.wear().total()));
             rows.iter_mut().for_each(|row| row.effort.time_error = self.effort.time_error);
             self.waiting = rows.into();
@@ -283,7 +289,7 @@ impl Cycles {
         }
     }
 
-    /// Jumps at a rate, goes through the cycle behind the jump, and takes the jump again with both rates.
+    /// Jumps at a rate, goes through the cycles behind the jump, and takes the jump again with both rates.
     fn jump_and_compute(
         &mut self,
         setting: Setting<'_>,
@@ -291,20 +297,36 @@ impl Cycles {
         start: &Wear,
         length: usize,
     ) -> Result<Jumped, Error> {
+        // Tractions remember what was before the jump: they settle in a first cycle behind it, which also tells most of how
+        // the rate has changed.
+        let settles = length > 1 && !setting.shift.released;
+        let length = length - usize::from(settles);
         let Foreseen { wear: foreseen, steps, lag } = self.foresee(setting, rate, start, length)?;
         self.land(setting, foreseen.clone(), length)?;
-        let mut rows = vec![];
-        let next = loop {
-            rows.push(self.increment(setting)?);
-            if let Some(next) = self.rate.take() {
-                break next;
-            }
-        };
+        let mut landed = foreseen.clone();
+        if settles {
+            let (settled, _) = self.cycle(setting)?;
+            landed = self.jump(setting, [rate, &settled], start, (length, steps))?;
+            self.correct(&foreseen, &landed, &mut []);
+            self.adapt(setting)?;
+        }
+        let (next, rows) = self.cycle(setting)?;
         let corrected = match length {
             0 => foreseen.clone(),
             _ => self.jump(setting, [rate, &next], start, (length, steps))?,
         };
-        Ok(Jumped { foreseen, corrected, next, rows, lag })
+        Ok(Jumped { foreseen, landed, corrected, next, rows, lag })
+    }
+
+    /// Goes through a cycle, which gives its rate of wear and the states in it.
+    fn cycle(&mut self, setting: Setting<'_>) -> Result<(Rate, Vec<Shown>), Error> {
+        let mut rows = vec![];
+        loop {
+            rows.push(self.increment(setting)?);
+            if let Some(rate) = self.rate.take() {
+                return Ok((rate, rows));
+            }
+        }
     }
 
     /// Begins a cycle.
@@ -361,7 +383,13 @@ impl Cycles {
                 let reference = open.reference.take().unwrap_or_else(|| shifted.clone());
                 let control = shift.cycle[shift.peak()].control;
                 let begun = open.begun.as_deref();
-                self.rate = Some(Rate::of(shifted, reference, begun, control, &simulation.problem));
+                self.rate = Some(Rate::of(
+                    shifted,
+                    reference,
+                    (*done, begun),
+                    control,
+                    &simulation.problem,
+                ));
             }
         } else {
             self.open = Some(open);
@@ -381,7 +409,7 @@ impl Cycles {
     }
 
     /// Wear after a jump at one rate, in as many steps as the tolerance asks for. The error that the steps make is
-    /// that by which half as many differ: implicit steps are of first order.
+    /// that by which half as many differ.
     fn foresee(
         &mut self,
         setting: Setting<'_>,
@@ -408,12 +436,15 @@ impl Cycles {
 
     /// Goes on by a jump, and brings pressures and tractions to the wear as it is then.
     fn land(&mut self, setting: Setting<'_>, wear: Wear, length: usize) -> Result<(), Error> {
-        let Setting { simulation, shift } = setting;
         self.position.done += length;
         self.position.take(wear);
-        let (Some(station), false) = (shift.cycle.last(), shift.released || length == 0) else {
-            return Ok(());
-        };
+        if length > 0 { self.adapt(setting) } else { Ok(()) }
+    }
+
+    /// Brings pressures and tractions to the wear, where they are those of the last cycle.
+    fn adapt(&mut self, setting: Setting<'_>) -> Result<(), Error> {
+        let Setting { simulation, shift } = setting;
+        let (Some(station), false) = (shift.cycle.last(), shift.released) else { return Ok(()) };
         let at = (setting.symmetric(*station), self.position.done as f64 * shift.period());
         self.position.shifted.solve_increment(simulation, at, None, &mut self.effort)?;
         Ok(())
