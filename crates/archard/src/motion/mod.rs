@@ -148,6 +148,11 @@ impl Motion {
         if let Self::Rolling(rolling) = self { Some(rolling) } else { None }
     }
 
+    /// The axis (0 or 1) along which it rolls; the first one for other motions.
+    pub fn axis(&self) -> usize {
+        self.rolling().map_or(0, |rolling| rolling.direction.axis)
+    }
+
     /// How the bodies are shifted against each other, if they are.
     pub fn shift(&self) -> Option<&Shift> {
         if let Self::Shift(shift) = self { Some(shift) } else { None }

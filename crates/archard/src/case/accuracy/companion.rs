@@ -155,7 +155,7 @@ impl Resolved {
             period: parts.motion.period(),
         };
         // Rolling errs by the elements along it.
-        let axis = parts.motion.rolling().map_or(0, |rolling| rolling.direction.axis);
+        let axis = parts.motion.axis();
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
