@@ -29,7 +29,7 @@ const ASKED_MORE: [(&str, &[&str]); 10] = [
     ("spence", &["0.1"]),
 ];
 
-/// Cases that are asked for less: three per cent take them six minutes of a processor and more.
+/// Cases that are asked for less: three per cent take them four to seven minutes of a processor.
 const LESS: [(&str, &str); 2] = [("fretting_sphere", "0.1"), ("orthotropic_fretting", "0.1")];
 
 /// Keys of a motion that an accuracy takes the place of.

@@ -29,7 +29,7 @@ struct Stage {
 /// the step (Alexander, SIAM J. Numer. Anal. 14 (1977), 1006, the method of two stages).
 const GAMMA: f64 = 1.0 - std::f64::consts::FRAC_1_SQRT_2;
 /// A short step of one stage at the end of a jump, relative to the others. A pair that joins between the stages of a step
-/// wears in the last one only, under more than twice the pressure beside it; here that levels out.
+/// wears in the last one only, under up to 1 / GAMMA times the pressure beside it; here that levels out.
 const LAST: f64 = 0.25;
 
 /// The stages of a jump over so many cycles in so many steps.
@@ -202,9 +202,12 @@ impl Rate {
         let mut earlier: Option<Vec<f64>> = None;
         // Rates are those of the middle of their cycles.
         let [first, last] = [self, other].map(|rate| rate.cycle as f64 - 0.5);
-        let share = |passed: f64| match last > first {
-            true => (1.0 + (0.5 + passed) / first).ln() / (last / first).ln(),
-            false => 0.0,
+        let share = |passed: f64| {
+            if last > first {
+                (1.0 + (0.5 + passed) / first).ln() / (last / first).ln()
+            } else {
+                0.0
+            }
         };
         for Stage { at, implicit, weight } in stages(cycles as f64, steps) {
             let line = self.line.towards(&other.line, share(at));

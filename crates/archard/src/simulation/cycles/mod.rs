@@ -242,7 +242,7 @@ impl Cycles {
         }
     }
 
-    /// Jumps over cycles whose number is chosen by the error they make, and goes through the one behind.
+    /// Jumps over cycles whose number is chosen by the error they make, and goes through those behind.
     fn jump_by_error(
         &mut self,
         setting: Setting<'_>,
@@ -305,8 +305,8 @@ impl Cycles {
         self.land(setting, foreseen.clone(), length)?;
         let mut landed = foreseen.clone();
         if settles {
-            let (settled, _) = self.cycle(setting)?;
-            landed = self.jump(setting, [rate, &settled], start, (length, steps))?;
+            let (settling, _) = self.cycle(setting)?;
+            landed = self.jump(setting, [rate, &settling], start, (length, steps))?;
             self.correct(&foreseen, &landed, &mut []);
             self.adapt(setting)?;
         }
