@@ -50,9 +50,20 @@ pub(super) fn cell(corners: usize) -> u8 {
 }
 
 /// Arrays on their way into a file.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Writer {
     appended: Vec<u8>,
+    /// The bytes of the array that is taken up.
+    raw: Vec<u8>,
+    /// Packs one array after another: to set up its tables takes longer than to pack a small one.
+    encoder: ZlibEncoder<Vec<u8>>,
+}
+
+impl Default for Writer {
+    fn default() -> Self {
+        let encoder = ZlibEncoder::new(vec![], Compression::fast());
+        Self { appended: vec![], raw: vec![], encoder }
+    }
 }
 
 impl Writer {
@@ -63,17 +74,15 @@ impl Writer {
         name: &str,
         values: impl Iterator<Item = [u8; N]>,
     ) -> io::Result<String> {
-        let mut raw = Vec::with_capacity(N * values.size_hint().0);
-        values.for_each(|value| raw.extend(value));
-        let mut encoder = ZlibEncoder::new(vec![0; HEADER], Compression::fast());
-        encoder.write_all(&raw)?;
-        let mut array = encoder.finish()?;
-        let sizes = [1, raw.len(), 0, array.len() - HEADER];
-        for (place, size) in array.chunks_exact_mut(8).zip(sizes) {
-            place.copy_from_slice(&(size as u64).to_le_bytes());
-        }
+        self.raw.clear();
+        values.for_each(|value| self.raw.extend(value));
+        self.encoder.write_all(&self.raw)?;
+        let packed = self.encoder.reset(vec![])?;
         let (name, offset) = (escape(name), self.appended.len());
-        self.appended.append(&mut array);
+        for size in [1, self.raw.len(), 0, packed.len()] {
+            self.appended.extend((size as u64).to_le_bytes());
+        }
+        self.appended.extend(packed);
         Ok(format!(
             "{ARRAY}type=\"{kind}\" Name=\"{name}\"{shape} format=\"appended\" offset=\"{offset}\"/>"
         ))
