@@ -21,7 +21,9 @@ const SECOND: f64 = 2.0;
 const STATED: f64 = 1.5;
 /// Error of a jump that is kept at most, relative to the tolerance.
 const SPARE: f64 = 3.0;
-/// Error that the steps within a jump may make, relative to the tolerance.
+/// Error that a jump which wears little aims at, relative to all wear so far and to the tolerance.
+const REST: f64 = 0.02;
+/// Error that the steps within a jump may make, relative to what the jump aims at.
 const LAG: f64 = 0.2;
 /// Most steps within a jump.
 const MOST_STEPS: usize = 64;
@@ -68,9 +70,16 @@ impl JumpControl {
         (cycles.round() as usize).clamp(1, ahead.max(1)) - 1
     }
 
-    /// Whether so many steps within a jump, which make that error relative to the wear made, are enough.
-    pub fn resolves(&self, lag: f64, steps: usize) -> bool {
-        lag <= LAG * self.tolerance || steps >= MOST_STEPS
+    /// Whether so many steps within a jump, which make that error relative to the wear made, are enough. The 2-norms over the
+    /// pairs of the wear made and of all wear so far (m) are given.
+    pub fn resolves(&self, lag: f64, steps: usize, [made, worn]: [f64; 2]) -> bool {
+        lag <= LAG * self.aim(made, worn) || steps >= MOST_STEPS
+    }
+
+    /// The error that a jump aims at, relative to the wear it makes.
+    fn aim(&self, made: f64, worn: f64) -> f64 {
+        let rest = if made > 0.0 { REST * worn / made } else { 1.0 };
+        self.tolerance * rest.max(1.0)
     }
 
     /// Makes the next jump shorter than one that could not be carried through.
@@ -89,12 +98,13 @@ impl JumpControl {
             .map(|part| if made > 0.0 { part / made } else { 0.0 });
         let uneven = unevenness(done, length) * even;
         let error = SECOND * even * even + uneven + 0.5 * flipped + lag;
-        let change = (AIM * (self.tolerance / error).sqrt()).clamp(CHANGE.0, CHANGE.1);
+        let aim = self.aim(made, worn);
+        let change = (AIM * (aim / error).sqrt()).clamp(CHANGE.0, CHANGE.1);
         // A turn is met as closely as the tolerance resolves the cycles so far.
         let overrun = turned && length > 1 && length as f64 > self.tolerance * done as f64;
         let total = self.error + made * error;
-        // One jump may do worse where those before it did better.
-        let spare = error <= SPARE * self.tolerance && total <= self.tolerance * worn;
+        // One jump may do worse where those before it did better, or where it adds little.
+        let spare = error <= SPARE * aim && total <= self.tolerance * worn;
         if (error > self.tolerance && !spare) || overrun {
             let shorter = 1.0 + length as f64 * change.min(0.5);
             self.cycles = if length == 1 { 1.0 } else { shorter.max(2.0) };
@@ -196,12 +206,13 @@ mod tests {
             JumpControl::new(0.01).judge(Tried { lag, off: 0.0, length: 4, worn, ..GOOD })
         };
         assert!(accepts(0.009, 1.0) && !accepts(0.02, 1.0));
-        assert!(accepts(0.02, 3.0) && !accepts(0.04, 100.0));
+        assert!(accepts(0.02, 3.0) && !accepts(0.04, 30.0) && accepts(0.04, 100.0));
         let jump_control = JumpControl::new(0.01);
         assert!(
-            jump_control.resolves(0.001, 2)
-                && !jump_control.resolves(0.01, 2)
-                && jump_control.resolves(0.01, 64)
+            jump_control.resolves(0.001, 2, [1.0, 1.0])
+                && !jump_control.resolves(0.01, 2, [1.0, 1.0])
+                && jump_control.resolves(0.01, 64, [1.0, 1.0])
+                && jump_control.resolves(0.01, 2, [1e-3, 1.0])
         );
     }
 

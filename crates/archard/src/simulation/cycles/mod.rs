@@ -427,7 +427,7 @@ impl Cycles {
             let wear = self.jump(setting, [rate, rate], start, (length, steps))?;
             let made = wear.norm_since(start);
             let lag = if made > 0.0 { wear.norm_since(&coarse) / made } else { 0.0 };
-            if self.jump_control.resolves(lag, steps) {
+            if self.jump_control.resolves(lag, steps, [made, wear.total()]) {
                 return Ok(Foreseen { wear, steps, lag });
             }
             coarse = wear;
