@@ -17,9 +17,9 @@ use crate::common::{STEEL, case, states};
 fn rates(elements: usize) -> [(f64, f64); 3] {
     const STEPS: usize = 10;
     let case_file = include_str!("../../../../cases/running_in_flat_punch/case.toml");
-    let elements = format!("frame.elements=[{elements}, {elements}]");
+    let elements = format!("frame={{size=[2.2 mm, 2.2 mm], elements=[{elements}, {elements}]}}");
     let steps = ["motion.sliding.distance=20 mm", "motion.sliding.step=2 mm"];
-    let simulation = case(case_file, &[&[&*elements, "output="], &steps[..]].concat());
+    let simulation = case(case_file, &[&["accuracy=", &*elements, "output="], &steps[..]].concat());
     let frame = &simulation.problem.frame;
     let states = states(&simulation).expect("it converges");
     let pairs: Vec<usize> = (0..frame.len()).filter(|&pair| frame.gap()[pair] == 0.0).collect();
@@ -59,7 +59,15 @@ fn pressures_even_out_at_the_rates_of_the_modes() {
 #[test]
 fn a_punch_that_has_run_in_presses_evenly() {
     let case_file = include_str!("../../../../cases/running_in_flat_punch/case.toml");
-    let simulation = case(case_file, &["frame.elements=[32, 32]", "output="]);
+    let simulation = case(
+        case_file,
+        &[
+            "accuracy=",
+            "frame={size=[2.2 mm, 2.2 mm], elements=[32, 32]}",
+            "motion.sliding.step=1 mm",
+            "output=",
+        ],
+    );
     let frame = &simulation.problem.frame;
     let states = states(&simulation).expect("it converges");
     let state = &states.last().expect("a state").0;
