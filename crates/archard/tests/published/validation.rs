@@ -51,9 +51,10 @@ impl Line {
             off if off.abs() < 0.5 * SMALL => NOTHING.to_owned(),
             off => format!("{:+.2} %", 100.0 * off),
         };
+        let bound = 100.0 * self.expected.within;
         // What binary fractions leave in the last digits is no part of it.
-        let bound = (1e10 * self.expected.within).round() / 1e8;
-        let bound = if bound < 0.01 { format!("{bound:.0e}") } else { format!("{bound}") };
+        let rounded = (1e8 * bound).round() / 1e8;
+        let bound = if bound < 0.01 { format!("{bound:.0e}") } else { format!("{rounded}") };
         format!("| {} | {off} | {bound} % |", self.key())
     }
 }
