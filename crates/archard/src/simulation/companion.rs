@@ -347,8 +347,29 @@ mod tests {
         );
     }
 
+    /// What lies farther ahead than twice the progress says nothing of it.
+    #[test]
+    fn what_comes_late_is_no_error_of_what_was_before() {
+        let late = |n: f64| {
+            let mut rows = depths(n);
+            let off = 1.0 + 1.0 / n;
+            rows.iter_mut().filter(|row| row[0].1 > 100.0).for_each(|row| row[1].1 *= off);
+            rows
+        };
+        let kind = Kind { order: 2.0, slips_partly: false, period: None };
+        let companion = Companion::new([late(12.0), late(6.0)], [24.0, 12.0, 6.0], kind, 0.01);
+        let error = |place: usize| companion.worst(&depths(24.0)[place], Part::Foreseen);
+        assert_relative_eq!(error(7), 1.5 * 3.0 / (24.0 * 24.0), max_relative = 0.03);
+        assert!(error(8) > 2.0 * error(7), "{} and {}", error(8), error(7));
+    }
+
     /// A force that turns within each cycle, of which some are computed, in five increments.
     fn forces(n: f64, cycles: &[u32]) -> Vec<Row> {
+        forces_in(5, n, cycles)
+    }
+
+    /// The same in so many increments.
+    fn forces_in(count: u32, n: f64, cycles: &[u32]) -> Vec<Row> {
         let row = |at: f64| {
             let force =
                 (20.0 - 1e-3 * at) * (1.0 + 1.0 / (n * n)) * (std::f64::consts::TAU * at).sin();
@@ -358,7 +379,8 @@ mod tests {
                 ("force_x_N".to_owned(), force),
             ]
         };
-        let within = |cycle: u32| (1..=5).map(move |i| f64::from(cycle - 1) + 0.2 * f64::from(i));
+        let part = move |i: u32| f64::from(i) / f64::from(count);
+        let within = |cycle: u32| (1..=count).map(move |i| f64::from(cycle - 1) + part(i));
         [0.0].into_iter().chain(cycles.iter().copied().flat_map(within)).map(row).collect()
     }
 
@@ -375,5 +397,20 @@ mod tests {
         }
         let row = &forces(24.0, &[1000])[1];
         assert_relative_eq!(companion.worst(row, Part::Foreseen), error, max_relative = 0.1);
+    }
+
+    /// Other increments of the same cycles are compared where both have them, not with what lies between.
+    #[test]
+    fn increments_between_those_of_the_other_are_no_difference() {
+        let cycles = [1, 400, 1000];
+        let [few, more] = [15, 20].map(|count| forces_in(count, 6.0, &cycles));
+        let kind = Kind { order: 2.0, slips_partly: false, period: Some(1.0) };
+        let grids = [forces_in(20, 12.0, &cycles), more];
+        let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
+        let companion = companion.with_increments(few, [20, 15]);
+        for row in &forces_in(20, 24.0, &cycles)[1..] {
+            let found = companion.worst(row, Part::Increments);
+            assert!(found < 1e-9, "{found} at {}", row[0].1);
+        }
     }
 }
