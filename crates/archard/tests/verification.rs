@@ -5,6 +5,7 @@ mod framed;
 
 mod verification {
     mod accuracy;
+    mod accuracy_of_edges;
     mod cattaneo_mindlin;
     mod chosen_frames;
     mod compliance;

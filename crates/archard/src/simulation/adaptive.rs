@@ -31,7 +31,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::companion::OF_STEPS;
+use super::companion::{OF_STEPS, OF_SWINGS};
 use super::evolution::{Evolution, Increment};
 use super::wider::widened;
 use super::{Effort, Error, Simulation};
@@ -65,6 +65,8 @@ const EARLY: f64 = 0.1;
 const LAG: f64 = 1.4;
 /// Lag of the pressure at the centre, relative, from which on an edge is thought to pass there.
 const EDGE: f64 = 0.1;
+/// The least of it on a surface that swings, where pressures ripple.
+const RIPPLING: f64 = 0.25;
 /// Bounds on the change of the step from one to the next.
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Bounds on what of it follows the trend of the steps before.
@@ -97,6 +99,8 @@ pub(super) struct Adaptive {
     /// Errors of the deepest wear by truncation and by ripples (m), the largest estimates so far.
     truncation: f64,
     ripple: f64,
+    /// The largest relative lag of the pressure so far, each lowered to the share of the progress at which it was.
+    lag: f64,
 }
 
 /// A step of both histories, before it is accepted.
@@ -231,6 +235,7 @@ impl Adaptive {
             last: None,
             truncation: 0.0,
             ripple: 0.0,
+            lag: 0.0,
         })
     }
 
@@ -383,8 +388,12 @@ impl Adaptive {
         let relative = |error: f64| if trial.depth > 0.0 { error / trial.depth } else { 0.0 };
         let stated = |factor: f64| Some(relative(self.ripple.max(factor * self.truncation)));
         effort.time_error = stated(if slides { STATED } else { 1.0 });
-        effort.enclosing = stated(if slides { STATED } else { OF_STEPS });
-        effort.pressure_error = Some(trial.lag);
+        let enclosing = if self.swung.is_some() { OF_SWINGS } else { OF_STEPS };
+        effort.enclosing = stated(if slides { STATED } else { enclosing });
+        // Pressures on a surface that swings ripple with its positions: both histories may agree at a step.
+        let faded = self.fine.state.progress / trial.fine.state.progress;
+        self.lag = trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt());
+        effort.pressure_error = Some(if self.swung.is_some() { self.lag } else { trial.lag });
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
             raise(shown, worn, weight);
         }

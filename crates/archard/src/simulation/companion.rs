@@ -12,20 +12,38 @@ use super::history::{self, Row, number};
 /// order shows late.
 const AS_A_RULE: f64 = 1.5;
 const OF_FRICTION: f64 = 4.5;
+/// The same under the edge of a body, which is a staircase of elements besides.
+const OF_EDGED: f64 = 2.0;
 /// Factor on the estimated error by the steps, unless that is known to enclose the true one: it may be half of that in the first
 /// revolutions of twin discs (`tests/verification/accuracy.rs`).
 pub(super) const OF_STEPS: f64 = 3.0;
+/// The same where a surface swings: it was up to a third of the true one on slender contacts.
+pub(super) const OF_SWINGS: f64 = 4.0;
 /// The same on the lag of the pressures, which was the true one there or more.
 pub(super) const OF_LAG: f64 = 1.5;
+/// How much more that is for the peak on a surface that swings, which stands on single elements.
+pub(super) const OF_LAGGING_PEAK: f64 = 3.0;
 /// The same on the lag that is taken off the pressure at the centre: what was left was up to 0.15 of it there.
 pub(super) const OF_CENTRE: f64 = 0.3;
+/// How much more that is where laws go by what was before.
+pub(super) const OF_MEMORY: f64 = 2.0;
 /// The least relative error of forces and creepages where bodies roll, times the square of the number of elements along the frame: the
 /// edge of slip falls anywhere within an element, and what grids differ by may be nothing.
 const OF_EDGES: f64 = 10.0;
 /// Forces and creepages that differ by less, relative, are what was prescribed or what friction bears at most.
 pub(super) const PRESCRIBED: f64 = 1e-6;
-/// The factor on counted areas, which err by the elements along their rim.
+/// The factor on counted areas, which err by the elements along their rim, and on peak pressures, which stand at the rim where
+/// bodies wear; there they stand on single elements where cycles move it to and fro.
 const OF_AREAS: f64 = 3.0;
+const OF_PEAKS: [f64; 2] = [1.0, 3.0];
+/// The least error of counted areas, relative to the contact's and to a power of the number of elements along the frame: a rim
+/// falls anywhere within an element, at both ends of a line of contact and all around others.
+const OF_RIMS: [(f64, f64); 2] = [(2.0, 1.0), (2.0, 1.5)];
+/// How much more that is for areas that stick. None that sticks may be one that the elements do not see.
+const OF_STICK: f64 = 2.0;
+/// The least relative error of pressures, times the square of the number of elements along the frame: both ends of a line
+/// of contact may fall into elements alike.
+const OF_PRESSURES: f64 = 2.0;
 /// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
 const OF_LOAD: f64 = 0.01;
 const LEAST_CREEPAGE: f64 = 1e-5;
@@ -42,8 +60,10 @@ pub struct Companion {
     /// Runs on fewer elements and on fewer still.
     grids: Pair,
     factor: f64,
-    /// The least relative error of forces and creepages.
+    /// The least relative errors of forces and creepages, of pressures, and of areas (of the contact's).
     of_edges: f64,
+    of_pressures: f64,
+    of_rims: f64,
     increments: Option<Increments>,
     /// The relative error that is asked for.
     pub asked: f64,
@@ -64,6 +84,8 @@ pub struct Kind {
     pub order: f64,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
+    /// Whether bodies touch along a line, in plane strain.
+    pub line: bool,
     /// The period of cycles, which tangential forces are relative to (the motion's own unit).
     pub period: Option<f64>,
 }
@@ -84,18 +106,26 @@ impl Companion {
     pub fn new(
         rows: [Vec<Row>; 2],
         [own, half, quarter]: [f64; 3],
-        Kind { order, slips_partly, period }: Kind,
+        Kind { order, slips_partly, line, period }: Kind,
         asked: f64,
     ) -> Self {
         let error = |elements: f64| elements.powf(-order);
         let lowered = (error(half) - error(own)) / (error(quarter) - error(half));
         let lowered = if lowered.is_finite() { lowered } else { 1.0 };
         let late = slips_partly && order >= 2.0;
-        let factor = if late { OF_FRICTION } else { AS_A_RULE };
+        let edged = order < 2.0 && period.is_none();
+        let factor = match (late, edged) {
+            (true, _) => OF_FRICTION,
+            (_, true) => OF_EDGED,
+            _ => AS_A_RULE,
+        };
         let factor = factor * error(own) / (error(half) - error(own));
         let grids = Pair::new(rows, lowered, period, false);
         let of_edges = if late { OF_EDGES * error(own) } else { 0.0 };
-        Self { grids, factor, of_edges, increments: None, asked }
+        let of_pressures = OF_PRESSURES / (own * own);
+        let (times, power) = OF_RIMS[usize::from(!line)];
+        let of_rims = times * own.powf(-power);
+        Self { grids, factor, of_edges, of_pressures, of_rims, increments: None, asked }
     }
 
     /// The same where cycles are divided into so many increments, and a run on the fewest elements into fewer.
@@ -112,7 +142,7 @@ impl Companion {
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let difference = (value - self.grids.at(0, self.grids.column(column)?, progress)).abs();
         let foreseen = self.grids.difference(column, progress)?;
-        Some(self.enclosing(column, value, difference.max(foreseen)))
+        Some(self.enclosing(column, (progress, value), difference.max(foreseen)))
     }
 
     /// The error (in its unit) in a column at some progress by the increments of the cycles; `None` where there are none.
@@ -147,7 +177,8 @@ impl Companion {
             };
             let error = match part {
                 Part::Foreseen => {
-                    self.enclosing(name, *value, self.grids.difference(name, progress)?)
+                    let difference = self.grids.difference(name, progress)?;
+                    self.enclosing(name, (progress, *value), difference)
                 }
                 Part::Elements => self.error(name, progress, *value)?,
                 Part::Increments => self.by_increments(name, progress)?,
@@ -175,16 +206,46 @@ impl Companion {
         cycle.chain([of(row)]).fold(least, f64::max)
     }
 
-    /// The error (in its unit) of a value that a difference tells.
-    fn enclosing(&self, column: &str, value: f64, difference: f64) -> f64 {
+    /// The error (in its unit) of a value at some progress that a difference tells, or the least there is.
+    fn enclosing(&self, column: &str, (progress, value): (f64, f64), difference: f64) -> f64 {
         let told = self.factor(column) * difference;
-        let by_edges = [history::FORCE, history::CREEPAGE].as_flattened().contains(&column);
-        let found = told > PRESCRIBED * value.abs();
-        if by_edges && found { told.max(self.of_edges * value.abs()) } else { told }
+        let differs = |told: f64, value: f64| told > PRESCRIBED * value.abs();
+        let least = match column {
+            history::CONTACT_AREA => self.of_rims * value,
+            history::STICK_AREA => {
+                let contact = self.grids.column(history::CONTACT_AREA);
+                let contact = contact.map(|contact| self.grids.at(0, contact, progress));
+                OF_STICK * self.of_rims * contact.unwrap_or(value)
+            }
+            history::PEAK_PRESSURE | history::CENTRE_PRESSURE => self.of_pressures * value.abs(),
+            _ if history::CREEPAGE.contains(&column) && differs(told, value) => {
+                self.of_edges * value.abs()
+            }
+            _ if history::FORCE.contains(&column) || column == history::FRICTIONAL_POWER => {
+                // What no grid changes is given, where creepages follow from it, or all that friction bears: then what
+                // still sticks may be too narrow for the elements.
+                let follows = |name: &&str| {
+                    let creepage = self.grids.column(name);
+                    let creepage = creepage.map_or(0.0, |one| self.grids.at(0, one, progress));
+                    let difference = self.grids.difference(name, progress).unwrap_or_default();
+                    differs(difference, creepage)
+                };
+                let given = !differs(told, value) && history::CREEPAGE.iter().any(follows);
+                if given { 0.0 } else { self.of_edges * value.abs() }
+            }
+            _ => 0.0,
+        };
+        told.max(least)
     }
 
     fn factor(&self, column: &str) -> f64 {
-        if column.contains("_area_") { OF_AREAS } else { self.factor }
+        match column {
+            history::PEAK_PRESSURE => {
+                self.factor.max(OF_PEAKS[usize::from(self.grids.period.is_some())])
+            }
+            column if column.contains("_area_") => OF_AREAS,
+            _ => self.factor,
+        }
     }
 }
 
@@ -325,7 +386,7 @@ mod tests {
         let companion = Companion::new(
             [depths(12.0), depths(6.0)],
             [24.0, 12.0, 6.0],
-            Kind { order: 2.0, slips_partly: false, period: None },
+            Kind { order: 2.0, slips_partly: false, line: false, period: None },
             0.01,
         );
         let truth = 7.0;
@@ -356,7 +417,7 @@ mod tests {
             rows.iter_mut().filter(|row| row[0].1 > 100.0).for_each(|row| row[1].1 *= off);
             rows
         };
-        let kind = Kind { order: 2.0, slips_partly: false, period: None };
+        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: None };
         let companion = Companion::new([late(12.0), late(6.0)], [24.0, 12.0, 6.0], kind, 0.01);
         let error = |place: usize| companion.worst(&depths(24.0)[place], Part::Foreseen);
         assert_relative_eq!(error(7), 1.5 * 3.0 / (24.0 * 24.0), max_relative = 0.03);
@@ -388,7 +449,7 @@ mod tests {
     #[test]
     fn jumps_over_other_cycles_are_no_difference() {
         let grids = [forces(12.0, &[1, 400, 1000, 1600]), forces(6.0, &[1, 300, 900, 1000, 1600])];
-        let kind = Kind { order: 2.0, slips_partly: false, period: Some(1.0) };
+        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: Some(1.0) };
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let error = 1.5 / (24.0 * 24.0);
         for row in forces(24.0, &[200, 500, 1000, 1600]).split_off(1) {
@@ -404,7 +465,7 @@ mod tests {
     fn increments_between_those_of_the_other_are_no_difference() {
         let cycles = [1, 400, 1000];
         let [few, more] = [15, 20].map(|count| forces_in(count, 6.0, &cycles));
-        let kind = Kind { order: 2.0, slips_partly: false, period: Some(1.0) };
+        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: Some(1.0) };
         let grids = [forces_in(20, 12.0, &cycles), more];
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let companion = companion.with_increments(few, [20, 15]);

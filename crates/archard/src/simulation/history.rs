@@ -3,7 +3,9 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{Companion, OF_CENTRE, OF_LAG, PRESCRIBED, Part};
+use super::companion::{
+    Companion, OF_CENTRE, OF_LAG, OF_LAGGING_PEAK, OF_MEMORY, PRESCRIBED, Part,
+};
 use super::scar::{scar, track_width};
 use super::{Effort, Report};
 use crate::body::Body;
@@ -260,7 +262,13 @@ fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
             && space.is_some_and(|space| space <= PRESCRIBED * value.abs());
         let by_steps = match name.as_str() {
             _ if given => 0.0,
-            CENTRE_PRESSURE if centre_lag != 0.0 => OF_CENTRE * centre_lag.abs(),
+            CENTRE_PRESSURE if centre_lag != 0.0 => {
+                let remembered = if report.problem.remembers() { OF_MEMORY } else { 1.0 };
+                remembered * OF_CENTRE * centre_lag.abs()
+            }
+            PEAK_PRESSURE if report.state.swung.is_some() => {
+                OF_LAGGING_PEAK * relative * value.abs()
+            }
             _ => relative * value.abs(),
         };
         let by_increments = companion.by_increments(name, report.state.progress);

@@ -32,4 +32,8 @@ impl Profile for FlatEnd {
     fn recess(&self, x: f64, y: f64) -> f64 {
         if x.hypot(y) <= self.radius { 0.0 } else { self.radius }
     }
+
+    fn has_edge(&self) -> bool {
+        true
+    }
 }

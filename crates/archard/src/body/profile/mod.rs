@@ -46,6 +46,11 @@ pub trait Profile: Debug + Send + Sync {
         [&[]; 2]
     }
 
+    /// Whether the surface ends in an edge, on which the unworn pressure has no bound.
+    fn has_edge(&self) -> bool {
+        false
+    }
+
     /// Curvatures (1/m) along x and y at the centre, where the shape is smooth and has them;
     /// estimates before a run use them.
     fn curvatures(&self) -> Option<[f64; 2]> {

@@ -152,6 +152,7 @@ impl Resolved {
         let kind = Kind {
             order: order(&parts),
             slips_partly: slips_partly(&parts),
+            line: self.case.frame.line,
             period: parts.motion.period(),
         };
         // Rolling errs by the elements along it.

@@ -76,7 +76,9 @@ impl Resolved {
 
 /// The order of the error of a case in the size of its elements.
 pub(super) fn order(parts: &Parts<'_>) -> f64 {
-    if parts.motion.period().is_some() && parts.friction.is_some() { 1.0 } else { 2.0 }
+    let has_edge = parts.bodies.iter().any(|body| body.profile.has_edge());
+    let frets = parts.motion.period().is_some() && parts.friction.is_some();
+    if has_edge || frets { 1.0 } else { 2.0 }
 }
 
 /// Whether friction decides what slips.
