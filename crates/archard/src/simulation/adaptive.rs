@@ -65,7 +65,7 @@ const EARLY: f64 = 0.1;
 const LAG: f64 = 1.4;
 /// Lag of the pressure at the centre, relative, from which on an edge is thought to pass there.
 const EDGE: f64 = 0.1;
-/// The least of it on a surface that swings, where pressures ripple.
+/// Least lag on a surface that swings, where pressures ripple, relative to the root of the tolerance.
 const RIPPLING: f64 = 0.25;
 /// Bounds on the change of the step from one to the next.
 const CHANGE: (f64, f64) = (0.2, 2.0);

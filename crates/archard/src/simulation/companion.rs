@@ -7,6 +7,7 @@
 //! and as large as it where it is one.
 
 use super::history::{self, Row, number};
+use super::least_error::{LeastError, is_tangential};
 
 /// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
 /// order shows late.
@@ -27,23 +28,12 @@ pub(super) const OF_LAGGING_PEAK: f64 = 3.0;
 pub(super) const OF_CENTRE: f64 = 0.3;
 /// How much more that is where laws go by what was before.
 pub(super) const OF_MEMORY: f64 = 2.0;
-/// The least relative error of forces and creepages where bodies roll, times the square of the number of elements along the frame: the
-/// edge of slip falls anywhere within an element, and what grids differ by may be nothing.
-const OF_EDGES: f64 = 10.0;
 /// Forces and creepages that differ by less, relative, are what was prescribed or what friction bears at most.
 pub(super) const PRESCRIBED: f64 = 1e-6;
 /// The factor on counted areas, which err by the elements along their rim, and on peak pressures, which stand at the rim where
 /// bodies wear; there they stand on single elements where cycles move it to and fro.
 const OF_AREAS: f64 = 3.0;
 const OF_PEAKS: [f64; 2] = [1.0, 3.0];
-/// The least error of counted areas, relative to the contact's and to a power of the number of elements along the frame: a rim
-/// falls anywhere within an element, at both ends of a line of contact and all around others.
-const OF_RIMS: [(f64, f64); 2] = [(2.0, 1.0), (2.0, 1.5)];
-/// How much more that is for areas that stick. None that sticks may be one that the elements do not see.
-const OF_STICK: f64 = 2.0;
-/// The least relative error of pressures, times the square of the number of elements along the frame: both ends of a line
-/// of contact may fall into elements alike.
-const OF_PRESSURES: f64 = 2.0;
 /// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
 const OF_LOAD: f64 = 0.01;
 const LEAST_CREEPAGE: f64 = 1e-5;
@@ -60,10 +50,7 @@ pub struct Companion {
     /// Runs on fewer elements and on fewer still.
     grids: Pair,
     factor: f64,
-    /// The least relative errors of forces and creepages, of pressures, and of areas (of the contact's).
-    of_edges: f64,
-    of_pressures: f64,
-    of_rims: f64,
+    least: LeastError,
     increments: Option<Increments>,
     /// The relative error that is asked for.
     pub asked: f64,
@@ -121,11 +108,8 @@ impl Companion {
         };
         let factor = factor * error(own) / (error(half) - error(own));
         let grids = Pair::new(rows, lowered, period, false);
-        let of_edges = if late { OF_EDGES * error(own) } else { 0.0 };
-        let of_pressures = OF_PRESSURES / (own * own);
-        let (times, power) = OF_RIMS[usize::from(!line)];
-        let of_rims = times * own.powf(-power);
-        Self { grids, factor, of_edges, of_pressures, of_rims, increments: None, asked }
+        let least = LeastError::new(own, late, line);
+        Self { grids, factor, least, increments: None, asked }
     }
 
     /// The same where cycles are divided into so many increments, and a run on the fewest elements into fewer.
@@ -209,33 +193,25 @@ impl Companion {
     /// The error (in its unit) of a value at some progress that a difference tells, or the least there is.
     fn enclosing(&self, column: &str, (progress, value): (f64, f64), difference: f64) -> f64 {
         let told = self.factor(column) * difference;
-        let differs = |told: f64, value: f64| told > PRESCRIBED * value.abs();
-        let least = match column {
-            history::CONTACT_AREA => self.of_rims * value,
-            history::STICK_AREA => {
-                let contact = self.grids.column(history::CONTACT_AREA);
-                let contact = contact.map(|contact| self.grids.at(0, contact, progress));
-                OF_STICK * self.of_rims * contact.unwrap_or(value)
-            }
-            history::PEAK_PRESSURE | history::CENTRE_PRESSURE => self.of_pressures * value.abs(),
-            _ if history::CREEPAGE.contains(&column) && differs(told, value) => {
-                self.of_edges * value.abs()
-            }
-            _ if history::FORCE.contains(&column) || column == history::FRICTIONAL_POWER => {
-                // What no grid changes is given, where creepages follow from it, or all that friction bears: then what
-                // still sticks may be too narrow for the elements.
-                let follows = |name: &&str| {
-                    let creepage = self.grids.column(name);
-                    let creepage = creepage.map_or(0.0, |one| self.grids.at(0, one, progress));
-                    let difference = self.grids.difference(name, progress).unwrap_or_default();
-                    differs(difference, creepage)
-                };
-                let given = !differs(told, value) && history::CREEPAGE.iter().any(follows);
-                if given { 0.0 } else { self.of_edges * value.abs() }
-            }
-            _ => 0.0,
+        if told <= PRESCRIBED * value.abs() && self.is_given(column, progress) {
+            return told;
+        }
+        let contact = self.grids.column(history::CONTACT_AREA);
+        let contact = contact.map_or(0.0, |contact| self.grids.at(0, contact, progress));
+        told.max(self.least.of(column, value, contact))
+    }
+
+    /// Whether a column that no grid changes is what was prescribed: creepages, or forces that creepages follow from. Other forces
+    /// are all that friction bears then, as far as the elements see.
+    fn is_given(&self, column: &str, progress: f64) -> bool {
+        let follows = |name: &&str| {
+            let creepage = self.grids.column(name);
+            let creepage = creepage.map_or(0.0, |creepage| self.grids.at(0, creepage, progress));
+            let difference = self.grids.difference(name, progress).unwrap_or_default();
+            difference > PRESCRIBED * creepage.abs()
         };
-        told.max(least)
+        history::CREEPAGE.contains(&column)
+            || is_tangential(column) && history::CREEPAGE.iter().any(follows)
     }
 
     fn factor(&self, column: &str) -> f64 {

@@ -10,6 +10,7 @@ mod cycles;
 mod evolution;
 mod friction;
 pub mod history;
+mod least_error;
 mod march;
 mod passing;
 mod rolling;
