@@ -31,7 +31,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::companion::{OF_STEPS, OF_SWINGS};
+use super::error_bars::{OF_STEPS, OF_SWINGS};
 use super::evolution::{Evolution, Increment};
 use super::wider::widened;
 use super::{Effort, Error, Simulation};
@@ -99,7 +99,7 @@ pub(super) struct Adaptive {
     /// Errors of the deepest wear by truncation and by ripples (m), the largest estimates so far.
     truncation: f64,
     ripple: f64,
-    /// The largest relative lag of the pressure so far, each lowered to the share of the progress at which it was.
+    /// What the pressure lags by, relative; where a surface swings the largest so far, lowered to its share of the progress.
     lag: f64,
 }
 
@@ -388,12 +388,17 @@ impl Adaptive {
         let relative = |error: f64| if trial.depth > 0.0 { error / trial.depth } else { 0.0 };
         let stated = |factor: f64| Some(relative(self.ripple.max(factor * self.truncation)));
         effort.time_error = stated(if slides { STATED } else { 1.0 });
-        let enclosing = if self.swung.is_some() { OF_SWINGS } else { OF_STEPS };
+        let swings = self.swung.is_some();
+        let enclosing = if swings { OF_SWINGS } else { OF_STEPS };
         effort.enclosing = stated(if slides { STATED } else { enclosing });
-        // Pressures on a surface that swings ripple with its positions: both histories may agree at a step.
-        let faded = self.fine.state.progress / trial.fine.state.progress;
-        self.lag = trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt());
-        effort.pressure_error = Some(if self.swung.is_some() { self.lag } else { trial.lag });
+        self.lag = if swings {
+            // Pressures ripple with the positions: both histories may agree at a step.
+            let faded = self.fine.state.progress / trial.fine.state.progress;
+            trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt())
+        } else {
+            trial.lag
+        };
+        effort.pressure_error = Some(self.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
             raise(shown, worn, weight);
         }

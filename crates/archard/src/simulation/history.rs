@@ -3,14 +3,13 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::companion::{
-    Companion, OF_CENTRE, OF_LAG, OF_LAGGING_PEAK, OF_MEMORY, PRESCRIBED, Part,
-};
+use super::Report;
+use super::companion::Part;
+use super::error_bars::errors;
 use super::scar::{scar, track_width};
-use super::{Effort, Report};
 use crate::body::Body;
 use crate::frame::{Line, VectorField};
-use crate::motion::{Progress, Rolling, Shift, Stepping};
+use crate::motion::{Progress, Rolling, Shift};
 use crate::problem::{ContactState, Tangential};
 
 /// What stands for the name of a body.
@@ -25,9 +24,9 @@ pub const PEAK_PRESSURE: &str = "peak_pressure_Pa";
 /// Pressure at the centre of the frame (Pa).
 pub const CENTRE_PRESSURE: &str = "centre_pressure_Pa";
 /// Moment on body 1 about the normal (N m).
-const MOMENT: &str = "moment_z_Nm";
+pub(super) const MOMENT: &str = "moment_z_Nm";
 /// Energy dissipated in a cycle so far (J).
-const DISSIPATED: &str = "dissipated_J";
+pub(super) const DISSIPATED: &str = "dissipated_J";
 /// Area in contact (m^2).
 pub const CONTACT_AREA: &str = "contact_area_m2";
 /// Worn volume of a body that does not roll (m^3).
@@ -81,11 +80,6 @@ pub type Row = Vec<(String, f64)>;
 const OF_WEAR: [&str; 4] = [WORN_VOLUME, WORN_SECTION, BODY_DEPTH, WEAR_DEPTH];
 const ALWAYS: [&str; 6] = [LOAD, APPROACH, FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
 const UNWORN: [&str; 1] = [CENTRE_PRESSURE];
-/// What may be prescribed.
-const GIVEN: [&str; 5] = [LOAD, FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
-/// What has errors beside.
-const ESTIMATED: [&str; 6] =
-    [PEAK_PRESSURE, CONTACT_AREA, STICK_AREA, MOMENT, FRICTIONAL_POWER, DISSIPATED];
 
 /// A column of the history, or one for each body.
 #[non_exhaustive]
@@ -220,7 +214,7 @@ pub(crate) fn counts(name: &str, wears: bool) -> bool {
 }
 
 /// Whether a column, or that of some body, has the name.
-fn is_of(column: &str, name: &str) -> bool {
+pub(super) fn is_of(column: &str, name: &str) -> bool {
     match column.split_once(BODY) {
         None => column == name,
         Some((start, end)) => name.starts_with(start) && name.ends_with(end),
@@ -242,43 +236,6 @@ pub fn row(report: &Report<'_>) -> Row {
         row.extend(errors);
     }
     row
-}
-
-/// Errors by the steps, where those are chosen by error, and by the elements, in the units of the columns.
-fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> Row {
-    let Effort { pressure_error, centre_lag, .. } = report.effort;
-    let depth = report.effort.enclosing_time_error();
-    let by_error = matches!(report.stepping, Stepping::Tolerance(_));
-    let estimated = |name: &str| ESTIMATED.iter().any(|column| is_of(column, name));
-    let has =
-        |(name, _): &&(String, f64)| counts(name, true) || counts(name, false) || estimated(name);
-    let mut errors = vec![];
-    for (name, value) in row.iter().filter(has) {
-        let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
-        let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
-        let space = companion.error(name, report.state.progress, *value);
-        // What no grid changes no step does.
-        let given = GIVEN.contains(&name.as_str())
-            && space.is_some_and(|space| space <= PRESCRIBED * value.abs());
-        let by_steps = match name.as_str() {
-            _ if given => 0.0,
-            CENTRE_PRESSURE if centre_lag != 0.0 => {
-                let remembered = if report.problem.remembers() { OF_MEMORY } else { 1.0 };
-                remembered * OF_CENTRE * centre_lag.abs()
-            }
-            PEAK_PRESSURE if report.state.swung.is_some() => {
-                OF_LAGGING_PEAK * relative * value.abs()
-            }
-            _ => relative * value.abs(),
-        };
-        let by_increments = companion.by_increments(name, report.state.progress);
-        if by_error || by_increments.is_some() {
-            let time = by_steps + by_increments.unwrap_or_default();
-            errors.push((format!("{}{name}", ERRORS[0]), time));
-        }
-        errors.extend(space.map(|error| (format!("{}{name}", ERRORS[1]), error)));
-    }
-    errors
 }
 
 /// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn alike:

@@ -157,7 +157,7 @@ fn answers_to_an_accuracy() {
             let (rows, [nx, ny], seconds) = match pool.install(|| answer(&folder, accuracy)) {
                 Ok(answer) => answer,
                 Err(error) => {
-                    println!("| `{name}` | {accuracy} | {error} |");
+                    println!("| `{name}` | {accuracy} | - | - | {error} | - | - | - | - |");
                     continue;
                 }
             };

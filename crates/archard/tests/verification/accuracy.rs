@@ -15,25 +15,35 @@ pub(super) fn resolved(text: &str, options: &[&str]) -> Result<Resolved, String>
     file.resolve().map_err(|problems| problems.iter().map(described).collect())
 }
 
-/// The last row of a case with its accuracy.
+/// The rows of a case with its accuracy.
+pub(super) fn rows(text: &str, options: &[&str]) -> Vec<Row> {
+    run_through(resolved(text, options).expect("a case"))
+}
+
+/// The last row of such a case.
 pub(super) fn answer(text: &str, options: &[&str]) -> Row {
     run(resolved(text, options).expect("a case"))
 }
 
 /// The last row of a case.
 pub(super) fn run(resolved: Resolved) -> Row {
-    let (resolved, companion) =
-        resolved.with_companion(None, &mut Rows::default()).expect("a grid");
-    ended(resolved, companion)
+    run_through(resolved).pop().expect("a row")
 }
 
-/// The last row of a case on its elements.
-fn ended(resolved: Resolved, companion: Option<Companion>) -> Row {
+/// The rows of a case.
+fn run_through(resolved: Resolved) -> Vec<Row> {
+    let (resolved, companion) =
+        resolved.with_companion(None, &mut Rows::default()).expect("a grid");
+    on_its_elements(resolved, companion)
+}
+
+/// The rows of a case on its elements.
+fn on_its_elements(resolved: Resolved, companion: Option<Companion>) -> Vec<Row> {
     let mut simulation = resolved.case.build().expect("a simulation");
     simulation.companion = companion;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).expect("a run");
-    rows.0.pop().expect("a row")
+    rows.0
 }
 
 /// The value in a column and the error stated, by steps and elements.
@@ -235,7 +245,7 @@ fn fretting_that_jumps_lies_within_the_errors_stated() {
     let (resolved, companion) = resolved.with_companion(None, &mut Rows::default()).unwrap();
     let taken = resolved.case.frame.size[0];
     assert!(chosen > 0.8e-3 && (0.42e-3..0.6e-3).contains(&taken), "{chosen} {taken}");
-    let row = ended(resolved, companion);
+    let row = on_its_elements(resolved, companion).pop().expect("a row");
     for (column, truth, known_to) in
         [("wear_depth_m", 0.631683e-6, 0.012), ("centre_pressure_Pa", 1391.294e6, 0.005)]
     {

@@ -1,9 +1,8 @@
 //! The error stated where elements see an edge badly: of what touches, of what sticks, of a punch, of a scar that swings.
 
-use archard::simulation::history::{Row, number};
+use archard::simulation::history::Row;
 
-use super::accuracy::{answer, resolved, with_error};
-use crate::common::Rows;
+use super::accuracy::{answer, rows, with_error};
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
 const PUNCH: &str = include_str!("../../../../cases/running_in_flat_punch/case.toml");
@@ -12,24 +11,18 @@ const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml
 
 const ASKED: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
 
-/// All rows of a case with its accuracy.
-fn rows(text: &str, options: &[&str]) -> Vec<Row> {
-    let resolved = resolved(text, options).expect("a case");
-    let found = resolved.with_companion(None, &mut Rows::default());
-    let (resolved, companion) = found.expect("a grid");
-    let mut simulation = resolved.case.build().expect("a simulation");
-    simulation.companion = companion;
-    let mut rows = Rows::default();
-    simulation.run(&mut [&mut rows]).expect("a run");
-    rows.0
-}
-
 /// Asserts that a value lies within the error stated and what the truth leaves.
 fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64), what: &str) {
     let (found, error) = with_error(row, column);
     let off = (found - truth).abs();
     println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
     assert!(off <= error + leaves, "{what} {column}: {off:e} of {error:e}");
+}
+
+/// The row of an output.
+fn row_at(rows: &[Row], progress: f64) -> &Row {
+    let row = rows.iter().find(|row| (row[0].1 / progress - 1.0).abs() < 1e-9);
+    row.expect("an output")
 }
 
 /// Rolling cylinders near saturation: a strip that sticks, narrower than the elements of the coarser grids, takes from the force
@@ -59,12 +52,12 @@ fn a_strip_too_narrow_for_the_elements_counts() {
 }
 
 /// The block wears deepest under the edge of a flat punch, where its pressure had no bound: the error is of the first order.
-/// The limit of fine elements, from 624 and 1370 across.
+/// Against an independent axisymmetric solution on 400 rings that become finer towards the edge, extrapolated in its steps.
 #[test]
 fn the_depth_under_an_edge_lies_within_the_error_stated() {
     for accuracy in ["accuracy=0.2", "accuracy=0.1"] {
         let row = answer(PUNCH, &["motion.sliding.distance=10 mm", accuracy]);
-        assert_within(&row, "wear_depth_m", (7.42e-8, 0.02e-8), accuracy);
+        assert_within(&row, "wear_depth_m", (7.428e-8, 0.002e-8), accuracy);
         // Galin's.
         assert_within(&row, "centre_pressure_Pa", (20.78444e6, 1e3), accuracy);
     }
@@ -76,8 +69,7 @@ fn pressures_under_a_law_that_remembers_lie_within_the_errors_stated() {
     for accuracy in ASKED {
         let rows = rows(FORMULA, &[accuracy]);
         for (distance, truth) in [(0.02, 46.838e6), (0.1, 28.465e6), (0.2, 22.356e6)] {
-            let row = rows.iter().find(|row| (row[0].1 / distance - 1.0).abs() < 1e-9);
-            let row = row.expect("an output");
+            let row = row_at(&rows, distance);
             assert_within(row, "centre_pressure_Pa", (truth, 5e-4 * truth), accuracy);
         }
     }
@@ -97,16 +89,11 @@ fn pressures_on_a_scar_that_swings_lie_within_the_errors_stated() {
         for accuracy in ASKED {
             let found = at(accuracy);
             for cycles in [1000.0, 5000.0, 10_000.0, 18_000.0] {
-                let of = |rows: &[Row]| {
-                    let row = rows.iter().find(|row| (row[0].1 / cycles - 1.0).abs() < 1e-9);
-                    row.expect("an output").clone()
-                };
-                let (row, best) = (of(&found), of(&truth));
+                let [row, best] = [&found, &truth].map(|rows| row_at(rows, cycles));
                 let what = format!("{accuracy} at {cycles}");
                 for column in ["peak_pressure_Pa", "centre_pressure_Pa", "wear_depth_flat_m"] {
-                    assert_within(&row, column, with_error(&best, column), &what);
+                    assert_within(row, column, with_error(best, column), &what);
                 }
-                assert!(number(&row, "approach_m").is_some());
             }
         }
     }

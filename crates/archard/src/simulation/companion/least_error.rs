@@ -1,17 +1,17 @@
 //! The least that the elements of a run err by. Grids that agree need not be right: they may see an edge alike, or none of them
 //! a strip that sticks.
 
-use super::history;
+use crate::simulation::history;
 
-/// Of forces and creepages where bodies roll, relative, times the square of the number of elements along the frame: the edge of slip
-/// falls anywhere within an element.
+/// Of forces and creepages where bodies roll, relative, times the square of the number of elements along the frame: the edge
+/// of slip falls anywhere within an element.
 const OF_EDGES: f64 = 10.0;
 /// Of pressures, likewise: both ends of a line of contact may fall into elements alike.
 const OF_PRESSURES: f64 = 2.0;
 /// Of counted areas, relative to the contact's and to a power of that number: a rim falls anywhere within an element, at both
 /// ends of a line of contact and all around others.
 const OF_RIMS: [(f64, f64); 2] = [(2.0, 1.0), (2.0, 1.5)];
-/// How much more that is for areas that stick. None may be one that the elements do not see.
+/// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
 
 /// Least errors of a run, relative.
@@ -25,11 +25,12 @@ pub(super) struct LeastError {
 }
 
 impl LeastError {
-    /// With so many elements along the frame; where bodies `roll` and friction decides what slips; in a `line` of contact.
-    pub fn new(elements: f64, rolls: bool, line: bool) -> Self {
+    /// With so many elements along the frame; whether the edge of `slip` shows as it does where bodies roll; whether they touch
+    /// along a `line`.
+    pub fn new(elements: f64, slip: bool, line: bool) -> Self {
         let (times, power) = OF_RIMS[usize::from(!line)];
         Self {
-            edges: if rolls { OF_EDGES / (elements * elements) } else { 0.0 },
+            edges: if slip { OF_EDGES / (elements * elements) } else { 0.0 },
             pressures: OF_PRESSURES / (elements * elements),
             rims: times * elements.powf(-power),
         }

@@ -6,8 +6,12 @@
 //! times a factor: a difference is three times the error of the finer run where the order is two,
 //! and as large as it where it is one.
 
+mod compared;
+mod least_error;
+
 use super::history::{self, Row, number};
-use super::least_error::{LeastError, is_tangential};
+use compared::Compared;
+use least_error::{LeastError, is_tangential};
 
 /// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
 /// order shows late.
@@ -15,40 +19,22 @@ const AS_A_RULE: f64 = 1.5;
 const OF_FRICTION: f64 = 4.5;
 /// The same under the edge of a body, which is a staircase of elements besides.
 const OF_EDGED: f64 = 2.0;
-/// Factor on the estimated error by the steps, unless that is known to enclose the true one: it may be half of that in the first
-/// revolutions of twin discs (`tests/verification/accuracy.rs`).
-pub(super) const OF_STEPS: f64 = 3.0;
-/// The same where a surface swings: it was up to a third of the true one on slender contacts.
-pub(super) const OF_SWINGS: f64 = 4.0;
-/// The same on the lag of the pressures, which was the true one there or more.
-pub(super) const OF_LAG: f64 = 1.5;
-/// How much more that is for the peak on a surface that swings, which stands on single elements.
-pub(super) const OF_LAGGING_PEAK: f64 = 3.0;
-/// The same on the lag that is taken off the pressure at the centre: what was left was up to 0.15 of it there.
-pub(super) const OF_CENTRE: f64 = 0.3;
-/// How much more that is where laws go by what was before.
-pub(super) const OF_MEMORY: f64 = 2.0;
 /// Forces and creepages that differ by less, relative, are what was prescribed or what friction bears at most.
 pub(super) const PRESCRIBED: f64 = 1e-6;
-/// The factor on counted areas, which err by the elements along their rim, and on peak pressures, which stand at the rim where
-/// bodies wear; there they stand on single elements where cycles move it to and fro.
+/// The factor on counted areas, which err by the elements along their rim.
 const OF_AREAS: f64 = 3.0;
+/// The least factor on peak pressures, which stand at the rim where bodies wear; and where cycles move the rim to and fro, so that
+/// they stand on single elements.
 const OF_PEAKS: [f64; 2] = [1.0, 3.0];
 /// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
 const OF_LOAD: f64 = 0.01;
 const LEAST_CREEPAGE: f64 = 1e-5;
-/// Two progresses are the same to this, relative.
-const SAME: f64 = 1e-9;
-/// Two places lie alike in their cycles to this part of a cycle.
-const ALIKE: f64 = 1e-6;
-/// The most by which a difference is scaled to where it is needed.
-const MOST_SCALED: f64 = 4.0;
 
 /// What the elements and the increments of a run err by, from others that have fewer.
 #[derive(Debug, Clone)]
 pub struct Companion {
     /// Runs on fewer elements and on fewer still.
-    grids: Pair,
+    grids: Compared,
     factor: f64,
     least: LeastError,
     increments: Option<Increments>,
@@ -60,7 +46,7 @@ pub struct Companion {
 #[derive(Debug, Clone)]
 struct Increments {
     /// Runs on the fewest elements, with all increments and with fewer.
-    pair: Pair,
+    pair: Compared,
     factor: f64,
 }
 
@@ -107,7 +93,7 @@ impl Companion {
             _ => AS_A_RULE,
         };
         let factor = factor * error(own) / (error(half) - error(own));
-        let grids = Pair::new(rows, lowered, period, false);
+        let grids = Compared::new(rows, lowered, period, false);
         let least = LeastError::new(own, late, line);
         Self { grids, factor, least, increments: None, asked }
     }
@@ -116,7 +102,7 @@ impl Companion {
     pub fn with_increments(self, fewer: Vec<Row>, counts: [usize; 2]) -> Self {
         let [own, less] = counts.map(|count| 1.0 / count as f64);
         let rows = [self.grids.rows[1].clone(), fewer];
-        let pair = Pair::new(rows, 1.0, self.grids.period, true);
+        let pair = Compared::new(rows, 1.0, self.grids.period, true);
         let increments = Increments { pair, factor: AS_A_RULE * own / (less - own) };
         Self { increments: Some(increments), ..self }
     }
@@ -223,119 +209,6 @@ impl Companion {
             _ => self.factor,
         }
     }
-}
-
-/// The rows of two runs, the finer one first. All have the same columns.
-#[derive(Debug, Clone)]
-struct Pair {
-    rows: [Vec<Row>; 2],
-    /// Where the coarser has rows, in their order.
-    apart: Vec<Apart>,
-    /// What their difference is where it is needed.
-    lowered: f64,
-    period: Option<f64>,
-    /// Whether they have different increments in a cycle: within it forces turn, and only what both show can be compared.
-    within: bool,
-}
-
-/// How far two runs are apart at some progress.
-#[derive(Debug, Clone)]
-struct Apart {
-    progress: f64,
-    /// The finer one's value in each column, and the difference.
-    columns: Vec<[f64; 2]>,
-}
-
-impl Pair {
-    fn new(rows: [Vec<Row>; 2], lowered: f64, period: Option<f64>, within: bool) -> Self {
-        let mut pair = Self { rows, apart: vec![], lowered, period, within };
-        let places = pair.rows[1].iter().map(|row| row[0].1);
-        let places = places.filter(|at| !within || pair.is_shown(*at));
-        let apart = |progress: f64| {
-            let [finer, coarser] = [0, 1].map(|which| pair.all_at(which, progress));
-            let columns = finer.zip(coarser).map(|(finer, coarser)| [finer, finer - coarser]);
-            Apart { progress, columns: columns.collect() }
-        };
-        pair.apart = places.map(apart).collect();
-        pair
-    }
-
-    /// The place of a column in the rows.
-    fn column(&self, name: &str) -> Option<usize> {
-        self.rows[0].first()?.iter().position(|(known, _)| known == name)
-    }
-
-    /// The largest difference of the two around some progress, lowered to where it is needed.
-    fn difference(&self, column: &str, progress: f64) -> Option<f64> {
-        let column = self.column(column)?;
-        let here = self.at(0, column, progress);
-        let last = (2.0 * progress).max(progress + self.period.unwrap_or_default());
-        let first = self.apart.partition_point(|apart| apart.progress < 0.5 * progress);
-        let near = self.apart[first..].iter().take_while(|apart| apart.progress <= last);
-        let itself = (!self.within).then(|| [here, here - self.at(1, column, progress)]);
-        let difference = |[finer, difference]: [f64; 2]| {
-            let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
-            scale * difference.abs()
-        };
-        let differences = near.map(|apart| apart.columns[column]).chain(itself).map(difference);
-        Some(self.lowered * differences.fold(0.0, f64::max))
-    }
-
-    /// Whether the finer of both has a row there.
-    fn is_shown(&self, progress: f64) -> bool {
-        let [before, after] = self.beside(0, progress);
-        [before, after].iter().any(|row| (row[0].1 - progress).abs() <= SAME * progress.abs())
-    }
-
-    /// A column of one of them at some progress.
-    fn at(&self, which: usize, column: usize, progress: f64) -> f64 {
-        between(self.around(which, progress), column, progress)
-    }
-
-    /// All columns of one of them at some progress.
-    fn all_at(&self, which: usize, progress: f64) -> impl Iterator<Item = f64> {
-        let around = self.around(which, progress);
-        (0..around[0].len()).map(move |column| between(around, column, progress))
-    }
-
-    /// The rows of one of them before and behind some progress, or the only one there is. Runs jump over different cycles,
-    /// in which forces turn: rows lie alike in their cycles where there are such.
-    fn around(&self, which: usize, progress: f64) -> [&Row; 2] {
-        let rows = &self.rows[which];
-        let Some(period) = self.period else { return self.beside(which, progress) };
-        let behind = rows.partition_point(|row| row[0].1 < progress);
-        let alike = |row: &&Row| {
-            let cycles = (row[0].1 - progress) / period;
-            (cycles - cycles.round()).abs() <= ALIKE
-        };
-        let before = rows[..behind].iter().rev().find(alike);
-        let after = rows[behind..].iter().find(alike);
-        match before.or(after).zip(after.or(before)) {
-            Some((before, after)) => [before, after],
-            None => self.beside(which, progress),
-        }
-    }
-
-    /// The rows of one of them next to some progress.
-    fn beside(&self, which: usize, progress: f64) -> [&Row; 2] {
-        let rows = &self.rows[which];
-        let behind = rows.partition_point(|row| row[0].1 < progress);
-        [&rows[behind.saturating_sub(1)], &rows[behind.min(rows.len() - 1)]]
-    }
-}
-
-/// A column at some progress between two rows: a power of it where all is positive, otherwise straight.
-fn between([before, after]: [&Row; 2], column: usize, progress: f64) -> f64 {
-    let (from, to) = (before[0].1, after[0].1);
-    let (low, high) = (before[column].1, after[column].1);
-    if to <= from {
-        return high;
-    }
-    if [from, low, high].into_iter().all(|one| one > 0.0) {
-        let share = (progress / from).ln() / (to / from).ln();
-        return low * (high / low).powf(share);
-    }
-    low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
