@@ -46,7 +46,7 @@ pub trait Profile: Debug + Send + Sync {
         [&[]; 2]
     }
 
-    /// Whether the surface ends in an edge, on which the unworn pressure has no bound.
+    /// Whether the surface has an edge, on which the unworn pressure has no bound.
     fn has_edge(&self) -> bool {
         false
     }

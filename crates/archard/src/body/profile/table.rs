@@ -25,6 +25,9 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     },
 };
 
+/// An edge is a place at which the slope changes by more than this share of the most it changes by along a row of heights.
+const EDGE: f64 = 0.3;
+
 /// Heights on a rectangular grid, interpolated by cubics; along an axis with a single place the
 /// height does not vary.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,6 +85,17 @@ impl Table {
     }
 }
 
+/// The largest change of the slope at a place, and that from the least slope to the largest, of heights at rising places.
+fn changes(places: &[f64], height: impl Fn(usize) -> f64) -> [f64; 2] {
+    let slope = |i: usize| (height(i) - height(i - 1)) / (places[i] - places[i - 1]);
+    let slopes: Vec<f64> = (1..places.len()).map(slope).collect();
+    let range = |slopes: &[f64]| {
+        let ends = [f64::max, f64::min].map(|end| slopes.iter().copied().reduce(end));
+        ends[0].zip(ends[1]).map_or(0.0, |(most, least)| most - least)
+    };
+    [slopes.windows(2).map(range).fold(0.0, f64::max), range(&slopes)]
+}
+
 impl Profile for Table {
     fn recess(&self, x: f64, y: f64) -> f64 {
         if self.y.len() == 1 {
@@ -96,6 +110,15 @@ impl Profile for Table {
             [first, .., last] => [first, last],
             _ => [f64::NEG_INFINITY, f64::INFINITY],
         })
+    }
+
+    fn has_edge(&self) -> bool {
+        let at = |row: usize, column: usize| self.recess[row * self.x.len() + column];
+        let rows = (0..self.y.len()).map(|row| changes(&self.x, |column| at(row, column)));
+        let columns = (0..self.x.len()).map(|column| changes(&self.y, |row| at(row, column)));
+        let most = |one: [f64; 2], other: [f64; 2]| [0, 1].map(|i| one[i].max(other[i]));
+        let [at_a_place, in_all] = rows.chain(columns).fold([0.0; 2], most);
+        at_a_place > EDGE * in_all
     }
 
     fn places(&self) -> [&[f64]; 2] {
@@ -121,6 +144,23 @@ mod tests {
 
     use super::Table;
     use crate::body::Profile;
+
+    /// A chamfer has an edge; a paraboloid has none, nor has a cylinder with a little noise along its axis.
+    #[test]
+    fn edges_are_where_slopes_jump() {
+        let has_edge = |height: &dyn Fn(f64, f64) -> f64| {
+            let places: Vec<[f64; 2]> =
+                (0..400).map(|i| [f64::from(i % 20), f64::from(i / 20)]).collect();
+            let [x, y] = [0, 1].map(|axis| places.iter().map(|place| place[axis]).collect());
+            let z: Vec<f64> = places.iter().map(|[x, y]| height(x - 9.5, y - 9.5)).collect();
+            let [x, y]: [Vec<f64>; 2] = [x, y];
+            Table::new(&x, &y, &z).unwrap().has_edge()
+        };
+        assert!(has_edge(&|x, y| -0.1 * (x.hypot(y) - 6.0).max(0.0)));
+        assert!(!has_edge(&|x, y| -0.01 * (x * x + 2.0 * y * y)));
+        assert!(!has_edge(&|x, y| -0.01 * x * x + 0.002 * (7.0 * y).sin()));
+        assert!(!has_edge(&|_, _| 1.0));
+    }
 
     #[test]
     fn a_tabulated_paraboloid_is_exact() {
