@@ -46,7 +46,7 @@ pub fn doctor() -> Result<(), Failure> {
 fn cache() -> String {
     let store = std::env::var_os("ARCHARD_CACHE").map(|dir| Store::new(Path::new(&dir)));
     let Some(store) = store.or_else(Store::of_user) else {
-        return "none: no home folder, compliances of meshed bodies are not kept".to_owned();
+        return "none: no folder of the user, compliances of meshed bodies are not kept".to_owned();
     };
     let folder = store.folder();
     let Ok(entries) = fs::read_dir(folder) else {

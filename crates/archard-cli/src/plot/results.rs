@@ -270,6 +270,7 @@ impl Results {
                 }
             }
         }
+        ensure!(frame[0] <= frame[1], "`profiles.csv` has no places along {axis:?}");
         let [low, high] = contact;
         Ok(match low < high {
             true => [low - MARGIN * (high - low), high + MARGIN * (high - low)],

@@ -240,6 +240,27 @@ fn pictures_are_framed_by_the_contact() {
     );
 }
 
+/// Sections that are not there are missed in words.
+#[test]
+fn sections_along_one_axis_alone_are_refused() {
+    let dir = tempdir().unwrap();
+    let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
+    let pressed = state(&problem, 10.2, 0.0, [0.0; 2]);
+    write(dir.path(), "", &problem, &[pressed], true);
+    let path = dir.path().join("profiles.csv");
+    let along: Vec<String> = fs::read_to_string(&path)
+        .unwrap()
+        .lines()
+        .filter(|line| !line.contains(",y,"))
+        .map(str::to_owned)
+        .collect();
+    fs::write(&path, along.join("\n")).unwrap();
+    let results = Results::read(dir.path()).unwrap();
+    assert!(results.window(Axis::X).is_ok());
+    let missed = results.window(Axis::Y).unwrap_err().to_string();
+    assert!(missed.contains("no places along Y"), "{missed}");
+}
+
 /// A scar of 0.4 mm to either side, wider than the contact, is shown with a tenth of room; a track all along x is not.
 #[test]
 fn worn_shapes_reach_over_the_scar() {

@@ -11,6 +11,7 @@ mod memory;
 mod report;
 mod running;
 mod sweep;
+#[cfg(unix)]
 mod tasks;
 mod verdict;
 

@@ -3,7 +3,6 @@
 use std::fs;
 use std::path::Path;
 
-use assert_cmd::Command;
 use tempfile::TempDir;
 
 use super::{archard, case, printed, said};
@@ -16,7 +15,9 @@ fn a_run_leaves_a_case_that_runs_again() {
     let mut arguments = vec!["run", case.to_str().unwrap()];
     arguments.extend(small);
     let ran = archard(&dir, &arguments).success();
-    let results = "results/pin_on_disc--frame.elements=12x12--motion.sliding.step=50mm";
+    let results = "pin_on_disc--frame.elements=12x12--motion.sliding.step=50mm";
+    let results = Path::new("results").join(results);
+    let results = results.to_str().unwrap();
     assert!(printed(&ran).contains(results), "{}", printed(&ran));
     let again = archard(&dir, &["run", results, "-o", "again", "--quiet"]).success();
     let results = dir.path().join(results);
@@ -106,6 +107,7 @@ fn explicit_steps_beyond_their_bound_run_with_a_warning() {
     assert!(said.contains("3.03 mm"), "{said}");
 }
 
+#[cfg(unix)]
 #[test]
 fn standard_output_may_be_closed_or_full() {
     let shell = |line: &str| {
@@ -113,7 +115,7 @@ fn standard_output_may_be_closed_or_full() {
         let case = case("hertz");
         let line =
             line.replace("CHECK", &format!("'{}' check '{}'", program.display(), case.display()));
-        Command::new("bash").args(["-o", "pipefail", "-c", &line]).assert()
+        assert_cmd::Command::new("bash").args(["-o", "pipefail", "-c", &line]).assert()
     };
     shell("CHECK | head -n 1").code(0);
     let full = shell("CHECK > /dev/full").code(2);

@@ -368,7 +368,7 @@ fn a_folder_of_another_study_is_left_alone() {
     let mut other = of("motion.sliding.load=5 N,6 N");
     other.extend(["--set".to_owned(), "motion.sliding.distance=400 mm".to_owned()]);
     let refused = run(other).code(2);
-    assert!(said(&refused).contains("rows/0001` holds another case"), "{}", said(&refused));
+    assert!(said(&refused).contains("0001` holds another case"), "{}", said(&refused));
     assert_eq!(written(dir.path()), before);
 }
 

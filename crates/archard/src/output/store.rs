@@ -41,9 +41,12 @@ impl Store {
 
     /// The store in the user's folder of caches; `None` where there is no such folder.
     pub fn of_user() -> Option<Self> {
-        let home = |name: &str| std::env::var_os(name).filter(|value| !value.is_empty());
-        let caches = home("XDG_CACHE_HOME").map(PathBuf::from);
-        let caches = caches.or_else(|| Some(PathBuf::from(home("HOME")?).join(".cache")));
+        let named = |name: &str| {
+            std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from)
+        };
+        let caches = named("XDG_CACHE_HOME").or_else(|| {
+            if cfg!(windows) { named("LOCALAPPDATA") } else { Some(named("HOME")?.join(".cache")) }
+        });
         caches.map(|folder| Self::new(folder.join("archard")))
     }
 

@@ -180,7 +180,10 @@ impl Trial {
             let change =
                 relative_change(before, middle).max(relative_change(middle, last)).max(of_wear);
             let share = if way.problem.is_proportional(last) { RIPPLE } else { RIPPLE_OF_LAWS };
-            let differ = worn_in(&coarse_before.worn, &coarse.state.worn) - 2.0 * halves[1];
+            // Where coefficients change with the distance, the first half wears otherwise under the same pressure.
+            let ages = way.problem.remembers() && middle > 0.0;
+            let first = if ages { halves[0] * last / middle } else { halves[1] };
+            let differ = worn_in(&coarse_before.worn, &coarse.state.worn) - (first + halves[1]);
             let less = way.less_wear(&fine.state, deepest);
             let joining = less.iter().zip(JOINING).map(|(less, share)| share * less);
             let joining = joining.sum::<f64>().min(1.0);
