@@ -18,6 +18,7 @@ mod interrupt;
 mod laws;
 mod new;
 mod number;
+mod outcome;
 mod paraview;
 mod plot;
 mod progress;

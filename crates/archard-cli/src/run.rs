@@ -4,15 +4,9 @@ use std::num::NonZero;
 use std::path::Path;
 use std::time::Instant;
 
-use archard::body::Body;
-use archard::case::{Forecast, Resolved, Task};
-use archard::motion::{Rolling, Shift};
+use archard::case::{Resolved, Task};
 use archard::output::{self, Inside, Totals};
-use archard::simulation::history::{
-    self, CREEPAGE, FORCE, FRICTIONAL_POWER, MASS_LOSS, STICK_AREA, WORN_SECTION, WORN_VOLUME,
-    of_body,
-};
-use archard::simulation::{Companion, Effort, Error, Observer, Simulation};
+use archard::simulation::{Companion, Effort, Error, Observer};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -23,11 +17,10 @@ use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
-use crate::number::{count, energy, four, mass};
+use crate::outcome;
 use crate::progress::Follower;
 use crate::report;
 use crate::say::{say, tell};
-use crate::standards;
 use crate::underway::Underway;
 use crate::verdict;
 
@@ -118,7 +111,7 @@ fn contact(
     });
     let (totals, judged, effort) = finish(watch, outcome)?;
     if !arguments.quiet {
-        summarize((&simulation, forecast), &follower, &totals, effort, dir)?;
+        outcome::say_all((&simulation, forecast), &follower, &totals, effort, dir)?;
         verdict::say_all(&judged)?;
     }
     if arguments.report {
@@ -186,105 +179,4 @@ fn failure(error: Error, dir: &Path) -> Failure {
 /// Whether results are refused because they are no numbers.
 fn is_no_number(cause: &(dyn std::error::Error + 'static)) -> bool {
     matches!(cause.downcast_ref(), Some(output::Error::NotFinite { .. }))
-}
-
-/// Says what came out and where it is.
-fn summarize(
-    (simulation, forecast): (&Simulation, &Forecast),
-    follower: &Follower,
-    totals: &Totals,
-    effort: Effort,
-    dir: &Path,
-) -> Result<(), Failure> {
-    let number = |column: &str, factor: f64| four(follower.number(column).unwrap_or(0.0) * factor);
-    say(&format!("peak pressure     {} MPa", number(history::PEAK_PRESSURE, 1e-6)))?;
-    say(&format!("approach          {} um", number(history::APPROACH, 1e6)))?;
-    say(&format!("contact area      {} mm^2", number(history::CONTACT_AREA, 1e6)))?;
-    if let Some(rolling) = simulation.problem.motion.rolling() {
-        summarize_rolling(simulation, rolling, follower)?;
-    }
-    if let Some(shift) = simulation.problem.motion.shift() {
-        summarize_shift(simulation, shift, follower, effort)?;
-    }
-    if let Some(largest) = follower.number(history::FLASH_TEMPERATURE) {
-        let mean = number(history::MEAN_FLASH_TEMPERATURE, 1.0);
-        say(&format!("flash temperature {} K at most, {mean} K in the mean", four(largest)))?;
-    }
-    if simulation.problem.wears() {
-        say(&format!("wear depth        {} um", number(history::WEAR_DEPTH, 1e6)))?;
-        for Body { name, .. } in &simulation.problem.bodies {
-            if let Some(volume) = follower.number(&of_body(WORN_VOLUME, name)) {
-                say(&format!("worn volume       {} mm^3 off `{name}`", four(volume * 1e9)))?;
-            }
-            if let Some(loss) = follower.number(&of_body(MASS_LOSS, name)) {
-                say(&format!("mass loss         {} of `{name}`", mass(loss)))?;
-            }
-            if let Some(section) = follower.number(&of_body(WORN_SECTION, name)) {
-                say(&format!("worn section      {} mm^2 off `{name}`", four(section * 1e6)))?;
-            }
-        }
-        for equivalent in &forecast.equivalents {
-            say(equivalent.to_string().trim_end())?;
-        }
-        standards::say_all(&simulation.problem, &follower.last)?;
-    }
-    let Effort { steps, solves, .. } = effort;
-    say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;
-    say(&format!("results           {}", dir.display()))
-}
-
-/// Says how the bodies creep at last and, where there is friction, what they pass on.
-fn summarize_rolling(
-    simulation: &Simulation,
-    rolling: &Rolling,
-    follower: &Follower,
-) -> Result<(), Failure> {
-    let number = |column: &str| follower.number(column).unwrap_or(0.0);
-    let creepage = along_and_across(CREEPAGE.map(number), "");
-    say(&format!("creepage          {creepage}"))?;
-    if simulation.problem.friction.is_none() {
-        return Ok(());
-    }
-    let [x, y] = FORCE.map(number);
-    let units = [rolling.direction.forward(), rolling.direction.lateral()];
-    let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
-    say(&format!("creep force       {force}, on `{}`", simulation.problem.bodies[0].name))?;
-    let intensity = number(FRICTIONAL_POWER) / number(history::CONTACT_AREA);
-    say(&format!("T gamma / A       {} N/mm^2, over the contact", four(intensity * 1e-6)))?;
-    say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))
-}
-
-/// Says what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
-fn summarize_shift(
-    simulation: &Simulation,
-    shift: &Shift,
-    follower: &Follower,
-    effort: Effort,
-) -> Result<(), Failure> {
-    if simulation.problem.friction.is_some() {
-        let number = |column: &str| follower.number(column).unwrap_or(0.0);
-        say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))?;
-        let [last, all] = effort.dissipated.map(energy);
-        let last =
-            if last == all { String::new() } else { format!(", {last} of it in the last cycle") };
-        say(&format!("dissipated        {all}{last}"))?;
-    }
-    let cycles = simulation.schedule.extent / shift.period();
-    if effort.true_cycles as f64 >= cycles - 0.5 {
-        return Ok(());
-    }
-    say(&format!("cycles            {}, {} of them computed", count(cycles), effort.true_cycles))
-}
-
-/// Two components by the direction of rolling; one that is nothing but rounding beside the other is
-/// left out.
-fn along_and_across([along, across]: [f64; 2], unit: &str) -> String {
-    const ROUNDING: f64 = 1e-6;
-    if across.abs() <= ROUNDING * along.abs() {
-        format!("{}{unit} along", four(along))
-    } else if along.abs() <= ROUNDING * across.abs() {
-        format!("{}{unit} across", four(across))
-    } else {
-        format!("{}{unit} along, {}{unit} across", four(along), four(across))
-    }
 }

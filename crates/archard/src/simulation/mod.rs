@@ -31,7 +31,7 @@ pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub(crate) use checkpoint::digest;
-pub use companion::{Companion, Kind, Part};
+pub use companion::{Companion, Kind, Part, Tip};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 use error_bars::OF_STEPS;
 pub use history::row;

@@ -63,6 +63,66 @@ fn the_depth_under_an_edge_lies_within_the_error_stated() {
     }
 }
 
+/// A steel pin on a steel disc, by accuracy alone: its recess c r^n.
+const TIP: &str = r#"
+[body.pin]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.axisymmetric_power = { coefficient = 0.01, exponent = 1 }
+wear.archard = { coefficient = "1e-16 1/Pa" }
+[body.disc]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.flat = {}
+"#;
+
+/// At a tip pressures converge by the order n - 1, and at that of a cone they have no bound.
+#[test]
+fn pressures_at_a_tip_are_stated_as_they_converge() {
+    let case = format!("{TIP}[motion.indentation]\nload = \"10 N\"\n");
+    // I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47: F = 2 E* kappa c n a^(n + 1) / (n + 1), approach kappa c a^n, pressure at
+    // the tip E* kappa c n a^(n - 1) / (pi (n - 1)), kappa = sqrt(pi) Gamma(n/2 + 1) / Gamma((n + 1)/2).
+    for (accuracy, exponent, approach, pressure) in [
+        ("accuracy=0.1", "1", 1.16677e-6, f64::INFINITY),
+        ("accuracy=0.01", "1", 1.16677e-6, f64::INFINITY),
+        ("accuracy=0.1", "1.5", 6.56209e-7, 6.5695e8),
+        ("accuracy=0.03", "1.5", 6.56209e-7, 6.5695e8),
+        ("accuracy=0.01", "1.5", 6.56209e-7, 6.5695e8),
+    ] {
+        let exponent = format!("body.pin.profile.axisymmetric_power.exponent={exponent}");
+        let coefficient = match pressure.is_finite() {
+            true => "body.pin.profile.axisymmetric_power.coefficient=0.01 mm^-0.5",
+            false => "body.pin.profile.axisymmetric_power.coefficient=0.01",
+        };
+        let row = answer(&case, &[&exponent, coefficient, accuracy]);
+        let what = format!("{exponent} {accuracy}");
+        assert_within(&row, "approach_m", (approach, 1e-5 * approach), &what);
+        for column in ["centre_pressure_Pa", "peak_pressure_Pa"] {
+            if pressure.is_finite() {
+                assert_within(&row, column, (pressure, 1e-4 * pressure), &what);
+            } else {
+                let (found, error) = with_error(&row, column);
+                assert!(error > 0.99 * found, "{what} {column}: {error:e} of {found:e}");
+            }
+        }
+    }
+}
+
+/// The depth that a tip wears while the elements do not see that it becomes blunt, against an independent axisymmetric solution
+/// on 300 to 1200 rings, extrapolated in them and in its steps.
+#[test]
+fn the_depth_of_a_tip_lies_within_the_error_stated() {
+    let case = format!("{TIP}[motion.sliding]\nload = \"10 N\"\ndistance = \"300 mm\"\n");
+    let recess = [
+        "body.pin.profile.axisymmetric_power.exponent=1.5",
+        "body.pin.profile.axisymmetric_power.coefficient=0.01 mm^-0.5",
+    ];
+    let rows = rows(&case, &[&recess[..], &["accuracy=0.1"]].concat());
+    for (distance, depth, pressure) in [(0.03, 1.9142e-9, 6.286e8), (0.3, 1.792e-8, 5.682e8)] {
+        let row = row_at(&rows, distance);
+        assert_within(row, "wear_depth_m", (depth, 1e-3 * depth), "depth");
+        assert_within(row, "centre_pressure_Pa", (pressure, 1e-3 * pressure), "pressure");
+    }
+}
+
 /// Pressures under a coefficient that runs in, against an independent axisymmetric solution.
 #[test]
 fn pressures_under_a_law_that_remembers_lie_within_the_errors_stated() {

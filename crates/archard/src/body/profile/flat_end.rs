@@ -33,7 +33,7 @@ impl Profile for FlatEnd {
         if x.hypot(y) <= self.radius { 0.0 } else { self.radius }
     }
 
-    fn has_edge(&self) -> bool {
-        true
+    fn sharpest(&self) -> f64 {
+        0.0
     }
 }

@@ -46,9 +46,10 @@ pub trait Profile: Debug + Send + Sync {
         [&[]; 2]
     }
 
-    /// Whether the surface has an edge, on which the unworn pressure has no bound.
-    fn has_edge(&self) -> bool {
-        false
+    /// The power of the distance by which the surface recedes where it is sharpest: 2 where it is round, 1 at the tip of a
+    /// cone, 0 at an edge. From 1 on downwards the unworn pressure has no bound there.
+    fn sharpest(&self) -> f64 {
+        2.0
     }
 
     /// Curvatures (1/m) along x and y at the centre, where the shape is smooth and has them;

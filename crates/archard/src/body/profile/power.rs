@@ -48,6 +48,10 @@ impl Profile for Power {
         self.coefficient * (x.abs().powf(self.exponent) + y.abs().powf(self.exponent))
     }
 
+    fn sharpest(&self) -> f64 {
+        self.exponent.min(2.0)
+    }
+
     fn curvatures(&self) -> Option<[f64; 2]> {
         (self.exponent == 2.0).then_some([2.0 * self.coefficient; 2])
     }

@@ -112,13 +112,13 @@ impl Profile for Table {
         })
     }
 
-    fn has_edge(&self) -> bool {
+    fn sharpest(&self) -> f64 {
         let at = |row: usize, column: usize| self.recess[row * self.x.len() + column];
         let rows = (0..self.y.len()).map(|row| changes(&self.x, |column| at(row, column)));
         let columns = (0..self.x.len()).map(|column| changes(&self.y, |row| at(row, column)));
         let most = |one: [f64; 2], other: [f64; 2]| [0, 1].map(|i| one[i].max(other[i]));
         let [at_a_place, in_all] = rows.chain(columns).fold([0.0; 2], most);
-        at_a_place > EDGE * in_all
+        if at_a_place > EDGE * in_all { 0.0 } else { 2.0 }
     }
 
     fn places(&self) -> [&[f64]; 2] {
@@ -154,7 +154,7 @@ mod tests {
             let [x, y] = [0, 1].map(|axis| places.iter().map(|place| place[axis]).collect());
             let z: Vec<f64> = places.iter().map(|[x, y]| height(x - 9.5, y - 9.5)).collect();
             let [x, y]: [Vec<f64>; 2] = [x, y];
-            Table::new(&x, &y, &z).unwrap().has_edge()
+            Table::new(&x, &y, &z).unwrap().sharpest() == 0.0
         };
         assert!(has_edge(&|x, y| -0.1 * (x.hypot(y) - 6.0).max(0.0)));
         assert!(!has_edge(&|x, y| -0.01 * (x * x + 2.0 * y * y)));

@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, locate, order, slips_partly};
+use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, kind, locate, order};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -11,7 +11,7 @@ use crate::frame::extent;
 use crate::output::Store;
 use crate::problem::{Beyond, Overlap};
 use crate::simulation::history::{self, Row};
-use crate::simulation::{Companion, Error, Kind, Observer, Part, Report, Simulation};
+use crate::simulation::{Companion, Error, Observer, Part, Report, Simulation};
 
 /// The fewest elements across the first contact of a companion.
 const FEWEST: f64 = 3.0;
@@ -149,18 +149,13 @@ impl Resolved {
     ) -> Result<(Self, Option<Companion>), Unsettled> {
         let Some(accuracy) = self.case.accuracy else { return Ok((self, None)) };
         let parts = Parts::of(&self.case).map_err(Box::new)?;
-        let kind = Kind {
-            order: order(&parts),
-            slips_partly: slips_partly(&parts),
-            line: self.case.frame.line,
-            period: parts.motion.period(),
-        };
+        let order = order(&parts);
         // Rolling errs by the elements along it.
         let axis = parts.motion.axis();
         let outputs = self.case.output.places(parts.schedule.extent);
         let mut error = f64::INFINITY;
         for _ in 0..ROUNDS {
-            let (companion, reach) = match self.judged((kind, axis), accuracy, store, following)? {
+            let (companion, reach) = match self.judged(axis, accuracy, store, following)? {
                 Judged::By(companion, reach) => (companion, reach),
                 Judged::Outgrown(sides) => {
                     self.case = self.grown(sides)?;
@@ -184,7 +179,7 @@ impl Resolved {
                 return Ok((self, Some(*companion)));
             }
             // Each may take half of it, or what the other leaves.
-            let finer = [(0, kind.order), (1, 1.0)].map(|(part, order)| {
+            let finer = [(0, order), (1, 1.0)].map(|(part, order)| {
                 let left = (allowed - errors[1 - part]).max(0.5 * allowed);
                 let wanted = MARGIN * (errors[part] / left).powf(1.0 / order);
                 let refines = chose[part] && errors[part] > left;
@@ -216,7 +211,7 @@ impl Resolved {
     /// Runs the case on fewer elements, and in fewer increments.
     fn judged(
         &self,
-        (kind, axis): (Kind, usize),
+        axis: usize,
         accuracy: f64,
         store: Option<&Store>,
         following: &mut dyn Following,
@@ -260,6 +255,7 @@ impl Resolved {
         let numbers = [elements, half, quarter].map(|grid| grid[axis] as f64);
         let mut rows = rows.into_iter();
         let grids = [rows.next(), rows.next()].map(Option::unwrap_or_default);
+        let kind = kind(&self.case).map_err(Box::new)?;
         let companion = Companion::new(grids, numbers, kind, accuracy);
         let companion = match (rows.next(), fewer) {
             (Some(fewest), Some(counts)) => companion.with_increments(fewest, counts),

@@ -15,8 +15,6 @@ pub(super) struct Compared {
     pub(super) rows: [Vec<Row>; 2],
     /// Where the coarser has rows, in their order.
     apart: Vec<Apart>,
-    /// What their difference is where it is needed.
-    lowered: f64,
     pub(super) period: Option<f64>,
     /// Whether they have different increments in a cycle: within it forces turn, and only what both show can be compared.
     within: bool,
@@ -31,13 +29,8 @@ struct Apart {
 }
 
 impl Compared {
-    pub(super) fn new(
-        rows: [Vec<Row>; 2],
-        lowered: f64,
-        period: Option<f64>,
-        within: bool,
-    ) -> Self {
-        let mut pair = Self { rows, apart: vec![], lowered, period, within };
+    pub(super) fn new(rows: [Vec<Row>; 2], period: Option<f64>, within: bool) -> Self {
+        let mut pair = Self { rows, apart: vec![], period, within };
         let places = pair.rows[1].iter().map(|row| row[0].1);
         let places = places.filter(|at| !within || pair.is_shown(*at));
         let apart = |progress: f64| {
@@ -54,7 +47,7 @@ impl Compared {
         self.rows[0].first()?.iter().position(|(known, _)| known == name)
     }
 
-    /// The largest difference of the two around some progress, lowered to where it is needed.
+    /// The largest difference of the two around some progress.
     pub(super) fn difference(&self, column: &str, progress: f64) -> Option<f64> {
         let column = self.column(column)?;
         let here = self.at(0, column, progress);
@@ -67,7 +60,7 @@ impl Compared {
             scale * difference.abs()
         };
         let differences = near.map(|apart| apart.columns[column]).chain(itself).map(difference);
-        Some(self.lowered * differences.fold(0.0, f64::max))
+        Some(differences.fold(0.0, f64::max))
     }
 
     /// Whether the finer of both has a row there.

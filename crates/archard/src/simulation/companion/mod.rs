@@ -8,16 +8,18 @@
 
 mod compared;
 mod least_error;
+mod tip;
 
 use super::history::{self, Row, number};
 use compared::Compared;
 use least_error::{LeastError, is_tangential};
+pub use tip::Tip;
 
 /// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
 /// order shows late.
 const AS_A_RULE: f64 = 1.5;
 const OF_FRICTION: f64 = 4.5;
-/// The same under the edge of a body, which is a staircase of elements besides.
+/// The same at a tip, and under the edge of a body, which is a staircase of elements besides.
 const OF_EDGED: f64 = 2.0;
 /// Forces and creepages that differ by less, relative, are what was prescribed or what friction bears at most.
 pub(super) const PRESCRIBED: f64 = 1e-6;
@@ -35,6 +37,11 @@ const LEAST_CREEPAGE: f64 = 1e-5;
 pub struct Companion {
     /// Runs on fewer elements and on fewer still.
     grids: Compared,
+    /// How many the run has, and they.
+    elements: [f64; 3],
+    order: f64,
+    tip: Option<Tip>,
+    /// On the error that a difference tells by its order.
     factor: f64,
     least: LeastError,
     increments: Option<Increments>,
@@ -51,10 +58,12 @@ struct Increments {
 }
 
 /// How the error of a run behaves in the size of its elements.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Kind {
     /// Its order.
     pub order: f64,
+    /// Where a body is sharp.
+    pub tip: Option<Tip>,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
     /// Whether bodies touch along a line, in plane strain.
@@ -78,13 +87,10 @@ impl Companion {
     /// Of a run with so many elements across its contact, compared with others on so many; the finer one first.
     pub fn new(
         rows: [Vec<Row>; 2],
-        [own, half, quarter]: [f64; 3],
-        Kind { order, slips_partly, line, period }: Kind,
+        elements: [f64; 3],
+        Kind { order, tip, slips_partly, line, period }: Kind,
         asked: f64,
     ) -> Self {
-        let error = |elements: f64| elements.powf(-order);
-        let lowered = (error(half) - error(own)) / (error(quarter) - error(half));
-        let lowered = if lowered.is_finite() { lowered } else { 1.0 };
         let late = slips_partly && order >= 2.0;
         let edged = order < 2.0 && period.is_none();
         let factor = match (late, edged) {
@@ -92,17 +98,16 @@ impl Companion {
             (_, true) => OF_EDGED,
             _ => AS_A_RULE,
         };
-        let factor = factor * error(own) / (error(half) - error(own));
-        let grids = Compared::new(rows, lowered, period, false);
-        let least = LeastError::new(own, late, line);
-        Self { grids, factor, least, increments: None, asked }
+        let grids = Compared::new(rows, period, false);
+        let least = LeastError::new(elements[0], late, line);
+        Self { grids, elements, order, tip, factor, least, increments: None, asked }
     }
 
     /// The same where cycles are divided into so many increments, and a run on the fewest elements into fewer.
     pub fn with_increments(self, fewer: Vec<Row>, counts: [usize; 2]) -> Self {
         let [own, less] = counts.map(|count| 1.0 / count as f64);
         let rows = [self.grids.rows[1].clone(), fewer];
-        let pair = Compared::new(rows, 1.0, self.grids.period, true);
+        let pair = Compared::new(rows, self.grids.period, true);
         let increments = Increments { pair, factor: AS_A_RULE * own / (less - own) };
         Self { increments: Some(increments), ..self }
     }
@@ -111,8 +116,8 @@ impl Companion {
     /// not have.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let difference = (value - self.grids.at(0, self.grids.column(column)?, progress)).abs();
-        let foreseen = self.grids.difference(column, progress)?;
-        Some(self.enclosing(column, (progress, value), difference.max(foreseen)))
+        let coarser = self.grids.difference(column, progress)?;
+        Some(self.enclosing(column, (progress, value), [difference, coarser]))
     }
 
     /// The error (in its unit) in a column at some progress by the increments of the cycles; `None` where there are none.
@@ -138,7 +143,9 @@ impl Companion {
         let force = self.force(row);
         let [along, across] = history::CREEPAGE.map(|name| number(row, name).unwrap_or_default());
         let creepage = along.hypot(across).max(LEAST_CREEPAGE);
-        let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
+        // What hardly converges is no reason for more elements.
+        let at_tip = |name: &str| !wears && self.at_tip(name, progress).is_some();
+        let counted = row.iter().filter(|(name, _)| history::counts(name, wears) && !at_tip(name));
         let errors = counted.filter_map(|(name, value)| {
             let size = match &**name {
                 name if history::FORCE.contains(&name) => force,
@@ -148,7 +155,7 @@ impl Companion {
             let error = match part {
                 Part::Foreseen => {
                     let difference = self.grids.difference(name, progress)?;
-                    self.enclosing(name, (progress, *value), difference)
+                    self.enclosing(name, (progress, *value), [0.0, difference])
                 }
                 Part::Elements => self.error(name, progress, *value)?,
                 Part::Increments => self.by_increments(name, progress)?,
@@ -176,9 +183,24 @@ impl Companion {
         cycle.chain([of(row)]).fold(least, f64::max)
     }
 
-    /// The error (in its unit) of a value at some progress that a difference tells, or the least there is.
-    fn enclosing(&self, column: &str, (progress, value): (f64, f64), difference: f64) -> f64 {
-        let told = self.factor(column) * difference;
+    /// The error (in its unit) of a value at some progress that differences tell, of the run and of the finer of the others from
+    /// the next coarser one, or the least there is.
+    fn enclosing(
+        &self,
+        column: &str,
+        (progress, value): (f64, f64),
+        [difference, coarser]: [f64; 2],
+    ) -> f64 {
+        let at_tip = self.at_tip(column, progress);
+        let order = at_tip.unwrap_or(self.order).min(self.order);
+        let [own, half, quarter] = self.elements.map(|elements| elements.powf(-order));
+        let lowered = (half - own) / (quarter - half);
+        let lowered = if lowered.is_finite() { lowered } else { 1.0 };
+        let mut told = self.factor(column, own / (half - own)) * difference.max(lowered * coarser);
+        if at_tip.is_some() {
+            // What has no bound is not known at all.
+            told = (told * (OF_EDGED / AS_A_RULE)).min(value.abs());
+        }
         if told <= PRESCRIBED * value.abs() && self.is_given(column, progress) {
             return told;
         }
@@ -200,13 +222,23 @@ impl Companion {
             || is_tangential(column) && history::CREEPAGE.iter().any(follows)
     }
 
-    fn factor(&self, column: &str) -> f64 {
+    /// The order by which a column converges at a tip that is sharp at some progress, where it does so more slowly than others.
+    fn at_tip(&self, column: &str, progress: f64) -> Option<f64> {
+        let tip = self.tip.as_ref()?;
+        let worn = self.grids.column(&tip.depth);
+        let worn = worn.map_or(0.0, |worn| self.grids.at(0, worn, progress));
+        tip.order(column, worn)
+    }
+
+    /// The factor on a difference in a column, where the error is so many times as large by its order.
+    fn factor(&self, column: &str, by_order: f64) -> f64 {
+        let factor = self.factor * by_order;
         match column {
             history::PEAK_PRESSURE => {
-                self.factor.max(OF_PEAKS[usize::from(self.grids.period.is_some())])
+                factor.max(OF_PEAKS[usize::from(self.grids.period.is_some())])
             }
             column if column.contains("_area_") => OF_AREAS,
-            _ => self.factor,
+            _ => factor,
         }
     }
 }
@@ -235,7 +267,7 @@ mod tests {
         let companion = Companion::new(
             [depths(12.0), depths(6.0)],
             [24.0, 12.0, 6.0],
-            Kind { order: 2.0, slips_partly: false, line: false, period: None },
+            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: None },
             0.01,
         );
         let truth = 7.0;
@@ -266,7 +298,7 @@ mod tests {
             rows.iter_mut().filter(|row| row[0].1 > 100.0).for_each(|row| row[1].1 *= off);
             rows
         };
-        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: None };
+        let kind = Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: None };
         let companion = Companion::new([late(12.0), late(6.0)], [24.0, 12.0, 6.0], kind, 0.01);
         let error = |place: usize| companion.worst(&depths(24.0)[place], Part::Foreseen);
         assert_relative_eq!(error(7), 1.5 * 3.0 / (24.0 * 24.0), max_relative = 0.03);
@@ -298,7 +330,8 @@ mod tests {
     #[test]
     fn jumps_over_other_cycles_are_no_difference() {
         let grids = [forces(12.0, &[1, 400, 1000, 1600]), forces(6.0, &[1, 300, 900, 1000, 1600])];
-        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: Some(1.0) };
+        let kind =
+            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: Some(1.0) };
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let error = 1.5 / (24.0 * 24.0);
         for row in forces(24.0, &[200, 500, 1000, 1600]).split_off(1) {
@@ -314,7 +347,8 @@ mod tests {
     fn increments_between_those_of_the_other_are_no_difference() {
         let cycles = [1, 400, 1000];
         let [few, more] = [15, 20].map(|count| forces_in(count, 6.0, &cycles));
-        let kind = Kind { order: 2.0, slips_partly: false, line: false, period: Some(1.0) };
+        let kind =
+            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: Some(1.0) };
         let grids = [forces_in(20, 12.0, &cycles), more];
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let companion = companion.with_increments(few, [20, 15]);
