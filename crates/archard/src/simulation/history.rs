@@ -213,6 +213,16 @@ pub(crate) fn counts(name: &str, wears: bool) -> bool {
     of(&ALWAYS) || if wears { of(&OF_WEAR) } else { of(&UNWORN) }
 }
 
+/// Whether a column is a depth of wear.
+pub(super) fn is_depth(name: &str) -> bool {
+    name == WEAR_DEPTH || is_of(BODY_DEPTH, name)
+}
+
+/// Whether a column says how much has worn.
+pub(super) fn is_worn(name: &str) -> bool {
+    OF_WEAR.iter().any(|column| is_of(column, name))
+}
+
 /// Whether a column, or that of some body, has the name.
 pub(super) fn is_of(column: &str, name: &str) -> bool {
     match column.split_once(BODY) {

@@ -1,5 +1,7 @@
 //! The error stated where elements see an edge badly: of what touches, of what sticks, of a punch, of a scar that swings.
 
+use std::f64::consts::PI;
+
 use archard::simulation::history::Row;
 
 use super::accuracy::{answer, rows, with_error};
@@ -60,6 +62,67 @@ fn the_depth_under_an_edge_lies_within_the_error_stated() {
         assert_within(&row, "wear_depth_m", (7.428e-8, 0.002e-8), accuracy);
         // Galin's.
         assert_within(&row, "centre_pressure_Pa", (20.78444e6, 1e3), accuracy);
+    }
+}
+
+/// Cylinders of plastic that wear by less than in proportion to the pressure: most at the end of the strip that slips, which is
+/// narrower than an element of the coarser grids. Carter's tractions: with x from the middle of the strip that sticks, of half
+/// width a', the slip over the speed is mu sqrt(x^2 - a'^2) / R; integrated over the pressure to the power 0.6.
+#[test]
+fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
+    const CYLINDERS: &str = r#"
+        [body.one]
+        material = { young = "3 GPa", poisson = 0.2 }
+        profile.cylinder = { radius = "31.45 mm", axis = "y" }
+        [body.one.wear.power]
+        coefficient = "1.919e-8 mm^3/(N m)"
+        pressure_exponent = 0.6
+        reference_pressure = "61.96 MPa"
+        [body.two]
+        material = { young = "3 GPa", poisson = 0.2 }
+        profile.cylinder = { radius = "30.31 mm", axis = "y" }
+        [frame]
+        plane_strain = true
+        [friction.coulomb]
+        coefficient = 0.439
+        [motion.rolling]
+        load = "59.88 N/mm"
+        creepage = 0.01
+        revolutions = 5387
+    "#;
+    for (creepage, truth) in [(0.000877, 7.79608e-13), (0.003, 6.90016e-12), (0.01, 5.33689e-11)] {
+        let creepage = format!("motion.rolling.creepage={creepage}");
+        for accuracy in ASKED {
+            let row = answer(CYLINDERS, &[&creepage, accuracy]);
+            let what = format!("{creepage} {accuracy}");
+            assert_within(&row, "wear_depth_m", (truth, 1e-4 * truth), &what);
+        }
+    }
+}
+
+/// A ball that hardly wears: the deepest of elements lies beside the middle.
+#[test]
+fn the_depth_of_few_elements_lies_within_the_error_stated() {
+    let case = r#"
+        [body.ball]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.sphere = { radius = "30 mm" }
+        wear.archard = { coefficient = "1e-16 1/Pa" }
+        [body.flat]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.flat = {}
+        [motion.sliding]
+        load = "10 N"
+        distance = "1 mm"
+    "#;
+    // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2).
+    let modulus = 210e9 / (1.0 - 0.3 * 0.3) / 2.0;
+    let pressure = (60.0 * modulus * modulus / (PI.powi(3) * 0.03 * 0.03)).cbrt();
+    for accuracy in ASKED {
+        let row = answer(case, &[accuracy]);
+        let depth = 1e-16 * pressure * 1e-3;
+        assert_within(&row, "wear_depth_m", (depth, 1e-5 * depth), accuracy);
+        assert_within(&row, "peak_pressure_Pa", (pressure, 1e-5 * pressure), accuracy);
     }
 }
 

@@ -21,6 +21,7 @@ use super::tree::{Entry, Item, Node, Table};
 use crate::body::Body;
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::MOTIONS;
+use crate::problem::rubbing;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 use crate::simulation::{Kind, Tip};
 use locate::Lost;
@@ -34,6 +35,10 @@ const OF_ELEMENTS: f64 = 0.5;
 /// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
 const BESIDE: f64 = 1.15;
 const BESIDE_UNFORESEEN: f64 = 3.0;
+/// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
+const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
+const PROBE: f64 = 1e-6;
+const SAME: f64 = 1e-6;
 /// Elements over which a tip has to be worn before it counts as blunt.
 const BLUNT: f64 = 2.0;
 /// Elements at each side that stay open.
@@ -92,10 +97,20 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
     Ok(Kind {
         order: order(&parts),
         tip: tip(&parts, case.frame.spacing()),
+        element: case.frame.spacing().iter().product(),
         slips_partly: slips_partly(&parts),
+        sublinear: parts.bodies.iter().any(|body| is_sublinear(&parts, body)),
         line: case.frame.line,
         period: parts.motion.period(),
     })
+}
+
+/// Whether a body wears by less than in proportion to the pressure.
+fn is_sublinear(parts: &Parts<'_>, body: &Body) -> bool {
+    let Some(law) = &body.wear else { return false };
+    let depth =
+        |pressure: f64| law.depth(rubbing(parts.friction.as_deref(), pressure, PROBE, [1.0, 0.0]));
+    PRESSURES.iter().any(|pressure| depth(0.5 * pressure) > (0.5 + SAME) * depth(*pressure))
 }
 
 /// Where a body is sharp, on elements of that size (m).

@@ -1,6 +1,9 @@
 //! The least that the elements of a run err by. Grids that agree need not be right: they may see an edge alike, or none of them
 //! a strip that sticks.
 
+use std::f64::consts::PI;
+
+use super::Kind;
 use crate::simulation::history;
 
 /// Of forces and creepages where bodies roll, relative, times the square of the number of elements along the frame: the edge
@@ -8,6 +11,15 @@ use crate::simulation::history;
 const OF_EDGES: f64 = 10.0;
 /// Of pressures, likewise: both ends of a line of contact may fall into elements alike.
 const OF_PRESSURES: f64 = 2.0;
+/// Of depths and peak pressures, over the square of the elements across the contact: the middle of a Hertz contact falls
+/// between two elements of a line of contact, and between four of others. A tenth more than that.
+const OF_MIDDLES: [f64; 2] = [0.55, 1.1];
+/// Of what wears by less than in proportion to the pressure where bodies roll and slip behind a strip that sticks, over the
+/// elements along what slips: such laws wear most at the rim, within one element. What wears in proportion goes by the work
+/// of friction, which no rim disturbs.
+const OF_SLIP: f64 = 0.3;
+/// The least of these elements: grids that see none slip may miss that much.
+const SLIPPING: f64 = 0.5;
 /// Of counted areas, relative to the contact's and to a power of that number: a rim falls anywhere within an element, at both
 /// ends of a line of contact and all around others.
 const OF_RIMS: [(f64, f64); 2] = [(2.0, 1.0), (2.0, 1.5)];
@@ -22,31 +34,67 @@ pub(super) struct LeastError {
     pressures: f64,
     /// Of areas, relative to the contact's.
     rims: f64,
+    /// Whether what wears goes by the rim of what slips.
+    by_rim: bool,
+    line: bool,
+    /// The area of an element (m^2).
+    element: f64,
 }
 
 impl LeastError {
-    /// With so many elements along the frame; whether the edge of `slip` shows as it does where bodies roll; whether they touch
-    /// along a `line`.
-    pub fn new(elements: f64, slip: bool, line: bool) -> Self {
+    /// With so many elements along the frame; whether the edge of `slip` shows as it does where bodies roll.
+    pub fn new(elements: f64, slip: bool, kind: &Kind) -> Self {
+        let &Kind { line, element, sublinear, .. } = kind;
         let (times, power) = OF_RIMS[usize::from(!line)];
         Self {
             edges: if slip { OF_EDGES / (elements * elements) } else { 0.0 },
             pressures: OF_PRESSURES / (elements * elements),
             rims: times * elements.powf(-power),
+            by_rim: slip && sublinear,
+            line,
+            element,
         }
     }
 
-    /// The least error of a value in a column (in its unit), where the bodies touch on that area (m^2).
-    pub fn of(self, column: &str, value: f64, contact: f64) -> f64 {
+    /// The least error of a value in a column (in its unit), where the bodies touch, and stick, on these areas (m^2).
+    pub fn of(self, column: &str, value: f64, [contact, stick]: [f64; 2]) -> f64 {
         match column {
             history::CONTACT_AREA => self.rims * contact,
             history::STICK_AREA => OF_STICK * self.rims * contact,
-            history::PEAK_PRESSURE | history::CENTRE_PRESSURE => self.pressures * value.abs(),
+            history::PEAK_PRESSURE => self.pressures.max(self.of_middle(contact)) * value.abs(),
+            history::CENTRE_PRESSURE => self.pressures * value.abs(),
             _ if history::CREEPAGE.contains(&column) || is_tangential(column) => {
                 self.edges * value.abs()
             }
+            _ if history::is_depth(column) => {
+                self.of_middle(contact).max(self.of_slip(contact, stick)) * value.abs()
+            }
+            _ if history::is_worn(column) => self.of_slip(contact, stick) * value.abs(),
             _ => 0.0,
         }
+    }
+
+    /// Elements across a contact of that area (m^2).
+    fn across(self, contact: f64) -> f64 {
+        let touching = contact / self.element;
+        if self.line { touching } else { (4.0 / PI * touching).sqrt() }
+    }
+
+    /// The relative one of what is largest in the middle of the contact.
+    fn of_middle(self, contact: f64) -> f64 {
+        if contact == 0.0 {
+            return 0.0;
+        }
+        OF_MIDDLES[usize::from(!self.line)] / self.across(contact).max(1.0).powi(2)
+    }
+
+    /// The relative one of what wears, by how narrow the strip is that slips.
+    fn of_slip(self, contact: f64, stick: f64) -> f64 {
+        if !self.by_rim || stick == 0.0 {
+            return 0.0;
+        }
+        let slipping = ((1.0 - stick / contact) * self.across(contact)).max(SLIPPING);
+        OF_SLIP / slipping
     }
 }
 
@@ -57,21 +105,36 @@ pub(super) fn is_tangential(column: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
+    use super::super::Kind;
     use super::LeastError;
 
     #[test]
     fn what_sees_edges_has_a_least_error() {
-        let line = LeastError::new(100.0, true, true);
-        let other = LeastError::new(100.0, false, false);
+        let kind = |line: bool, element: f64| Kind {
+            order: 2.0,
+            tip: None,
+            element,
+            slips_partly: true,
+            sublinear: true,
+            line,
+            period: None,
+        };
+        let line = LeastError::new(100.0, true, &kind(true, 1e-7));
+        let other = LeastError::new(100.0, false, &kind(false, 1e-8));
         for (column, value, expected) in [
             ("force_x_N", -20.0, [0.02, 0.0]),
             ("creepage", 1e-3, [1e-6, 0.0]),
             ("centre_pressure_Pa", 1e9, [2e5, 2e5]),
             ("contact_area_m2", 1e-6, [2e-8, 2e-9]),
             ("stick_area_m2", 0.0, [4e-8, 4e-9]),
-            ("wear_depth_m", 1e-6, [0.0, 0.0]),
+            ("wear_depth_m", 1e-6, [6e-8, 1.1e-6 / (400.0 / PI)]),
+            ("worn_section_pin_m2", 1e-6, [6e-8, 0.0]),
+            ("load_N", 1e-6, [0.0, 0.0]),
         ] {
-            let found = [line, other].map(|least| least.of(column, value, 1e-6));
+            // Five of ten elements slip; of the other contact, a hundred touch.
+            let found = [line, other].map(|least| least.of(column, value, [1e-6, 5e-7]));
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() <= 1e-12 * expected, "{column}: {found}");
             }

@@ -64,8 +64,12 @@ pub struct Kind {
     pub order: f64,
     /// Where a body is sharp.
     pub tip: Option<Tip>,
+    /// The area of an element (m^2).
+    pub element: f64,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
+    /// Whether a body wears by less than in proportion to the pressure.
+    pub sublinear: bool,
     /// Whether bodies touch along a line, in plane strain.
     pub line: bool,
     /// The period of cycles, which tangential forces are relative to (the motion's own unit).
@@ -85,13 +89,10 @@ pub enum Part {
 
 impl Companion {
     /// Of a run with so many elements across its contact, compared with others on so many; the finer one first.
-    pub fn new(
-        rows: [Vec<Row>; 2],
-        elements: [f64; 3],
-        Kind { order, tip, slips_partly, line, period }: Kind,
-        asked: f64,
-    ) -> Self {
-        let late = slips_partly && order >= 2.0;
+    pub fn new(rows: [Vec<Row>; 2], elements: [f64; 3], kind: Kind, asked: f64) -> Self {
+        let late = kind.slips_partly && kind.order >= 2.0;
+        let least = LeastError::new(elements[0], late, &kind);
+        let Kind { order, tip, period, .. } = kind;
         let edged = order < 2.0 && period.is_none();
         let factor = match (late, edged) {
             (true, _) => OF_FRICTION,
@@ -99,7 +100,6 @@ impl Companion {
             _ => AS_A_RULE,
         };
         let grids = Compared::new(rows, period, false);
-        let least = LeastError::new(elements[0], late, line);
         Self { grids, elements, order, tip, factor, least, increments: None, asked }
     }
 
@@ -204,9 +204,11 @@ impl Companion {
         if told <= PRESCRIBED * value.abs() && self.is_given(column, progress) {
             return told;
         }
-        let contact = self.grids.column(history::CONTACT_AREA);
-        let contact = contact.map_or(0.0, |contact| self.grids.at(0, contact, progress));
-        told.max(self.least.of(column, value, contact))
+        let areas = [history::CONTACT_AREA, history::STICK_AREA].map(|name| {
+            let column = self.grids.column(name);
+            column.map_or(0.0, |column| self.grids.at(0, column, progress))
+        });
+        told.max(self.least.of(column, value, areas))
     }
 
     /// Whether a column that no grid changes is what was prescribed: creepages, or forces that creepages follow from. Other forces
@@ -249,6 +251,16 @@ mod tests {
 
     use super::{Companion, Kind, Part, Row};
 
+    const KIND: Kind = Kind {
+        order: 2.0,
+        tip: None,
+        element: 1.0,
+        slips_partly: false,
+        sublinear: false,
+        line: false,
+        period: None,
+    };
+
     /// Depths s^(1/2) (1 + c / n^2) on n elements.
     fn depths(n: f64) -> Vec<Row> {
         let row = |i: i32| {
@@ -264,12 +276,7 @@ mod tests {
     /// An error of the second order is enclosed, at one and a half of it, also where the run itself shows no difference.
     #[test]
     fn errors_of_the_second_order_are_enclosed() {
-        let companion = Companion::new(
-            [depths(12.0), depths(6.0)],
-            [24.0, 12.0, 6.0],
-            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: None },
-            0.01,
-        );
+        let companion = Companion::new([depths(12.0), depths(6.0)], [24.0, 12.0, 6.0], KIND, 0.01);
         let truth = 7.0;
         let error = truth * 3.0 / (24.0 * 24.0);
         for value in [truth + error, companion.row(49.0)[1].1] {
@@ -298,7 +305,7 @@ mod tests {
             rows.iter_mut().filter(|row| row[0].1 > 100.0).for_each(|row| row[1].1 *= off);
             rows
         };
-        let kind = Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: None };
+        let kind = KIND;
         let companion = Companion::new([late(12.0), late(6.0)], [24.0, 12.0, 6.0], kind, 0.01);
         let error = |place: usize| companion.worst(&depths(24.0)[place], Part::Foreseen);
         assert_relative_eq!(error(7), 1.5 * 3.0 / (24.0 * 24.0), max_relative = 0.03);
@@ -330,8 +337,7 @@ mod tests {
     #[test]
     fn jumps_over_other_cycles_are_no_difference() {
         let grids = [forces(12.0, &[1, 400, 1000, 1600]), forces(6.0, &[1, 300, 900, 1000, 1600])];
-        let kind =
-            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: Some(1.0) };
+        let kind = Kind { period: Some(1.0), ..KIND };
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let error = 1.5 / (24.0 * 24.0);
         for row in forces(24.0, &[200, 500, 1000, 1600]).split_off(1) {
@@ -347,8 +353,7 @@ mod tests {
     fn increments_between_those_of_the_other_are_no_difference() {
         let cycles = [1, 400, 1000];
         let [few, more] = [15, 20].map(|count| forces_in(count, 6.0, &cycles));
-        let kind =
-            Kind { order: 2.0, tip: None, slips_partly: false, line: false, period: Some(1.0) };
+        let kind = Kind { period: Some(1.0), ..KIND };
         let grids = [forces_in(20, 12.0, &cycles), more];
         let companion = Companion::new(grids, [24.0, 12.0, 6.0], kind, 0.01);
         let companion = companion.with_increments(few, [20, 15]);

@@ -1,6 +1,6 @@
 //! A tip or an edge: until it is worn, pressures converge slowly there, or have no bound.
 
-use crate::simulation::history::{BODY_DEPTH, PEAK_PRESSURE, WEAR_DEPTH, is_of};
+use crate::simulation::history::{PEAK_PRESSURE, is_depth};
 
 /// The least order: pressures without bound have none.
 const LEAST: f64 = 0.05;
@@ -25,7 +25,7 @@ impl Tip {
     /// exponent is below what depths showed: 0.8 to 0.9 for 1 and 1.5.
     pub fn order(&self, column: &str, worn: f64) -> Option<f64> {
         let [has_edge, is_sharp] = [self.exponent == 0.0, worn <= self.blunt];
-        let of_depth = column == WEAR_DEPTH || is_of(BODY_DEPTH, column);
+        let of_depth = is_depth(column);
         let of_pressure = column.ends_with("_Pa");
         let order = match column {
             PEAK_PRESSURE if has_edge && is_sharp => 0.0,
