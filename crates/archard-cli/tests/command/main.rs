@@ -16,6 +16,7 @@ mod tasks;
 mod verdict;
 
 use std::fs;
+use std::path::Path;
 
 use archard::friction::FRICTION;
 use archard::wear::WEAR_LAWS;
@@ -107,6 +108,21 @@ fn check_prints_the_case_in_si_and_the_forecast() {
         assert!(printed.contains(line), "{line} is not in\n{printed}");
     }
     assert!(said(&checked).contains("only 7.46 elements lie across the contact"));
+}
+
+/// The README shows lines that its first command prints.
+#[test]
+fn results_come_with_their_errors() {
+    let dir = TempDir::new().unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let case = root.join("cases/pin_on_disc/case.toml");
+    let printed = printed(&archard(&dir, &["run", case.to_str().unwrap()]).success());
+    let readme = fs::read_to_string(root.join("README.md")).unwrap();
+    let shown = readme.split("```").find_map(|block| block.strip_prefix("text\n")).unwrap();
+    assert!(shown.lines().all(|line| line.contains(" +- ")), "{shown}");
+    for line in shown.lines() {
+        assert!(printed.contains(line), "{line} is not in\n{printed}");
+    }
 }
 
 #[test]
