@@ -8,6 +8,10 @@ use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};
 /// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
 /// that are found in turn agree.
 const CONSISTENT: f64 = 1e-8;
+/// The same where a pair at the rim opens and closes from turn to turn, and when that shows: each turn changes this much of what
+/// the one before did.
+const IN_TURN: f64 = 1e-5;
+const STALLED: f64 = 0.5;
 /// Turns between them.
 const TURNS: usize = 50;
 
@@ -81,14 +85,17 @@ pub(super) fn alternate(
     mut opened: Vec<f64>,
     mut turn: impl FnMut(&[f64]) -> Result<(Vec<f64>, f64), Error>,
 ) -> Result<(), Error> {
+    let mut last = f64::INFINITY;
     for _ in 0..TURNS {
         let (now, approach) = turn(&opened)?;
         let changes = now.iter().zip(&opened).map(|(now, before)| (now - before).abs());
         let change = changes.fold(0.0, f64::max);
         opened = now;
-        if change <= CONSISTENT * approach.abs() {
+        let enough = if change > STALLED * last { IN_TURN } else { CONSISTENT };
+        if change <= enough * approach.abs() {
             return Ok(());
         }
+        last = change;
     }
     Err(Error::NotConsistent {
         measure: simulation.problem.motion.progress(),

@@ -272,3 +272,33 @@ fn unlike_spheres_creep_less_than_rollers() {
     assert_relative_eq!(expected, 0.5312, epsilon = 2e-4);
     assert_relative_eq!(row(text).last("creepage"), expected * unit, max_relative = 0.01);
 }
+
+/// Unlike discs on elements of which one at the rim opens under one friction and closes under the next, each time: pressures and
+/// friction agree but for it. The force is that of half as many elements.
+#[test]
+fn an_element_that_opens_and_closes_in_turn_is_no_end() {
+    let force = |elements: usize| {
+        let text = format!(
+            r#"
+            [body.one]
+            material = {{ young = "210 GPa", poisson = 0.3 }}
+            profile.disc = {{ radius = "26.77 mm", crown = "206.3 mm" }}
+            [body.two]
+            material = {{ young = "110 GPa", poisson = 0.3 }}
+            profile.disc = {{ radius = "13.66 mm" }}
+            [frame]
+            size = ["0.4080894752700846 mm", "3.0651580956349085 mm"]
+            elements = [{elements}, {elements}]
+            [friction.coulomb]
+            coefficient = 0.203
+            [motion.rolling]
+            load = "182.7 N"
+            creepage = 0.00182
+            revolutions = 0
+            step = 1
+            "#
+        );
+        row(&text).last("force_x_N")
+    };
+    assert_relative_eq!(force(288), force(144), max_relative = 1e-3);
+}
