@@ -115,13 +115,13 @@ fn shifted(
 
 /// What is stated of a quantity with these components, relative to it; nothing where no accuracy is asked for.
 fn error(follower: &Follower, columns: &[&str]) -> String {
-    let sum = |values: Vec<f64>| values.into_iter().fold(0.0, f64::hypot);
+    let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
     let stated = |column: &&str| {
         let of = ERRORS.iter().filter_map(|of| follower.number(&format!("{of}{column}")));
         of.sum::<f64>()
     };
-    let value = sum(columns.iter().filter_map(|column| follower.number(column)).collect());
-    let percent = 100.0 * sum(columns.iter().map(stated).collect()) / value;
+    let value = size(columns.iter().filter_map(|column| follower.number(column)).collect());
+    let percent = 100.0 * size(columns.iter().map(stated).collect()) / value;
     if !percent.is_normal() {
         return String::new();
     }

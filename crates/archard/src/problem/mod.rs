@@ -26,6 +26,10 @@ use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 /// How far below its limit a traction is where pairs stick, relative to it.
 const STICKS: f64 = 1e-6;
+/// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
+const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
+const PROBE: f64 = 1e-6;
+const SAME: f64 = 1e-6;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
 #[non_exhaustive]
@@ -69,12 +73,11 @@ impl ContactProblem {
     /// Whether each depth of wear is proportional to the pressure at one (Pa) and half of it, and the factor stays as it is
     /// while bodies slide. It may go by the direction of slip, so that there need be no coefficient k.
     pub fn is_proportional(&self, pressure: f64) -> bool {
-        let depth =
-            |law: &dyn WearLaw, pressure: f64| law.depth(self.rubbing(pressure, 1e-6, [1.0, 0.0]));
+        let rubbing = |pressure: f64| self.rubbing(pressure, PROBE, [1.0, 0.0]);
         let mut laws = self.bodies.iter().filter_map(|body| body.wear.as_deref());
         let straight = |law: &dyn WearLaw| {
-            let whole = depth(law, pressure);
-            (whole - 2.0 * depth(law, 0.5 * pressure)).abs() <= 1e-6 * whole
+            let [half, whole] = halved(law, rubbing, pressure);
+            (whole - 2.0 * half).abs() <= SAME * whole
         };
         !self.remembers() && !self.goes_by_temperature() && laws.all(straight)
     }
@@ -126,6 +129,20 @@ impl ContactProblem {
         wear.slip = slip;
         wear
     }
+}
+
+/// Whether a law wears more under half of some pressure than half of what it wears under all of it.
+pub(crate) fn is_sublinear(law: &dyn WearLaw, friction: Option<&dyn Friction>, speed: f64) -> bool {
+    let at = |pressure: f64| rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed);
+    PRESSURES.iter().any(|&pressure| {
+        let [half, whole] = halved(law, at, pressure);
+        2.0 * half > (1.0 + SAME) * whole
+    })
+}
+
+/// What a law wears (m) under half of a pressure (Pa) and under all of it.
+fn halved(law: &dyn WearLaw, at: impl Fn(f64) -> Rubbing, pressure: f64) -> [f64; 2] {
+    [0.5, 1.0].map(|share| law.depth(at(share * pressure)))
 }
 
 /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its limit.

@@ -1,5 +1,7 @@
 //! Friction under given pressures, and its alternation with the pressures of unlike bodies.
 
+use std::mem;
+
 use super::evolution::Increment;
 use super::{Effort, Error, Simulation};
 use crate::solve::Status;
@@ -8,10 +10,8 @@ use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};
 /// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
 /// that are found in turn agree.
 const CONSISTENT: f64 = 1e-8;
-/// The same where a pair at the rim opens and closes from turn to turn, and when that shows: each turn changes this much of what
-/// the one before did.
+/// The same where a pair at the rim opens in one turn and closes in the next, so that each turn finds what the last but one did.
 const IN_TURN: f64 = 1e-5;
-const STALLED: f64 = 0.5;
 /// Turns between them.
 const TURNS: usize = 50;
 
@@ -85,17 +85,18 @@ pub(super) fn alternate(
     mut opened: Vec<f64>,
     mut turn: impl FnMut(&[f64]) -> Result<(Vec<f64>, f64), Error>,
 ) -> Result<(), Error> {
-    let mut last = f64::INFINITY;
+    let change = |now: &[f64], before: &[f64]| {
+        now.iter().zip(before).map(|(now, before)| (now - before).abs()).fold(0.0, f64::max)
+    };
+    let mut last_but_one: Option<Vec<f64>> = None;
     for _ in 0..TURNS {
         let (now, approach) = turn(&opened)?;
-        let changes = now.iter().zip(&opened).map(|(now, before)| (now - before).abs());
-        let change = changes.fold(0.0, f64::max);
-        opened = now;
-        let enough = if change > STALLED * last { IN_TURN } else { CONSISTENT };
-        if change <= enough * approach.abs() {
+        let agrees = |one: &[f64], to: f64| change(&now, one) <= to * approach.abs();
+        let returns = last_but_one.is_some_and(|one| agrees(&one, CONSISTENT));
+        if agrees(&opened, if returns { IN_TURN } else { CONSISTENT }) {
             return Ok(());
         }
-        last = change;
+        last_but_one = Some(mem::replace(&mut opened, now));
     }
     Err(Error::NotConsistent {
         measure: simulation.problem.motion.progress(),

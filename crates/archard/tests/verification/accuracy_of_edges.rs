@@ -7,10 +7,12 @@ use archard::simulation::history::Row;
 use super::accuracy::{answer, rows, with_error};
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
+const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
 const PUNCH: &str = include_str!("../../../../cases/running_in_flat_punch/case.toml");
 const FORMULA: &str = include_str!("../../../../cases/custom_expression/case.toml");
 const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
 
+const HARDLY_WEARS: &str = "body.pin.wear={ archard = { coefficient = \"1e-16 1/Pa\" } }";
 const ASKED: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
 
 /// Asserts that a value lies within the error stated and what the truth leaves.
@@ -65,36 +67,40 @@ fn the_depth_under_an_edge_lies_within_the_error_stated() {
     }
 }
 
-/// Cylinders of plastic that wear by less than in proportion to the pressure: most at the end of the strip that slips, which is
-/// narrower than an element of the coarser grids. Carter's tractions: with x from the middle of the strip that sticks, of half
-/// width a', the slip over the speed is mu sqrt(x^2 - a'^2) / R; integrated over the pressure to the power 0.6.
+/// The integral of a function over half a turn, in its argument's middle of many parts.
+fn over_half_a_turn(function: impl Fn(f64) -> f64) -> f64 {
+    let parts = 4000;
+    let part = PI / f64::from(parts);
+    (0..parts).map(|i| function(part * (f64::from(i) + 0.5)) * part).sum()
+}
+
+/// Cylinders that wear by less than in proportion to the pressure: most at the end of the strip that slips, which is narrower than
+/// an element of the coarser grids. Carter: with x from the middle of the strip that sticks, of half width a', the slip over the
+/// speed of rolling is mu sqrt(x^2 - a'^2) / R.
 #[test]
 fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
-    const CYLINDERS: &str = r#"
-        [body.one]
-        material = { young = "3 GPa", poisson = 0.2 }
-        profile.cylinder = { radius = "31.45 mm", axis = "y" }
-        [body.one.wear.power]
-        coefficient = "1.919e-8 mm^3/(N m)"
-        pressure_exponent = 0.6
-        reference_pressure = "61.96 MPa"
-        [body.two]
-        material = { young = "3 GPa", poisson = 0.2 }
-        profile.cylinder = { radius = "30.31 mm", axis = "y" }
-        [frame]
-        plane_strain = true
-        [friction.coulomb]
-        coefficient = 0.439
-        [motion.rolling]
-        load = "59.88 N/mm"
-        creepage = 0.01
-        revolutions = 5387
-    "#;
-    for (creepage, truth) in [(0.000877, 7.79608e-13), (0.003, 6.90016e-12), (0.01, 5.33689e-11)] {
-        let creepage = format!("motion.rolling.creepage={creepage}");
+    let (half, limit, load, passages) = (0.2e-3, 0.003, 7180.8 / 0.04, 5000.0);
+    let peak = 2.0 * load / (PI * half);
+    for (exponent, share) in [(0.6, 0.0355), (0.6, 0.1215), (0.6, 0.405), (0.3, 0.1), (0.9, 0.1)] {
+        // From x = a' to a' + 2 d, in the angle t of a circle over it; d is the part of the contact that slips.
+        let slips = half * share;
+        let sticks = half - slips;
+        let depth = over_half_a_turn(|t| {
+            let x = sticks + slips * (1.0 - t.cos());
+            let pressure = peak * (1.0 - ((slips - x) / half).powi(2)).max(0.0).sqrt();
+            let slip = limit / half * (x * x - sticks * sticks).max(0.0).sqrt();
+            1e-17 * 1e9 * (pressure / 1e9).powf(exponent) * slip * slips * t.sin()
+        });
+        let truth = passages * depth;
+        let creepage = format!("motion.rolling.creepage={}", limit * share);
+        let law = format!(
+            "body.driver.wear={{ power = {{ coefficient = \"1e-17 1/Pa\", pressure_exponent = {exponent}, \
+             reference_pressure = \"1 GPa\" }} }}"
+        );
         for accuracy in ASKED {
-            let row = answer(CYLINDERS, &[&creepage, accuracy]);
-            let what = format!("{creepage} {accuracy}");
+            let options = [&law, &creepage, "motion.rolling.revolutions=5000", accuracy];
+            let row = answer(CARTER, &options);
+            let what = format!("{exponent} {share} {accuracy}");
             assert_within(&row, "wear_depth_m", (truth, 1e-4 * truth), &what);
         }
     }
@@ -103,44 +109,28 @@ fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
 /// A ball that hardly wears: the deepest of elements lies beside the middle.
 #[test]
 fn the_depth_of_few_elements_lies_within_the_error_stated() {
-    let case = r#"
-        [body.ball]
-        material = { young = "210 GPa", poisson = 0.3 }
-        profile.sphere = { radius = "30 mm" }
-        wear.archard = { coefficient = "1e-16 1/Pa" }
-        [body.flat]
-        material = { young = "210 GPa", poisson = 0.3 }
-        profile.flat = {}
-        [motion.sliding]
-        load = "10 N"
-        distance = "1 mm"
-    "#;
     // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2).
     let modulus = 210e9 / (1.0 - 0.3 * 0.3) / 2.0;
-    let pressure = (60.0 * modulus * modulus / (PI.powi(3) * 0.03 * 0.03)).cbrt();
+    let pressure = (6.0 * 10.2 * modulus * modulus / (PI.powi(3) * 0.05 * 0.05)).cbrt();
+    let depth = 1e-16 * pressure * 1e-3;
     for accuracy in ASKED {
-        let row = answer(case, &[accuracy]);
-        let depth = 1e-16 * pressure * 1e-3;
+        let options = [HARDLY_WEARS, "motion.sliding.distance=1 mm", "output=", accuracy];
+        let row = answer(PIN, &options);
         assert_within(&row, "wear_depth_m", (depth, 1e-5 * depth), accuracy);
         assert_within(&row, "peak_pressure_Pa", (pressure, 1e-5 * pressure), accuracy);
     }
 }
 
-/// A steel pin on a steel disc, by accuracy alone: its recess c r^n.
-const TIP: &str = r#"
-[body.pin]
-material = { young = "210 GPa", poisson = 0.3 }
-profile.axisymmetric_power = { coefficient = 0.01, exponent = 1 }
-wear.archard = { coefficient = "1e-16 1/Pa" }
-[body.disc]
-material = { young = "210 GPa", poisson = 0.3 }
-profile.flat = {}
-"#;
+/// A pin whose recess is 0.01 r^n, the factor in that unit.
+fn tip(exponent: &str, unit: &str) -> String {
+    format!(
+        "body.pin.profile={{ axisymmetric_power = {{ coefficient = \"0.01 {unit}\", exponent = {exponent} }} }}"
+    )
+}
 
 /// At a tip pressures converge by the order n - 1, and at that of a cone they have no bound.
 #[test]
 fn pressures_at_a_tip_are_stated_as_they_converge() {
-    let case = format!("{TIP}[motion.indentation]\nload = \"10 N\"\n");
     // I. N. Sneddon, Int. J. Eng. Sci. 3 (1965) 47: F = 2 E* kappa c n a^(n + 1) / (n + 1), approach kappa c a^n, pressure at
     // the tip E* kappa c n a^(n - 1) / (pi (n - 1)), kappa = sqrt(pi) Gamma(n/2 + 1) / Gamma((n + 1)/2).
     for (accuracy, exponent, approach, pressure) in [
@@ -150,12 +140,15 @@ fn pressures_at_a_tip_are_stated_as_they_converge() {
         ("accuracy=0.03", "1.5", 6.56209e-7, 6.5695e8),
         ("accuracy=0.01", "1.5", 6.56209e-7, 6.5695e8),
     ] {
-        let exponent = format!("body.pin.profile.axisymmetric_power.exponent={exponent}");
-        let coefficient = match pressure.is_finite() {
-            true => "body.pin.profile.axisymmetric_power.coefficient=0.01 mm^-0.5",
-            false => "body.pin.profile.axisymmetric_power.coefficient=0.01",
-        };
-        let row = answer(&case, &[&exponent, coefficient, accuracy]);
+        let unit = if pressure.is_finite() { "mm^-0.5" } else { "" };
+        let options = [
+            &tip(exponent, unit),
+            "motion={ indentation = { load = \"10 N\" } }",
+            "output=",
+            "body.pin.wear=",
+            accuracy,
+        ];
+        let row = answer(PIN, &options);
         let what = format!("{exponent} {accuracy}");
         assert_within(&row, "approach_m", (approach, 1e-5 * approach), &what);
         for column in ["centre_pressure_Pa", "peak_pressure_Pa"] {
@@ -173,12 +166,15 @@ fn pressures_at_a_tip_are_stated_as_they_converge() {
 /// on 300 to 1200 rings, extrapolated in them and in its steps.
 #[test]
 fn the_depth_of_a_tip_lies_within_the_error_stated() {
-    let case = format!("{TIP}[motion.sliding]\nload = \"10 N\"\ndistance = \"300 mm\"\n");
-    let recess = [
-        "body.pin.profile.axisymmetric_power.exponent=1.5",
-        "body.pin.profile.axisymmetric_power.coefficient=0.01 mm^-0.5",
+    let options = [
+        &tip("1.5", "mm^-0.5"),
+        HARDLY_WEARS,
+        "motion.sliding.load=10 N",
+        "motion.sliding.distance=300 mm",
+        "output=",
+        "accuracy=0.1",
     ];
-    let rows = rows(&case, &[&recess[..], &["accuracy=0.1"]].concat());
+    let rows = rows(PIN, &options);
     for (distance, depth, pressure) in [(0.03, 1.9142e-9, 6.286e8), (0.3, 1.792e-8, 5.682e8)] {
         let row = row_at(&rows, distance);
         assert_within(row, "wear_depth_m", (depth, 1e-3 * depth), "depth");

@@ -2,7 +2,8 @@
 
 use std::error::Error as StdError;
 
-use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, kind, locate, order};
+use super::kind::{kind, order};
+use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, locate};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;

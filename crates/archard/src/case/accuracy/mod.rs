@@ -7,23 +7,21 @@
 
 mod companion;
 mod increments;
+mod kind;
 mod locate;
 mod wider;
 
 pub use companion::{Following, Unsettled};
 
 use super::check::Parts;
-use super::definition::{BuildError, Case, FrameCase};
+use super::definition::{Case, FrameCase};
 use super::file::Resolved;
 use super::key::Key;
 use super::problem::Problem;
 use super::tree::{Entry, Item, Node, Table};
-use crate::body::Body;
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::MOTIONS;
-use crate::problem::rubbing;
-use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
-use crate::simulation::{Kind, Tip};
+use kind::{order, slips_partly};
 use locate::Lost;
 
 /// The least accuracy that can be asked for.
@@ -35,12 +33,6 @@ const OF_ELEMENTS: f64 = 0.5;
 /// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
 const BESIDE: f64 = 1.15;
 const BESIDE_UNFORESEEN: f64 = 3.0;
-/// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
-const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
-const PROBE: f64 = 1e-6;
-const SAME: f64 = 1e-6;
-/// Elements over which a tip has to be worn before it counts as blunt.
-const BLUNT: f64 = 2.0;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
 /// Elements across the unworn contact, at least: fewer are warned of.
@@ -82,56 +74,6 @@ impl Resolved {
         };
         given(toml) == given(&self.case.to_string())
     }
-}
-
-/// The order of the error of a case in the size of its elements.
-pub(super) fn order(parts: &Parts<'_>) -> f64 {
-    let has_edge = parts.bodies.iter().any(|body| body.profile.sharpest() == 0.0);
-    let frets = parts.motion.period().is_some() && parts.friction.is_some();
-    if has_edge || frets { 1.0 } else { 2.0 }
-}
-
-/// How the error of a case behaves in the size of its elements.
-pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
-    let parts = Parts::of(case)?;
-    Ok(Kind {
-        order: order(&parts),
-        tip: tip(&parts, case.frame.spacing()),
-        element: case.frame.spacing().iter().product(),
-        slips_partly: slips_partly(&parts),
-        sublinear: parts.bodies.iter().any(|body| is_sublinear(&parts, body)),
-        line: case.frame.line,
-        period: parts.motion.period(),
-    })
-}
-
-/// Whether a body wears by less than in proportion to the pressure.
-fn is_sublinear(parts: &Parts<'_>, body: &Body) -> bool {
-    let Some(law) = &body.wear else { return false };
-    let depth =
-        |pressure: f64| law.depth(rubbing(parts.friction.as_deref(), pressure, PROBE, [1.0, 0.0]));
-    PRESSURES.iter().any(|pressure| depth(0.5 * pressure) > (0.5 + SAME) * depth(*pressure))
-}
-
-/// Where a body is sharp, on elements of that size (m).
-fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
-    let [one, other] = &parts.bodies;
-    let sharper = other.profile.sharpest() < one.profile.sharpest();
-    let Body { name, profile, .. } = if sharper { other } else { one };
-    let exponent = profile.sharpest();
-    let stays = parts.motion.passing().is_none() && parts.motion.swing().is_none();
-    let [x, y] = spacing.map(|size| BLUNT * size);
-    (exponent < 2.0).then(|| Tip {
-        exponent,
-        stays,
-        depth: if stays { WEAR_DEPTH.to_owned() } else { of_body(BODY_DEPTH, name) },
-        blunt: if exponent > 0.0 { profile.recess(x, y) } else { 0.0 },
-    })
-}
-
-/// Whether friction decides what slips.
-pub(super) fn slips_partly(parts: &Parts<'_>) -> bool {
-    parts.motion.slips_partly() && parts.friction.is_some()
 }
 
 /// The accuracy, if the value is one.

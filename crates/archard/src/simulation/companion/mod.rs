@@ -196,11 +196,10 @@ impl Companion {
         let [own, half, quarter] = self.elements.map(|elements| elements.powf(-order));
         let lowered = (half - own) / (quarter - half);
         let lowered = if lowered.is_finite() { lowered } else { 1.0 };
-        let mut told = self.factor(column, own / (half - own)) * difference.max(lowered * coarser);
-        if at_tip.is_some() {
-            // What has no bound is not known at all.
-            told = (told * (OF_EDGED / AS_A_RULE)).min(value.abs());
-        }
+        let factor = self.factor(column, own / (half - own), at_tip.is_some());
+        let told = factor * difference.max(lowered * coarser);
+        // What has no bound is not known at all.
+        let told = if at_tip.is_some() { told.min(value.abs()) } else { told };
         if told <= PRESCRIBED * value.abs() && self.is_given(column, progress) {
             return told;
         }
@@ -232,9 +231,10 @@ impl Companion {
         tip.order(column, worn)
     }
 
-    /// The factor on a difference in a column, where the error is so many times as large by its order.
-    fn factor(&self, column: &str, by_order: f64) -> f64 {
-        let factor = self.factor * by_order;
+    /// The factor on a difference in a column, where the error is so many times as large by its order, at a tip or not.
+    fn factor(&self, column: &str, by_order: f64, at_tip: bool) -> f64 {
+        let factor = if at_tip { self.factor.max(OF_EDGED) } else { self.factor };
+        let factor = factor * by_order;
         match column {
             history::PEAK_PRESSURE => {
                 factor.max(OF_PEAKS[usize::from(self.grids.period.is_some())])

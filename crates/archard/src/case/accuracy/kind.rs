@@ -1,0 +1,55 @@
+//! How the error of a case behaves in the size of its elements, by its bodies, its motion and its laws.
+
+use crate::body::Body;
+use crate::case::check::Parts;
+use crate::case::definition::{BuildError, Case};
+use crate::problem::is_sublinear;
+use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
+use crate::simulation::{Kind, Tip};
+
+/// Elements over which a tip has to be worn before it counts as blunt.
+const BLUNT: f64 = 2.0;
+
+/// What says how errors follow from differences between grids, for a case on its elements.
+pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
+    let parts = Parts::of(case)?;
+    let (friction, speed) = (parts.friction.as_deref(), parts.motion.speed().unwrap_or_default());
+    let mut laws = parts.bodies.iter().filter_map(|body| body.wear.as_deref());
+    Ok(Kind {
+        order: order(&parts),
+        tip: tip(&parts, case.frame.spacing()),
+        element: case.frame.spacing().iter().product(),
+        slips_partly: slips_partly(&parts),
+        sublinear: laws.any(|law| is_sublinear(law, friction, speed)),
+        line: case.frame.line,
+        period: parts.motion.period(),
+    })
+}
+
+/// The order of the error.
+pub(super) fn order(parts: &Parts<'_>) -> f64 {
+    let has_edge = parts.bodies.iter().any(|body| body.profile.sharpest() == 0.0);
+    let frets = parts.motion.period().is_some() && parts.friction.is_some();
+    if has_edge || frets { 1.0 } else { 2.0 }
+}
+
+/// Whether friction decides what slips.
+pub(super) fn slips_partly(parts: &Parts<'_>) -> bool {
+    parts.motion.slips_partly() && parts.friction.is_some()
+}
+
+/// Where a body is sharp, on elements of that size (m).
+fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
+    let [one, other] = &parts.bodies;
+    let sharper = other.profile.sharpest() < one.profile.sharpest();
+    let Body { name, profile, .. } = if sharper { other } else { one };
+    let exponent = profile.sharpest();
+    let stays = parts.motion.passing().is_none() && parts.motion.swing().is_none();
+    let [x, y] = spacing.map(|size| BLUNT * size);
+    (exponent < 2.0).then(|| Tip {
+        exponent,
+        stays,
+        depth: if stays { WEAR_DEPTH.to_owned() } else { of_body(BODY_DEPTH, name) },
+        blunt: if exponent > 0.0 { profile.recess(x, y) } else { 0.0 },
+    })
+}
