@@ -106,7 +106,8 @@ fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
     }
 }
 
-/// A ball that hardly wears: the deepest of elements lies beside the middle.
+/// A ball that hardly wears, by a law for which no closed form foresees the scar, so that few elements of the frame lie across the
+/// contact: the deepest lies beside the middle.
 #[test]
 fn the_depth_of_few_elements_lies_within_the_error_stated() {
     // Hertz: p0^3 = 6 F E*^2 / (pi^3 R^2).
@@ -114,7 +115,9 @@ fn the_depth_of_few_elements_lies_within_the_error_stated() {
     let pressure = (6.0 * 10.2 * modulus * modulus / (PI.powi(3) * 0.05 * 0.05)).cbrt();
     let depth = 1e-16 * pressure * 1e-3;
     for accuracy in ASKED {
-        let options = [HARDLY_WEARS, "motion.sliding.distance=1 mm", "output=", accuracy];
+        let law =
+            "body.pin.wear={ orthotropic = { coefficients = [\"1e-16 1/Pa\", \"5e-17 1/Pa\"] } }";
+        let options = [law, "motion.sliding.distance=1 mm", "output=", accuracy];
         let row = answer(PIN, &options);
         assert_within(&row, "wear_depth_m", (depth, 1e-5 * depth), accuracy);
         assert_within(&row, "peak_pressure_Pa", (pressure, 1e-5 * pressure), accuracy);
