@@ -121,6 +121,9 @@ fn the_depth_of_few_elements_lies_within_the_error_stated() {
         let row = answer(PIN, &options);
         assert_within(&row, "wear_depth_m", (depth, 1e-5 * depth), accuracy);
         assert_within(&row, "peak_pressure_Pa", (pressure, 1e-5 * pressure), accuracy);
+        // p0 = 3/2 F / (pi a^2).
+        let area = 1.5 * 10.2 / pressure;
+        assert_within(&row, "contact_area_m2", (area, 1e-5 * area), accuracy);
     }
 }
 

@@ -18,12 +18,19 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
     Ok(Kind {
         order: order(&parts),
         tip: tip(&parts, case.frame.spacing()),
-        element: case.frame.spacing().iter().product(),
+        areas: areas(case),
         slips_partly: slips_partly(&parts),
         sublinear: laws.any(|law| is_sublinear(law, friction, speed)),
         line: case.frame.line,
         period: parts.motion.period(),
     })
+}
+
+/// From where on elements have which area (m^2).
+fn areas(case: &Case) -> Vec<[f64; 2]> {
+    let places = [0.0].into_iter().chain(case.doubles.iter().copied());
+    let area = |doubled| case.frame_after(doubled).spacing().iter().product();
+    places.enumerate().map(|(doubled, from)| [from, area(doubled)]).collect()
 }
 
 /// The order of the error.

@@ -20,81 +20,79 @@ const OF_MIDDLES: [f64; 2] = [0.55, 1.1];
 const OF_SLIP: f64 = 0.3;
 /// The least of these elements: grids that see none slip may miss that much.
 const SLIPPING: f64 = 0.5;
-/// Of counted areas, relative to the contact's and to a power of that number: a rim falls anywhere within an element, at both
-/// ends of a line of contact and all around others.
-const OF_RIMS: [(f64, f64); 2] = [(2.0, 1.0), (2.0, 1.5)];
+/// Of counted areas, relative to the contact's, over the elements across it: a rim falls anywhere within an element, at both
+/// ends of a line of contact; and all around others it counts some elements that it only cuts, about a sixth of one on average.
+const OF_RIMS: [f64; 2] = [1.5, 1.0];
 /// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
 
 /// Least errors of a run, relative.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct LeastError {
     /// Of forces and creepages.
     edges: f64,
     pressures: f64,
-    /// Of areas, relative to the contact's.
-    rims: f64,
     /// Whether what wears goes by the rim of what slips.
     by_rim: bool,
     line: bool,
-    /// The area of an element (m^2).
-    element: f64,
+    /// From where on elements have which area (m^2), of places in the motion's unit.
+    areas: Vec<[f64; 2]>,
 }
 
 impl LeastError {
     /// With so many elements along the frame; whether the edge of `slip` shows as it does where bodies roll.
     pub fn new(elements: f64, slip: bool, kind: &Kind) -> Self {
-        let &Kind { line, element, sublinear, .. } = kind;
-        let (times, power) = OF_RIMS[usize::from(!line)];
+        let &Kind { line, sublinear, .. } = kind;
         Self {
             edges: if slip { OF_EDGES / (elements * elements) } else { 0.0 },
             pressures: OF_PRESSURES / (elements * elements),
-            rims: times * elements.powf(-power),
             by_rim: slip && sublinear,
             line,
-            element,
+            areas: kind.areas.clone(),
         }
     }
 
-    /// The least error of a value in a column (in its unit), where the bodies touch, and stick, on these areas (m^2).
-    pub fn of(self, column: &str, value: f64, [contact, stick]: [f64; 2]) -> f64 {
+    /// The least error of a value in a column (in its unit) at some progress, where the bodies touch, and stick, on these areas
+    /// (m^2).
+    pub fn of(
+        &self,
+        column: &str,
+        (progress, value): (f64, f64),
+        [contact, stick]: [f64; 2],
+    ) -> f64 {
+        let across = self.across(contact, progress);
+        let of_rims = OF_RIMS[usize::from(!self.line)] / across;
+        let of_middle = OF_MIDDLES[usize::from(!self.line)] / across.powi(2);
+        let of_slip = self.of_slip([contact, stick], across);
         match column {
-            history::CONTACT_AREA => self.rims * contact,
-            history::STICK_AREA => OF_STICK * self.rims * contact,
-            history::PEAK_PRESSURE => self.pressures.max(self.of_middle(contact)) * value.abs(),
+            _ if contact == 0.0 => 0.0,
+            history::CONTACT_AREA => of_rims * contact,
+            history::STICK_AREA => OF_STICK * of_rims * contact,
+            history::PEAK_PRESSURE => self.pressures.max(of_middle) * value.abs(),
             history::CENTRE_PRESSURE => self.pressures * value.abs(),
             _ if history::CREEPAGE.contains(&column) || is_tangential(column) => {
                 self.edges * value.abs()
             }
-            _ if history::is_depth(column) => {
-                self.of_middle(contact).max(self.of_slip(contact, stick)) * value.abs()
-            }
-            _ if history::is_worn(column) => self.of_slip(contact, stick) * value.abs(),
+            _ if history::is_depth(column) => of_middle.max(of_slip) * value.abs(),
+            _ if history::is_worn(column) => of_slip * value.abs(),
             _ => 0.0,
         }
     }
 
-    /// Elements across a contact of that area (m^2).
-    fn across(self, contact: f64) -> f64 {
-        let touching = contact / self.element;
-        if self.line { touching } else { (4.0 / PI * touching).sqrt() }
-    }
-
-    /// The relative one of what is largest in the middle of the contact.
-    fn of_middle(self, contact: f64) -> f64 {
-        if contact == 0.0 {
-            return 0.0;
-        }
-        OF_MIDDLES[usize::from(!self.line)] / self.across(contact).max(1.0).powi(2)
+    /// Elements across a contact of that area (m^2) at some progress, one at least.
+    fn across(&self, contact: f64, progress: f64) -> f64 {
+        let reached = self.areas.iter().rev().find(|[from, _]| *from <= progress);
+        let touching = reached.or(self.areas.first()).map_or(1.0, |[_, area]| contact / area);
+        let across = if self.line { touching } else { (4.0 / PI * touching).sqrt() };
+        across.max(1.0)
     }
 
     /// The relative one of what wears, by how narrow the strip is that slips.
-    fn of_slip(self, contact: f64, stick: f64) -> f64 {
+    fn of_slip(&self, [contact, stick]: [f64; 2], across: f64) -> f64 {
         if !self.by_rim || stick == 0.0 {
             return 0.0;
         }
-        let slipping = ((1.0 - stick / contact) * self.across(contact)).max(SLIPPING);
-        OF_SLIP / slipping
+        OF_SLIP / ((1.0 - stick / contact) * across).max(SLIPPING)
     }
 }
 
@@ -112,10 +110,10 @@ mod tests {
 
     #[test]
     fn what_sees_edges_has_a_least_error() {
-        let kind = |line: bool, element: f64| Kind {
+        let kind = |line: bool, area: f64| Kind {
             order: 2.0,
             tip: None,
-            element,
+            areas: vec![[0.0, area], [100.0, 4.0 * area]],
             slips_partly: true,
             sublinear: true,
             line,
@@ -127,17 +125,21 @@ mod tests {
             ("force_x_N", -20.0, [0.02, 0.0]),
             ("creepage", 1e-3, [1e-6, 0.0]),
             ("centre_pressure_Pa", 1e9, [2e5, 2e5]),
-            ("contact_area_m2", 1e-6, [2e-8, 2e-9]),
-            ("stick_area_m2", 0.0, [4e-8, 4e-9]),
+            ("contact_area_m2", 1e-6, [1.5e-7, 1e-6 / (400.0 / PI).sqrt()]),
+            ("stick_area_m2", 0.0, [3e-7, 2e-6 / (400.0 / PI).sqrt()]),
             ("wear_depth_m", 1e-6, [6e-8, 1.1e-6 / (400.0 / PI)]),
             ("worn_section_pin_m2", 1e-6, [6e-8, 0.0]),
             ("load_N", 1e-6, [0.0, 0.0]),
         ] {
             // Five of ten elements slip; of the other contact, a hundred touch.
-            let found = [line, other].map(|least| least.of(column, value, [1e-6, 5e-7]));
+            let found = [&line, &other].map(|least| least.of(column, (99.0, value), [1e-6, 5e-7]));
             for (found, expected) in found.into_iter().zip(expected) {
                 assert!((found - expected).abs() <= 1e-12 * expected, "{column}: {found}");
             }
         }
+        // Elements are as large as they have become, and what does not touch errs by nothing.
+        let of = |progress, areas| other.of("wear_depth_m", (progress, 1e-6), areas);
+        assert!((of(100.0, [1e-6, 0.0]) / of(99.0, [1e-6, 0.0]) - 4.0).abs() < 1e-12);
+        assert_eq!(of(99.0, [0.0, 0.0]), 0.0);
     }
 }

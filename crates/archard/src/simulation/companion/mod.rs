@@ -64,8 +64,8 @@ pub struct Kind {
     pub order: f64,
     /// Where a body is sharp.
     pub tip: Option<Tip>,
-    /// The area of an element (m^2).
-    pub element: f64,
+    /// From where on (the motion's own unit) elements have which area (m^2).
+    pub areas: Vec<[f64; 2]>,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
     /// Whether a body wears by less than in proportion to the pressure.
@@ -207,7 +207,7 @@ impl Companion {
             let column = self.grids.column(name);
             column.map_or(0.0, |column| self.grids.at(0, column, progress))
         });
-        told.max(self.least.of(column, value, areas))
+        told.max(self.least.of(column, (progress, value), areas))
     }
 
     /// Whether a column that no grid changes is what was prescribed: creepages, or forces that creepages follow from. Other forces
@@ -254,7 +254,7 @@ mod tests {
     const KIND: Kind = Kind {
         order: 2.0,
         tip: None,
-        element: 1.0,
+        areas: vec![],
         slips_partly: false,
         sublinear: false,
         line: false,
