@@ -3,7 +3,7 @@
 use std::error::Error as StdError;
 
 use super::kind::{kind, order};
-use super::{BESIDE, MOST, OF_ELEMENTS, around, even, increments, locate};
+use super::{BESIDE, MOST, OF_ELEMENTS, around, counted, increments, locate};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
@@ -277,7 +277,7 @@ impl Resolved {
             let size = around(BESIDE * reach[axis], spacing[axis]);
             if reach[axis] > 0.0 && size < CLOSES * frame.size[axis] {
                 frame.size[axis] = size;
-                frame.elements[axis] = even(size / spacing[axis]);
+                frame.elements[axis] = counted(size / spacing[axis], frame.elements[axis]);
             }
         }
     }
@@ -285,7 +285,7 @@ impl Resolved {
     /// Takes that many times as many elements along each axis, and increments; whether so many are allowed.
     fn refine(&mut self, [elements, increments]: [f64; 2]) -> Result<bool, Unsettled> {
         if elements > 1.0 {
-            let refined = |n: usize| if n == 1 { 1 } else { even(elements * n as f64) };
+            let refined = |n: usize| if n == 1 { 1 } else { counted(elements * n as f64, n) };
             let refined = self.case.frame.elements.map(refined);
             if refined.iter().any(|&n| n as f64 > MOST) {
                 return Ok(false);
@@ -325,7 +325,8 @@ impl Resolved {
             for axis in 0..2 {
                 let larger = case.frame.size[axis] / before.size[axis];
                 if larger > 1.0 {
-                    case.frame.elements[axis] = even(larger * before.elements[axis] as f64);
+                    let elements = before.elements[axis];
+                    case.frame.elements[axis] = counted(larger * elements as f64, elements);
                 }
             }
         }

@@ -45,6 +45,13 @@ pub(super) fn slips_partly(parts: &Parts<'_>) -> bool {
     parts.motion.slips_partly() && parts.friction.is_some()
 }
 
+/// Whether a body is sharp, but not along an edge: most happens at the middle of the contact, where elements must not miss it.
+pub(super) fn has_tip(parts: &Parts<'_>) -> bool {
+    let sharpest = parts.bodies.iter().map(|body| body.profile.sharpest());
+    let sharpest = sharpest.fold(2.0, f64::min);
+    sharpest > 0.0 && sharpest < 2.0
+}
+
 /// Where a body is sharp, on elements of that size (m).
 fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
     let [one, other] = &parts.bodies;

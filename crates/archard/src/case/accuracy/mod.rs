@@ -21,7 +21,7 @@ use super::problem::Problem;
 use super::tree::{Entry, Item, Node, Table};
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::MOTIONS;
-use kind::{order, slips_partly};
+use kind::{has_tip, order, slips_partly};
 use locate::Lost;
 
 /// The least accuracy that can be asked for.
@@ -190,6 +190,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
         2.0 * (first[axis] / across).min(unworn / UNWORN)
     });
     let axes = if frame.line { 1 } else { 2 };
+    let odd = usize::from(has_tip(&parts));
     for axis in 0..axes {
         if chose.size {
             frame.size[axis] = around(beside * reach[axis], element[axis]);
@@ -197,7 +198,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
             (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }
         if chose.elements {
-            frame.elements[axis] = even(frame.size[axis] / element[axis]);
+            frame.elements[axis] = counted(frame.size[axis] / element[axis], odd);
         }
     }
     if frame.line {
@@ -241,9 +242,11 @@ fn lost(why: Lost) -> Problem {
     }
 }
 
-/// The even number of elements from some number on; beyond what can be counted there are as many as there can be.
-fn even(elements: f64) -> usize {
-    ((0.5 * elements).ceil() as usize).saturating_mul(2)
+/// The number of elements from some number on that is even or odd as another is; beyond what can be counted there are as many as
+/// there can be.
+fn counted(elements: f64, as_another: usize) -> usize {
+    let odd = as_another % 2;
+    ((0.5 * (elements - odd as f64)).ceil() as usize).saturating_mul(2).saturating_add(odd)
 }
 
 /// The side (m) of a frame that holds so much (m) to either side of its middle, and open elements of that length (m).

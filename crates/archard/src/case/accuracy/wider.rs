@@ -1,6 +1,6 @@
 //! Where a frame becomes wider on the way, because elements for the first contact would be too many for the last scar.
 
-use super::{BESIDE, Frame, around, even, locate};
+use super::{BESIDE, Frame, around, counted, locate};
 use crate::case::check::Parts;
 use crate::case::definition::FrameCase;
 use crate::estimate::Estimator;
@@ -22,7 +22,8 @@ pub(super) fn widening(
     element: [f64; 2],
     across: f64,
 ) -> Option<Frame> {
-    if one.frame.line || !can_widen(&parts.motion) {
+    let odd = one.frame.elements.iter().any(|elements| elements % 2 == 1);
+    if odd || !can_widen(&parts.motion) {
         return None;
     }
     let (estimator, extent) = (Estimator::default(), parts.schedule.extent);
@@ -54,7 +55,7 @@ pub(super) fn widening(
         for axis in 0..2 {
             let element = factor * element[axis];
             let wanted = around(BESIDE * reach[axis], element) / element;
-            frame.elements[axis] = frame.elements[axis].max(even(wanted));
+            frame.elements[axis] = frame.elements[axis].max(counted(wanted, 0));
         }
         factor *= 2.0;
     }

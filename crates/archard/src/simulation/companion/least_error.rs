@@ -14,6 +14,8 @@ const OF_PRESSURES: f64 = 2.0;
 /// Of depths and peak pressures, over the square of the elements across the contact: the middle of a Hertz contact falls
 /// between two elements of a line of contact, and between four of others. A tenth more than that.
 const OF_MIDDLES: [f64; 2] = [0.55, 1.1];
+/// Of approaches, likewise: elements that the rim cuts count wholly or not at all. Of Sneddon's tips, up to 0.18.
+const OF_APPROACHES: f64 = 0.25;
 /// Of what wears by less than in proportion to the pressure where bodies roll and slip behind a strip that sticks, over the
 /// elements along what slips: such laws wear most at the rim, within one element. What wears in proportion goes by the work
 /// of friction, which no rim disturbs.
@@ -67,6 +69,7 @@ impl LeastError {
         match column {
             _ if contact == 0.0 => 0.0,
             history::CONTACT_AREA => of_rims * contact,
+            history::APPROACH => OF_APPROACHES / across.powi(2) * value.abs(),
             history::STICK_AREA => OF_STICK * of_rims * contact,
             history::PEAK_PRESSURE => self.pressures.max(of_middle) * value.abs(),
             history::CENTRE_PRESSURE => self.pressures * value.abs(),
@@ -129,6 +132,7 @@ mod tests {
             ("stick_area_m2", 0.0, [3e-7, 2e-6 / (400.0 / PI).sqrt()]),
             ("wear_depth_m", 1e-6, [6e-8, 1.1e-6 / (400.0 / PI)]),
             ("worn_section_pin_m2", 1e-6, [6e-8, 0.0]),
+            ("approach_m", 1e-6, [2.5e-9, 0.25e-6 / (400.0 / PI)]),
             ("load_N", 1e-6, [0.0, 0.0]),
         ] {
             // Five of ten elements slip; of the other contact, a hundred touch.
