@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use archard::simulation::history::Row;
 
-use super::accuracy::{answer, rows, with_error};
+use super::accuracy::{answer, resolved, rows, with_error};
+use crate::common::Rows;
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
 const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
@@ -187,6 +188,37 @@ fn the_depth_of_a_tip_lies_within_the_error_stated() {
         assert_within(row, "wear_depth_m", (depth, 1e-3 * depth), "depth");
         assert_within(row, "centre_pressure_Pa", (pressure, 1e-3 * pressure), "pressure");
     }
+}
+
+/// A tip that hardly wears.
+fn hardly_wearing_on_a_track<'a>(tip: &'a str, accuracy: &'a str) -> [&'a str; 5] {
+    let motion = "motion={ sliding = { load = \"10 N\", track = \"60 mm\", passes = \"disc\", distance = \"0.1 m\" } }";
+    [
+        tip,
+        "body.pin.wear={ archard = { coefficient = \"1e-18 1/Pa\" } }",
+        motion,
+        "output=",
+        accuracy,
+    ]
+}
+
+/// The pin on a track wears at its tip as the pressure is there, which is Sneddon's while it hardly wears.
+#[test]
+fn the_depth_of_a_tip_on_a_track_lies_within_the_error_stated() {
+    let tip = tip("1.5", "mm^-0.5");
+    let row = answer(PIN, &hardly_wearing_on_a_track(&tip, "accuracy=0.2"));
+    let depth = 1e-18 * 6.5695e8 * 0.1;
+    assert_within(&row, "wear_depth_pin_m", (depth, 1e-4 * depth), "on a track");
+}
+
+/// No elements tell how deep a cone wears before they see that it does, and none are tried.
+#[test]
+fn a_cone_that_stays_sharp_is_refused_at_once() {
+    let tip = tip("1", "");
+    let resolved = resolved(PIN, &hardly_wearing_on_a_track(&tip, "accuracy=0.1")).expect("a case");
+    let error = resolved.with_companion(None, &mut Rows::default()).expect_err("no elements");
+    let said = error.to_string();
+    assert!(said.contains("at distance 0.01 m") && said.contains("once the tip is worn"), "{said}");
 }
 
 /// Pressures under a coefficient that runs in, against an independent axisymmetric solution.

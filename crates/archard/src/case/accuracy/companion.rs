@@ -2,7 +2,7 @@
 
 use std::error::Error as StdError;
 
-use super::kind::{kind, order};
+use super::kind::{has_tip, kind, order};
 use super::{BESIDE, MOST, OF_ELEMENTS, around, counted, increments, locate};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
@@ -68,7 +68,7 @@ pub enum Unsettled {
     },
     /// A grid that does not become fine enough.
     #[error(
-        "the error by the elements stays at {error:.2e} on {} x {} elements, and {asked} was asked for",
+        "the error by the elements stays at {error:.2e} on {} x {} elements at {place}, and {asked} was asked for: ask for less{hint}",
         .elements[0], .elements[1]
     )]
     TooCoarse {
@@ -76,8 +76,12 @@ pub enum Unsettled {
         elements: [usize; 2],
         /// Its estimated error.
         error: f64,
+        /// Where it is largest.
+        place: String,
         /// The accuracy.
         asked: f64,
+        /// What else helps.
+        hint: &'static str,
     },
     /// What was to be put into a companion did not go.
     #[error("{0}")]
@@ -154,7 +158,7 @@ impl Resolved {
         // Rolling errs by the elements along it.
         let axis = parts.motion.axis();
         let outputs = self.case.output.places(parts.schedule.extent);
-        let mut error = f64::INFINITY;
+        let mut worst_of_all = (f64::INFINITY, 0.0);
         for _ in 0..ROUNDS {
             let (companion, reach) = match self.judged(axis, accuracy, store, following)? {
                 Judged::By(companion, reach) => (companion, reach),
@@ -169,15 +173,24 @@ impl Resolved {
                 }
             };
             let worst = |part: Part| {
-                let at = |&place: &f64| companion.worst(&companion.row(place), part);
-                outputs.iter().map(at).fold(0.0, f64::max)
+                let at = |&place: &f64| (companion.worst(&companion.row(place), part), place);
+                outputs
+                    .iter()
+                    .map(at)
+                    .fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
             };
-            let errors = [Part::Foreseen, Part::Increments].map(worst);
-            error = errors[0] + errors[1];
+            let [of_elements, of_increments] = [Part::Foreseen, Part::Increments].map(worst);
+            let errors = [of_elements.0, of_increments.0];
+            let error = errors[0] + errors[1];
+            worst_of_all = (error, of_elements.1);
             let allowed = OF_ELEMENTS * accuracy;
             let chose = [self.chose.elements, self.chose.increments];
             if error <= allowed || chose == [false; 2] {
                 return Ok((self, Some(*companion)));
+            }
+            let finer = MOST / self.case.frame.elements[axis] as f64;
+            if chose[0] && companion.stays_sharp(&companion.row(of_elements.1), allowed, finer) {
+                break;
             }
             // Each may take half of it, or what the other leaves.
             let finer = [(0, order), (1, 1.0)].map(|(part, order)| {
@@ -202,11 +215,19 @@ impl Resolved {
                 }
             }
         }
-        let elements = self.case.frame.elements;
+        let (error, place) = worst_of_all;
+        let frame = self.case.frame;
         if error.is_infinite() {
-            return Err(Unsettled::Outgrown { size: self.case.frame.size });
+            return Err(Unsettled::Outgrown { size: frame.size });
         }
-        Err(Unsettled::TooCoarse { elements, error, asked: accuracy })
+        let parts = Parts::of(&self.case).map_err(Box::new)?;
+        Err(Unsettled::TooCoarse {
+            elements: frame.elements,
+            error,
+            place: parts.motion.progress().at(place),
+            asked: accuracy,
+            hint: if has_tip(&parts) { ", or for outputs once the tip is worn" } else { "" },
+        })
     }
 
     /// Runs the case on fewer elements, and in fewer increments.

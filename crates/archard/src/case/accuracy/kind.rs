@@ -3,6 +3,7 @@
 use crate::body::Body;
 use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case};
+use crate::motion::Motion;
 use crate::problem::is_sublinear;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 use crate::simulation::{Kind, Tip};
@@ -55,15 +56,33 @@ pub(super) fn has_tip(parts: &Parts<'_>) -> bool {
 /// Where a body is sharp, on elements of that size (m).
 fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
     let [one, other] = &parts.bodies;
-    let sharper = other.profile.sharpest() < one.profile.sharpest();
-    let Body { name, profile, .. } = if sharper { other } else { one };
+    let sharper = usize::from(other.profile.sharpest() < one.profile.sharpest());
+    let Body { name, profile, .. } = &parts.bodies[sharper];
     let exponent = profile.sharpest();
-    let stays = parts.motion.passing().is_none() && parts.motion.swing().is_none();
+    let stay = staying(&parts.motion, sharper);
+    let wearing =
+        parts.bodies.iter().zip(stay).filter(|(body, stays)| *stays && body.wear.is_some());
+    let mut columns: Vec<_> = wearing.map(|(body, _)| of_body(BODY_DEPTH, &body.name)).collect();
+    if !columns.is_empty() {
+        columns.push(WEAR_DEPTH.to_owned());
+    }
     let [x, y] = spacing.map(|size| BLUNT * size);
     (exponent < 2.0).then(|| Tip {
         exponent,
-        stays,
-        depth: if stays { WEAR_DEPTH.to_owned() } else { of_body(BODY_DEPTH, name) },
+        stay: columns,
+        depth: if stay == [true; 2] { WEAR_DEPTH.to_owned() } else { of_body(BODY_DEPTH, name) },
         blunt: if exponent > 0.0 { profile.recess(x, y) } else { 0.0 },
     })
+}
+
+/// Bodies of which one point stays in the middle of the contact: of surfaces that swing without a track it is the sharper one that
+/// takes the contact along.
+fn staying(motion: &Motion, sharper: usize) -> [bool; 2] {
+    let track = motion.sliding().and_then(|sliding| sliding.track);
+    match (motion.passing(), track, motion.swing()) {
+        (Some(passing), ..) => passing.bodies.map(|passes| !passes),
+        (None, Some(track), _) => [0, 1].map(|body| body != track.body),
+        (None, None, Some(_)) => [0, 1].map(|body| body == sharper),
+        (None, None, None) => [true; 2],
+    }
 }

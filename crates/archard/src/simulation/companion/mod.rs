@@ -165,6 +165,22 @@ impl Companion {
         errors.fold(0.0, f64::max)
     }
 
+    /// Whether a depth that counts errs by more than is allowed where a tip is sharp, and would on so many times as many elements.
+    pub fn stays_sharp(&self, row: &[(String, f64)], allowed: f64, finer: f64) -> bool {
+        let progress = row.first().map_or(0.0, |first| first.1);
+        let Some(tip) = &self.tip else { return false };
+        // Coarse elements see half of what wears, or more.
+        let worn = 2.0 * self.worn_off(tip, progress);
+        let tip = tip.on_finer(finer);
+        let mut depths = row.iter().filter(|(name, value)| history::is_depth(name) && *value > 0.0);
+        tip.is_sharp(worn)
+            && depths.any(|(name, value)| {
+                let error = self.error(name, progress, *value).unwrap_or_default() / value;
+                let order = tip.order(name, worn).unwrap_or(self.order);
+                error * finer.powf(-order) > allowed
+            })
+    }
+
     /// What errors of tangential forces are relative to (N): the largest force of the cycle, and some of the load at least.
     fn force(&self, row: &[(String, f64)]) -> f64 {
         let of = |row: &[(String, f64)]| {
@@ -226,9 +242,12 @@ impl Companion {
     /// The order by which a column converges at a tip that is sharp at some progress, where it does so more slowly than others.
     fn at_tip(&self, column: &str, progress: f64) -> Option<f64> {
         let tip = self.tip.as_ref()?;
-        let worn = self.grids.column(&tip.depth);
-        let worn = worn.map_or(0.0, |worn| self.grids.at(0, worn, progress));
-        tip.order(column, worn)
+        tip.order(column, self.worn_off(tip, progress))
+    }
+
+    /// How deep (m) a tip is worn at some progress.
+    fn worn_off(&self, tip: &Tip, progress: f64) -> f64 {
+        self.grids.column(&tip.depth).map_or(0.0, |worn| self.grids.at(0, worn, progress))
     }
 
     /// The factor on a difference in a column, where the error is so many times as large by its order, at a tip or not.
