@@ -211,6 +211,20 @@ fn the_depth_of_a_tip_on_a_track_lies_within_the_error_stated() {
     assert_within(&row, "wear_depth_pin_m", (depth, 1e-4 * depth), "on a track");
 }
 
+/// An element lies about a tip, where most wears: between elements it is missed by a part of one. Balls keep even numbers.
+#[test]
+fn an_element_lies_about_a_tip() {
+    for (options, odd) in [(vec![tip("1", "")], 1), (vec![tip("1.5", "mm^-0.5")], 1), (vec![], 0)] {
+        let options: Vec<_> = options.iter().map(String::as_str).chain(["accuracy=0.1"]).collect();
+        let (settled, _) = resolved(PIN, &options)
+            .expect("a case")
+            .with_companion(None, &mut Rows::default())
+            .expect("elements");
+        let elements = settled.case.frame.elements;
+        assert_eq!(elements.map(|elements| elements % 2), [odd; 2], "{elements:?}");
+    }
+}
+
 /// No elements tell how deep a cone wears before they see that it does, and none are tried.
 #[test]
 fn a_cone_that_stays_sharp_is_refused_at_once() {
