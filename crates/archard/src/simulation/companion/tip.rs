@@ -81,5 +81,7 @@ mod tests {
             let found = tip(exponent, stays).order(column, worn);
             assert_eq!(found, expected, "{exponent} {column} {worn}");
         }
+        // Elements of a quarter see an eighth of the depth.
+        assert!((8.0 * tip(1.5, true).on_finer(4.0).blunt / 1e-6 - 1.0).abs() < 1e-12);
     }
 }
