@@ -158,7 +158,8 @@ impl Resolved {
         // Rolling errs by the elements along it.
         let axis = parts.motion.axis();
         let outputs = self.case.output.places(parts.schedule.extent);
-        let mut worst_of_all = (f64::INFINITY, 0.0);
+        // The error of the grid that was judged last, and where it is largest.
+        let mut last = (f64::INFINITY, 0.0);
         for _ in 0..ROUNDS {
             let (companion, reach) = match self.judged(axis, accuracy, store, following)? {
                 Judged::By(companion, reach) => (companion, reach),
@@ -174,22 +175,23 @@ impl Resolved {
             };
             let worst = |part: Part| {
                 let at = |&place: &f64| (companion.worst(&companion.row(place), part), place);
-                outputs
-                    .iter()
-                    .map(at)
-                    .fold((0.0, 0.0), |most, one| if one.0 > most.0 { one } else { most })
+                // The first of those that are alike.
+                let errors = outputs.iter().rev().map(at);
+                errors.max_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or_default()
             };
-            let [of_elements, of_increments] = [Part::Foreseen, Part::Increments].map(worst);
-            let errors = [of_elements.0, of_increments.0];
+            let by_part = [Part::Foreseen, Part::Increments].map(worst);
+            let errors = by_part.map(|(error, _)| error);
             let error = errors[0] + errors[1];
-            worst_of_all = (error, of_elements.1);
+            let [(_, of_elements), (_, of_increments)] = by_part;
+            let place = if errors[0] >= errors[1] { of_elements } else { of_increments };
+            last = (error, place);
             let allowed = OF_ELEMENTS * accuracy;
             let chose = [self.chose.elements, self.chose.increments];
             if error <= allowed || chose == [false; 2] {
                 return Ok((self, Some(*companion)));
             }
-            let finer = MOST / self.case.frame.elements[axis] as f64;
-            if chose[0] && companion.stays_sharp(&companion.row(of_elements.1), allowed, finer) {
+            let times = MOST / self.case.frame.elements[axis] as f64;
+            if chose[0] && companion.stays_sharp(&companion.row(of_elements), allowed, times) {
                 break;
             }
             // Each may take half of it, or what the other leaves.
@@ -215,7 +217,7 @@ impl Resolved {
                 }
             }
         }
-        let (error, place) = worst_of_all;
+        let (error, place) = last;
         let frame = self.case.frame;
         if error.is_infinite() {
             return Err(Unsettled::Outgrown { size: frame.size });

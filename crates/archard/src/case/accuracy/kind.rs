@@ -79,10 +79,9 @@ fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
 /// takes the contact along.
 fn staying(motion: &Motion, sharper: usize) -> [bool; 2] {
     let track = motion.sliding().and_then(|sliding| sliding.track);
-    match (motion.passing(), track, motion.swing()) {
-        (Some(passing), ..) => passing.bodies.map(|passes| !passes),
-        (None, Some(track), _) => [0, 1].map(|body| body != track.body),
-        (None, None, Some(_)) => [0, 1].map(|body| body == sharper),
-        (None, None, None) => [true; 2],
+    match (track, motion.swing()) {
+        (Some(track), _) => [0, 1].map(|body| body != track.body),
+        (None, Some(_)) => [0, 1].map(|body| body == sharper),
+        (None, None) => [motion.passing().is_none(); 2],
     }
 }

@@ -14,7 +14,7 @@ const OF_PRESSURES: f64 = 2.0;
 /// Of depths and peak pressures, over the square of the elements across the contact: the middle of a Hertz contact falls
 /// between two elements of a line of contact, and between four of others. A tenth more than that.
 const OF_MIDDLES: [f64; 2] = [0.55, 1.1];
-/// Of approaches, likewise: elements that the rim cuts count wholly or not at all. Of Sneddon's tips, up to 0.18.
+/// Of approaches, likewise: elements that the rim cuts count wholly or not at all. At Sneddon's tips it was up to 0.18.
 const OF_APPROACHES: f64 = 0.25;
 /// Of what wears by less than in proportion to the pressure where bodies roll and slip behind a strip that sticks, over the
 /// elements along what slips: such laws wear most at the rim, within one element. What wears in proportion goes by the work
@@ -22,8 +22,9 @@ const OF_APPROACHES: f64 = 0.25;
 const OF_SLIP: f64 = 0.3;
 /// The least of these elements: grids that see none slip may miss that much.
 const SLIPPING: f64 = 0.5;
-/// Of counted areas, relative to the contact's, over the elements across it: a rim falls anywhere within an element, at both
-/// ends of a line of contact; and all around others it counts some elements that it only cuts, about a sixth of one on average.
+/// Of counted areas, relative to the contact's, over the elements across it. At both ends of a line of contact the rim falls
+/// anywhere within an element, half of which counts wrongly at most; all around others a sixth of an element counts too much on
+/// average. Half as much again as that.
 const OF_RIMS: [f64; 2] = [1.5, 1.0];
 /// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
