@@ -211,6 +211,30 @@ fn the_depth_of_a_tip_on_a_track_lies_within_the_error_stated() {
     assert_within(&row, "wear_depth_pin_m", (depth, 1e-4 * depth), "on a track");
 }
 
+/// A tip that lies anywhere among the elements, which may agree on what they miss.
+#[test]
+fn pressures_beside_a_tip_are_stated_as_they_converge() {
+    for (elements, beside) in [(21, 0.5), (47, 0.5), (47, 0.3)] {
+        // Of an element along x, and along y.
+        let centre = 0.25 / f64::from(elements) * beside;
+        let frame = format!(
+            "frame={{ centre = [\"{centre} mm\", \"{centre} mm\"], size = [\"0.25 mm\", \"0.25 mm\"], \
+             elements = [{elements}, {elements}] }}"
+        );
+        let options = [
+            &tip("1.5", "mm^-0.5"),
+            "motion={ indentation = { load = \"10 N\" } }",
+            "output=",
+            "body.pin.wear=",
+            &frame,
+            "accuracy=0.1",
+        ];
+        let row = answer(PIN, &options);
+        // As above.
+        assert_within(&row, "peak_pressure_Pa", (6.5695e8, 1e-4 * 6.5695e8), &frame);
+    }
+}
+
 /// An element lies about a tip, where most wears: between elements it is missed by a part of one. Balls keep even numbers.
 #[test]
 fn an_element_lies_about_a_tip() {

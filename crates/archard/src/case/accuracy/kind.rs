@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::case::check::Parts;
-use crate::case::definition::{BuildError, Case};
+use crate::case::definition::{BuildError, Case, FrameCase};
 use crate::motion::Motion;
 use crate::problem::is_sublinear;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
@@ -10,6 +10,8 @@ use crate::simulation::{Kind, Tip};
 
 /// Elements over which a tip has to be worn before it counts as blunt.
 const BLUNT: f64 = 2.0;
+/// How far a tip may lie from the middle of the frame, relative to an element, to lie alike among the elements of other grids.
+const ALIKE: f64 = 0.01;
 
 /// What says how errors follow from differences between grids, for a case on its elements.
 pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
@@ -18,7 +20,7 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
     let mut laws = parts.bodies.iter().filter_map(|body| body.wear.as_deref());
     Ok(Kind {
         order: order(&parts),
-        tip: tip(&parts, case.frame.spacing()),
+        tip: tip(&parts, &case.frame),
         areas: areas(case),
         slips_partly: slips_partly(&parts),
         sublinear: laws.any(|law| is_sublinear(law, friction, speed)),
@@ -53,8 +55,8 @@ pub(super) fn has_tip(parts: &Parts<'_>) -> bool {
     sharpest > 0.0 && sharpest < 2.0
 }
 
-/// Where a body is sharp, on elements of that size (m).
-fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
+/// Where a body is sharp, on the elements of a frame.
+fn tip(parts: &Parts<'_>, frame: &FrameCase) -> Option<Tip> {
     let [one, other] = &parts.bodies;
     let sharper = usize::from(other.profile.sharpest() < one.profile.sharpest());
     let Body { name, profile, .. } = &parts.bodies[sharper];
@@ -66,11 +68,13 @@ fn tip(parts: &Parts<'_>, spacing: [f64; 2]) -> Option<Tip> {
     if !columns.is_empty() {
         columns.push(WEAR_DEPTH.to_owned());
     }
+    let spacing = frame.spacing();
     let [x, y] = spacing.map(|size| BLUNT * size);
     (exponent < 2.0).then(|| Tip {
         exponent,
         stay: columns,
         depth: if stay == [true; 2] { WEAR_DEPTH.to_owned() } else { of_body(BODY_DEPTH, name) },
+        centred: (0..2).all(|axis| frame.centre[axis].abs() <= ALIKE * spacing[axis]),
         blunt: if exponent > 0.0 { profile.recess(x, y) } else { 0.0 },
     })
 }

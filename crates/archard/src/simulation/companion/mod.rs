@@ -223,7 +223,9 @@ impl Companion {
             let column = self.grids.column(name);
             column.map_or(0.0, |column| self.grids.at(0, column, progress))
         });
-        told.max(self.least.of(column, (progress, value), areas))
+        let astray = at_tip.filter(|_| self.tip.as_ref().is_some_and(|tip| !tip.centred));
+        let missed = astray.map_or(0.0, |order| self.least.of_tip(order, progress, areas[0]));
+        told.max(missed * value.abs()).max(self.least.of(column, (progress, value), areas))
     }
 
     /// Whether a column that no grid changes is what was prescribed: creepages, or forces that creepages follow from. Other forces

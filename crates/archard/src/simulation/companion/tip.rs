@@ -15,6 +15,8 @@ pub struct Tip {
     pub stay: Vec<String>,
     /// The column of the depth that wears the tip away.
     pub depth: String,
+    /// Whether it lies alike among the elements of all grids: at the middle of the frame.
+    pub centred: bool,
     /// From which depth (m) on it is blunt as far as the elements see.
     pub blunt: f64,
 }
@@ -64,6 +66,7 @@ mod tests {
                 .map(str::to_owned)
                 .collect(),
             depth: "wear_depth_m".to_owned(),
+            centred: true,
             blunt: 1e-6,
         };
         for (exponent, stays, column, worn, expected) in [
