@@ -15,10 +15,12 @@ const MIDDLE: f64 = 0.25;
 /// to it, or nothing is pressed.
 pub(super) fn through(problem: &ContactProblem, state: &ContactState) -> [f64; 2] {
     let (frame, pressure) = (&problem.frame, &state.pressure);
+    let loaded: Vec<_> = (0..frame.len())
+        .filter(|pair| pressure[*pair] > 0.0)
+        .map(|pair| (frame.area(pair) * pressure[pair], frame.place(pair)))
+        .collect();
     let moment = |axis: usize, power: i32| -> f64 {
-        let part =
-            |pair: usize| frame.area(pair) * pressure[pair] * frame.place(pair)[axis].powi(power);
-        (0..frame.len()).map(part).sum()
+        loaded.iter().map(|(force, place)| force * place[axis].powi(power)).sum()
     };
     [0, 1].map(|axis| {
         let load = moment(axis, 0);

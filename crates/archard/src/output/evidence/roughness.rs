@@ -3,7 +3,6 @@
 //! Along five pairs in a row that are under pressure, an alternation is the smallest of four differences that change
 //! sign each time, halved; a spike is what the middle exceeds its neighbours by, beyond what these exceed the next.
 
-use crate::frame::ContactFrame;
 use crate::problem::ContactProblem;
 
 /// Alternation of the undeformed gap, relative to the indentation of one pair by the largest pressure, beyond which
@@ -20,33 +19,31 @@ pub(super) fn of(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
     }
     let own = problem.compliance.normal_self_term() * peak;
     let mut most = None;
-    for five in fives(frame).filter(|five| five.iter().all(|&pair| pressure[pair] > 0.0)) {
-        let (gap, p) = (five.map(|pair| frame.gap()[pair]), five.map(|pair| pressure[pair]));
-        if alternation(gap) > ROUGH * own {
-            return None;
+    let [nx, ny] = frame.elements();
+    for (pair, _) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
+        let rows = [(pair % nx + 4 < nx, 1), (pair / nx + 4 < ny, nx)];
+        for (_, stride) in rows.into_iter().filter(|(inside, _)| *inside) {
+            let five = [0, 1, 2, 3, 4].map(|step| pair + step * stride);
+            let p = five.map(|pair| pressure[pair]);
+            if p.iter().any(|pressure| *pressure <= 0.0) {
+                continue;
+            }
+            if alternation(five.map(|pair| frame.gap()[pair])) > ROUGH * own {
+                return None;
+            }
+            let found = alternation(p).max(spike(p)) / peak;
+            most = Some(found.max(most.unwrap_or(0.0)));
         }
-        let found = alternation(p).max(spike(p)) / peak;
-        most = Some(found.max(most.unwrap_or(0.0)));
     }
     most
 }
 
-/// Five pairs in a row, along x and along y.
-fn fives(frame: &ContactFrame) -> impl Iterator<Item = [usize; 5]> {
-    let [nx, ny] = frame.elements();
-    let along_x = (0..ny).flat_map(move |y| (4..nx).map(move |x| (x - 4 + nx * y, 1)));
-    let along_y = (4..ny).flat_map(move |y| (0..nx).map(move |x| (x + nx * (y - 4), nx)));
-    along_x.chain(along_y).map(|(first, stride)| [0, 1, 2, 3, 4].map(|i| first + i * stride))
-}
-
-fn alternation(values: [f64; 5]) -> f64 {
-    let steps = [0, 1, 2, 3].map(|i| values[i + 1] - values[i]);
-    let turns = steps.windows(2).all(|two| two[0] * two[1] < 0.0);
-    if turns {
-        0.5 * steps.iter().fold(f64::INFINITY, |least, step| least.min(step.abs()))
-    } else {
-        0.0
+fn alternation([a, b, c, d, e]: [f64; 5]) -> f64 {
+    let steps = [b - a, c - b, d - c, e - d];
+    if steps.windows(2).any(|two| two[0] * two[1] >= 0.0) {
+        return 0.0;
     }
+    0.5 * steps.iter().fold(f64::INFINITY, |least, step| least.min(step.abs()))
 }
 
 fn spike([a, b, c, d, e]: [f64; 5]) -> f64 {
