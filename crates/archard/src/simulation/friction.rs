@@ -10,8 +10,6 @@ use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};
 /// Change of the tractions' effect on the gap, relative to the approach, below which pressures and friction
 /// that are found in turn agree.
 const CONSISTENT: f64 = 1e-8;
-/// The same where a pair at the rim opens in one turn and closes in the next, so that each turn finds what the last but one did.
-const IN_TURN: f64 = 1e-5;
 /// Turns between them.
 const TURNS: usize = 50;
 
@@ -77,25 +75,25 @@ pub(super) fn not_converged(
     }
 }
 
-/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens, and says which
-/// it opens then and what the approach (m) is.
+/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens, and whether turns have
+/// begun to find what the last but one did; it says which gap friction opens then and what the approach (m) is.
 pub(super) fn alternate(
     simulation: &Simulation,
     increment: Increment,
     mut opened: Vec<f64>,
-    mut turn: impl FnMut(&[f64]) -> Result<(Vec<f64>, f64), Error>,
+    mut turn: impl FnMut(&[f64], bool) -> Result<(Vec<f64>, f64), Error>,
 ) -> Result<(), Error> {
     let change = |now: &[f64], before: &[f64]| {
         now.iter().zip(before).map(|(now, before)| (now - before).abs()).fold(0.0, f64::max)
     };
-    let mut last_but_one: Option<Vec<f64>> = None;
+    let (mut last_but_one, mut returns): (Option<Vec<f64>>, _) = (None, false);
     for _ in 0..TURNS {
-        let (now, approach) = turn(&opened)?;
-        let agrees = |one: &[f64], to: f64| change(&now, one) <= to * approach.abs();
-        let returns = last_but_one.is_some_and(|one| agrees(&one, CONSISTENT));
-        if agrees(&opened, if returns { IN_TURN } else { CONSISTENT }) {
+        let (now, approach) = turn(&opened, returns)?;
+        let agrees = |one: &[f64]| change(&now, one) <= CONSISTENT * approach.abs();
+        if agrees(&opened) {
             return Ok(());
         }
+        returns |= last_but_one.is_some_and(|one| agrees(&one));
         last_but_one = Some(mem::replace(&mut opened, now));
     }
     Err(Error::NotConsistent {

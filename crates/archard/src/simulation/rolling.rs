@@ -27,6 +27,8 @@ struct Rubbed<'a> {
     rigid: [&'a [f64]; 2],
     prescribed: &'a [PrescribedForce],
     turned: Option<&'a Turned>,
+    /// Pressures (Pa) that say where particles come under friction, the present ones if not given.
+    entries: Option<&'a [f64]>,
 }
 
 impl Evolution {
@@ -46,24 +48,33 @@ impl Evolution {
         // Drives that grow turn the slip by more than they did.
         let known = turns && !rolling.swept;
         let mut turned = if known { self.turned(problem, flow) } else { None };
-        let mut solve = |state: &mut Self, gap: &[f64]| {
+        // A pair that opens in one turn and closes in the next would make and break ties: it counts as closed then.
+        let mut entries: Option<Vec<f64>> = None;
+        let mut solve = |state: &mut Self, gap: &[f64], returns: bool| {
             let mut before = state.state.pressure.clone();
             state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
+            if returns && entries.is_none() {
+                let both = [&before[..], &state.state.pressure];
+                entries = Some(vector::map(both, |[one, other]| one.max(other)));
+            }
+            let entries = entries.as_deref();
             if turns && turned.is_none() {
-                state.rub(simulation, increment, &before, (friction::estimate, None), effort)?;
+                let nearly = (friction::estimate as friction::Solve, None, None);
+                state.rub(simulation, increment, &before, nearly, effort)?;
                 turned = state.turned(problem, flow);
                 before.clone_from(&state.state.pressure);
             }
             let turned = turned.as_ref();
-            state.rub(simulation, increment, &before, (friction::solve, turned), effort)
+            state.rub(simulation, increment, &before, (friction::solve, turned, entries), effort)
         };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
-            return solve(self, gap);
+            return solve(self, gap, false);
         }
-        friction::alternate(simulation, increment, self.opened_by_friction(problem), |opened| {
+        let opened = self.opened_by_friction(problem);
+        friction::alternate(simulation, increment, opened, |opened, returns| {
             let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
-            solve(self, &lifted)?;
+            solve(self, &lifted, returns)?;
             Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }
@@ -83,7 +94,7 @@ impl Evolution {
         simulation: &Simulation,
         increment: Increment,
         before_pressure: &[f64],
-        (solve, turned): (friction::Solve, Option<&Turned>),
+        (solve, turned, entries): (friction::Solve, Option<&Turned>, Option<&[f64]>),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
@@ -124,6 +135,7 @@ impl Evolution {
             rigid: [&rigid[0], &rigid[1]],
             prescribed: &prescribed,
             turned,
+            entries,
         };
         let grip = |state: &ContactState| {
             problem.grip_of_rolling(&**law, state, (rolling, flow), [&plain[0], &plain[1]])
@@ -163,12 +175,13 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let frame = &simulation.problem.frame;
-        let Rubbed { rolling, law, map, rigid, prescribed, turned } = *rubbed;
+        let Rubbed { rolling, law, map, rigid, prescribed, turned, entries } = *rubbed;
         let flow = frame.flow(rolling.direction)?;
         let advance = flow.advance();
-        let limit = Limits::new(law, &grip).all(&self.state.pressure);
+        let pressure = &self.state.pressure;
+        let limit = Limits::new(law, &grip).all(pressure);
         let drives = [rolling.longitudinal, rolling.lateral];
-        let ties = second_order::entries(flow, &limit);
+        let ties = second_order::entries(flow, entries.unwrap_or(pressure), &limit);
         let admissible = Admissible { map: law.map(), ties: &ties };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };

@@ -19,18 +19,22 @@ use crate::solve::tangential::Tie;
 /// A change of the slip (m) along t1 and t2, one value a pair, as if each passage were of the mean length.
 pub(super) type Turned = [Vec<f64>; 2];
 
-/// Ties of the pairs at which particles come under a limit of friction (Pa) to the pairs behind, where these bear as
-/// much or more. Scattered pairs have none.
-pub(super) fn entries(flow: Flow<'_>, limit: &[f64]) -> Vec<Tie> {
+/// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where these bear as much friction
+/// (Pa) or more. Scattered pairs have none.
+pub(super) fn entries(flow: Flow<'_>, pressure: &[f64], limit: &[f64]) -> Vec<Tie> {
     if !flow.has_rows() {
         return vec![];
     }
     let (direction, elements) = (flow.direction(), flow.frame().elements());
     let tie = |pair: usize| {
-        let before = direction.ahead(pair, elements).map_or(0.0, |ahead| limit[ahead]);
+        let before = direction.ahead(pair, elements).map_or(0.0, |ahead| pressure[ahead]);
         let to = direction.back().ahead(pair, elements)?;
-        let enters = before == 0.0 && limit[pair] > 0.0 && limit[to] >= limit[pair];
-        enters.then(|| Tie { pair, to, share: limit[pair] / limit[to] })
+        let enters = before == 0.0 && pressure[pair] > 0.0;
+        (enters && limit[to] >= limit[pair] && limit[to] > 0.0).then(|| Tie {
+            pair,
+            to,
+            share: limit[pair] / limit[to],
+        })
     };
     (0..limit.len()).filter_map(tie).collect()
 }
