@@ -6,6 +6,7 @@ mod framed;
 mod verification {
     mod accuracy;
     mod accuracy_of_edges;
+    mod accuracy_of_laws;
     mod cattaneo_mindlin;
     mod chosen_frames;
     mod compliance;

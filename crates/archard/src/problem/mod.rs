@@ -29,6 +29,8 @@ const STICKS: f64 = 1e-6;
 /// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
 const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
 const PROBE: f64 = 1e-6;
+/// The share of a pressure that lies next to it.
+const NEAR: f64 = 0.99;
 const SAME: f64 = 1e-6;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
@@ -131,13 +133,22 @@ impl ContactProblem {
     }
 }
 
-/// Whether a law wears more under half of some pressure than half of what it wears under all of it.
-pub(crate) fn is_sublinear(law: &dyn WearLaw, friction: Option<&dyn Friction>, speed: f64) -> bool {
-    let at = |pressure: f64| rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed);
-    PRESSURES.iter().any(|&pressure| {
-        let [half, whole] = halved(law, at, pressure);
-        2.0 * half > (1.0 + SAME) * whole
-    })
+/// The powers of the pressure by which what a law wears grows: the least there is, and that at some pressure (Pa); 1 where it does
+/// so in proportion, or nothing wears.
+pub(crate) fn steepness(
+    law: &dyn WearLaw,
+    (friction, speed): (Option<&dyn Friction>, f64),
+    pressure: Option<f64>,
+) -> [f64; 2] {
+    let depth =
+        |pressure: f64| law.depth(rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed));
+    let power = |pressure: f64, share: f64| {
+        let [less, whole] = [depth(share * pressure), depth(pressure)];
+        (less > 0.0).then(|| (whole / less).ln() / -share.ln())
+    };
+    let least = PRESSURES.iter().filter_map(|&pressure| power(pressure, 0.5)).reduce(f64::min);
+    let least = least.unwrap_or(1.0);
+    [least, pressure.and_then(|pressure| power(pressure, NEAR)).unwrap_or(least)]
 }
 
 /// What a law wears (m) under half of a pressure (Pa) and under all of it.

@@ -53,6 +53,14 @@ pub(super) fn with_error(row: &Row, column: &str) -> (f64, f64) {
     (number(row, column).expect(column), errors[0] + errors[1])
 }
 
+/// Asserts that a value lies within the error stated and what the truth leaves.
+pub(super) fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64), what: &str) {
+    let (found, error) = with_error(row, column);
+    let off = (found - truth).abs();
+    println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
+    assert!(off <= error + leaves, "{what} {column}: {off:e} of {error:e}");
+}
+
 const SIZES: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
 
 /// Case, options, the columns that are judged and the accuracy of what they are held against.

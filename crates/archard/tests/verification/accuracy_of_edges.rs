@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use archard::simulation::history::Row;
 
-use super::accuracy::{answer, resolved, rows, with_error};
+use super::accuracy::{answer, assert_within, resolved, rows, with_error};
 use crate::common::Rows;
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
@@ -15,14 +15,6 @@ const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml
 
 const HARDLY_WEARS: &str = "body.pin.wear={ archard = { coefficient = \"1e-16 1/Pa\" } }";
 const ASKED: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
-
-/// Asserts that a value lies within the error stated and what the truth leaves.
-fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64), what: &str) {
-    let (found, error) = with_error(row, column);
-    let off = (found - truth).abs();
-    println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
-    assert!(off <= error + leaves, "{what} {column}: {off:e} of {error:e}");
-}
 
 /// The row of an output.
 fn row_at(rows: &[Row], progress: f64) -> &Row {

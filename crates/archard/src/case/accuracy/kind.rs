@@ -4,12 +4,14 @@ use crate::body::Body;
 use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case, FrameCase};
 use crate::motion::Motion;
-use crate::problem::is_sublinear;
+use crate::problem::steepness;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 use crate::simulation::{Kind, Tip};
 
 /// Elements over which a tip has to be worn before it counts as blunt.
 const BLUNT: f64 = 2.0;
+/// The pressure (Pa) at which friction is taken to be what it is in the contact.
+const PRESSURE: f64 = 1e8;
 /// How far a tip may lie from the middle of the frame, relative to an element, to lie alike among the elements of other grids.
 const ALIKE: f64 = 0.01;
 
@@ -17,13 +19,19 @@ const ALIKE: f64 = 0.01;
 pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
     let parts = Parts::of(case)?;
     let (friction, speed) = (parts.friction.as_deref(), parts.motion.speed().unwrap_or_default());
-    let mut laws = parts.bodies.iter().filter_map(|body| body.wear.as_deref());
+    let laws = parts.bodies.iter().filter_map(|body| body.wear.as_deref());
+    let peak = parts.subject().contact(parts.schedule.control).map(|contact| contact.peak_pressure);
+    let powers = laws.map(|law| steepness(law, (friction, speed), peak));
+    let grip = friction.map_or(0.0, |law| law.limit(PRESSURE) / PRESSURE);
     Ok(Kind {
         order: order(&parts),
         tip: tip(&parts, &case.frame),
         areas: areas(case),
         slips_partly: slips_partly(&parts),
-        sublinear: laws.any(|law| is_sublinear(law, friction, speed)),
+        steepness: powers
+            .fold([1.0; 2], |[least, most], [low, high]| [least.min(low), most.max(high)]),
+        passes: parts.motion.passing().is_some() || parts.motion.swing().is_some(),
+        coupled: parts.subject().dundurs_beta().abs().min(0.5 * grip),
         line: case.frame.line,
         period: parts.motion.period(),
     })

@@ -67,7 +67,7 @@ impl<'a> Parts<'a> {
     }
 
     /// What closed forms look at.
-    fn subject(&self) -> Subject<'_> {
+    pub(super) fn subject(&self) -> Subject<'_> {
         Subject {
             bodies: &self.bodies,
             size: self.case.frame.size,

@@ -12,7 +12,7 @@ mod tip;
 
 use super::history::{self, Row, number};
 use compared::Compared;
-use least_error::{LeastError, is_tangential};
+use least_error::{LeastError, Touch, is_tangential};
 pub use tip::Tip;
 
 /// Factors on the error that a difference tells by its order: as a rule, and where friction decides what slips and the second
@@ -68,8 +68,14 @@ pub struct Kind {
     pub areas: Vec<[f64; 2]>,
     /// Whether friction decides what slips.
     pub slips_partly: bool,
-    /// Whether a body wears by less than in proportion to the pressure.
-    pub sublinear: bool,
+    /// The least power of the pressure by which a body wears, and the largest under the unworn peak pressure; both 1 in
+    /// proportion.
+    pub steepness: [f64; 2],
+    /// Whether a surface passes through the contact, as a whole or to and fro.
+    pub passes: bool,
+    /// Tangential tractions that pressures bring about between unlike bodies: Dundurs' constant, and half of what friction
+    /// bears at most.
+    pub coupled: f64,
     /// Whether bodies touch along a line, in plane strain.
     pub line: bool,
     /// The period of cycles, which tangential forces are relative to (the motion's own unit).
@@ -219,13 +225,20 @@ impl Companion {
         if told <= PRESCRIBED * value.abs() && self.is_given(column, progress) {
             return told;
         }
-        let areas = [history::CONTACT_AREA, history::STICK_AREA].map(|name| {
+        let at = |name: &str| {
             let column = self.grids.column(name);
             column.map_or(0.0, |column| self.grids.at(0, column, progress))
-        });
+        };
+        let [x, y] = history::FORCE.map(at);
+        let touch = Touch {
+            contact: at(history::CONTACT_AREA),
+            stick: at(history::STICK_AREA),
+            load: at(history::LOAD),
+            force: x.hypot(y),
+        };
         let astray = at_tip.filter(|_| self.tip.as_ref().is_some_and(|tip| !tip.centred));
-        let missed = astray.map_or(0.0, |order| self.least.of_tip(order, progress, areas[0]));
-        told.max(missed * value.abs()).max(self.least.of(column, (progress, value), areas))
+        let missed = astray.map_or(0.0, |order| self.least.of_tip(order, progress, touch.contact));
+        told.max(missed * value.abs()).max(self.least.of(column, (progress, value), touch))
     }
 
     /// Whether a column that no grid changes is what was prescribed: creepages, or forces that creepages follow from. Other forces
@@ -277,7 +290,9 @@ mod tests {
         tip: None,
         areas: vec![],
         slips_partly: false,
-        sublinear: false,
+        steepness: [1.0; 2],
+        passes: false,
+        coupled: 0.0,
         line: false,
         period: None,
     };

@@ -1,0 +1,104 @@
+//! The error stated of what wears out of proportion to the pressure, and of what unlike bodies bear where they roll.
+
+use std::f64::consts::PI;
+
+use archard::simulation::history::{Row, number};
+
+use super::accuracy::{answer, assert_within};
+
+const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
+const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
+const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
+
+/// The half width (m) of a Hertz contact of two bodies of steel, and the pressure (Pa) in its middle.
+fn hertz(radius: f64, load: f64) -> [f64; 2] {
+    let modulus = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
+    let half = (0.75 * load * radius / modulus).cbrt();
+    [half, 1.5 * load / (PI * half * half)]
+}
+
+/// Says how a body wears by a power of the pressure, hardly.
+fn power(body: &str, exponent: f64) -> String {
+    format!(
+        "body.{body}.wear={{ power = {{ coefficient = \"1e-24 1/Pa\", pressure_exponent = {exponent}, \
+         reference_pressure = \"1 GPa\" }} }}"
+    )
+}
+
+/// What such a law wears (m) over a distance (m).
+fn worn(pressure: f64, exponent: f64, distance: f64) -> f64 {
+    1e-24 * 1e9 * (pressure / 1e9).powf(exponent) * distance
+}
+
+/// A ball that hardly wears keeps its pressures, which laws make depths and volumes of: pressures in the middle fall between
+/// elements, and a law that bends sees how they fall to the rim.
+#[test]
+fn what_wears_out_of_proportion_lies_within_the_error_stated() {
+    let [half, peak] = hertz(0.05, 10.2);
+    let area = PI * half * half;
+    let mut laws: Vec<(String, [f64; 2])> = vec![];
+    for exponent in [0.3, 0.6, 1.5, 2.0] {
+        let depth = worn(peak, exponent, 0.5);
+        laws.push((power("pin", exponent), [depth, depth * area * 2.0 / (exponent + 2.0)]));
+    }
+    for share in [0.2_f64, 0.5, 0.8] {
+        let law = format!(
+            "body.pin.wear={{ threshold = {{ coefficient = \"1e-24 1/Pa\", threshold = \"{} Pa\" }} }}",
+            share * peak
+        );
+        let depth = 1e-24 * peak * (1.0 - share) * 0.5;
+        let volume = 1e-24 * 0.5 * peak * area * (2.0 / 3.0 - share + share.powi(3) / 3.0);
+        laws.push((law, [depth, volume]));
+    }
+    for (law, [depth, volume]) in &laws {
+        for accuracy in ["accuracy=0.2", "accuracy=0.1", "accuracy=0.03", "accuracy=0.01"] {
+            let row = answer(PIN, &[law, accuracy]);
+            let what = format!("{law} {accuracy}");
+            assert_within(&row, "wear_depth_pin_m", (*depth, 1e-6 * depth), &what);
+            assert_within(&row, "worn_volume_pin_m3", (*volume, 1e-6 * volume), &what);
+        }
+    }
+}
+
+/// The groove of a track takes up the errors along its rows, also where it wears in proportion.
+#[test]
+fn the_depth_of_a_groove_lies_within_the_error_stated() {
+    let [half, peak] = hertz(0.003, 10.0);
+    let passages = 1000.0 / (2.0 * PI * 0.01);
+    for exponent in [0.3, 0.6, 1.0, 2.0] {
+        // Over a passage, in the angle whose cosine is the place over the half width.
+        let parts = 4000;
+        let part = PI / f64::from(parts);
+        let length =
+            |i: i32| (part * (f64::from(i) + 0.5)).sin().powf(exponent + 1.0) * half * part;
+        let depth = worn(peak, exponent, passages * (0..parts).map(length).sum::<f64>());
+        let laws = [power("ball", exponent), power("disc", exponent)];
+        for accuracy in ["accuracy=0.2", "accuracy=0.1", "accuracy=0.03"] {
+            let row = answer(TRACK, &[&laws[0], &laws[1], accuracy]);
+            let what = format!("{exponent} {accuracy}");
+            assert_within(&row, "wear_depth_disc_m", (depth, 1e-4 * depth), &what);
+        }
+    }
+}
+
+/// Unlike cylinders stick and slip in more than one strip, and their edges fall within elements together. Against 1600 elements.
+#[test]
+fn forces_of_unlike_cylinders_lie_within_the_error_stated() {
+    for (young, friction) in [("70 GPa", 0.3), ("20 GPa", 0.3), ("20 GPa", 0.6)] {
+        let soft = format!("body.driven.material.young={young}");
+        let rough = format!("friction.coulomb.coefficient={friction}");
+        for creepage in [0.0003, 0.001, 0.003, 0.006] {
+            let creepage = format!("motion.rolling.creepage={creepage}");
+            let set = [soft.as_str(), &rough, &creepage];
+            let fine =
+                ["accuracy=", "frame.size=1.2 mm", "frame.elements=1600", "motion.rolling.step=1"];
+            let truth = answer(CARTER, &[&set[..], &fine].concat());
+            let force = number(&truth, "force_x_N").expect("a force");
+            for accuracy in ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"] {
+                let row: Row = answer(CARTER, &[&set[..], &[accuracy]].concat());
+                let what = format!("{young} {friction} {creepage} {accuracy}");
+                assert_within(&row, "force_x_N", (force, 1e-4 * force.abs()), &what);
+            }
+        }
+    }
+}
