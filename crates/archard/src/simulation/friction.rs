@@ -1,7 +1,5 @@
 //! Friction under given pressures, and its alternation with the pressures of unlike bodies.
 
-use std::mem;
-
 use super::evolution::Increment;
 use super::{Effort, Error, Simulation};
 use crate::solve::Status;
@@ -75,26 +73,21 @@ pub(super) fn not_converged(
     }
 }
 
-/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens, and whether turns have
-/// begun to find what the last but one did; it says which gap friction opens then and what the approach (m) is.
+/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens and how many turns there
+/// were before; it says which gap friction opens then and what the approach (m) is.
 pub(super) fn alternate(
     simulation: &Simulation,
     increment: Increment,
     mut opened: Vec<f64>,
-    mut turn: impl FnMut(&[f64], bool) -> Result<(Vec<f64>, f64), Error>,
+    mut turn: impl FnMut(&[f64], usize) -> Result<(Vec<f64>, f64), Error>,
 ) -> Result<(), Error> {
-    let change = |now: &[f64], before: &[f64]| {
-        now.iter().zip(before).map(|(now, before)| (now - before).abs()).fold(0.0, f64::max)
-    };
-    let (mut last_but_one, mut returns): (Option<Vec<f64>>, _) = (None, false);
-    for _ in 0..TURNS {
-        let (now, approach) = turn(&opened, returns)?;
-        let agrees = |one: &[f64]| change(&now, one) <= CONSISTENT * approach.abs();
-        if agrees(&opened) {
+    for count in 0..TURNS {
+        let (now, approach) = turn(&opened, count)?;
+        let changes = now.iter().zip(&opened).map(|(now, before)| (now - before).abs());
+        if changes.fold(0.0, f64::max) <= CONSISTENT * approach.abs() {
             return Ok(());
         }
-        returns |= last_but_one.is_some_and(|one| agrees(&one));
-        last_but_one = Some(mem::replace(&mut opened, now));
+        opened = now;
     }
     Err(Error::NotConsistent {
         measure: simulation.problem.motion.progress(),

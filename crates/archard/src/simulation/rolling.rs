@@ -1,5 +1,7 @@
 //! Contact in steady rolling: pressures and friction that belong together.
 
+use std::ops::Range;
+
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
 use super::second_order::{self, Turned, to_mean_passages, to_own_passages};
@@ -18,6 +20,10 @@ const SETTLED: f64 = 1e-7;
 const ROUGHLY: f64 = 1e-3;
 const TURNS: usize = 50;
 const SLOW: f64 = 0.7;
+
+/// Turns between pressures and friction of unlike bodies by which they agree, or go round in a circle: pairs at the rim open and
+/// close, and make and break ties. Pairs that touched in one of them count as touching from then on, as far as ties go.
+const AROUND: Range<usize> = 8..16;
 
 /// What a step of friction is found from, whatever its grip.
 struct Rubbed<'a> {
@@ -48,16 +54,14 @@ impl Evolution {
         // Drives that grow turn the slip by more than they did.
         let known = turns && !rolling.swept;
         let mut turned = if known { self.turned(problem, flow) } else { None };
-        // A pair that opens in one turn and closes in the next would make and break ties: it counts as closed then.
-        let mut entries: Option<Vec<f64>> = None;
-        let mut solve = |state: &mut Self, gap: &[f64], returns: bool| {
+        let mut largest = vec![0.0; self.state.pressure.len()];
+        let mut solve = |state: &mut Self, gap: &[f64], count: usize| {
             let mut before = state.state.pressure.clone();
             state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
-            if returns && entries.is_none() {
-                let both = [&before[..], &state.state.pressure];
-                entries = Some(vector::map(both, |[one, other]| one.max(other)));
+            if AROUND.contains(&count) {
+                vector::update(&mut largest, [&state.state.pressure], |sum, [one]| sum.max(one));
             }
-            let entries = entries.as_deref();
+            let entries = (count >= AROUND.end).then_some(&largest[..]);
             if turns && turned.is_none() {
                 let nearly = (friction::estimate as friction::Solve, None, None);
                 state.rub(simulation, increment, &before, nearly, effort)?;
@@ -69,12 +73,12 @@ impl Evolution {
         };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
-            return solve(self, gap, false);
+            return solve(self, gap, 0);
         }
         let opened = self.opened_by_friction(problem);
-        friction::alternate(simulation, increment, opened, |opened, returns| {
+        friction::alternate(simulation, increment, opened, |opened, count| {
             let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
-            solve(self, &lifted, returns)?;
+            solve(self, &lifted, count)?;
             Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }

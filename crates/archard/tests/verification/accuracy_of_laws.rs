@@ -81,7 +81,7 @@ fn the_depth_of_a_groove_lies_within_the_error_stated() {
     }
 }
 
-/// Unlike cylinders stick and slip in more than one strip, and their edges fall within elements together. Against 1600 elements.
+/// Unlike cylinders stick and slip in more than one strip, and their edges fall within elements together. Against 4800 elements.
 #[test]
 fn forces_of_unlike_cylinders_lie_within_the_error_stated() {
     for (young, friction) in [("70 GPa", 0.3), ("20 GPa", 0.3), ("20 GPa", 0.6)] {
@@ -91,7 +91,7 @@ fn forces_of_unlike_cylinders_lie_within_the_error_stated() {
             let creepage = format!("motion.rolling.creepage={creepage}");
             let set = [soft.as_str(), &rough, &creepage];
             let fine =
-                ["accuracy=", "frame.size=1.2 mm", "frame.elements=1600", "motion.rolling.step=1"];
+                ["accuracy=", "frame.size=1.2 mm", "frame.elements=4800", "motion.rolling.step=1"];
             let truth = answer(CARTER, &[&set[..], &fine].concat());
             let force = number(&truth, "force_x_N").expect("a force");
             for accuracy in ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"] {

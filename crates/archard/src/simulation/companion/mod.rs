@@ -150,8 +150,11 @@ impl Companion {
         let [along, across] = history::CREEPAGE.map(|name| number(row, name).unwrap_or_default());
         let creepage = along.hypot(across).max(LEAST_CREEPAGE);
         // What hardly converges is no reason for more elements.
-        let at_tip = |name: &str| !wears && self.at_tip(name, progress).is_some();
-        let counted = row.iter().filter(|(name, _)| history::counts(name, wears) && !at_tip(name));
+        let hardly = |name: &str| {
+            !wears && self.at_tip(name, progress).is_some()
+                || name == history::PEAK_PRESSURE && self.least.has_cusps()
+        };
+        let counted = row.iter().filter(|(name, _)| history::counts(name, wears) && !hardly(name));
         let errors = counted.filter_map(|(name, value)| {
             let size = match &**name {
                 name if history::FORCE.contains(&name) => force,
