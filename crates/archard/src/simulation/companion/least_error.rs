@@ -32,6 +32,8 @@ const OF_ROWS: [f64; 2] = [0.0, 2.3];
 /// of the pressure: it goes by how the pressure falls to the rim. Of volumes and of depths of surfaces that pass; of laws with
 /// powers from 0.3 to 2 and thresholds up to 0.8 of the peak pressure, no more was found.
 const OF_FALL: f64 = 0.75;
+/// The largest power, or its inverse, that counts there: a law that wears the same under all pressures has a power of zero.
+const BENT: f64 = 5.0;
 /// Of approaches, likewise: elements that the rim cuts count wholly or not at all. At Sneddon's tips it was up to 0.18.
 const OF_APPROACHES: f64 = 0.25;
 /// Of depths where bodies that roll touch on an area, over the elements along what slips and over the root of those across the
@@ -89,7 +91,7 @@ impl LeastError {
     /// With so many elements along the frame; whether the edge of `slip` shows as it does where bodies roll.
     pub fn new(elements: f64, slip: bool, kind: &Kind) -> Self {
         let &Kind { line, steepness: [least, most], coupled, passes, .. } = kind;
-        let bent = most.max(1.0 / least);
+        let bent = most.max(1.0 / least).min(BENT);
         Self {
             edges: if slip { OF_EDGES / (elements * elements) } else { 0.0 },
             coupled: if slip { coupled } else { 0.0 },
@@ -257,6 +259,7 @@ mod tests {
             (kind.clone(), "worn_section_m2", 1e-17),
             (Kind { steepness: [1.0, 4.0], ..kind.clone() }, "worn_section_m2", 3e-3),
             (Kind { steepness: [1.0, 4.0], ..kind.clone() }, "wear_depth_m", 3e-3),
+            (Kind { steepness: [1.0, 9.0], ..kind.clone() }, "worn_section_m2", 3.75e-3),
             (Kind { steepness: [1.0, 4.0], passes: false, ..kind }, "wear_depth_m", 2.4e-4),
         ] {
             let found = of(kind, column);
