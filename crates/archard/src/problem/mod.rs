@@ -29,9 +29,10 @@ const STICKS: f64 = 1e-6;
 /// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
 const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
 const PROBE: f64 = 1e-6;
-/// The share of a pressure that lies next to it.
-const NEAR: f64 = 0.99;
 const SAME: f64 = 1e-6;
+/// Shares of a pressure under which they are tried beside it: far from it, and next to it.
+const HALF: f64 = 0.5;
+const NEAR: f64 = 0.99;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
 #[non_exhaustive]
@@ -78,7 +79,7 @@ impl ContactProblem {
         let rubbing = |pressure: f64| self.rubbing(pressure, PROBE, [1.0, 0.0]);
         let mut laws = self.bodies.iter().filter_map(|body| body.wear.as_deref());
         let straight = |law: &dyn WearLaw| {
-            let [half, whole] = halved(law, rubbing, pressure);
+            let [half, whole] = under(law, rubbing, pressure, HALF);
             (whole - 2.0 * half).abs() <= SAME * whole
         };
         !self.remembers() && !self.goes_by_temperature() && laws.all(straight)
@@ -140,20 +141,19 @@ pub(crate) fn steepness(
     (friction, speed): (Option<&dyn Friction>, f64),
     pressure: Option<f64>,
 ) -> [f64; 2] {
-    let depth =
-        |pressure: f64| law.depth(rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed));
+    let at = |pressure: f64| rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed);
     let power = |pressure: f64, share: f64| {
-        let [less, whole] = [depth(share * pressure), depth(pressure)];
+        let [less, whole] = under(law, at, pressure, share);
         (less > 0.0).then(|| (whole / less).ln() / -share.ln())
     };
-    let least = PRESSURES.iter().filter_map(|&pressure| power(pressure, 0.5)).reduce(f64::min);
+    let least = PRESSURES.iter().filter_map(|&pressure| power(pressure, HALF)).reduce(f64::min);
     let least = least.unwrap_or(1.0);
     [least, pressure.and_then(|pressure| power(pressure, NEAR)).unwrap_or(least)]
 }
 
-/// What a law wears (m) under half of a pressure (Pa) and under all of it.
-fn halved(law: &dyn WearLaw, at: impl Fn(f64) -> Rubbing, pressure: f64) -> [f64; 2] {
-    [0.5, 1.0].map(|share| law.depth(at(share * pressure)))
+/// What a law wears (m) under a share of a pressure (Pa) and under all of it.
+fn under(law: &dyn WearLaw, at: impl Fn(f64) -> Rubbing, pressure: f64, share: f64) -> [f64; 2] {
+    [share, 1.0].map(|share| law.depth(at(share * pressure)))
 }
 
 /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its limit.

@@ -73,16 +73,16 @@ pub(super) fn not_converged(
     }
 }
 
-/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens and how many turns there
-/// were before; it says which gap friction opens then and what the approach (m) is.
+/// Finds pressures and friction in turn until they agree. A turn takes the gap (m) that friction opens, and says which
+/// it opens then and what the approach (m) is.
 pub(super) fn alternate(
     simulation: &Simulation,
     increment: Increment,
     mut opened: Vec<f64>,
-    mut turn: impl FnMut(&[f64], usize) -> Result<(Vec<f64>, f64), Error>,
+    mut turn: impl FnMut(&[f64]) -> Result<(Vec<f64>, f64), Error>,
 ) -> Result<(), Error> {
-    for count in 0..TURNS {
-        let (now, approach) = turn(&opened, count)?;
+    for _ in 0..TURNS {
+        let (now, approach) = turn(&opened)?;
         let changes = now.iter().zip(&opened).map(|(now, before)| (now - before).abs());
         if changes.fold(0.0, f64::max) <= CONSISTENT * approach.abs() {
             return Ok(());

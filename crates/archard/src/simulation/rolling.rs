@@ -54,14 +54,15 @@ impl Evolution {
         // Drives that grow turn the slip by more than they did.
         let known = turns && !rolling.swept;
         let mut turned = if known { self.turned(problem, flow) } else { None };
-        let mut largest = vec![0.0; self.state.pressure.len()];
-        let mut solve = |state: &mut Self, gap: &[f64], count: usize| {
+        let (mut count, mut largest) = (0, vec![0.0; self.state.pressure.len()]);
+        let mut solve = |state: &mut Self, gap: &[f64]| {
             let mut before = state.state.pressure.clone();
             state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
             if AROUND.contains(&count) {
                 vector::update(&mut largest, [&state.state.pressure], |sum, [one]| sum.max(one));
             }
             let entries = (count >= AROUND.end).then_some(&largest[..]);
+            count += 1;
             if turns && turned.is_none() {
                 let nearly = (friction::estimate as friction::Solve, None, None);
                 state.rub(simulation, increment, &before, nearly, effort)?;
@@ -73,12 +74,11 @@ impl Evolution {
         };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
-            return solve(self, gap, 0);
+            return solve(self, gap);
         }
-        let opened = self.opened_by_friction(problem);
-        friction::alternate(simulation, increment, opened, |opened, count| {
+        friction::alternate(simulation, increment, self.opened_by_friction(problem), |opened| {
             let lifted = vector::map([gap, opened], |[gap, opened]| gap + opened);
-            solve(self, &lifted, count)?;
+            solve(self, &lifted)?;
             Ok((self.opened_by_friction(problem), self.state.approach))
         })
     }

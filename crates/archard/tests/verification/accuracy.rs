@@ -1,5 +1,7 @@
 //! One number in, one error bar out: what is asked for is met, and the error that is stated encloses the true one.
 
+use std::f64::consts::PI;
+
 use approx::assert_relative_eq;
 use archard::case::{CaseFile, Resolved};
 use archard::closed_form::Hertz;
@@ -59,6 +61,13 @@ pub(super) fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64)
     let off = (found - truth).abs();
     println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
     assert!(off <= error + leaves, "{what} {column}: {off:e} of {error:e}");
+}
+
+/// The integral of a function over half a turn, in its argument's middle of many parts.
+pub(super) fn over_half_a_turn(function: impl Fn(f64) -> f64) -> f64 {
+    let parts = 4000;
+    let part = PI / f64::from(parts);
+    (0..parts).map(|i| function(part * (f64::from(i) + 0.5)) * part).sum()
 }
 
 const SIZES: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use archard::simulation::history::Row;
 
-use super::accuracy::{answer, assert_within, resolved, rows, with_error};
+use super::accuracy::{answer, assert_within, over_half_a_turn, resolved, rows, with_error};
 use crate::common::Rows;
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
@@ -58,13 +58,6 @@ fn the_depth_under_an_edge_lies_within_the_error_stated() {
         // Galin's.
         assert_within(&row, "centre_pressure_Pa", (20.78444e6, 1e3), accuracy);
     }
-}
-
-/// The integral of a function over half a turn, in its argument's middle of many parts.
-fn over_half_a_turn(function: impl Fn(f64) -> f64) -> f64 {
-    let parts = 4000;
-    let part = PI / f64::from(parts);
-    (0..parts).map(|i| function(part * (f64::from(i) + 0.5)) * part).sum()
 }
 
 /// Cylinders that wear by less than in proportion to the pressure: most at the end of the strip that slips, which is narrower than

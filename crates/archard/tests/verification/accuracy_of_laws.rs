@@ -2,19 +2,21 @@
 
 use std::f64::consts::PI;
 
-use archard::simulation::history::{Row, number};
+use archard::closed_form::Hertz;
+use archard::simulation::history::number;
 
-use super::accuracy::{answer, assert_within};
+use super::accuracy::{answer, assert_within, over_half_a_turn};
 
 const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
 const TRACK: &str = include_str!("../../../../cases/pin_on_disc_track/case.toml");
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
 
-/// The half width (m) of a Hertz contact of two bodies of steel, and the pressure (Pa) in its middle.
+/// The contact of a ball of that radius (m) and a flat, both of steel, under a load (N): its half width (m), and the pressure (Pa) in
+/// the middle.
 fn hertz(radius: f64, load: f64) -> [f64; 2] {
-    let modulus = 210e9 / (2.0 * (1.0 - 0.3 * 0.3));
-    let half = (0.75 * load * radius / modulus).cbrt();
-    [half, 1.5 * load / (PI * half * half)]
+    let modulus = 0.5 * 210e9 / (1.0 - 0.09);
+    let hertz = Hertz::from_load([1.0 / radius; 2], modulus, load).expect("a contact");
+    [hertz.semi_axes[0], hertz.peak_pressure]
 }
 
 /// Says how a body wears by a power of the pressure, hardly.
@@ -67,11 +69,8 @@ fn the_depth_of_a_groove_lies_within_the_error_stated() {
     let passages = 1000.0 / (2.0 * PI * 0.01);
     for exponent in [0.3, 0.6, 1.0, 2.0] {
         // Over a passage, in the angle whose cosine is the place over the half width.
-        let parts = 4000;
-        let part = PI / f64::from(parts);
-        let length =
-            |i: i32| (part * (f64::from(i) + 0.5)).sin().powf(exponent + 1.0) * half * part;
-        let depth = worn(peak, exponent, passages * (0..parts).map(length).sum::<f64>());
+        let length = half * over_half_a_turn(|angle| angle.sin().powf(exponent + 1.0));
+        let depth = worn(peak, exponent, passages * length);
         let laws = [power("ball", exponent), power("disc", exponent)];
         for accuracy in ["accuracy=0.2", "accuracy=0.1", "accuracy=0.03"] {
             let row = answer(TRACK, &[&laws[0], &laws[1], accuracy]);
@@ -95,7 +94,7 @@ fn forces_of_unlike_cylinders_lie_within_the_error_stated() {
             let truth = answer(CARTER, &[&set[..], &fine].concat());
             let force = number(&truth, "force_x_N").expect("a force");
             for accuracy in ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"] {
-                let row: Row = answer(CARTER, &[&set[..], &[accuracy]].concat());
+                let row = answer(CARTER, &[&set[..], &[accuracy]].concat());
                 let what = format!("{young} {friction} {creepage} {accuracy}");
                 assert_within(&row, "force_x_N", (force, 1e-4 * force.abs()), &what);
             }

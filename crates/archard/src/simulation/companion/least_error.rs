@@ -6,54 +6,60 @@ use std::f64::consts::PI;
 use super::Kind;
 use crate::simulation::history;
 
-/// Of forces and creepages where bodies roll, relative, times the square of the number of elements along the frame: the edge
-/// of slip falls anywhere within an element.
+// With n elements along the frame, relative:
+
+/// Of forces and creepages where bodies roll, times n^2: the edge of slip falls anywhere within an element.
 const OF_EDGES: f64 = 10.0;
-/// The same between unlike bodies, relative to the load, over the elements across the contact to the power of 3/2 and over what
-/// pressures bring about: strips that stick and slip follow each other there, and their edges move by an element together. The
-/// largest of the errors on lines of contact of 8 pairs of materials and 26 grids, and on others of 5 and 11, lie up to there.
-const OF_UNLIKE: [f64; 2] = [17.0, 7.0];
-/// The same of lines of contact, over the elements: where they are many, it shrinks with their number.
-const OF_MANY: f64 = 2.0;
-/// Of peak pressures between unlike bodies, over the root of the elements across the contact and over what pressures bring about:
-/// where slip begins pressures have a cusp, which elements cut off. Up to a fifth less was found.
-const OF_CUSPS: f64 = 0.6;
-/// The tangential force, relative to the load, below which what follows from it is not told by its size.
-const LEAST_FORCE: f64 = 1e-3;
-/// Of pressures, likewise: both ends of a line of contact may fall into elements alike.
+/// Of pressures, times n^2: both ends of a line of contact may fall into elements alike.
 const OF_PRESSURES: f64 = 2.0;
-/// Of peak pressures, over the square of the elements across the contact: the middle of a Hertz contact falls between two elements
-/// of a line of contact, and between four of others. A tenth more than that; times the power of the pressure, of depths.
+
+// With m elements across the contact, relative; pairs are of a line of contact and of others:
+
+/// Of peak pressures, times m^2, and of depths, times the power of the pressure by which a law wears: the middle of a Hertz contact
+/// falls between two elements of a line of contact, and between four of others. A tenth more than that.
 const OF_MIDDLES: [f64; 2] = [0.6, 1.1];
-/// Of depths of surfaces that pass through the contact, likewise: their rows take up the errors of all elements along them. None
+/// Of depths of surfaces that pass through the contact, times m^2: their rows take up the errors of all elements along them. None
 /// were found on lines of contact.
 const OF_ROWS: [f64; 2] = [0.0, 2.3];
-/// Of what wears out of proportion to the pressure, over the elements across the contact to the power of 3/2, for the first power
-/// of the pressure: it goes by how the pressure falls to the rim. Of volumes and of depths of surfaces that pass; of laws with
-/// powers from 0.3 to 2 and thresholds up to 0.8 of the peak pressure, no more was found.
-const OF_FALL: f64 = 0.75;
-/// The largest power, or its inverse, that counts there: a law that wears the same under all pressures has a power of zero.
-const BENT: f64 = 5.0;
-/// Of approaches, likewise: elements that the rim cuts count wholly or not at all. At Sneddon's tips it was up to 0.18.
+/// Of approaches, times m^2: elements that the rim cuts count wholly or not at all. At Sneddon's tips it was up to 0.18.
 const OF_APPROACHES: f64 = 0.25;
-/// Of depths where bodies that roll touch on an area, over the elements along what slips and over the root of those across the
-/// contact: where it wears most, few elements slip. Up to there on 13 grids each, of like bodies with creepages of 5 to 60 % of
-/// what all slips at, lateral ones, and spin.
-const OF_STRIPS: f64 = 1.0;
-/// Of what wears by less than in proportion to the pressure where bodies roll and slip behind a strip that sticks, over the
-/// elements along what slips: such laws wear most at the rim, within one element. What wears in proportion goes by the work
-/// of friction, which no rim disturbs.
-const OF_SLIP: f64 = 0.3;
-/// Rounding of powers of the pressure.
+/// Of what wears out of proportion to the pressure, times m^(3/2) and over the power of the pressure, or its inverse where that is
+/// larger: it goes by how the pressure falls to the rim. Of volumes, and of depths of surfaces that pass. No more was found of laws
+/// with powers from 0.3 to 2 and thresholds up to 0.8 of the peak pressure.
+const OF_FALL: f64 = 0.75;
+/// The largest power, or inverse, that counts there: a law that wears the same under all pressures has a power of zero.
+const BENT: f64 = 5.0;
+/// Rounding of powers.
 const ROUNDING: f64 = 1e-6;
-/// The least of these elements: grids that see none slip may miss that much.
-const SLIPPING: f64 = 0.5;
-/// Of counted areas, relative to the contact's, over the elements across it. At both ends of a line of contact the rim falls
-/// anywhere within an element, half of which counts wrongly at most; all around others a sixth of an element counts too much on
-/// average. Half as much again as that.
+/// Of counted areas, times m. At both ends of a line of contact the rim falls anywhere within an element, half of which counts
+/// wrongly at most; all around others a sixth of an element counts too much on average. Half as much again as that.
 const OF_RIMS: [f64; 2] = [1.5, 1.0];
 /// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
+
+// Between unlike bodies that roll, over what pressures bring about there, [`Kind::coupled`]:
+
+/// Of forces, relative to the load, times m^(3/2): strips that stick and slip follow each other, and their edges move by an element
+/// together. As large as the largest found on lines of contact of 8 pairs of materials and 26 grids, and on others of 5 and 11.
+const OF_UNLIKE: [f64; 2] = [17.0, 7.0];
+/// Of forces on lines of contact, relative to the load, times m, where that is more: it is from 72 elements on.
+const OF_MANY: f64 = 2.0;
+/// The force, relative to the load, below which what follows from it is not told by its size.
+const LEAST_FORCE: f64 = 1e-3;
+/// Of peak pressures, relative, times m^(1/2): where slip begins pressures have a cusp, which elements cut off. Up to a fifth less
+/// was found.
+const OF_CUSPS: f64 = 0.6;
+
+// Where bodies roll, with j elements along what slips, relative:
+
+/// Of depths where they touch on an area, times j m^(1/2): where it wears most, few elements slip. No more was found on 13 grids
+/// each of like bodies, with creepages of 5 to 60 % of those from which on all slips, lateral ones, and spin.
+const OF_STRIPS: f64 = 1.0;
+/// Of what wears by less than in proportion to the pressure behind a strip that sticks, times j: such laws wear most at the rim,
+/// within one element. What wears in proportion goes by the work of friction, which no rim disturbs.
+const OF_SLIP: f64 = 0.3;
+/// The least j: grids that see none slip may miss that much.
+const SLIPPING: f64 = 0.5;
 
 /// How bodies touch.
 #[derive(Debug, Clone, Copy)]
@@ -110,14 +116,15 @@ impl LeastError {
     pub fn of(&self, column: &str, (progress, value): (f64, f64), touch: Touch) -> f64 {
         let Touch { contact, stick, load, force } = touch;
         let across = self.across(contact, progress);
-        let of_many = if self.line { OF_MANY / across } else { 0.0 };
-        let unlike = (OF_UNLIKE[usize::from(!self.line)] / across.powf(1.5)).max(of_many);
+        let shaped = |[line, other]: [f64; 2]| if self.line { line } else { other };
+        let of_many = shaped([OF_MANY, 0.0]) / across;
+        let unlike = (shaped(OF_UNLIKE) / across.powf(1.5)).max(of_many);
         let of_force = self.coupled * unlike * load / (LEAST_FORCE * load).max(force);
         let of_work = self.edges.max(of_force);
         let of_cusp = OF_CUSPS * self.coupled / across.sqrt();
-        let of_rims = OF_RIMS[usize::from(!self.line)] / across;
-        let of_middle = OF_MIDDLES[usize::from(!self.line)] / across.powi(2);
-        let of_rows = OF_ROWS[usize::from(!self.line)] / across.powi(2);
+        let of_rims = shaped(OF_RIMS) / across;
+        let of_middle = shaped(OF_MIDDLES) / across.powi(2);
+        let of_rows = shaped(OF_ROWS) / across.powi(2);
         let of_fall = OF_FALL * self.bent / across.powf(1.5);
         let slipping = ((1.0 - stick / contact) * across).max(SLIPPING);
         let of_slip = if self.by_rim && stick > 0.0 { OF_SLIP / slipping } else { 0.0 };

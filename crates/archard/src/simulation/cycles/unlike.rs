@@ -145,7 +145,7 @@ impl Shifted {
             gap_by_friction = self.evolution.opened_by_friction(problem);
         }
         let (mut latest, mut solved) = (known.cloned(), None);
-        alternate(simulation, increment, gap_by_friction, |gap_by_friction, _| {
+        alternate(simulation, increment, gap_by_friction, |gap_by_friction| {
             if let Some(solved) = solved.take() {
                 latest = Some(self.warm_start(solved));
             }
