@@ -101,3 +101,68 @@ fn forces_of_unlike_cylinders_lie_within_the_error_stated() {
         }
     }
 }
+
+/// Where unlike cylinders begin to slip, their pressures have a cusp, which elements cut off. Against 4800 elements, which leave a
+/// part in a thousand.
+#[test]
+fn the_cusp_of_unlike_cylinders_lies_within_the_error_stated() {
+    let text = r#"
+        [body.hard]
+        material = { young = "110 GPa", poisson = 0.49 }
+        profile.cylinder = { radius = "31.37 mm", axis = "y" }
+        [body.soft]
+        material = { young = "3 GPa", poisson = 0.3 }
+        profile.cylinder = { radius = "20.56 mm", axis = "y" }
+        [frame]
+        plane_strain = true
+        [friction.coulomb]
+        coefficient = 0.346
+        [motion.rolling]
+        load = "150.1 N/mm"
+        creepage = 0.00206
+        revolutions = 0
+    "#;
+    let fine = ["frame.size=2.3 mm", "frame.elements=4800", "motion.rolling.step=1"];
+    let peak = number(&answer(text, &fine), "peak_pressure_Pa").expect("a pressure");
+    for accuracy in ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"] {
+        let row = answer(text, &[accuracy]);
+        assert_within(&row, "peak_pressure_Pa", (peak, 1e-3 * peak), accuracy);
+    }
+}
+
+/// Discs wear deepest where few of their elements slip, most of all with a little spin. Against 200 x 200 elements, which leave a
+/// part in two hundred.
+#[test]
+fn depths_where_few_elements_slip_lie_within_the_error_stated() {
+    let text = r#"
+        [body.one]
+        material = { young = "70 GPa", poisson = 0.3 }
+        profile.paraboloid = { radius_x = "10 mm", radius_y = "10 mm" }
+        wear.archard = { coefficient = "1e-9 mm^3/(N m)" }
+        [body.two]
+        material = { young = "70 GPa", poisson = 0.3 }
+        profile.flat = {}
+        [friction.coulomb]
+        coefficient = 0.3
+        [motion.rolling]
+        load = "100 N"
+        revolutions = 1
+    "#;
+    let depth = |elements: usize, options: &[&str]| {
+        let frame = format!(
+            "frame={{ size = [\"0.75 mm\", \"0.75 mm\"], elements = [{elements}, {elements}] }}"
+        );
+        answer(text, &[options, &[&frame]].concat())
+    };
+    for (creepage, spin) in [(6.5e-4, 0.47), (1.3e-3, 0.94)] {
+        let creepage = format!("motion.rolling.creepage={creepage}");
+        let spin = format!("motion.rolling.spin={spin} 1/m");
+        let fine = depth(200, &[&creepage, &spin, "motion.rolling.step=1"]);
+        let truth = number(&fine, "wear_depth_m").expect("a depth");
+        for elements in [32, 36, 40, 44, 48, 52, 56] {
+            let row = depth(elements, &[&creepage, &spin, "accuracy=0.2"]);
+            let what = format!("{creepage} {spin} {elements}");
+            assert_within(&row, "wear_depth_m", (truth, 5e-3 * truth), &what);
+        }
+    }
+}
