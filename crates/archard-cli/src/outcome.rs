@@ -77,7 +77,7 @@ pub fn say_all(
 fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Result<(), Failure> {
     let number = |column: &str| follower.number(column).unwrap_or(0.0);
     let creepage = along_and_across(CREEPAGE.map(number), "");
-    say(&format!("creepage          {creepage}"))?;
+    say(&format!("creepage          {creepage}{}", error(follower, &CREEPAGE)))?;
     if simulation.problem.friction.is_none() {
         return Ok(());
     }
@@ -88,7 +88,13 @@ fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Re
     say(&format!("creep force       {force}{error}, on `{}`", simulation.problem.bodies[0].name))?;
     let intensity = number(FRICTIONAL_POWER) / number(history::CONTACT_AREA);
     say(&format!("T gamma / A       {} N/mm^2, over the contact", four(intensity * 1e-6)))?;
-    say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))
+    stuck(follower)
+}
+
+/// Says how large an area sticks at last.
+fn stuck(follower: &Follower) -> Result<(), Failure> {
+    let area = four(follower.number(STICK_AREA).unwrap_or(0.0) * 1e6);
+    say(&format!("stick area        {area} mm^2{}", error(follower, &[STICK_AREA])))
 }
 
 /// Says what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
@@ -99,8 +105,7 @@ fn shifted(
     effort: Effort,
 ) -> Result<(), Failure> {
     if simulation.problem.friction.is_some() {
-        let number = |column: &str| follower.number(column).unwrap_or(0.0);
-        say(&format!("stick area        {} mm^2", four(number(STICK_AREA) * 1e6)))?;
+        stuck(follower)?;
         let [last, all] = effort.dissipated.map(energy);
         let last =
             if last == all { String::new() } else { format!(", {last} of it in the last cycle") };

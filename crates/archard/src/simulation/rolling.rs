@@ -59,7 +59,7 @@ impl Evolution {
             let mut before = state.state.pressure.clone();
             state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
             if AROUND.contains(&count) {
-                vector::update(&mut largest, [&state.state.pressure], |sum, [one]| sum.max(one));
+                vector::update(&mut largest, [&state.state.pressure], |most, [one]| most.max(one));
             }
             let entries = (count >= AROUND.end).then_some(&largest[..]);
             count += 1;
