@@ -344,3 +344,45 @@ fn the_first_element_of_a_line_of_contact_may_open_and_close_in_turn() {
         }
     }
 }
+
+/// Friction that a shear strength bounds does not grow from the edge of the contact on, as what rolls in would have it whose
+/// first element bears a share of the second's traction. It settles all the same, on any elements, and the forces are those of
+/// fine ones to three quarters of an element of those across.
+#[test]
+fn rolling_settles_under_a_shear_strength() {
+    let forces = |strength: f64, elements: usize| {
+        let text = format!(
+            r#"
+            [body.one]
+            material = {{ young = "210 GPa", poisson = 0.3 }}
+            profile.sphere = {{ radius = "20 mm" }}
+            [body.two]
+            material = {{ young = "70 GPa", poisson = 0.45 }}
+            profile.flat = {{}}
+            [frame]
+            size = ["0.746 mm", "0.746 mm"]
+            elements = [{elements}, {elements}]
+            [friction.tresca]
+            coefficient = 0.5
+            shear_strength = "{strength} MPa"
+            [motion.rolling]
+            load = "100 N"
+            creepage = -0.0005
+            lateral_creepage = 0.0015
+            revolutions = 0
+            step = 1
+            "#
+        );
+        let row = row(&text);
+        [row.last("force_x_N"), row.last("force_y_N")]
+    };
+    for strength in [40.0, 80.0] {
+        let [x, y] = forces(strength, 144);
+        for elements in [20, 24, 30, 41, 60] {
+            let found = forces(strength, elements);
+            let off = (found[0] - x).hypot(found[1] - y) / x.hypot(y);
+            let across = 0.77 * elements as f64;
+            assert!(off <= 0.75 / across, "{strength} {elements}: {off}");
+        }
+    }
+}
