@@ -183,9 +183,11 @@ impl Evolution {
         let flow = frame.flow(rolling.direction)?;
         let advance = flow.advance();
         let pressure = &self.state.pressure;
-        let limit = Limits::new(law, &grip).all(pressure);
+        let limits = Limits::new(law, &grip);
+        let limit = limits.all(pressure);
         let drives = [rolling.longitudinal, rolling.lateral];
-        let ties = second_order::entries(flow, entries.unwrap_or(pressure), &limit);
+        let entered = entries.unwrap_or(pressure);
+        let ties = second_order::entries(flow, (entered, &limits.all(entered)), &limit);
         let admissible = Admissible { map: law.map(), ties: &ties };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };

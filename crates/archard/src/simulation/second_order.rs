@@ -18,14 +18,18 @@ use crate::solve::tangential::Tie;
 
 /// Largest share of the limit behind at which both still grow with the root of the distance from an edge: 0.71 where the edge
 /// is at most an element away, and pressures at the edge are computed to a tenth.
-const GROWS: f64 = 0.8;
+pub(crate) const GROWS: f64 = 0.8;
 
 /// A change of the slip (m) along t1 and t2, one value a pair, as if each passage were of the mean length.
 pub(super) type Turned = [Vec<f64>; 2];
 
-/// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that these
-/// bear grows from the edge on. Scattered pairs have none.
-pub(super) fn entries(flow: Flow<'_>, pressure: &[f64], limit: &[f64]) -> Vec<Tie> {
+/// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that they
+/// allow grows from the edge on, by shares of what the pairs bear at most (Pa). Scattered pairs have none.
+pub(super) fn entries(
+    flow: Flow<'_>,
+    (pressure, allowed): (&[f64], &[f64]),
+    limit: &[f64],
+) -> Vec<Tie> {
     if !flow.has_rows() {
         return vec![];
     }
@@ -34,7 +38,8 @@ pub(super) fn entries(flow: Flow<'_>, pressure: &[f64], limit: &[f64]) -> Vec<Ti
         let before = direction.ahead(pair, elements).map_or(0.0, |ahead| pressure[ahead]);
         let to = direction.back().ahead(pair, elements)?;
         let enters = before == 0.0 && pressure[pair] > 0.0;
-        (enters && limit[pair] <= GROWS * limit[to] && limit[to] > 0.0).then(|| Tie {
+        let grows = allowed[pair] <= GROWS * allowed[to];
+        (enters && grows && limit[to] >= limit[pair] && limit[to] > 0.0).then(|| Tie {
             pair,
             to,
             share: limit[pair] / limit[to],

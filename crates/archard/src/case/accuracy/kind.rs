@@ -3,15 +3,18 @@
 use crate::body::Body;
 use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case, FrameCase};
+use crate::friction::Friction;
 use crate::motion::Motion;
 use crate::problem::steepness;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
-use crate::simulation::{Kind, Tip};
+use crate::simulation::{GROWS, Kind, Tip};
 
 /// Elements over which a tip has to be worn before it counts as blunt.
 const BLUNT: f64 = 2.0;
 /// The pressure (Pa) at which friction is taken to be what it is in the contact.
 const PRESSURE: f64 = 1e8;
+/// How many times the peak pressure is divided by the root of two to find where friction is bounded.
+const SHARES: u32 = 20;
 /// How far a tip may lie from the middle of the frame, relative to an element, to lie alike among the elements of other grids.
 const ALIKE: f64 = 0.01;
 
@@ -32,9 +35,21 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
             .fold([1.0; 2], |[least, most], [low, high]| [least.min(low), most.max(high)]),
         passes: parts.motion.passing().is_some() || parts.motion.swing().is_some(),
         coupled: parts.subject().dundurs_beta().abs().min(0.5 * grip),
+        grows: friction.map_or(f64::INFINITY, |law| grows(law, peak.unwrap_or(PRESSURE))),
         line: case.frame.line,
         period: parts.motion.period(),
     })
+}
+
+/// The pressure, relative to a peak (Pa), up to which the limit of friction grows as from an edge on: what twice as far in bears
+/// more in the ratio that [ties](crate::simulation::GROWS) ask for.
+fn grows(law: &dyn Friction, peak: f64) -> f64 {
+    let shares = (0..=SHARES).map(|halvings| 2f64.powf(-0.5 * f64::from(SHARES - halvings)));
+    let bounded = |share: &f64| {
+        let [first, next] = [1.0, 2f64.sqrt()].map(|farther| law.limit(farther * share * peak));
+        first > GROWS * next
+    };
+    shares.into_iter().find(bounded).unwrap_or(f64::INFINITY)
 }
 
 /// From where on elements have which area (m^2).

@@ -76,6 +76,8 @@ pub struct Kind {
     /// Tangential tractions that pressures bring about between unlike bodies: Dundurs' constant, and half of what friction
     /// bears at most.
     pub coupled: f64,
+    /// The pressure, relative to the unworn peak, up to which what friction bears grows with it as from an edge on.
+    pub grows: f64,
     /// Whether bodies touch along a line, in plane strain.
     pub line: bool,
     /// The period of cycles, which tangential forces are relative to (the motion's own unit).
@@ -296,6 +298,7 @@ mod tests {
         steepness: [1.0; 2],
         passes: false,
         coupled: 0.0,
+        grows: f64::INFINITY,
         line: false,
         period: None,
     };
