@@ -37,10 +37,14 @@ const OF_RIMS: [f64; 2] = [1.5, 1.0];
 /// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
 
+/// The least component of a force, relative to all of it, that its error is relative to, and what counts as none.
+const ASIDE: f64 = 0.01;
+const NOTHING: f64 = 1e-6;
 /// Of moments of friction where bodies roll, times m^2, beside what forces err by. No more was found on 14 grids each of ten
 /// states of creepage and spin.
 const OF_MOMENTS: f64 = 10.0;
-/// The least arm of a force that errors of its moment are relative to, over the radius of a disc of the contact's area.
+/// The least arm of a force that errors of its moment are relative to, over the radius of a disc of the contact's area, but for lines
+/// of contact.
 const ARM: f64 = 0.25;
 
 // Between unlike bodies that roll, over what pressures bring about there, [`Kind::coupled`]:
@@ -134,7 +138,9 @@ impl LeastError {
         let of_limit = if 2.0 / across.sqrt() > self.grows { of_rims } else { 0.0 };
         let of_work = self.edges.max(of_force).max(of_limit);
         let of_moment = if self.edges > 0.0 { OF_MOMENTS / across.powi(2) } else { 0.0 };
-        let arm = ARM * (contact / PI).sqrt();
+        let arm = shaped([0.0, ARM]) * (contact / PI).sqrt();
+        // What vanishes by symmetry errs by nothing.
+        let aside = if value.abs() > NOTHING * force { ASIDE * force } else { 0.0 };
         let of_cusp = OF_CUSPS * self.coupled / across.sqrt();
         let of_middle = shaped(OF_MIDDLES) / across.powi(2);
         let of_rows = shaped(OF_ROWS) / across.powi(2);
@@ -152,9 +158,9 @@ impl LeastError {
             history::PEAK_PRESSURE => self.pressures.max(of_middle).max(of_cusp) * value.abs(),
             history::CENTRE_PRESSURE => self.pressures * value.abs(),
             history::MOMENT => of_work * value.abs() + of_moment * value.abs().max(arm * force),
-            _ if history::CREEPAGE.contains(&column) || is_tangential(column) => {
-                of_work * value.abs()
-            }
+            _ if history::FORCE.contains(&column) => of_work * value.abs().max(aside),
+            history::FRICTIONAL_POWER => of_work * value.abs(),
+            _ if history::CREEPAGE.contains(&column) => of_work * value.abs(),
             _ if history::is_depth(column) => {
                 (self.steepness * of_middle).max(of_passing) * value.abs()
             }
@@ -226,6 +232,8 @@ mod tests {
         let across = (400.0 / PI).sqrt() - 1.0;
         for (column, value, expected) in [
             ("force_x_N", -20.0, [0.02, 0.0]),
+            ("force_y_N", 0.1, [2e-4, 0.0]),
+            ("force_y_N", 1e-6, [1e-9, 0.0]),
             ("creepage", 1e-3, [1e-6, 0.0]),
             ("centre_pressure_Pa", 1e9, [2e5, 2e5]),
             ("peak_pressure_Pa", 1e9, [0.6e9 / 81.0, 1.1e9 / across.powi(2)]),
