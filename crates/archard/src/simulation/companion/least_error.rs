@@ -140,7 +140,10 @@ impl LeastError {
         let of_moment = if self.edges > 0.0 { OF_MOMENTS / across.powi(2) } else { 0.0 };
         let arm = shaped([0.0, ARM]) * (contact / PI).sqrt();
         // What vanishes by symmetry errs by nothing.
-        let aside = if value.abs() > NOTHING * force { ASIDE * force } else { 0.0 };
+        let size = value.abs();
+        let beside = |share: f64, whole: f64| {
+            if size > NOTHING * whole { size.max(share * whole) } else { size }
+        };
         let of_cusp = OF_CUSPS * self.coupled / across.sqrt();
         let of_middle = shaped(OF_MIDDLES) / across.powi(2);
         let of_rows = shaped(OF_ROWS) / across.powi(2);
@@ -153,18 +156,15 @@ impl LeastError {
         match column {
             _ if contact == 0.0 => 0.0,
             history::CONTACT_AREA => of_rims * contact,
-            history::APPROACH => OF_APPROACHES / across.powi(2) * value.abs(),
+            history::APPROACH => OF_APPROACHES / across.powi(2) * size,
             history::STICK_AREA => OF_STICK * of_rims * contact,
-            history::PEAK_PRESSURE => self.pressures.max(of_middle).max(of_cusp) * value.abs(),
-            history::CENTRE_PRESSURE => self.pressures * value.abs(),
-            history::MOMENT => of_work * value.abs() + of_moment * value.abs().max(arm * force),
-            _ if history::FORCE.contains(&column) => of_work * value.abs().max(aside),
-            history::FRICTIONAL_POWER => of_work * value.abs(),
-            _ if history::CREEPAGE.contains(&column) => of_work * value.abs(),
-            _ if history::is_depth(column) => {
-                (self.steepness * of_middle).max(of_passing) * value.abs()
-            }
-            _ if history::is_worn(column) => of_volume * value.abs(),
+            history::PEAK_PRESSURE => self.pressures.max(of_middle).max(of_cusp) * size,
+            history::CENTRE_PRESSURE => self.pressures * size,
+            history::MOMENT => of_work * size + of_moment * beside(1.0, arm * force),
+            _ if history::FORCE.contains(&column) => of_work * beside(ASIDE, force),
+            _ if history::CREEPAGE.contains(&column) || is_tangential(column) => of_work * size,
+            _ if history::is_depth(column) => (self.steepness * of_middle).max(of_passing) * size,
+            _ if history::is_worn(column) => of_volume * size,
             _ => 0.0,
         }
     }
