@@ -177,8 +177,8 @@ fn depths_where_few_elements_slip_lie_within_the_error_stated() {
 }
 
 /// Where a shear strength bounds friction right behind the edge, forces err by the first order of the elements, as areas do; and
-/// what turns about the normal errs by what its parts do, whose sum is small. Against 240 x 240 elements, which leave a part in two
-/// hundred of forces and in fifty of moments.
+/// what turns about the normal errs by what its parts do, whose sum is small. Against 240 x 240 elements, which leave three parts in a
+/// thousand of forces and a part in fifty of moments.
 #[test]
 fn forces_under_a_shear_strength_and_moments_lie_within_the_error_stated() {
     let text = |young: &str, friction: &str, motion: &str| {
@@ -202,8 +202,8 @@ fn forces_under_a_shear_strength_and_moments_lie_within_the_error_stated() {
     let bounded = "tresca = { coefficient = 0.3, shear_strength = \"30 MPa\" }";
     let coulomb = "coulomb = { coefficient = 0.3 }";
     for (young, size, friction, motion) in [
-        ("210 GPa", 0.616, bounded, "creepage = 0.0003\nlateral_creepage = 0.0002"),
-        ("210 GPa", 0.616, bounded, "creepage = 0.0001"),
+        ("210 GPa", 0.611, bounded, "creepage = 0.0003\nlateral_creepage = 0.0002"),
+        ("210 GPa", 0.611, bounded, "creepage = 0.0001"),
         ("3 GPa", 2.02, coulomb, "spin = \"2 1/m\""),
     ] {
         let text = text(young, friction, motion);
@@ -216,13 +216,13 @@ fn forces_under_a_shear_strength_and_moments_lie_within_the_error_stated() {
         let fine = row(240, "motion.rolling.step=1");
         let of = |column: &str| number(&fine, column).expect("a force");
         let [x, y, moment] = ["force_x_N", "force_y_N", "moment_z_Nm"].map(of);
-        let slack = 5e-3 * x.hypot(y);
+        let slack = 3e-3 * x.hypot(y);
         for elements in [24, 28, 32, 36, 40, 46, 50, 54] {
             let row = row(elements, "accuracy=0.2");
             let what = format!("{young} {motion} {elements}");
             assert_within(&row, "force_x_N", (x, slack), &what);
             assert_within(&row, "force_y_N", (y, slack), &what);
-            assert_within(&row, "moment_z_Nm", (moment, 0.02 * moment.abs()), &what);
+            assert_within(&row, "moment_z_Nm", (moment, 0.02 * moment.abs() + 1e-12), &what);
         }
     }
 }
