@@ -73,6 +73,9 @@ pub fn say_all(
     say(&format!("results           {}", dir.display()))
 }
 
+/// A force, relative to the load, that is none.
+const ROUNDING: f64 = 1e-9;
+
 /// Says how the bodies creep at last and, where there is friction, what they pass on.
 fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Result<(), Failure> {
     let number = |column: &str| follower.number(column).unwrap_or(0.0);
@@ -81,10 +84,12 @@ fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Re
     if simulation.problem.friction.is_none() {
         return Ok(());
     }
-    let [x, y] = FORCE.map(number);
+    // No force was asked for, or creeps: what is left of it is rounding, and so is its error.
+    let nothing = ROUNDING * number(history::LOAD);
+    let [x, y] = FORCE.map(number).map(|force| if force.abs() > nothing { force } else { 0.0 });
     let units = [rolling.direction.forward(), rolling.direction.lateral()];
     let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
-    let error = error(follower, &FORCE);
+    let error = if [x, y] == [0.0; 2] { String::new() } else { error(follower, &FORCE) };
     say(&format!("creep force       {force}{error}, on `{}`", simulation.problem.bodies[0].name))?;
     let intensity = number(FRICTIONAL_POWER) / number(history::CONTACT_AREA);
     say(&format!("T gamma / A       {} N/mm^2, over the contact", four(intensity * 1e-6)))?;

@@ -59,6 +59,8 @@ const LEAST_FORCE: f64 = 1e-3;
 /// Of peak pressures, relative, times m^(1/2): where slip begins pressures have a cusp, which elements cut off. Up to a fifth less
 /// was found.
 const OF_CUSPS: f64 = 0.6;
+/// Coupling from which on they hardly converge.
+const HAS_CUSPS: f64 = 0.01;
 
 // Where bodies roll, with j elements along what slips, relative:
 
@@ -171,7 +173,7 @@ impl LeastError {
 
     /// Whether peak pressures hardly converge.
     pub fn has_cusps(&self) -> bool {
-        self.coupled > 0.0
+        self.coupled > HAS_CUSPS
     }
 
     /// That of pressures and depths at a tip that lies anywhere among the elements and makes errors of that order, relative to what
