@@ -84,7 +84,7 @@ fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Re
     if simulation.problem.friction.is_none() {
         return Ok(());
     }
-    // No force was asked for, or creeps: what is left of it is rounding, and so is its error.
+    // Where nothing is passed on, what is left of a force is rounding, and so is its error.
     let nothing = ROUNDING * number(history::LOAD);
     let [x, y] = FORCE.map(number).map(|force| if force.abs() > nothing { force } else { 0.0 });
     let units = [rolling.direction.forward(), rolling.direction.lateral()];

@@ -41,8 +41,8 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
     })
 }
 
-/// The pressure, relative to a peak (Pa), up to which the limit of friction grows as from an edge on: what twice as far in bears
-/// more in the ratio that [ties](crate::simulation::GROWS) ask for.
+/// The pressure, relative to a peak (Pa), up to which the limit of friction grows as from an edge on: at twice the distance, under
+/// the root of two of the pressure, it is larger by the ratio that [ties](GROWS) ask for.
 fn grows(law: &dyn Friction, peak: f64) -> f64 {
     let shares = (0..=SHARES).map(|halvings| 2f64.powf(-0.5 * f64::from(SHARES - halvings)));
     let bounded = |share: &f64| {
