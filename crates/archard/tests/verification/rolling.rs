@@ -386,3 +386,36 @@ fn rolling_settles_under_a_shear_strength() {
         }
     }
 }
+
+/// Where all of a line of contact slips, a shear strength bounds Hertz's pressures times mu: the closed form of their sum.
+#[test]
+fn a_shear_strength_bounds_what_slips() {
+    let text = r#"
+        [body.one]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.cylinder = { radius = "20 mm", axis = "y" }
+        [body.two]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.flat = {}
+        [frame]
+        plane_strain = true
+        size = "0.4 mm"
+        elements = 110
+        [friction.tresca]
+        coefficient = 0.5
+        shear_strength = "80 MPa"
+        [motion.rolling]
+        load = "100 N/mm"
+        creepage = 0.02
+        revolutions = 0
+        step = 1
+    "#;
+    let (load, strength) = (1e5, 80e6);
+    let half = (4.0 * load * 0.02 / (PI * 210e9 / (2.0 * 0.91))).sqrt();
+    let peak = 0.5 * 2.0 * load / (PI * half);
+    // The place, over the half width, at which mu p falls below the strength, and what the half ellipse bears beyond.
+    let inner: f64 = (1.0 - (strength / peak).powi(2)).sqrt();
+    let outer = peak * half * (PI / 2.0 - inner.asin() - inner * (1.0 - inner * inner).sqrt());
+    let force = 2.0 * strength * inner * half + outer;
+    assert_relative_eq!(row(text).last("force_x_N"), force, max_relative = 1e-3);
+}
