@@ -73,9 +73,6 @@ pub fn say_all(
     say(&format!("results           {}", dir.display()))
 }
 
-/// A force, relative to the load, that is none.
-const ROUNDING: f64 = 1e-9;
-
 /// Says how the bodies creep at last and, where there is friction, what they pass on.
 fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Result<(), Failure> {
     let number = |column: &str| follower.number(column).unwrap_or(0.0);
@@ -85,7 +82,8 @@ fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Re
         return Ok(());
     }
     // Where nothing is passed on, what is left of a force is rounding, and so is its error.
-    let nothing = ROUNDING * number(history::LOAD);
+    const NONE: f64 = 1e-9;
+    let nothing = NONE * number(history::LOAD);
     let [x, y] = FORCE.map(number).map(|force| if force.abs() > nothing { force } else { 0.0 });
     let units = [rolling.direction.forward(), rolling.direction.lateral()];
     let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");

@@ -186,8 +186,9 @@ impl Evolution {
         let limits = Limits::new(law, &grip);
         let limit = limits.all(pressure);
         let drives = [rolling.longitudinal, rolling.lateral];
-        let entered = entries.unwrap_or(pressure);
-        let ties = second_order::entries(flow, (entered, &limits.all(entered)), &limit);
+        let allowed = entries.map(|entered| limits.all(entered));
+        let entered = (entries.unwrap_or(pressure), allowed.as_ref().unwrap_or(&limit).as_slice());
+        let ties = second_order::entries(flow, entered, &limit);
         let admissible = Admissible { map: law.map(), ties: &ties };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };

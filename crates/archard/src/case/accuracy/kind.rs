@@ -44,12 +44,12 @@ pub(super) fn kind(case: &Case) -> Result<Kind, BuildError> {
 /// The pressure, relative to a peak (Pa), up to which the limit of friction grows as from an edge on: at twice the distance, under
 /// the root of two of the pressure, it is larger by the ratio that [ties](GROWS) ask for.
 fn grows(law: &dyn Friction, peak: f64) -> f64 {
-    let shares = (0..=SHARES).map(|halvings| 2f64.powf(-0.5 * f64::from(SHARES - halvings)));
+    let mut shares = (0..=SHARES).rev().map(|times| 0.5f64.powf(0.5 * f64::from(times)));
     let bounded = |share: &f64| {
         let [first, next] = [1.0, 2f64.sqrt()].map(|farther| law.limit(farther * share * peak));
         first > GROWS * next
     };
-    shares.into_iter().find(bounded).unwrap_or(f64::INFINITY)
+    shares.find(bounded).unwrap_or(f64::INFINITY)
 }
 
 /// From where on elements have which area (m^2).

@@ -37,14 +37,15 @@ const OF_RIMS: [f64; 2] = [1.5, 1.0];
 /// How much more that is for areas that stick: where nothing seems to, a strip may be narrower than the elements.
 const OF_STICK: f64 = 2.0;
 
-/// The least component of a force, relative to all of it, that its error is relative to, and what counts as none.
+/// The least component of a force, relative to all of it, that its error is relative to.
 const ASIDE: f64 = 0.01;
+/// A component of a force, or a moment, relative to all there may be, that is none.
 const NOTHING: f64 = 1e-6;
 /// Of moments of friction where bodies roll, times m^2, beside what forces err by. No more was found on 14 grids each of ten
 /// states of creepage and spin.
 const OF_MOMENTS: f64 = 10.0;
-/// The least arm of a force that errors of its moment are relative to, over the radius of a disc of the contact's area, but for lines
-/// of contact.
+/// The arm of a force whose moment, or that found where it is more, errors of moments are relative to: over the radius of a disc of
+/// the contact's area. None is taken on lines of contact.
 const ARM: f64 = 0.25;
 
 // Between unlike bodies that roll, over what pressures bring about there, [`Kind::coupled`]:
@@ -95,6 +96,8 @@ pub(super) struct LeastError {
     /// Whether what wears goes by the rim of what slips, and depths by how few elements do.
     by_rim: bool,
     strips: bool,
+    /// Of moments, times m^2.
+    moments: f64,
     /// The pressure, relative to the peak, up to which friction grows from the edge on.
     grows: f64,
     /// The largest power of the pressure by which a body wears, and the furthest from one.
@@ -118,6 +121,7 @@ impl LeastError {
             pressures: OF_PRESSURES / (elements * elements),
             by_rim: slip && least < 1.0 - ROUNDING,
             strips: slip && !line,
+            moments: if slip { OF_MOMENTS } else { 0.0 },
             grows: if slip { grows } else { f64::INFINITY },
             steepness: most,
             bent: if bent > 1.0 + ROUNDING { bent } else { 0.0 },
@@ -139,7 +143,7 @@ impl LeastError {
         // The first element lies under that share of the peak pressure at most.
         let of_limit = if 2.0 / across.sqrt() > self.grows { of_rims } else { 0.0 };
         let of_work = self.edges.max(of_force).max(of_limit);
-        let of_moment = if self.edges > 0.0 { OF_MOMENTS / across.powi(2) } else { 0.0 };
+        let of_moment = self.moments / across.powi(2);
         let arm = shaped([0.0, ARM]) * (contact / PI).sqrt();
         // What vanishes by symmetry errs by nothing.
         let size = value.abs();
