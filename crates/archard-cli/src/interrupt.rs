@@ -41,15 +41,18 @@ struct Shared {
 pub struct Requests(Arc<AtomicBool>);
 
 impl Requests {
-    /// Takes over what the signals do, as [`Watch::set`]; a second request ends the program at once.
+    /// Takes over what the signals do, as [`Watch::set`]; a second request ends the program at once, and so does the first
+    /// where the work has not ended within the period of grace. All files are whole after every step.
     pub fn set() -> Self {
         let requests = Self::default();
         if !hangups_are_ignored() {
             let (asked, mut first) = (requests.0.clone(), None::<Instant>);
             let _ = ctrlc::set_handler(move || {
                 let same = first.get_or_insert_with(Instant::now).elapsed() <= SAME;
-                if asked.swap(true, Ordering::Relaxed) && !same {
-                    std::process::exit(INTERRUPTED.into());
+                match asked.swap(true, Ordering::Relaxed) {
+                    true if !same => std::process::exit(INTERRUPTED.into()),
+                    true => {}
+                    false => drop(std::thread::spawn(leave)),
                 }
             });
         }
@@ -60,6 +63,16 @@ impl Requests {
     pub fn any(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
+}
+
+/// Ends the program after the period of grace.
+fn leave() {
+    std::thread::sleep(GRACE);
+    let failure = Failure::Interrupted(format!(
+        "{Interrupted}\nthe same command goes on with what is not done"
+    ));
+    failure.report();
+    std::process::exit(failure.code().into());
 }
 
 /// How far a run is.

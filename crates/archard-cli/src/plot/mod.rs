@@ -40,6 +40,7 @@ use figure::Panel;
 pub use fit::draw as draw_fit;
 use pressure::MOMENTS;
 use results::Results;
+pub(crate) use study::quantile;
 
 /// Size (px) of a panel of the figures with few panels.
 const PANEL: [f64; 2] = [640.0, 460.0];

@@ -1,22 +1,21 @@
 //! The rows of a study: what is put at which keys, and the checked case of each row.
 
-use archard::case::{CaseFile, Problem, Resolved, Severity, Task};
+use archard::case::{CaseFile, Problem, Resolved, Severity, Task, ValueAt};
 use serde_json::json;
 
 use super::points::{MOST, points, together};
-use super::values::{Distribution, distribution, list};
+use super::values::{Distribution, distribution, few, list};
 use crate::arguments::{Design as Laid, Layout, Sweep};
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::say::tell;
 
-/// Most rows of a study.
-const MOST_ROWS: usize = 100_000;
-
 /// A study: its keys and rows.
 #[derive(Debug)]
 pub struct Design {
-    /// The columns of the keys, those of `--over` first: each key with the unit of its values (SI).
+    /// The keys, those of `--over` first.
+    pub keys: Vec<String>,
+    /// The columns of the keys: each key with the unit of its values (SI), where all are numbers of one unit.
     pub columns: Vec<String>,
     /// How many of the columns are gone over; the others are sampled.
     pub over: usize,
@@ -29,8 +28,11 @@ pub struct Design {
 /// A row of a study.
 #[derive(Debug, Clone)]
 pub struct Row {
-    /// The values of its keys (SI).
-    pub values: Vec<f64>,
+    /// The values of its keys as they were given, or drawn.
+    pub given: Vec<String>,
+    /// The values of its keys (SI), as tables have them: numbers without their unit, and lists, tables and texts as a case
+    /// has them.
+    pub cells: Vec<String>,
     /// Its case, on the frame that its contact has room on.
     pub resolved: Box<Resolved>,
     /// How often that frame was enlarged.
@@ -47,7 +49,7 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
         CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
     let file = arguments.set.iter().fold(file, |file, option| file.set(option));
     let mut warned: Vec<(String, usize)> = vec![];
-    let mut units: Vec<String> = vec![];
+    let mut values: Vec<Vec<Option<ValueAt>>> = vec![];
     let mut rows = vec![];
     for (index, settings) in settings.into_iter().enumerate() {
         let options = keys.iter().zip(&settings);
@@ -85,24 +87,36 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
                 }
             }
         }
-        let numbers = keys.iter().map(|key| {
-            resolved.case.number_at(key).ok_or_else(|| {
-                let why = "a study goes over keys that are a number, or a number with its unit";
-                Failure::wrong(format!("`{key}`: {why}"))
-            })
-        });
-        let numbers: Vec<(f64, String)> = numbers.collect::<Result<_, _>>()?;
-        units = numbers.iter().map(|(_, unit)| unit.clone()).collect();
-        let values = numbers.into_iter().map(|(value, _)| value).collect();
-        rows.push(Row { values, resolved, frames: 0 });
+        values.push(keys.iter().map(|key| resolved.case.value_at(key)).collect());
+        rows.push(Row { given: settings, cells: vec![], resolved, frames: 0 });
     }
     for (key, count) in warned.iter().filter(|(_, count)| *count > 1 && !arguments.quiet) {
         tell(&format!("{count} rows have warnings of `{key}`, of which the first is shown"));
     }
-    let column = |(key, unit): (String, String)| key + &suffix(&unit);
-    let columns = keys.into_iter().zip(units).map(column).collect();
+    let columns =
+        keys.iter().enumerate().map(|(place, key)| fill(&mut rows, &values, (place, key)));
+    let columns = columns.collect();
     let layout = layout(arguments).map_err(Failure::wrong)?;
-    Ok(Design { columns, over: arguments.over.len(), layout, rows })
+    Ok(Design { keys, columns, over: arguments.over.len(), layout, rows })
+}
+
+/// Fills the cells of a key, and returns its column.
+fn fill(rows: &mut [Row], values: &[Vec<Option<ValueAt>>], (place, key): (usize, &str)) -> String {
+    let unit = |row: &Vec<Option<ValueAt>>| match &row[place] {
+        Some(ValueAt::Number(_, unit)) => Some(unit.clone()),
+        _ => None,
+    };
+    let first = values.first().and_then(unit);
+    let common = first.filter(|first| values.iter().all(|row| unit(row).as_ref() == Some(first)));
+    for (row, values) in rows.iter_mut().zip(values) {
+        row.cells.push(match &values[place] {
+            Some(ValueAt::Number(value, _)) if common.is_some() => format!("{value:?}"),
+            Some(ValueAt::Number(value, unit)) => format!("{value:?} {unit}").trim_end().to_owned(),
+            Some(ValueAt::Text(text) | ValueAt::List(text)) => text.clone(),
+            None => row.given[place].clone(),
+        });
+    }
+    key.to_owned() + &common.map_or_else(String::new, |unit| suffix(&unit))
 }
 
 impl Design {
@@ -125,8 +139,7 @@ impl Design {
         // Into memory, by rows of one length: nothing can fail.
         let _ = table.write_record(head);
         for (index, row) in self.rows.iter().enumerate() {
-            let values = row.values.iter().map(|value| format!("{value:?}"));
-            let _ = table.write_record([(index + 1).to_string()].into_iter().chain(values));
+            let _ = table.write_record([&(index + 1).to_string()].into_iter().chain(&row.cells));
         }
         String::from_utf8(table.into_inner().unwrap_or_default()).unwrap_or_default()
     }
@@ -168,7 +181,7 @@ fn settings(arguments: &Sweep) -> Result<Settings, String> {
             let with = |value: &String| [&row[..], std::slice::from_ref(value)].concat();
             values.iter().map(with).collect::<Vec<_>>()
         };
-        few(rows.len() * values.len())?;
+        few(rows.len().saturating_mul(values.len()))?;
         rows = rows.iter().flat_map(extended).collect();
     }
     let mut distributions: Vec<Distribution> = vec![];
@@ -185,7 +198,8 @@ fn settings(arguments: &Sweep) -> Result<Settings, String> {
         return Err(format!("a Sobol sequence has {MOST} points, fewer than the {count} samples"));
     }
     let dimensions = distributions.len();
-    few(rows.len() * count * if layout == Layout::Saltelli { dimensions + 2 } else { 1 })?;
+    let each = if layout == Layout::Saltelli { dimensions + 2 } else { 1 };
+    few(rows.len().saturating_mul(count).saturating_mul(each))?;
     let mut points = points(layout, (count, dimensions), arguments.seed);
     if let Some(correlation) = arguments.together {
         if layout == Layout::Saltelli {
@@ -203,13 +217,6 @@ fn settings(arguments: &Sweep) -> Result<Settings, String> {
         samples.iter().map(|sample| [&row[..], sample].concat()).collect::<Vec<_>>()
     };
     Ok((keys, rows.iter().flat_map(with).collect()))
-}
-
-fn few(rows: usize) -> Result<(), String> {
-    if rows <= MOST_ROWS {
-        return Ok(());
-    }
-    Err(format!("a study of {rows} rows; {MOST_ROWS} at most can be run"))
 }
 
 /// How samples are laid; `None` where there are none.

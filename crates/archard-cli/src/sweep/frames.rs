@@ -52,7 +52,7 @@ impl Design {
 
     /// Whether rows may have other frames than the case says: a study of frames has the frames it asks for.
     fn grows(&self) -> bool {
-        !self.columns.iter().any(|column| column.starts_with("frame."))
+        !self.keys.iter().any(|key| key == "frame" || key.starts_with("frame."))
     }
 }
 

@@ -4,6 +4,7 @@
 //! own: what is done is done, whoever did it, so that a study goes on where it was killed, and tasks share it by their
 //! numbers. Last, `sweep.csv` is made of the folders.
 
+mod course;
 mod design;
 mod fitted;
 mod frames;
@@ -12,6 +13,7 @@ mod row;
 mod shared;
 mod table;
 mod values;
+mod words;
 
 use std::collections::HashSet;
 use std::fs;
@@ -30,7 +32,7 @@ use crate::say::{say, tell};
 use design::Design;
 use row::Outcome;
 use shared::Shared;
-use table::Status;
+use table::{Known, Status};
 
 /// Runs a study, or goes on with it.
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
@@ -76,8 +78,12 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     }
     // What other tasks have done meanwhile.
     take_up(&mut design, &others)?;
-    let standing =
+    let known =
         table::collect(study, &design).map_err(|error| Failure::wrong(error.to_string()))?;
+    if !requests.any() && !arguments.quiet {
+        words::medians(&design, &known).iter().try_for_each(|line| say(line))?;
+    }
+    let standing: Vec<Status> = known.iter().map(Known::status).collect();
     let own = own.iter().map(|&row| standing[row]).collect();
     conclude(arguments, [own, standing], &requests)
 }
@@ -124,7 +130,7 @@ fn run_all(
     let jobs = arguments.jobs.map_or((processors / threads).max(1), NonZero::get);
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
     let all: usize = groups.iter().map(|group| group.rows.len()).sum();
-    let (next, outcomes) = (AtomicUsize::new(0), Mutex::new(vec![]));
+    let (next, told) = (AtomicUsize::new(0), Mutex::new(0));
     let work = || {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| format!("cannot start {threads} threads: {error}"))?;
@@ -141,10 +147,13 @@ fn run_all(
                 }
                 _ => shared::run((group, &design.rows, study), with),
             });
-            if let Ok(mut outcomes) = outcomes.lock() {
-                outcomes.extend(came);
-                if !arguments.quiet {
-                    tell(&format!("{} of {all} rows: {}", outcomes.len(), last(&outcomes)));
+            if let (Ok(mut told), false) = (told.lock(), arguments.quiet) {
+                for (index, outcome) in &came {
+                    *told += 1;
+                    tell(&format!(
+                        "{told} of {all} rows: {}",
+                        line(design, study, *index, outcome)
+                    ));
                 }
             }
         }
@@ -160,17 +169,17 @@ fn run_all(
     Ok(())
 }
 
-/// What came of the last row, in words.
-fn last(outcomes: &[(usize, Outcome)]) -> String {
-    let Some((index, outcome)) = outcomes.last() else { return String::new() };
-    let row = index + 1;
+/// What varied in a row and what came of it, in words.
+fn line(design: &Design, study: &Path, index: usize, outcome: &Outcome) -> String {
+    let known = table::of(&row::folder(study, index), &design.rows[index].resolved);
+    let row = words::row(design, index, &known);
     match outcome {
-        Outcome::Done => format!("row {row}"),
+        Outcome::Done => row,
         Outcome::Failed(why) => {
-            format!("row {row}, which failed: {}", why.lines().next().unwrap_or_default())
+            format!("{row}, which failed: {}", why.lines().next().unwrap_or_default())
         }
-        Outcome::Interrupted => format!("row {row}, which was interrupted"),
-        Outcome::Elsewhere => format!("row {row}, which another process runs"),
+        Outcome::Interrupted => format!("{row}, which was interrupted"),
+        Outcome::Elsewhere => format!("{row}, which another process runs"),
     }
 }
 

@@ -9,10 +9,11 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::output::{Claim, Derived, Error, Store};
-use archard::simulation::history::{self, rescaled};
+use archard::simulation::history::{self, WEAR_DEPTH, rescaled};
 use archard::simulation::{Observer, Report};
 use archard::verdict::Verdict;
 
+use super::course::Course;
 use super::design::Row;
 use super::row::{self, Following, Outcome};
 use crate::interrupt::Requests;
@@ -114,11 +115,14 @@ fn attempt(
         outputs: vec![],
         places: vec![],
         history: vec![],
+        course: Course::default(),
         passed: vec![],
     };
+    let mut outputs = vec![];
     let ran = row::build(resolved, store).and_then(|mut simulation| {
         let schedule = &simulation.schedule;
         passing.outputs.clone_from(&schedule.outputs);
+        outputs.clone_from(&schedule.outputs);
         passing.places = shared.shares.iter().map(|share| share * schedule.extent).collect();
         simulation.schedule = schedule.through(&shared.shares);
         simulation.run(&mut [&mut passing]).map_err(|error| error.to_string())
@@ -128,13 +132,16 @@ fn attempt(
     if failure.is_none() && passing.passed.len() < shared.rows.len() {
         failure = Some("the run did not pass the end of every row".to_owned());
     }
-    let Passing { results, history, passed, .. } = passing;
+    let Passing { results, history, course, passed, .. } = passing;
     let all = results.folder.verdict();
     row::finish(results.folder, resolved, begun, failure.clone())?;
     let from = format!("../{:04}", shared.runs() + 1);
     let write = |(position, &index): (usize, &usize)| {
         let dir = row::folder(study, index);
         let known = passed.get(position);
+        if requests.any() && index != shared.runs() {
+            return Ok((index, Outcome::Interrupted));
+        }
         let outcome = match (&failure, known) {
             (_, Some(_)) | (None, _) => Outcome::Done,
             (Some(_), None) if requests.any() => return Ok((index, Outcome::Interrupted)),
@@ -146,7 +153,13 @@ fn attempt(
         let (steps, verdict) =
             known.map_or((history.len(), &all), |(steps, known)| (*steps, known));
         let share = shared.shares[position];
-        let mut told: Vec<_> = history[..steps].iter().map(|row| rescaled(row, share)).collect();
+        let kept = match steps.checked_sub(1) {
+            Some(last) => {
+                course.kept(last, outputs.iter().map(|place| share * place * (1.0 - SAME)))
+            }
+            None => vec![],
+        };
+        let mut told: Vec<_> = kept.iter().map(|&step| rescaled(&history[step], share)).collect();
         if let (Some(last), Some(_)) = (told.last_mut(), known) {
             // What rounding made of it.
             last[0].1 = extent;
@@ -167,6 +180,7 @@ struct Passing<'a> {
     /// Where the rows end, rising.
     places: Vec<f64>,
     history: Vec<Vec<(String, f64)>>,
+    course: Course,
     /// For each row that has ended the steps until then, and what can be believed of them.
     passed: Vec<(usize, Verdict)>,
 }
@@ -178,7 +192,9 @@ impl Observer for Passing<'_> {
         let due = self.outputs.iter().take_while(|place| reached(place)).count();
         self.outputs.drain(..due);
         let output = due > 0 || progress == 0.0;
-        self.history.push(history::row(report));
+        let row = history::row(report);
+        self.course.push(progress, history::number(&row, WEAR_DEPTH).unwrap_or_default());
+        self.history.push(row);
         self.results.observe(&Report { output, ..*report })?;
         let ended = self.places.iter().filter(|place| reached(place)).count();
         let verdict = self.results.folder.verdict();

@@ -22,18 +22,37 @@ pub enum Status {
 }
 
 /// What is known of a row.
-struct Known {
+pub struct Known {
     status: &'static str,
-    verdict: String,
+    /// Whether its result can be believed, in a word.
+    pub verdict: String,
     error: String,
+    /// The last row of its history by column, if it came to its end.
     last: Vec<(String, String)>,
 }
 
-/// Writes `sweep.csv` from the folders of all rows, whoever ran them; returns how far each is.
+impl Known {
+    /// How far it is.
+    pub fn status(&self) -> Status {
+        match (self.status, self.verdict.as_str()) {
+            ("done", "wrong") => Status::Wrong,
+            ("done", _) => Status::Done,
+            ("failed", _) => Status::Failed,
+            _ => Status::Open,
+        }
+    }
+
+    /// A number of its last step.
+    pub fn number(&self, column: &str) -> Option<f64> {
+        self.last.iter().find(|(name, _)| name == column)?.1.parse().ok()
+    }
+}
+
+/// Writes `sweep.csv` from the folders of all rows, whoever ran them; returns what is known of each.
 ///
 /// # Errors
 /// If the table cannot be written.
-pub fn collect(study: &Path, design: &Design) -> Result<Vec<Status>, Error> {
+pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
     // The last of several tasks to get the lock sees what all have done.
     let _claim = wait_for(study)?;
     let known: Vec<Known> = design
@@ -58,7 +77,7 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Status>, Error> {
             found.map_or_else(String::new, |(_, value)| value.clone())
         };
         let start = [(index + 1).to_string()].into_iter();
-        let start = start.chain(row.values.iter().map(|value| format!("{value:?}")));
+        let start = start.chain(row.cells.iter().cloned());
         let start = start.chain([known.status.to_owned(), known.verdict.clone()]);
         let cells = start.chain(names.iter().map(cell)).chain([known.error.clone()]);
         written = written.and_then(|()| table.write_record(cells));
@@ -69,13 +88,7 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Status>, Error> {
     let text =
         table.into_inner().map_err(|error| refused(std::io::Error::other(error.to_string())))?;
     write_whole(&path, &text)?;
-    let status = |row: &Known| match (row.status, row.verdict.as_str()) {
-        ("done", "wrong") => Status::Wrong,
-        ("done", _) => Status::Done,
-        ("failed", _) => Status::Failed,
-        _ => Status::Open,
-    };
-    Ok(known.iter().map(status).collect())
+    Ok(known)
 }
 
 /// The lock of the study, as soon as no other task has it.
@@ -89,7 +102,7 @@ fn wait_for(study: &Path) -> Result<Claim, Error> {
 }
 
 /// What the folder of a row says. Numbers of a row that stopped before its end are not its results.
-fn of(dir: &Path, resolved: &Resolved) -> Known {
+pub fn of(dir: &Path, resolved: &Resolved) -> Known {
     let nothing =
         |status| Known { status, verdict: String::new(), error: String::new(), last: vec![] };
     let Some(summary) = summary(dir).filter(|_| !holds_another(dir, resolved)) else {

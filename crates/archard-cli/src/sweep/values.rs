@@ -23,18 +23,39 @@ enum Kind {
 }
 
 /// A number and its unit, which may be empty.
-type Number<'a> = (f64, &'a str);
+pub type Number<'a> = (f64, &'a str);
 
-/// The values, each as a case takes it, of `a,b,c` or of a range `first:last:number`.
+/// Most rows of a study.
+const MOST_ROWS: usize = 100_000;
+
+/// Whether that many rows can be run.
 ///
 /// # Errors
-/// In words, if the text is neither, or a range of fewer than two values.
+/// In words, if there are more.
+pub fn few(rows: usize) -> Result<(), String> {
+    if rows <= MOST_ROWS {
+        return Ok(());
+    }
+    let rows = if rows == usize::MAX {
+        "more rows than can be counted".into()
+    } else {
+        format!("{rows} rows")
+    };
+    Err(format!("a study of {rows}; {MOST_ROWS} at most can be run"))
+}
+
+/// The values, each as a case takes it, of `a,b,c`, of `a;b;c` or of a range `first:last:number`.
+///
+/// # Errors
+/// In words, if the text is neither, or a range of fewer than two values, or of more than a study has rows.
 pub fn list(text: &str) -> Result<Vec<String>, String> {
-    let parts: Vec<&str> = text.split(':').map(str::trim).collect();
+    let parts = split(text, ':');
     match parts[..] {
         [first, last, count] => range(first, last, count),
         [_] => {
-            let values: Vec<String> = arguments(text).into_iter().map(str::to_owned).collect();
+            let apart = split(text, ';');
+            let apart = if apart.len() > 1 { apart } else { split(text, ',') };
+            let values: Vec<String> = apart.into_iter().map(str::to_owned).collect();
             match values.iter().any(String::is_empty) {
                 true => Err(format!("`{text}`: a value is missing")),
                 false => Ok(values),
@@ -50,14 +71,15 @@ fn range(first: &str, last: &str, count: &str) -> Result<Vec<String>, String> {
     if unit != other {
         return Err(format!("`{first}` and `{last}`: write both ends of a range in one unit"));
     }
-    let count: u32 = count
+    let count: usize = count
         .parse()
         .map_err(|_| format!("`{count}` is not a number of values, like the 4 of 5 N:20 N:4"))?;
+    few(count)?;
     if count < 2 || from == to {
         return Err(format!("{count} values from {first} to {last}: an empty range"));
     }
-    let step = (to - from) / f64::from(count - 1);
-    Ok((0..count).map(|i| written(from + f64::from(i) * step, unit)).collect())
+    let step = (to - from) / (count - 1) as f64;
+    Ok((0..count).map(|i| written(from + i as f64 * step, unit)).collect())
 }
 
 /// The distribution of `normal(mean, deviation)`, `lognormal(median, deviation of the logarithm)` or `uniform(from, to)`.
@@ -69,7 +91,7 @@ pub fn distribution(text: &str) -> Result<Distribution, String> {
     let malformed = || format!("`{text}`: write a distribution like {known}");
     let (name, inside) = text.trim().split_once('(').ok_or_else(malformed)?;
     let inside = inside.strip_suffix(')').ok_or_else(malformed)?;
-    let parts = arguments(inside);
+    let parts = split(inside, ',');
     if let ("logstudent", [one, other, degrees]) = (name.trim(), &parts[..]) {
         return log_student(text, [one, other, degrees]);
     }
@@ -132,18 +154,20 @@ impl Distribution {
     }
 }
 
-/// The parts of a text between the commas that stand in no brackets.
-fn arguments(text: &str) -> Vec<&str> {
-    let (mut depth, mut start, mut parts) = (0_i32, 0, vec![]);
+/// The parts of a text between those of its marks that stand in no brackets and no quotes.
+fn split(text: &str, mark: char) -> Vec<&str> {
+    let (mut depth, mut quote, mut start, mut parts) = (0_i32, None, 0, vec![]);
     for (place, letter) in text.char_indices() {
-        match letter {
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth -= 1,
-            ',' if depth == 0 => {
+        match (quote, letter) {
+            (Some(open), _) => quote = Some(open).filter(|open| *open != letter),
+            (None, '"' | '\'') => quote = Some(letter),
+            (None, '(' | '[' | '{') => depth += 1,
+            (None, ')' | ']' | '}') => depth -= 1,
+            (None, _) if letter == mark && depth == 0 => {
                 parts.push(text[start..place].trim());
-                start = place + 1;
+                start = place + mark.len_utf8();
             }
-            _ => {}
+            (None, _) => {}
         }
     }
     parts.push(text[start..].trim());
@@ -151,7 +175,7 @@ fn arguments(text: &str) -> Vec<&str> {
 }
 
 /// The number a text begins with, and the unit behind it.
-fn number(text: &str) -> Result<Number<'_>, String> {
+pub fn number(text: &str) -> Result<Number<'_>, String> {
     let ends = text.char_indices().map(|(place, _)| place).chain([text.len()]);
     let mut numbers = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, &text[end..])));
     let longest = numbers.rfind(|(value, _)| value.is_finite());
@@ -177,6 +201,27 @@ mod tests {
         assert_eq!(list("0.1:0.6:6").unwrap(), ["0.1", "0.2", "0.3", "0.4", "0.5", "0.6"]);
         assert_eq!(list("2e-5 1/MPa:1e-5 1/MPa:2").unwrap(), ["2e-5 1/MPa", "1e-5 1/MPa"]);
         assert_eq!(list("8:32:4").unwrap(), ["8", "16", "24", "32"]);
+    }
+
+    /// A list is one value, and so is a table; marks in brackets and quotes part nothing.
+    #[test]
+    fn values_may_be_lists() {
+        let lists = [r#"["1 um", "0 um"]"#, r#"["2 um", "0 um"]"#];
+        assert_eq!(list(&lists.join(";")).unwrap(), lists);
+        assert_eq!(list(&lists.join(", ")).unwrap(), lists);
+        assert_eq!(list("[1 um, 0 um]").unwrap(), ["[1 um, 0 um]"]);
+        let tables = ["{ coulomb = { coefficient = 0.3 } }", "{}"];
+        assert_eq!(list(&tables.join(" ; ")).unwrap(), tables);
+        assert_eq!(list(r#""a:b, c";"d""#).unwrap(), [r#""a:b, c""#, r#""d""#]);
+    }
+
+    /// Nothing of that size is made.
+    #[test]
+    fn counts_are_bounded_before_lists_are_made() {
+        for text in ["5 N:20 N:1000000000", "5 N:20 N:18446744073709551615"] {
+            let error = list(text).unwrap_err();
+            assert!(error.contains("100000 at most can be run"), "{error}");
+        }
     }
 
     #[test]

@@ -251,6 +251,85 @@ fn only_k_s_counts() {
     }
 }
 
+/// Lists are values like others, and each row says what varied and what came out, the end the median and the interval.
+#[test]
+fn lists_are_values() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let sizes = r#"frame.size=["1.2 mm", "1.2 mm"];["1.4 mm", "1.2 mm"]"#;
+    let over = ["--over", sizes, "--over", "motion.sliding.load=5 N,20 N"];
+    let arguments = [&["sweep", pin.to_str().unwrap(), "-o", "study"], &SMALL[..], &over].concat();
+    let ran = archard(&dir, &arguments).success();
+    let rows = rows(&dir, "study/sweep.csv");
+    assert_eq!(rows.len(), 4);
+    assert_eq!(rows[2]["frame.size"], r#"["0.0014 m", "0.0012 m"]"#);
+    for (index, row) in rows.iter().enumerate() {
+        assert_eq!(row["status"], "done");
+        let load = if index % 2 == 0 { "5 N" } else { "20 N" };
+        let depth = archard::verdict::four(1e6 * number(row, "wear_depth_m"));
+        let said = said(&ran);
+        let line = said.lines().find(|line| line.contains(&format!("row {}, size", index + 1)));
+        let line = line.unwrap_or_else(|| panic!("{said}"));
+        let came = format!("load {load}: wear depth (pin) {depth} um, peak pressure");
+        assert!(line.contains(&came), "{line}");
+    }
+    // The median of four is the mean of the middle ones.
+    let mut depths: Vec<f64> = rows.iter().map(|row| 1e6 * number(row, "wear_depth_m")).collect();
+    depths.sort_by(f64::total_cmp);
+    let [least, median, most] =
+        [depths[0], 0.5 * (depths[1] + depths[2]), depths[3]].map(archard::verdict::four);
+    let end = format!("wear depth (pin)  median {median} um, 4 rows from {least} to {most} um");
+    assert!(printed(&ran).contains(&end), "{}", printed(&ran));
+    archard(&dir, &["plot", "study"]).success();
+    let effects = fs::read_to_string(dir.path().join("study/plots/main_effects.svg")).unwrap();
+    assert!(effects.contains("frame.size, number 1, m"));
+}
+
+/// Two keys that are numbers make a map.
+#[test]
+fn two_keys_make_a_map() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = [
+        "--over",
+        "motion.sliding.load=5 N:20 N:3",
+        "--over",
+        "body.pin.profile.sphere.radius=25 mm,35 mm,50 mm",
+    ];
+    archard(&dir, &study(pin.to_str().unwrap(), &over)).success();
+    archard(&dir, &["plot", "study"]).success();
+    let map = fs::read_to_string(dir.path().join("study/plots/map.svg")).unwrap();
+    // The depth of each row stands in its cell.
+    for row in rows(&dir, "study/sweep.csv") {
+        let depth = archard::verdict::four(1e6 * number(&row, "wear_depth_m"));
+        assert!(map.contains(&format!(">{depth}<")), "{depth}");
+    }
+}
+
+/// Twice as many derived rows take twice the disk.
+#[test]
+fn derived_rows_take_disk_in_proportion() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let sample = format!("{K}=lognormal(1e-13 1/Pa, 0.2)");
+    let size = |samples: &str| {
+        let more = ["--sample", &sample, "--samples", samples];
+        archard(&dir, &study(pin.to_str().unwrap(), &more)).success();
+        let histories = (1..=samples.parse().unwrap()).map(|row: u64| {
+            let path = dir.path().join(format!("study/rows/{row:04}/history.csv"));
+            fs::metadata(path).unwrap().len()
+        });
+        let mut histories: Vec<u64> = histories.collect();
+        // All but the run itself.
+        histories.sort_unstable();
+        let derived: u64 = histories[..histories.len() - 1].iter().sum();
+        fs::remove_dir_all(dir.path().join("study")).unwrap();
+        derived as f64
+    };
+    let [few, many] = ["20", "80"].map(size);
+    assert!(many < 1.3 * 4.0 * few, "{few} and {many} bytes");
+}
+
 #[test]
 fn a_law_that_is_not_linear_in_k_runs_row_by_row() {
     let dir = TempDir::new().unwrap();
@@ -312,7 +391,25 @@ fn wrong_studies_are_refused() {
         (vec!["--over", "motion.sliding.load=5 N,6 mm"], "row 2 of the study cannot be run"),
         (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "an empty range"),
         (vec!["--over", "motion.sliding.load=5 N,-6 N"], "greater than zero"),
-        (vec!["--over", "title=a,b"], "`title`: a study goes over keys that are a number"),
+        (vec!["--over", "motion.sliding.load=5 N:20 N:1000000000"], "100000 at most can be run"),
+        (
+            vec![
+                "--over",
+                "motion.sliding.load=1 N:2 N:1000",
+                "--over",
+                "output.every=1 mm:2 mm:1000",
+            ],
+            "a study of 1000000 rows",
+        ),
+        (
+            vec![
+                "--sample",
+                "motion.sliding.load=normal(5 N, 1 N)",
+                "--samples",
+                "18446744073709551615",
+            ],
+            "more rows than can be counted",
+        ),
         (vec!["--over", load], "write --over KEY="),
         (
             vec!["--over", "motion.sliding.load=5 N", "--over", "motion.sliding.load=6 N"],

@@ -1,7 +1,8 @@
 //! SIGINT, SIGTERM and SIGHUP, within steps and between them.
 
 use std::fs;
-use std::process::Stdio;
+use std::path::Path;
+use std::process::{Output, Stdio};
 use std::time::{Duration, Instant};
 
 use super::{
@@ -107,4 +108,51 @@ fn a_signal_ends_a_study() {
         let status: Vec<_> = table.lines().skip(1).map(|row| row.split(',').nth(2)).collect();
         assert_eq!(status, [Some("interrupted"), Some("open"), Some("open")], "{table}");
     }
+}
+
+/// A study of a case, interrupted once something is there; what is said and how long the end took.
+fn interrupted(options: &[&str], what: &str, there: impl Fn(&Path) -> bool) -> (Output, Duration) {
+    let dir = tempfile::tempdir().unwrap();
+    let mut study = program();
+    study.current_dir(dir.path()).arg("sweep").arg(case("pin_on_disc"));
+    study.args(["-o", "out", "-j", "1"]).args(options);
+    study.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let run = Run::start(&mut study);
+    wait_until(what, || there(dir.path()));
+    run.signal("TERM");
+    let asked = Instant::now();
+    let ended = run.end();
+    let took = asked.elapsed();
+    assert_no_parts(dir.path());
+    (ended, took)
+}
+
+/// Rows that one run tells are written one after the other, and what is not written is left.
+#[test]
+fn a_signal_ends_the_writing_of_derived_rows() {
+    let k = "body.pin.wear.archard.coefficient=lognormal(1e-13 1/Pa, 0.2)";
+    let mut options = vec!["--sample", k, "--samples", "600"];
+    for setting in ["frame.elements=[10, 10]", "motion.sliding.step=50 mm"] {
+        options.extend(["--set", setting]);
+    }
+    let rows = |dir: &Path| fs::read_dir(dir.join("out/rows")).map_or(0, Iterator::count);
+    let (ended, took) = interrupted(&options, "derived rows", |dir| rows(dir) > 20);
+    let said = said(&ended);
+    assert_eq!(ended.status.code(), Some(3), "{said}");
+    assert!(took < Duration::from_secs(20), "{took:?}");
+    let done = said.split("rows done: ").nth(1).and_then(|rest| rest.lines().next());
+    let done: usize = done.and_then(|count| count.parse().ok()).unwrap_or_else(|| panic!("{said}"));
+    assert!((20..600).contains(&done), "{said}");
+}
+
+/// Where no step ends the study does, after a wait of two seconds.
+#[test]
+fn a_signal_ends_a_study_within_a_long_solve() {
+    let mut options = vec!["--over", "motion.sliding.load=5 N:20 N:2"];
+    options.extend(LONG_STEP.iter().flat_map(|setting| ["--set", setting]));
+    let begun = |dir: &Path| dir.join("out/rows/0001/profiles.csv").exists();
+    let (ended, took) = interrupted(&options, "results", begun);
+    assert_eq!(ended.status.code(), Some(3), "{}", said(&ended));
+    assert!(took < Duration::from_secs(20), "{took:?}");
+    assert!(said(&ended).contains("the same command goes on"), "{}", said(&ended));
 }

@@ -1,15 +1,34 @@
-//! A number of a case by its key.
+//! What a case has at a key.
 
 use toml::de::DeTable;
 
 use super::Case;
 use super::problem::Source;
-use super::tree::{Item, Origin, Table};
+use super::tree::{Item, Node, Origin, Table};
+
+/// A value of a case, in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ValueAt {
+    /// A number and its unit, which is empty of a pure number.
+    Number(f64, String),
+    /// A text, or true or false.
+    Text(String),
+    /// A list, as a case file has it.
+    List(String),
+}
 
 impl Case {
     /// The number (SI) at a dotted key, and its SI unit, which is empty of a pure number; `None` where the case has no
     /// number there.
     pub fn number_at(&self, key: &str) -> Option<(f64, String)> {
+        match self.value_at(key)? {
+            ValueAt::Number(value, unit) => Some((value, unit)),
+            ValueAt::Text(_) | ValueAt::List(_) => None,
+        }
+    }
+
+    /// The value at a dotted key; `None` where the case has none there, or a table.
+    pub fn value_at(&self, key: &str) -> Option<ValueAt> {
         let text = self.to_string();
         let parsed = DeTable::parse(&text).ok()?;
         let origin = Origin { source: Source::File, start: 0, fixed: None };
@@ -23,13 +42,21 @@ impl Case {
                 _ => return None,
             }
         }
-        match &table.get(last)?.node.item {
-            Item::Number { value, .. } => Some((*value, String::new())),
-            Item::Text(text) => {
-                let (number, unit) = text.split_once(' ')?;
-                Some((number.parse().ok()?, unit.to_owned()))
-            }
-            _ => None,
-        }
+        value(&table.get(last)?.node, &text)
+    }
+}
+
+/// A value of a printed case.
+fn value(node: &Node, text: &str) -> Option<ValueAt> {
+    let number = |text: &str| -> Option<ValueAt> {
+        let (number, unit) = text.split_once(' ')?;
+        Some(ValueAt::Number(number.parse().ok()?, unit.to_owned()))
+    };
+    match &node.item {
+        Item::Number { value, .. } => Some(ValueAt::Number(*value, String::new())),
+        Item::Text(text) => Some(number(text).unwrap_or_else(|| ValueAt::Text(text.clone()))),
+        Item::Boolean(value) => Some(ValueAt::Text(value.to_string())),
+        Item::Array(_) => Some(ValueAt::List(text.get(node.at.span.clone())?.to_owned())),
+        Item::Table(_) | Item::Date => None,
     }
 }

@@ -1,5 +1,7 @@
 //! Pictures of a study: bands of its histories, what each parameter does, and Sobol indices.
 
+mod keys;
+mod map;
 mod statistics;
 
 use std::fs;
@@ -13,8 +15,10 @@ use super::draw::Paper;
 use super::figure::{COLOURS, Curves, LegendPosition, PALE, Panel, Pen, View};
 use super::scale::{Unit, phrase};
 use super::tables::{Table, largest, read_history, size};
-use super::{Picture, write};
-use statistics::{Indices, effect, indices, quantile};
+use super::{MAP, Picture, write};
+use keys::Key;
+pub(crate) use statistics::quantile;
+use statistics::{Indices, effect, indices};
 
 /// Places at which bands are drawn.
 const PLACES: usize = 101;
@@ -26,8 +30,8 @@ const CLASSES: usize = 10;
 /// A study, read back.
 struct Study {
     /// Keys that were gone over, and keys that were sampled, by column.
-    over: Vec<String>,
-    sampled: Vec<String>,
+    over: Vec<Key>,
+    sampled: Vec<Key>,
     /// Whether the rows are those that Sobol indices take.
     saltelli: bool,
     /// The values of all keys and the results, a row a run.
@@ -41,7 +45,7 @@ struct Study {
 /// A row of a study.
 struct Row {
     number: usize,
-    /// The values of all keys (SI), those gone over first.
+    /// The values of all keys (SI) as axes have them, those gone over first.
     values: Vec<f64>,
     /// The result (SI); `None` if the row failed, is wrong or has not run.
     result: Option<f64>,
@@ -60,6 +64,9 @@ pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
         pictures.push(tiled("bands", study.bands()?));
     }
     pictures.push(tiled("main_effects", study.effects()));
+    if let Some(map) = study.map() {
+        pictures.push(Picture::new("map", vec![map]).sized(MAP));
+    }
     if study.saltelli {
         let height = 160.0 + 100.0 * study.sampled.len() as f64;
         let picture = Picture::new("sobol_indices", vec![study.indices()?]);
@@ -120,11 +127,15 @@ impl Study {
             None => PEAK_PRESSURE,
         };
         let place = at(column)?;
+        let known = keys.iter().zip(over.iter().chain(&sampled)).map(|(key, name)| {
+            Key::read(name, records.iter().map(|record| record[*key].to_owned()).collect())
+        });
+        let known: Vec<(Key, Vec<f64>)> = known.collect();
         let rows: Vec<Row> = records
             .iter()
             .enumerate()
             .map(|(index, record)| {
-                let values = keys.iter().map(|key| number(record, *key)).collect::<Result<_>>()?;
+                let values = known.iter().map(|(_, values)| values[index]).collect();
                 let result = good(&record).then(|| number(record, place)).transpose()?;
                 Ok(Row { number: index + 1, values, result })
             })
@@ -132,6 +143,9 @@ impl Study {
         let most = rows.iter().filter_map(|row| row.result).fold(0.0, f64::max);
         let unit = if column == WEAR_DEPTH { Unit::depth(most) } else { Unit::pressure() };
         let saltelli = kind["design"] == "saltelli";
+        let gone_over = over.len();
+        let mut over: Vec<Key> = known.into_iter().map(|(key, _)| key).collect();
+        let sampled = over.split_off(gone_over);
         Ok(Self { over, sampled, saltelli, rows, column, unit, dir: dir.to_owned() })
     }
 
@@ -179,8 +193,8 @@ impl Study {
         }
         let legend = format!("median of {}, with 50 % and 90 % of them", histories.len());
         curves.add(x.iter().copied().zip(at(0.5)), Pen::line(COLOURS[1]), Some(&legend));
-        let values = self.over.iter().zip(&rows[0].values);
-        let title: Vec<String> = values.map(|(key, value)| format!("{key} = {value}")).collect();
+        let values = self.over.iter().map(|key| key.with_value(rows[0].number - 1));
+        let title: Vec<String> = values.collect();
         let title = if title.is_empty() { self.name().to_owned() } else { title.join(", ") };
         let labels = [&*title, &along.label(&phrase(&name)), &self.unit.label(self.name())];
         Ok(curves.panel(labels, |view| {
@@ -194,7 +208,7 @@ impl Study {
         keys.take(MOST).map(|(place, key)| self.effect(place, key)).collect()
     }
 
-    fn effect(&self, place: usize, key: &str) -> Panel {
+    fn effect(&self, place: usize, key: &Key) -> Panel {
         let pairs = self.rows.iter().filter_map(|row| Some((row.values[place], row.result?)));
         let points: Vec<(f64, f64)> = pairs.collect();
         let values: Vec<f64> = points.iter().map(|point| point.0).collect();
@@ -210,9 +224,11 @@ impl Study {
         curves.mark(points.iter().map(shown), PALE[1], Some("a row"));
         curves.add(effect.means.iter().map(shown), Pen::line(COLOURS[0]), Some("mean"));
         let title = format!("{:.0} % of the variance", 100.0 * effect.share);
-        let label =
-            if scale.name.is_empty() { key.to_owned() } else { format!("{key} ({})", scale.name) };
-        curves.panel([&title, &label, &self.unit.label(self.name())], |view| view)
+        let notes = key.levels.iter().zip(&effect.means).map(|(level, mean)| (level, shown(mean)));
+        let label = scale.label(&key.name);
+        curves.panel([&title, &label, &self.unit.label(self.name())], |view| {
+            notes.fold(view, |view, (level, (x, y))| view.note(level, [x, y]))
+        })
     }
 
     /// The Sobol indices of the sampled keys.
@@ -242,8 +258,10 @@ impl Study {
         }
         for (place, (key, known)) in self.sampled.iter().zip(&known).enumerate() {
             let Indices { first, total, within } = known;
-            let note =
-                format!("{key}: {first:.2} ± {:.2}, {total:.2} ± {:.2}", within[0], within[1]);
+            let note = format!(
+                "{}: {first:.2} ± {:.2}, {total:.2} ± {:.2}",
+                key.name, within[0], within[1]
+            );
             let height = (self.sampled.len() - place) as f64 + 0.25;
             notes.push((note, [0.5 * end, height]));
         }
