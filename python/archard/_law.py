@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -51,6 +51,15 @@ def given(body: str, law: WearFunction | Law) -> tuple[str, WearFunction, str, l
     if law.per not in ("increment", "cycle"):
         raise ValueError(f'the wear law of `{body}` takes an "increment" or a "cycle", not {law.per!r}')
     return body, law.function, name(law.function), _columns(law.function), law.per == "cycle"
+
+
+def remark(laws: Mapping[str, WearFunction | Law] | None, friction: FrictionFunction | None) -> str:
+    """What the case in a result folder says of laws that are functions."""
+    named = [(body, given(body, law)[2]) for body, law in (laws or {}).items()]
+    lines = [f"wear of `{body}`: the Python function `{function}`" for body, function in named]
+    if friction is not None:
+        lines.append(f"friction: the Python function `{name(friction)}`")
+    return "".join(f"# {line}; not in this file.\n" for line in lines)
 
 
 def name(function: Callable[..., Any]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import itertools
 import os
+import pickle
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
@@ -12,14 +13,50 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from archard import _toml
+from archard import _law, _toml
 from archard._errors import RunError
+from archard._law import FrictionFunction, Law, WearFunction
 from archard.case import Case
 from archard.result import Result, Table
 from archard.result import open as open_result
 
 _FRAMES = 4
 """Times the frame of a row is enlarged."""
+
+
+class _Laws(NamedTuple):
+    """The laws of a study that are functions."""
+
+    wear: Mapping[str, WearFunction | Law] | None
+    friction: FrictionFunction | None
+
+    def refuse(self, key: str) -> None:
+        """See that a key is none that a function takes the place of."""
+        path = _toml.path(key)
+        wear = any(path[:2] == ["body", body] and path[2:3] in ([], ["wear"]) for body in self.wear or {})
+        if wear or (self.friction is not None and path[:1] == ["friction"]):
+            raise ValueError(f"`{key}`: the law is a function, which takes no value from the case")
+
+    def check(self, case: Case) -> Any:
+        """Check a case with these laws."""
+        return case._with_laws(*self).check()
+
+    def is_kept(self, case: Case, toml: str) -> bool:
+        """Whether a case in a folder is that one, with laws of these names."""
+        remark = _law.remark(*self)
+        return toml.startswith(remark) and bool(self.check(case).is_kept(toml[len(remark) :]))
+
+    def travel(self) -> None:
+        """See that another process can be sent them."""
+        functions = [law.function if isinstance(law, Law) else law for law in (self.wear or {}).values()]
+        for function in [*functions, self.friction]:
+            try:
+                pickle.dumps(function)
+            except (pickle.PicklingError, AttributeError, TypeError):
+                raise ValueError(
+                    f"the law `{_law.name(function)}` cannot be sent to another process: define it with `def` at the "
+                    "top level of a module, or give executor=ThreadPoolExecutor()"
+                ) from None
 
 
 class Row(NamedTuple):
@@ -57,6 +94,8 @@ def sweep(
     *,
     executor: Executor | None = None,
     out: str | os.PathLike[str] | None = None,
+    laws: Mapping[str, WearFunction | Law] | None = None,
+    friction: FrictionFunction | None = None,
 ) -> Sweep:
     """Run a case over values of its keys, each row on one thread of a worker.
 
@@ -72,24 +111,32 @@ def sweep(
             ``mpi4py.futures.MPIPoolExecutor``; a pool of processes if not given.
         out: folder for ``rows/0001`` and on, a result folder each, and ``sweep.csv``; results are in memory if
             not given.
+        laws: wear laws of all rows by the name of their body, as of :meth:`Case.run`. Other processes import them
+            by name: they stand at the top level of a module. Rows in ``out`` know them by name only: after a change
+            of a law that keeps its name, choose another folder.
+        friction: a friction law of all rows, likewise.
 
     Raises:
         CaseError: all that is wrong with the case of a row, before anything runs.
-        ValueError: nothing to go over, or a folder with another case.
+        ValueError: nothing to go over, a folder with another case, or a law that other processes cannot import.
 
     """
-    base, settings = Case(case), _rows(over)
+    base, settings, functions = Case(case), _rows(over), _Laws(laws, friction)
+    if executor is None:
+        functions.travel()
+    for key in {key for row in settings for key in row}:
+        functions.refuse(key)
     grows = not any(key.split(".")[0] == "frame" for row in settings for key in row)
     cases, keys, folders = [], [], []
     for number, row in enumerate(settings, 1):
         one = base.copy()
         for key, value in row.items():
             one[key] = value
-        checked = one._compiled().check()
+        checked = functions.check(one)
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
         kept = None if folder is None else _text(folder / "case.toml")
         if kept is not None:
-            own = next((own for own in _frames(one, grows) if own._compiled().check().is_kept(kept)), None)
+            own = next((own for own in _frames(one, grows, functions) if functions.is_kept(own, kept)), None)
             if own is None:
                 raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
             one = own
@@ -98,9 +145,9 @@ def sweep(
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
-            rows = _run_all(pool, settings, cases, folders, grows)
+            rows = _run_all(pool, settings, cases, folders, grows, functions)
     else:
-        rows = _run_all(executor, settings, cases, folders, grows)
+        rows = _run_all(executor, settings, cases, folders, grows, functions)
     study = Sweep(rows, keys)
     if out is not None:
         _write(Path(out) / "sweep.csv", study.table)
@@ -126,8 +173,10 @@ def _run_all(
     cases: list[Case],
     folders: list[Path | None],
     grows: bool,
+    laws: _Laws,
 ) -> list[Row]:
-    futures = [executor.submit(_settle, case, folder, grows) for case, folder in zip(cases, folders, strict=True)]
+    pairs = zip(cases, folders, strict=True)
+    futures = [executor.submit(_settle, case, folder, grows, laws) for case, folder in pairs]
     try:
         outcomes = [future.result() for future in futures]
     except BaseException:
@@ -142,11 +191,11 @@ def _run_all(
     return rows
 
 
-def _frames(case: Case, grows: bool) -> Iterator[Case]:
+def _frames(case: Case, grows: bool, laws: _Laws) -> Iterator[Case]:
     """Yield the case, then the same on larger and larger frames where there are any."""
     yield case
     for _ in range(_FRAMES if grows else 0):
-        toml = case._compiled().check().on_a_larger_frame()
+        toml = laws.check(case).on_a_larger_frame()
         if toml is None:
             return
         frame, case = _toml.read(toml)["frame"], case.copy()
@@ -154,11 +203,11 @@ def _frames(case: Case, grows: bool) -> Iterator[Case]:
         yield case
 
 
-def _settle(case: Case, folder: Path | None, grows: bool) -> tuple[Result | None, str | None]:
+def _settle(case: Case, folder: Path | None, grows: bool, laws: _Laws) -> tuple[Result | None, str | None]:
     """Run a row on a frame that holds its contact, as far as there is one."""
     outcome: tuple[Result | None, str | None] = (None, None)
-    for number, own in enumerate(_frames(case, grows)):
-        outcome = _run(own, folder, force=number > 0)
+    for number, own in enumerate(_frames(case, grows, laws)):
+        outcome = _run(own, folder, laws, force=number > 0)
         result = outcome[0]
         if folder is not None and (folder / "summary.json").exists():
             result = open_result(folder)
@@ -167,21 +216,21 @@ def _settle(case: Case, folder: Path | None, grows: bool) -> tuple[Result | None
     return outcome
 
 
-def _run(case: Case, folder: Path | None, *, force: bool) -> tuple[Result | None, str | None]:
+def _run(case: Case, folder: Path | None, laws: _Laws, *, force: bool) -> tuple[Result | None, str | None]:
     """Run a row; of one in a folder the result stays there, forced in the place of one on a smaller frame."""
     try:
         if folder is None:
-            return case.run(threads=1), None
+            return case.run(threads=1, laws=laws.wear, friction=laws.friction), None
         kept = _text(folder / "case.toml")
-        own = kept is not None and case._compiled().check().is_kept(kept)
+        own = kept is not None and laws.is_kept(case, kept)
         if own and (folder / "summary.json").exists():
             known = open_result(folder)
             if known.complete:
                 return None, known.verdict.wrong or None
         if own and (folder / "checkpoint").exists():
-            case.run(threads=1, resume=folder)
+            case.run(threads=1, resume=folder, laws=laws.wear, friction=laws.friction)
         else:
-            case.run(threads=1, out=folder, force=force)
+            case.run(threads=1, out=folder, force=force, laws=laws.wear, friction=laws.friction)
     except RunError as error:
         return (error.result if folder is None else None), str(error).splitlines()[0]
     return None, None
@@ -205,7 +254,9 @@ def _number(key: str, toml: str) -> tuple[str, Any]:
             return key + _suffix(unit), float(number)
         except ValueError:
             return key, found
-    return key, found if isinstance(found, int | float) else str(found)
+    if found is None:
+        return key, ""
+    return key, found if isinstance(found, int | float) else _toml.value(found)
 
 
 def _suffix(unit: str) -> str:

@@ -56,12 +56,10 @@ class Run:
         self._failure: BaseException | None = None
         self._ended = False
         functions = [_law.given(body, law) for body, law in (laws or {}).items()]
-        remarks = [f"wear of `{one[0]}`: the Python function `{one[2]}`" for one in functions]
         samples = None
         if friction is not None:
             pressures, limits, error = _law.sampled(friction)
             samples = (pressures, limits)
-            remarks.append(f"friction: the Python function `{_law.name(friction)}`")
             if error > _COARSE:
                 message = f"friction: lines between {len(pressures)} points are {error:.1e} off the function"
                 warnings.warn(message, ArchardWarning, stacklevel=4)
@@ -77,7 +75,7 @@ class Run:
                 cache=_cache(cache),
                 laws=functions,
                 friction=samples,
-                remark="".join(f"# {remark}; not in this file.\n" for remark in remarks),
+                remark=_law.remark(laws, friction),
             )
         except BaseException:
             self._clean()

@@ -64,13 +64,13 @@ def test_done_rows_are_not_run_again(case, tmp_path):
         archard.sweep(case, {"motion.sliding.load": ["9 N"]}, out=tmp_path)
 
 
-def _killed_once(case, folder, grows):
+def _killed_once(case, folder, *others):
     """Run a row; of the second one the worker is killed the first time."""
     mark = folder.parent / "killed"
     if folder.name == "0002" and not mark.exists():
         mark.touch()
         os.kill(os.getpid(), signal.SIGKILL)
-    return _sweep.__dict__["_settle_really"](case, folder, grows)
+    return _sweep.__dict__["_settle_really"](case, folder, *others)
 
 
 class Once:
@@ -118,6 +118,42 @@ def test_rows_that_outgrow_their_frame_run_on_a_larger_one(case, tmp_path):
         assert study.table["wear_depth_m"][1] == pytest.approx(alone, rel=1e-12)
         assert set(study.table["status"]) == {"done"}
     assert outgrown.table["verdict"][0] != "good"
+
+
+def by_pressure(p, s):
+    """Archard's law, as other processes import it."""
+    return 1.33e-13 * p * s
+
+
+def test_rows_have_laws_that_are_functions(case, tmp_path):
+    over, laws = {"motion.sliding.load": LOADS}, {"pin": by_pressure}
+    study = archard.sweep(case, over, laws=laws, out=tmp_path)
+    assert set(study.table["status"]) == {"done"}
+    for load, depth in zip(LOADS, study.table["wear_depth_m"], strict=True):
+        case["motion.sliding.load"] = load
+        assert depth == case.run(threads=1, laws=laws).history["wear_depth_m"][-1] > 0
+    times = [file.stat().st_mtime_ns for file in sorted(tmp_path.glob("rows/*/summary.json"))]
+    archard.sweep(case, over, laws=laws, out=tmp_path)
+    assert times == [file.stat().st_mtime_ns for file in sorted(tmp_path.glob("rows/*/summary.json"))]
+    with pytest.raises(ValueError, match="holds another case"):
+        archard.sweep(case, over, out=tmp_path)
+
+
+def test_laws_that_no_row_could_have_are_refused(case):
+    over = {"motion.sliding.load": LOADS}
+    with pytest.raises(ValueError, match="cannot be sent to another process"):
+        archard.sweep(case, over, laws={"pin": lambda p, s: 1e-13 * p * s})
+    wear = {"body.pin.wear.archard.coefficient": ["1e-13 1/Pa", "2e-13 1/Pa"]}
+    with pytest.raises(ValueError, match="`body.pin.wear.archard.coefficient`: the law is a function"):
+        archard.sweep(case, wear, laws={"pin": by_pressure}, executor=Never())
+
+
+def test_lists_are_values(case):
+    sizes = [["0.6 mm", "0.6 mm"], ["0.7 mm", "0.6 mm"]]
+    with ThreadPoolExecutor(1) as executor:
+        study = archard.sweep(case, {"frame.size": sizes}, executor=executor)
+    assert list(study.table["status"]) == ["done", "done"]
+    assert list(study.table["frame.size"]) == ['["0.0006 m", "0.0006 m"]', '["0.0007 m", "0.0006 m"]']
 
 
 def test_failed_rows_are_recorded(case):
