@@ -72,12 +72,21 @@ pub enum Command {
 /// A case with options laid over it.
 #[derive(Debug, Args)]
 pub struct Case {
-    /// A case file, or a folder with a `case.toml`
+    /// A case file, a folder with a `case.toml`, or the name of a built-in case
     pub case: PathBuf,
     /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
     /// out, a table replaces the table that is there, and KEY= removes the key
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+}
+
+impl Case {
+    /// The same to an accuracy, if one is given.
+    fn to(&self, accuracy: Option<&str>) -> Self {
+        let accuracy = accuracy.map(|error| format!("accuracy={}", share(error)));
+        let set = self.set.iter().cloned().chain(accuracy).collect();
+        Self { case: self.case.clone(), set }
+    }
 }
 
 const RUN_EXAMPLES: &str = "\
@@ -93,23 +102,35 @@ const CHECK_EXAMPLES: &str = "\
 Examples:
   pressure and size of a contact, the depth to expect, the cost of a run:
     archard check cases/pin_on_disc
-  the same for a program:
+  the same to one per cent:
+    archard check cases/pin_on_disc --accuracy 1%
+  for a program:
     archard check cases/pin_on_disc --json";
 
 /// The arguments of `check`.
 #[derive(Debug, Args)]
 pub struct Check {
     #[command(flatten)]
-    pub case: Case,
+    case: Case,
+    /// The relative error that is asked for, 0.01 or 1%: takes the place of frame, elements and tolerance
+    #[arg(long, value_name = "ERROR")]
+    accuracy: Option<String>,
     /// Print JSON: problems with their places, the case in SI, what to expect
     #[arg(long)]
     pub json: bool,
 }
 
+impl Check {
+    /// The case, to the accuracy that is asked for.
+    pub fn case(&self) -> Case {
+        self.case.to(self.accuracy.as_deref())
+    }
+}
+
 /// The arguments of `run`.
 #[derive(Debug, Args)]
 pub struct Run {
-    /// A case file, or a folder with a `case.toml`
+    /// A case file, a folder with a `case.toml`, or the name of a built-in case
     #[arg(required_unless_present = "resume")]
     pub case: Option<PathBuf>,
     /// Put a value at a key of the case, e.g. motion.sliding.step="10 mm"; the quotes may be left
@@ -148,9 +169,8 @@ impl Run {
     /// The case, of a run that goes on the one in its folder.
     pub fn case(&self) -> Case {
         let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        let accuracy = self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)));
-        let set = self.set.iter().cloned().chain(accuracy).collect();
-        Case { case: case.unwrap_or_default(), set }
+        let case = Case { case: case.unwrap_or_default(), set: self.set.clone() };
+        case.to(self.accuracy.as_deref())
     }
 
     /// The folder of compliances, if there is any place for one.
@@ -281,7 +301,7 @@ The same command goes on where it was interrupted. `archard plot DIR` draws the 
 /// The arguments of `sweep`.
 #[derive(Debug, Clone, Args)]
 pub struct Sweep {
-    /// A case file, or a folder with a `case.toml`
+    /// A case file, a folder with a `case.toml`, or the name of a built-in case
     pub case: PathBuf,
     /// Put a value at a key of the case in all rows
     #[arg(long, value_name = "KEY=VALUE")]

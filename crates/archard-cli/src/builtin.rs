@@ -1,4 +1,13 @@
-//! The cases that come with the program.
+//! The cases that come with the program, and cases by their name or path.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use archard::case::{CaseFile, nearest};
+use archard::output::{Store, write_whole};
+
+use crate::failure::Failure;
+use crate::rigs::RIGS;
 
 /// A case to start from.
 #[derive(Debug)]
@@ -91,5 +100,70 @@ impl Builtin {
     pub fn title(&self) -> &str {
         let title = self.text.lines().find_map(|line| line.strip_prefix("title = "));
         title.unwrap_or_default().trim_matches('"')
+    }
+
+    /// The folder that its files are in: nowhere if it has none, otherwise beside the kept compliances.
+    fn folder(&self) -> Result<PathBuf, Failure> {
+        if self.files.is_empty() {
+            return Ok(PathBuf::new());
+        }
+        let Self { name, files, .. } = self;
+        let next = format!("write the case and its files out by `archard new {name}`");
+        let kept = std::env::var_os("ARCHARD_CACHE").map(Store::new).or_else(Store::of_user);
+        let kept = kept.ok_or_else(|| Failure::wrong(format!("no place for files: {next}")))?;
+        let folder = kept.folder().join("cases").join(name);
+        let write = |(file, bytes): &(&str, &[u8])| match folder.join(file) {
+            path if fs::read(&path).is_ok_and(|known| known == *bytes) => Ok(()),
+            path => write_whole(&path, bytes).map_err(|error| error.to_string()),
+        };
+        let made = fs::create_dir_all(&folder).map_err(|error| error.to_string());
+        made.and_then(|()| files.iter().try_for_each(write))
+            .map_err(|error| Failure::wrong(format!("{error}: {next}")))?;
+        Ok(folder)
+    }
+}
+
+/// The case of a name, or of a rig; either may be written with spaces or hyphens.
+pub fn named(name: &str) -> Option<&'static Builtin> {
+    let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
+    let rig = RIGS.iter().find(|rig| rig.name == plain).map(|rig| rig.case);
+    CASES.iter().find(|builtin| builtin.name == rig.unwrap_or(&plain))
+}
+
+/// The case at a path or, where nothing is there, the built-in one of that name.
+pub fn read(path: &Path) -> Result<CaseFile, Failure> {
+    let plain = path.components().count() == 1;
+    match path.to_str().filter(|_| plain && !path.exists()).and_then(named) {
+        Some(builtin) => {
+            let folder = builtin.folder()?;
+            Ok(CaseFile::from_text(builtin.name, builtin.text, folder))
+        }
+        None => CaseFile::read(path).map_err(|error| {
+            let hint = if path.exists() { String::new() } else { meant(path) };
+            Failure::wrong(format!("{error}{hint}"))
+        }),
+    }
+}
+
+/// What else may have been meant by the path of a case that is not there, if it has a name like one.
+fn meant(path: &Path) -> String {
+    let Some(name) = path.file_name().and_then(|name| name.to_str()) else { return String::new() };
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let beside = fs::read_dir(folder.unwrap_or(Path::new("."))).into_iter().flatten().flatten();
+    let is_case = |path: &PathBuf| {
+        path.join("case.toml").is_file() || path.extension().is_some_and(|kind| kind == "toml")
+    };
+    let beside = beside.map(|entry| entry.path()).filter(is_case);
+    let mut known: Vec<String> =
+        beside.filter_map(|path| Some(path.file_name()?.to_str()?.to_owned())).collect();
+    if folder.is_none() {
+        known.extend(CASES.iter().map(|builtin| builtin.name.to_owned()));
+        known.extend(RIGS.iter().map(|rig| rig.name.to_owned()));
+    }
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    match nearest(name, &known) {
+        Some(near) => format!("; did you mean `{}`?", path.with_file_name(near).display()),
+        None if folder.is_none() => "; `archard new --list` shows the built-in cases".to_owned(),
+        None => String::new(),
     }
 }

@@ -5,13 +5,13 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 use archard::case::{CaseFile, Problem, Severity, Task};
 
 use crate::arguments::Case;
+use crate::builtin;
 use crate::failure::Failure;
 use crate::say::{in_colour, tell};
 
 /// The case of the arguments, with its options.
 pub fn read(arguments: &Case) -> Result<CaseFile, Failure> {
-    let file =
-        CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
+    let file = builtin::read(&arguments.case)?;
     Ok(arguments.set.iter().fold(file, |file, option| file.set(option)))
 }
 

@@ -4,7 +4,7 @@ use std::error::Error as StdError;
 use std::fs;
 use std::path::Path;
 
-use archard::case::{CaseFile, Task};
+use archard::case::Task;
 use archard::fit::{self, Error, Files, Fit, Following, Request};
 use archard::measured::surface::Surface;
 use archard::output::{Store, write_whole};
@@ -26,8 +26,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     if let Task::Elastic(_) = diagnose::resolve(&arguments.case, arguments.quiet)? {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
-    let file = CaseFile::read(case).map_err(|error| Failure::wrong(error.to_string()))?;
-    let file = set.iter().fold(file, |file, option| file.set(option));
+    let file = diagnose::read(&arguments.case)?;
     let names = table::names(&arguments.column).map_err(Failure::wrong)?;
     // Columns of the surfaces that the table names.
     let (of_files, of_table): (Vec<_>, Vec<_>) =

@@ -11,11 +11,13 @@ mod compare;
 mod diagnose;
 mod doctor;
 mod elastic;
+mod equations;
 mod failure;
 mod fit;
 mod folder;
 mod interrupt;
 mod laws;
+mod meant;
 mod new;
 mod number;
 mod outcome;
@@ -41,7 +43,8 @@ use arguments::{Arguments, Command};
 use failure::Failure;
 
 fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let arguments = Arguments::try_parse().unwrap_or_else(|error| meant::with_hint(error).exit());
+    let outcome = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),

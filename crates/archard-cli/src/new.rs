@@ -4,8 +4,10 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
+use archard::case::nearest;
+
 use crate::arguments::New;
-use crate::builtin::{Builtin, CASES};
+use crate::builtin::{Builtin, CASES, named};
 use crate::failure::Failure;
 use crate::rigs::RIGS;
 use crate::say::say;
@@ -23,11 +25,15 @@ pub fn new(arguments: &New) -> Result<(), Failure> {
     };
     let builtin = named(&asked).ok_or_else(|| {
         let rigs: Vec<&str> = RIGS.iter().map(|rig| rig.name).collect();
-        let message = format!(
-            "there is no rig and no built-in case `{asked}`; rigs are {}; `archard new --list` shows the cases too",
-            rigs.join(", ")
-        );
-        Failure::wrong(message)
+        let cases = CASES.iter().map(|builtin| builtin.name);
+        let known: Vec<&str> = rigs.iter().copied().chain(cases).collect();
+        let next = match nearest(&asked, &known) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!("rigs are {}", rigs.join(", ")),
+        };
+        Failure::wrong(format!(
+            "there is no rig and no built-in case `{asked}`; {next} `archard new --list` shows all"
+        ))
     })?;
     let dir = arguments.output.clone().unwrap_or_else(|| PathBuf::from(builtin.name));
     let path = dir.join("case.toml");
@@ -39,13 +45,6 @@ pub fn new(arguments: &New) -> Result<(), Failure> {
         Failure::wrong(format!("cannot write `{}`: {error}{next}", path.display()))
     })?;
     say(&format!("{} written; next: archard run {}", path.display(), dir.display()))
-}
-
-/// The case of a name, or of a rig; either may be written with spaces or hyphens.
-fn named(name: &str) -> Option<&'static Builtin> {
-    let plain = name.trim().to_lowercase().replace([' ', '-'], "_");
-    let rig = RIGS.iter().find(|rig| rig.name == plain).map(|rig| rig.case);
-    CASES.iter().find(|builtin| builtin.name == rig.unwrap_or(&plain))
 }
 
 /// Asks which rig it is.

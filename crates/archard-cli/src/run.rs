@@ -14,6 +14,7 @@ use crate::arguments::{Report, Run};
 use crate::companions;
 use crate::diagnose;
 use crate::elastic;
+use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
@@ -69,10 +70,9 @@ fn contact(
     let mut follower = Follower::new(arguments.quiet);
     let begun = Instant::now();
     let store = arguments.store();
-    let built = match &store {
-        Some(store) => case.build_keeping(store),
-        None => case.build(),
-    };
+    let equations = Equations::new(follower.bar(), arguments.quiet);
+    let built = case.build_telling(store.as_ref(), &|making| equations.are(making));
+    equations.done();
     let mut simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
     simulation.companion = companion;
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();

@@ -13,7 +13,7 @@ use glam::{DMat3, DVec3};
 use crate::body::{Body, Finite, Material};
 use crate::compliance::bem::contact::{ContactError, Job, Meeting, supported};
 use crate::compliance::bem::{
-    self, Boundary, Conditions, Interior, Solid, Surface, advice, forces,
+    self, Boundary, Conditions, Interior, Solid, Surface, Told, advice, forces,
 };
 use crate::compliance::{Balance, Undetermined, Unsolved};
 use crate::frame::VectorField;
@@ -161,7 +161,7 @@ impl ElasticBody {
         let Self { material, finite, .. } = self;
         let surface = self.surface();
         let conditions = self.conditions(&surface)?;
-        let job = Job { surface: &surface, conditions: &conditions };
+        let job = Job { surface: &surface, conditions: &conditions, told: Told::default() };
         let boundary = solve(finite, material, &job, &[])?;
         let wanted = (&self.points[..], &self.sections[..]);
         Deformed::of((material, finite.tolerance), &job, &boundary, wanted)

@@ -1,11 +1,12 @@
 //! The rows of a study: what is put at which keys, and the checked case of each row.
 
-use archard::case::{CaseFile, Problem, Resolved, Severity, Task, ValueAt};
+use archard::case::{Problem, Resolved, Severity, Task, ValueAt};
 use serde_json::json;
 
 use super::points::{MOST, points, together};
 use super::values::{Distribution, distribution, few, list};
 use crate::arguments::{Design as Laid, Layout, Sweep};
+use crate::builtin;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::say::tell;
@@ -45,8 +46,7 @@ pub struct Row {
 /// If an option or the case of a row is wrong.
 pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
     let (keys, settings) = settings(arguments).map_err(Failure::wrong)?;
-    let file =
-        CaseFile::read(&arguments.case).map_err(|error| Failure::wrong(error.to_string()))?;
+    let file = builtin::read(&arguments.case)?;
     let file = arguments.set.iter().fold(file, |file, option| file.set(option));
     let mut warned: Vec<(String, usize)> = vec![];
     let mut values: Vec<Vec<Option<ValueAt>>> = vec![];

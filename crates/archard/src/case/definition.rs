@@ -4,7 +4,8 @@ use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
 use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support, Thermal};
-use crate::compliance::bem::contact::{self, Condense};
+use crate::compliance::bem::contact::{self, Condense, Job, condense};
+use crate::compliance::bem::{Making, Told};
 use crate::elastic::{Point, Section};
 use crate::frame::Rectangle;
 use crate::friction::Friction;
@@ -282,6 +283,24 @@ impl Case {
     /// As [`Case::build`].
     pub fn build_keeping(&self, store: &Store) -> Result<Simulation, BuildError> {
         self.build_with(&|finite, material, job| store.condense(finite, material, job))
+    }
+
+    /// The same, with a store or without, and told how far the equations of meshed bodies are.
+    ///
+    /// # Errors
+    /// As [`Case::build`].
+    pub fn build_telling(
+        &self,
+        store: Option<&Store>,
+        tell: &(dyn Fn(Making) + Sync),
+    ) -> Result<Simulation, BuildError> {
+        self.build_with(&|finite, material, job| {
+            let job = Job { told: Told::by(tell), ..*job };
+            match store {
+                Some(store) => store.condense(finite, material, &job),
+                None => condense(finite, material, &job),
+            }
+        })
     }
 
     /// The same with something that condenses meshed bodies or knows that they were.

@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use toml::de::DeTable;
 
 use super::accuracy::{self, Chose};
+use super::check::pace::Pace;
 use super::check::{self, Forecast};
 use super::definition::Case;
 use super::elastic::{self, ElasticCase, ElasticForecast};
-use super::key::Key;
+use super::key::{Key, Part};
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
@@ -79,7 +80,9 @@ impl Resolved {
     pub fn expectations(&self) -> String {
         let beside: String =
             self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
-        let mut text = format!("# What to expect\n\n{}{beside}", self.forecast);
+        let pace = Pace::of(self.forecast.operations);
+        let pace = pace.map_or_else(String::new, |pace| pace.to_string());
+        let mut text = format!("# What to expect\n\n{}{pace}{beside}", self.forecast);
         if self.chose != Chose::default() {
             text += "\nThe frame was chosen; runs on fewer elements may ask for more of them.\n";
         }
@@ -286,6 +289,17 @@ impl CaseFile {
         span.map_or(at.clone(), |span| Location { span, ..at })
     }
 
+    /// The place to look at for a key of which nothing is written: the accuracy that a frame was chosen for, or the end of
+    /// the file, where the key would follow.
+    fn place_of_unwritten(&self, key: &Key, table: &Table) -> Option<Location> {
+        let first = key.parts().first()?;
+        let accuracy = table.get("accuracy").filter(|_| *first == Part::Name("frame".to_owned()));
+        let end = self.text.trim_end().len();
+        let last_line = self.text[..end].rfind('\n').map_or(0, |place| place + 1);
+        let end = || Location { source: Source::File, span: last_line..end };
+        Some(accuracy.map_or_else(end, |entry| entry.node.at.clone()))
+    }
+
     /// Looks up where each problem stands, in the order of the file. Beside broken TOML, keys are
     /// missing and values garbled only because of it: such problems are left out.
     fn locate(&self, found: Vec<Problem>, syntax: Syntax, table: &Table) -> Vec<Problem> {
@@ -295,6 +309,7 @@ impl CaseFile {
         let located = found.into_iter().map(|problem| {
             let at = problem.location.clone();
             let at = at.or_else(|| table.locate(&problem.key, problem.target));
+            let at = at.or_else(|| self.place_of_unwritten(&problem.key, table));
             Problem {
                 location: at.map(|at| self.narrowed(at, problem.within.as_deref())),
                 ..problem

@@ -54,6 +54,7 @@ pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};
 pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
 pub use key::Key;
+pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
 pub use similar::WearByKs;

@@ -1,7 +1,7 @@
 //! The name someone meant.
 
 /// The known name nearest to what was written, if any is near enough to be worth a suggestion.
-pub(super) fn nearest<'a>(written: &str, known: &[&'a str]) -> Option<&'a str> {
+pub fn nearest<'a>(written: &str, known: &[&'a str]) -> Option<&'a str> {
     let lower = written.to_lowercase();
     known
         .iter()

@@ -60,8 +60,9 @@ fn swinging(values: &Values) -> Result<Planned, Invalid> {
         .pair("amplitude")
         .ok_or_else(|| Invalid::new("amplitude", "`amplitude` is missing"))?;
     let (axis, amplitude) = match amplitude {
-        [x, 0.0] if x > 0.0 => (0, x),
-        [0.0, y] if y > 0.0 => (1, y),
+        // Which way they set out does not matter.
+        [x, 0.0] if x != 0.0 => (0, x.abs()),
+        [0.0, y] if y != 0.0 => (1, y.abs()),
         _ => {
             let message = "surfaces swing along x or along y: give an amplitude along one of them";
             return Err(Invalid::new("amplitude", message));
@@ -81,15 +82,15 @@ fn swinging(values: &Values) -> Result<Planned, Invalid> {
 const AMPLITUDE: Parameter = Parameter::optional(
     "amplitude",
     Quantity::Pair(&Quantity::Length),
-    "amplitudes of the displacement of body 2 over body 1 along x and y",
+    "amplitudes of the displacement of body 2 over body 1 along x and y; one with a minus sets out the other way",
 )
-.bound(Bound::NonNegative);
+.bound(Bound::Any);
 const FORCE_AMPLITUDE: Parameter = Parameter::optional(
     "force_amplitude",
     Quantity::Pair(&Quantity::Force),
-    "amplitudes of the tangential force on body 1 along x and y, instead",
+    "amplitudes of the tangential force on body 1 along x and y, instead; one with a minus sets out the other way",
 )
-.bound(Bound::NonNegative);
+.bound(Bound::Any);
 
 const PHASE: Parameter = Parameter::optional(
     "phase",
@@ -98,7 +99,8 @@ const PHASE: Parameter = Parameter::optional(
 )
 .bound(Bound::Any);
 const LOAD_AMPLITUDE: Parameter =
-    Parameter::optional("load_amplitude", Quantity::Force, "amplitude of the load; 0 if not given");
+    Parameter::optional("load_amplitude", Quantity::Force, "amplitude of the load; 0 if not given")
+        .bound(Bound::Any);
 const LOAD_PHASE: Parameter = Parameter::optional(
     "load_phase",
     Quantity::Angle,
@@ -194,16 +196,13 @@ impl Fretting {
             let message = "must be a multiple of four: the oscillation turns at its quarters";
             return Err(Invalid::new("increments", message));
         }
-        let load = match self.load[0] {
-            0.0 => 0.0,
-            load => LOAD_AMPLITUDE.admit(load)?,
-        };
+        let load = LOAD_AMPLITUDE.admit(self.load[0])?;
         match pressing(control)? {
-            Control::Load(mean) if load >= mean => {
+            Control::Load(mean) if load.abs() >= mean => {
                 let message = "`load_amplitude` is not less than `load`: the bodies would part";
                 Err(Invalid::new("load_amplitude", message).beside("load"))
             }
-            Control::Approach(_) if load > 0.0 => {
+            Control::Approach(_) if load != 0.0 => {
                 let message = "`load_amplitude` needs a `load`, not an `approach`";
                 Err(Invalid::new("load_amplitude", message).beside("approach"))
             }
@@ -272,6 +271,25 @@ mod tests {
         let Guide::Shift(y) = shift.cycle[7].guides[1] else { panic!("a shift") };
         assert_relative_eq!(y, 2e-6);
         assert_eq!(shift.lead[0].control, Control::Load(50.0 / 8.0));
+    }
+
+    /// A minus is the same oscillation, half a cycle later.
+    #[test]
+    fn a_negative_amplitude_sets_out_the_other_way() {
+        let there = built(Fretting::shifted([1e-6, 2e-6]).increments(8)).unwrap();
+        let back = built(Fretting::shifted([-1e-6, -2e-6]).increments(8)).unwrap();
+        for index in 0..8 {
+            assert_eq!(back.cycle[index].guides, there.cycle[(index + 4) % 8].guides);
+        }
+        let [Guide::Shift(x), Guide::Shift(y)] =
+            built(Fretting::shifted([-1e-6, 1e-6]).increments(8)).unwrap().cycle[1].guides
+        else {
+            panic!("a shift")
+        };
+        assert_eq!([x, y], [-1e-6, 1e-6]);
+        let load = built(ellipse().varying_load(-10.0, 0.0).increments(8)).unwrap();
+        assert_eq!(load.cycle[1].control, Control::Load(40.0));
+        assert!(built(ellipse().varying_load(-50.0, 0.0)).unwrap_err().contains("would part"));
     }
 
     #[test]

@@ -43,6 +43,8 @@ pub struct Forecast {
     pub finiteness: Vec<Finiteness>,
     /// Memory (bytes), an estimate.
     pub memory: f64,
+    /// Operations on numbers to factorise and condense the equations of meshed bodies.
+    pub operations: f64,
     /// What of the verdict on a run can be foreseen.
     pub verdict: Verdict,
 }
@@ -84,6 +86,7 @@ impl Forecast {
             files: files(parts),
             finiteness: Finiteness::of(parts, estimate.contact.as_ref()),
             memory: memory(parts),
+            operations: parts.meshed().map(|(_, finite)| size(finite).operations()).sum(),
             verdict: Verdict::default(),
         };
         Self { verdict: foreseen::verdict(parts, &forecast), ..forecast }

@@ -1,7 +1,9 @@
 //! What is doubtful about a case, in words.
 
 use super::words::{both, length, pressure, size_list_up, three};
-use super::{Finiteness, Forecast, Parts, Solves, density, heat, rolling, shift, track};
+use super::{
+    Finiteness, Forecast, Parts, Solves, conforming, density, heat, rolling, shift, track,
+};
 use crate::body::{Body, Elasticity};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -19,7 +21,7 @@ const FEW_CELLS: f64 = 8.0;
 /// Contact solves beyond which a run is worth a warning.
 const MANY_SOLVES: u64 = 1_000_000;
 /// Share of the radius of curvature beyond which a body is no half-space under its contact.
-const WIDE: f64 = 0.3;
+pub(super) const WIDE: f64 = 0.3;
 /// Size of a comfortable frame in contact radii: the elastic fields need some room around.
 const ROOM: f64 = 2.4;
 /// Smallest eigenvalue of the half-space compliance on square cells, in h/E* (measured; twice it
@@ -41,9 +43,13 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(long(parts, forecast));
     problems.extend(forecast.finiteness.iter().filter_map(Finiteness::doubt));
     if let Some(contact) = &forecast.estimate.contact {
-        match too_small(parts, contact) {
-            Some(problem) => problems.push(problem),
-            None => {
+        match (conforming::conforms(parts, contact), too_small(parts, contact)) {
+            (Some(body), _) => {
+                problems.extend(conforming::problems(parts, &forecast.estimate, body));
+                problems.extend(few_cells(parts, forecast));
+            }
+            (None, Some(problem)) => problems.push(problem),
+            (None, None) => {
                 problems.extend(reaches_the_edge(parts, forecast));
                 problems.extend(few_cells(parts, forecast));
             }

@@ -1,6 +1,7 @@
 //! What can be known of a case before it is run: closed forms, cost, and what is doubtful.
 
 mod coarse;
+mod conforming;
 mod cycles;
 mod density;
 mod equivalent;
@@ -17,6 +18,7 @@ mod judge;
 mod line;
 mod meeting;
 pub(super) mod memory;
+pub(super) mod pace;
 mod rolling;
 mod shift;
 pub(super) mod slender;

@@ -67,8 +67,8 @@ pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
 /// The axis and the size (m) of an amplitude along one axis.
 fn along(case: &Case) -> Option<(usize, f64)> {
     match case.motion.values.pair("amplitude")? {
-        [x, 0.0] if x > 0.0 => Some((0, x)),
-        [0.0, y] if y > 0.0 => Some((1, y)),
+        [x, 0.0] if x != 0.0 => Some((0, x.abs())),
+        [0.0, y] if y != 0.0 => Some((1, y.abs())),
         _ => None,
     }
 }

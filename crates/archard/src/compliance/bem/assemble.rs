@@ -22,6 +22,7 @@ use super::curvature::{Share, curvatures};
 use super::element::CURVATURES;
 use super::integrate::NODES;
 use super::kelvin::{Evaluations, Kelvin};
+use super::making::{Parts, Told};
 use super::rules::Rules;
 use super::strip::{Stock, Strip};
 use super::surface::Surface;
@@ -87,7 +88,7 @@ impl<'a> Assembly<'a> {
     ///
     /// # Errors
     /// If there is no memory for them.
-    pub fn system(&self) -> Result<System, NoMemory> {
+    pub fn system(&self, told: Told<'_>) -> Result<System, NoMemory> {
         let unknowns = self.surface.unknowns();
         let mut matrix = Large::zeros(unknowns, unknowns)?;
         let mut contact = Large::zeros(unknowns, 3 * self.conditions.contact.len())?;
@@ -97,8 +98,11 @@ impl<'a> Assembly<'a> {
         let known = fixed.as_mut().par_row_chunks_mut(3 * BLOCK);
         let places = &self.surface.nodes;
         let blocks = blocks(places);
+        let parts = Parts::new(told, unknowns, blocks.len());
         let fill = |(((matrix, contact), fixed), nodes)| {
-            Rows { assembly: self, matrix, contact, fixed }.fill(nodes)
+            let evaluations = Rows { assembly: self, matrix, contact, fixed }.fill(nodes);
+            parts.one();
+            evaluations
         };
         let evaluations = strips.zip(contacts).zip(known).zip(blocks).map(fill).sum();
         Ok(System { matrix, contact, fixed, evaluations })

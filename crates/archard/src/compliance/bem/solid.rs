@@ -7,6 +7,7 @@ use super::assemble::{Assembly, System};
 use super::balance::Balance;
 use super::conditions::{Condition, Conditions, Given};
 use super::kelvin::{Evaluations, Kelvin};
+use super::making::{Stage, Told};
 use super::surface::{Surface, TractionNode};
 use crate::body::Material;
 use crate::numerics::dense::{Lu, Unsolved};
@@ -77,10 +78,23 @@ impl<'a> Assembled<'a> {
         conditions: &'a Conditions,
         tolerance: f64,
     ) -> Result<Self, NoMemory> {
+        Self::telling((surface, conditions), material, tolerance, Told::default())
+    }
+
+    /// The same, somebody told how far it is.
+    ///
+    /// # Errors
+    /// If there is no memory for them.
+    pub fn telling(
+        (surface, conditions): (&'a Surface, &'a Conditions),
+        material: &Material,
+        tolerance: f64,
+        told: Told<'_>,
+    ) -> Result<Self, NoMemory> {
         let length = length_of(surface);
         let unit = length / material.shear_modulus();
         let kelvin = Kelvin::new(material.poisson, length);
-        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system()?;
+        let system = Assembly::new(surface, conditions, (kelvin, unit), tolerance).system(told)?;
         Ok(Self { surface, conditions, system, unit })
     }
 
@@ -124,6 +138,13 @@ impl<'a> Solid<'a> {
 
     /// The compliance of the contact nodes.
     pub fn condense(self) -> Condensed {
+        self.condense_telling(Told::default())
+    }
+
+    /// The same, somebody told how far it is.
+    pub fn condense_telling(self, told: Told<'_>) -> Condensed {
+        /// Columns that are solved for at once: enough for products of matrices to be as quick as with all of them.
+        const COLUMNS: usize = 512;
         let balance = self.balance();
         let Self { conditions, factors, mut contact, mut fixed, unit, .. } = self;
         let nodes: Vec<usize> = conditions
@@ -134,7 +155,12 @@ impl<'a> Solid<'a> {
         // Columns of nodes in contact come last.
         let sought = nodes.iter().map(|&node| conditions.columns[node]).min();
         let count = sought.map_or(0, |first| factors.size() - first);
-        factors.solve_last(contact.as_mut(), count);
+        let columns = contact.as_ref().ncols();
+        for first in (0..columns).step_by(COLUMNS) {
+            told.tell(factors.size(), Stage::Condensing, first as f64 / columns as f64);
+            let some = contact.as_mut().subcols_mut(first, COLUMNS.min(columns - first));
+            factors.solve_last(some, count);
+        }
         factors.solve_last(fixed.as_mut(), count);
         let contact = contact.as_ref();
         // Displacements are sought along the axes or, at nodes that are held, along their basis.

@@ -150,17 +150,10 @@ impl Mesh {
                 edges.entry([a.min(b), a.max(b)]).or_default()[usize::from(a > b)] += 1;
             }
         }
-        let middle = |[a, b]: [usize; 2]| {
-            let (a, b) = (self.vertices[a], self.vertices[b]);
-            [0, 1, 2].map(|axis| 0.5 * (a[axis] + b[axis]))
-        };
         let such = |wanted: &dyn Fn([usize; 2], [usize; 2]) -> bool| {
-            first(
-                edges
-                    .iter()
-                    .filter(|(edge, passes)| wanted(**edge, **passes))
-                    .map(|(edge, _)| middle(*edge)),
-            )
+            let edges = edges.iter().filter(|(edge, passes)| wanted(**edge, **passes));
+            // Of its ends the one that came first: vertices of the file come before those of divided elements.
+            first(edges.map(|([vertex, _], _)| self.vertices[*vertex]))
         };
         let open = such(&|edge, [up, down]| up + down == 1 && !self.is_cut(planes, edge));
         let branching = such(&|_, [up, down]| up + down > 2);

@@ -73,35 +73,35 @@ pub enum MeshProblem {
     },
     /// Edges of a single element.
     #[error(
-        "the surface is open: {edges} edges belong to one element only, the first at {}; mesh what is missing, or merge vertices that lie on one another (in Gmsh `Coherence Mesh;`, in Python `gmsh.model.mesh.removeDuplicateNodes()`)",
-        at(.place)
+        "the surface is open: {edges} edges belong to one element only, the first from the vertex {}; mesh what is missing, or merge vertices that lie on one another (in Gmsh `Coherence Mesh;`, in Python `gmsh.model.mesh.removeDuplicateNodes()`)",
+        vertex(.place)
     )]
     Open {
         /// How many.
         edges: usize,
-        /// The middle of the first (m).
+        /// A vertex at the end of the first (m).
         place: [f64; 3],
     },
     /// Edges of more than two elements.
     #[error(
-        "{edges} edges belong to more than two elements, the first at {}: remove the walls inside the body (in Gmsh put the outer surfaces alone into a `Physical Surface`)",
-        at(.place)
+        "{edges} edges belong to more than two elements, the first from the vertex {}: remove the walls inside the body (in Gmsh put the outer surfaces alone into a `Physical Surface`)",
+        vertex(.place)
     )]
     Branching {
         /// How many.
         edges: usize,
-        /// The middle of the first (m).
+        /// A vertex at the end of the first (m).
         place: [f64; 3],
     },
     /// Neighbours of which one is seen from outside and one from inside.
     #[error(
-        "neighbours at {edges} edges are seen from different sides, the first at {}: orient all elements counter-clockwise seen from outside (in Gmsh `gmsh.model.mesh.setOutwardOrientation(1)` for the volume 1, or `ReverseMesh Surface{{1}};` for the surface 1)",
-        at(.place)
+        "neighbours at {edges} edges are seen from different sides, the first from the vertex {}: orient all elements counter-clockwise seen from outside (in Gmsh `gmsh.model.mesh.setOutwardOrientation(1)` for the volume 1, or `ReverseMesh Surface{{1}};` for the surface 1)",
+        vertex(.place)
     )]
     Unlike {
         /// How many.
         edges: usize,
-        /// The middle of the first (m).
+        /// A vertex at the end of the first (m).
         place: [f64; 3],
     },
     /// A surface turned inside out.
@@ -181,6 +181,11 @@ impl MeshProblem {
         use MeshProblem::{Concave, Slender, Unused, Warped};
         matches!(self, Concave { .. } | Slender { .. } | Unused { .. } | Warped { .. })
     }
+}
+
+/// A vertex, with as many digits as single precision has.
+fn vertex([x, y, z]: &[f64; 3]) -> String {
+    format!("x = {x:.6e} m, y = {y:.6e} m, z = {z:.6e} m")
 }
 
 fn at([x, y, z]: &[f64; 3]) -> String {

@@ -6,6 +6,7 @@ mod gmsh;
 mod near;
 mod source;
 mod stl;
+mod weld;
 
 pub use error::{Fault, MeshFileError, Place};
 

@@ -1,10 +1,9 @@
 //! STL, text or binary: triangles with their three corners each.
 
-use std::collections::HashMap;
-
 use super::error::{Fault, MeshFileError};
 use super::source::Source;
-use crate::body::mesh::{Corners, Face, Mesh};
+use super::weld::Triangles;
+use crate::body::mesh::Mesh;
 
 /// Length of the head of a binary file (bytes).
 const HEAD: usize = 80;
@@ -25,25 +24,27 @@ fn is_binary(bytes: &[u8]) -> bool {
     })
 }
 
-/// The surface in the bytes of a file, vertices at the same place made one.
+/// The surface in the bytes of a file, corners at the same place made one vertex.
 pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, MeshFileError> {
     let mut source = Source::new(bytes);
-    let mut weld = Weld::default();
-    if is_binary(bytes) {
-        binary(&mut source, &mut weld)?
+    let mut triangles = Triangles::default();
+    let mesh = if is_binary(bytes) {
+        binary(&mut source, &mut triangles)?;
+        triangles.weld(f64::from(f32::EPSILON))
     } else {
-        text(&mut source, &mut weld)?
-    }
-    if weld.mesh.faces.is_empty() {
+        text(&mut source, &mut triangles)?;
+        triangles.weld(f64::EPSILON)
+    };
+    if mesh.faces.is_empty() {
         return Err(source.error(Fault::NoSurface));
     }
-    Ok(weld.mesh)
+    Ok(mesh)
 }
 
-fn binary(source: &mut Source<'_>, weld: &mut Weld) -> Result<(), MeshFileError> {
+fn binary(source: &mut Source<'_>, triangles: &mut Triangles) -> Result<(), MeshFileError> {
     source.binary = true;
     source.take::<{ HEAD + 4 }>("the head")?;
-    let surface = weld.surface("");
+    let surface = triangles.surface("");
     while !source.rest().is_empty() {
         source.take::<12>("a normal")?;
         let mut corners = [[0.0; 3]; 3];
@@ -52,20 +53,20 @@ fn binary(source: &mut Source<'_>, weld: &mut Weld) -> Result<(), MeshFileError>
             *value = source.finite(f64::from(number), "a coordinate")?;
         }
         source.take::<2>("the end of a triangle")?;
-        weld.triangle(surface, corners);
+        triangles.push(surface, corners);
     }
     Ok(())
 }
 
-fn text(source: &mut Source<'_>, weld: &mut Weld) -> Result<(), MeshFileError> {
+fn text(source: &mut Source<'_>, triangles: &mut Triangles) -> Result<(), MeshFileError> {
     while !source.rest().trim_ascii_start().is_empty() {
         expect(source, "solid")?;
         let name = source.line();
-        let surface = weld.surface(&name);
+        let surface = triangles.surface(&name);
         loop {
             match source.word("`facet` or `endsolid`")? {
                 "endsolid" => break,
-                "facet" => weld.triangle(surface, facet(source)?),
+                "facet" => triangles.push(surface, facet(source)?),
                 other => {
                     let found = other.chars().take(40).collect();
                     let expected = "`facet` or `endsolid`";
@@ -106,38 +107,4 @@ fn expect(source: &mut Source<'_>, word: &'static str) -> Result<(), MeshFileErr
     }
     let found = found.chars().take(40).collect();
     Err(source.error(Fault::Unexpected { expected: word, found }))
-}
-
-/// A mesh whose vertices at the same place are one.
-#[derive(Default)]
-struct Weld {
-    mesh: Mesh,
-    known: HashMap<[u64; 3], usize>,
-}
-
-impl Weld {
-    fn surface(&mut self, name: &str) -> usize {
-        let name = if name.is_empty() { "surface" } else { name };
-        let names = &mut self.mesh.surfaces;
-        names.iter().position(|known| known == name).unwrap_or_else(|| {
-            names.push(name.to_owned());
-            names.len() - 1
-        })
-    }
-
-    fn triangle(&mut self, surface: usize, corners: [[f64; 3]; 3]) {
-        let vertices = &mut self.mesh.vertices;
-        let corners = corners.map(|place| {
-            // Zero has two signs.
-            *self.known.entry(place.map(|value| (value + 0.0).to_bits())).or_insert_with(|| {
-                vertices.push(place);
-                vertices.len() - 1
-            })
-        });
-        // A triangle of two places leaves no gap when it is gone.
-        let [a, b, c] = corners;
-        if a != b && b != c && c != a {
-            self.mesh.faces.push(Face { corners: Corners::Triangle(corners), surface });
-        }
-    }
 }

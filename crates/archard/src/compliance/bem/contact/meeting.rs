@@ -2,8 +2,8 @@
 
 use faer::Mat;
 
-use super::super::Conditions;
 use super::super::solid::Condensed;
+use super::super::{Conditions, Told};
 use super::host::Host;
 use super::transfer::Transfer;
 use super::{Condense, Contact, ContactError, Job, half_space, supported};
@@ -82,7 +82,7 @@ impl<'a> Meeting<'a> {
             acting.iter_mut().for_each(|traction| *traction = -*traction);
         }
         let (surface, conditions) = (&side.host.surface, side.conditions.as_ref()?);
-        Some((Job { surface, conditions }, acting))
+        Some((Job { surface, conditions, told: Told::default() }, acting))
     }
 
     /// Values of the pairs at the nodes of tractions of a meshed body, zero away from the contact; those of the other
@@ -190,9 +190,13 @@ fn condensed(
     let (Some(material), Some(conditions)) = (&bodies[host.which].material, conditions) else {
         return Ok(None);
     };
-    condense(host.finite, material, &Job { surface: &host.surface, conditions })
-        .map(Some)
-        .map_err(|cause| ContactError::Singular { body: host.which, cause })
+    condense(
+        host.finite,
+        material,
+        &Job { surface: &host.surface, conditions, told: Told::default() },
+    )
+    .map(Some)
+    .map_err(|cause| ContactError::Singular { body: host.which, cause })
 }
 
 /// Adds the recesses of the profiles, along the normal of each pair.

@@ -16,9 +16,9 @@ mod transfer;
 use glam::DVec3;
 
 use super::conditions::{Conditions, Undetermined};
-use super::solid::{Condensed, Solid};
+use super::solid::Condensed;
 use super::surface::Surface;
-use super::{Condition, Given, TractionNode, advice};
+use super::{Assembled, Condition, Given, Stage, Told, TractionNode, advice};
 use crate::body::{Body, Finite, Material, Support};
 use crate::compliance::Dense;
 use crate::frame::{ContactFrame, OffTheSurface, PairsError};
@@ -110,6 +110,8 @@ pub struct Job<'a> {
     pub surface: &'a Surface,
     /// What is known at its nodes.
     pub conditions: &'a Conditions,
+    /// Who is told how far they are.
+    pub told: Told<'a>,
 }
 
 /// Condenses a body from its mesh.
@@ -121,7 +123,10 @@ pub fn condense(
     material: &Material,
     job: &Job<'_>,
 ) -> Result<Condensed, Unsolved> {
-    Ok(Solid::new(job.surface, material, job.conditions, finite.tolerance)?.condense())
+    let Job { surface, conditions, told } = *job;
+    let equations = Assembled::telling((surface, conditions), material, finite.tolerance, told)?;
+    told.tell(surface.unknowns(), Stage::Factorising, 0.0);
+    Ok(equations.factorise()?.condense_telling(told))
 }
 
 impl Contact {
