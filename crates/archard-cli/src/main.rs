@@ -16,6 +16,7 @@ mod fit;
 mod folder;
 mod interrupt;
 mod laws;
+mod lines;
 mod new;
 mod number;
 mod outcome;

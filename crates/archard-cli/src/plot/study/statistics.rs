@@ -1,7 +1,7 @@
 //! What a study says of its values: quantiles, means under a condition, and shares of the variance.
 
 /// The value below which that share of all is, by linear interpolation between the sorted values.
-pub(in crate::plot) fn quantile(sorted: &[f64], share: f64) -> f64 {
+pub(crate) fn quantile(sorted: &[f64], share: f64) -> f64 {
     let place = share * (sorted.len().max(1) - 1) as f64;
     let (low, high) = (place.floor() as usize, place.ceil() as usize);
     match (sorted.get(low), sorted.get(high)) {
