@@ -19,8 +19,17 @@
   const [library, text] = await Promise.all([unpack("plotly"), unpack("data")]);
   const script = document.createElement("script");
   script.textContent = library;
+  document.documentElement.classList.add("draws");
   document.head.append(script);
-  const { figures, maps, mark } = JSON.parse(text);
+  // Plotly reads a few tags in its words; those of a folder are words alone.
+  const tame = (value) => {
+    if (typeof value === "string") return value.replaceAll("&", "&amp;").replaceAll("<", "&lt;").replaceAll(">", "&gt;");
+    if (Array.isArray(value)) return value.map(tame);
+    if (value === null || typeof value !== "object") return value;
+    return Object.fromEntries(Object.entries(value).map(([key, own]) => [key, tame(own)]));
+  };
+  const { figures: untamed, maps, mark } = JSON.parse(text);
+  const figures = tame(untamed);
 
   const ink = "#1a1a1a";
   const config = { responsive: true, displaylogo: false, displayModeBar: "hover",
@@ -29,7 +38,7 @@
     zeroline: false, automargin: true, exponentformat: "power" };
   const noted = (layout) => {
     if (mark) {
-      layout.annotations = (layout.annotations || []).concat({ text: mark.replace(/(.{1,70})( |$)/g, "$1<br>"),
+      layout.annotations = (layout.annotations || []).concat({ text: tame(mark.replace(/(.{1,70})( |$)/g, "$1\n")).replaceAll("\n", "<br>"),
         xref: "paper", yref: "paper", x: 0, y: 1, xanchor: "left", yanchor: "bottom", align: "left",
         showarrow: false, font: { color: "#8c1c00", size: 11 } });
     }
@@ -45,31 +54,29 @@
     yaxis: { ...frame, ...layout.yaxis },
     legend: { orientation: "h", x: 0, xanchor: "left", y: -58 / Math.max(90, height - 180), yanchor: "top", ...layout.legend },
   });
-  // A picture of what is drawn stands in its place in print.
+  // What is drawn takes the place of the picture on the screen.
+  const overlay = (place) => {
+    place.parentElement.classList.add("drawn");
+    return place;
+  };
+  // The picture in print is of what was drawn last.
   const printed = async (place) => {
     if (!place._fullLayout) return;
-    let picture = place.parentElement.querySelector("img.printed");
+    let picture = place.parentElement.querySelector("img.still");
     if (!picture) {
       picture = document.createElement("img");
-      picture.className = "printed";
+      picture.className = "still";
+      picture.alt = place.getAttribute("aria-label");
       place.after(picture);
     }
-    picture.alt = place.getAttribute("aria-label");
-    try {
-      picture.src = await Plotly.toImage(place, { format: place.id === "surface" ? "png" : "svg", width: 720, height: 430 });
-      place.classList.add("drawn");
-    } catch (error) {
-      picture.remove();
-    }
+    picture.src = await Plotly.toImage(place, { format: "png", width: 720, height: 430 });
   };
 
   for (let i = 0; i < figures.length; i += 1) {
-    const place = document.getElementById(`figure-${i + 1}`);
+    const place = overlay(document.getElementById(`figure-${i + 1}`));
     await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout, place.clientHeight), config);
   }
   if (maps) await mapped();
-  document.body.dataset.state = "drawn";
-  for (const place of document.querySelectorAll(".plot")) await printed(place);
   document.body.dataset.state = "done";
 
   async function mapped() {
@@ -86,7 +93,8 @@
     };
     const top = (list) => list.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 0);
     const largest = (name) => Math.max(...outputs.map((_, output) => top(values(name, output))));
-    const blank = (z) => z.map((row) => row.map((value) => (value > 0 ? value : null)));
+    // Where there is nothing the map is white; between centres of elements it is interpolated.
+    const colours = [[0, "#ffffff"], [0.004, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#fde725"]];
     const length = (ends) => Math.abs(ends[ends.length - 1] - ends[0]);
     const slender = Math.max(length(x), length(y)) > 4 * Math.min(length(x), length(y));
     // The whole of the elements, whichever of them show something.
@@ -98,7 +106,7 @@
       xaxis: { title: { text: `x (${across})` }, range: range(x), constrain: "domain", showgrid: false },
       yaxis: { title: { text: `y (${across})` }, range: range(y), constrain: "domain", showgrid: false, ...(slender ? {} : { scaleanchor: "x" }) },
     });
-    const heat = (name, title, output) => ({ type: "heatmap", x, y, z: blank(rows(values(name, output))), colorscale: "Viridis",
+    const heat = (name, title, output) => ({ type: "heatmap", x, y, z: rows(values(name, output)), zsmooth: "best", colorscale: colours,
       zmin: 0, zmax: top(values(name, output)) || 1, colorbar: { title: { text: `${title} (${fields[name].unit})`, side: "right" }, thickness: 14 },
       hovertemplate: `x %{x} ${across}<br>y %{y} ${across}<br>%{z:.4g} ${fields[name].unit}<extra></extra>` });
     // Tractions as arrows on a coarser grid, the longest as long as its cells.
@@ -148,7 +156,7 @@
       try { return !!document.createElement("canvas").getContext("webgl"); } catch (error) { return false; }
     };
     const solid = webgl();
-    const views = { aslant: { x: 1.25, y: -1.35, z: 0.95 }, above: { x: 0, y: -0.01, z: 2.1 }, side: { x: 0, y: -2.1, z: 0.15 } };
+    const views = { tilted: { x: 1.25, y: -1.35, z: 0.95 }, above: { x: 0, y: -0.01, z: 2.1 }, side: { x: 0, y: -2.1, z: 0.15 } };
     // Body 1 is shown above, as it stands on body 2; the files have it below.
     const surface = (output) => {
       const body = Number(document.getElementById("body").value);
@@ -159,7 +167,7 @@
       return [{ type: "surface", x, y, z, colorscale: "Viridis", showscale: Boolean(coloured),
         surfacecolor: coloured ? rows(values(wear, output)) : z, cmin: coloured ? 0 : undefined, cmax: coloured ? largest(wear) : undefined,
         colorbar: coloured ? { title: { text: `Wear (${fields[wear].unit})`, side: "right" }, thickness: 14 } : undefined,
-        hovertemplate: `x %{x} ${across}<br>y %{y} ${across}<br>height %{z:.4g} ${unit}<extra>${bodies[body]}</extra>` }];
+        hovertemplate: `x %{x} ${across}<br>y %{y} ${across}<br>height %{z:.4g} ${unit}<extra>${tame(bodies[body])}</extra>` }];
     };
     const space = () => {
       const body = Number(document.getElementById("body").value);
@@ -169,7 +177,7 @@
         font: styled({}).font,
         margin: { l: 0, r: 0, t: mark ? 44 : 10, b: 0 },
         uirevision: "turned",
-        scene: { aspectmode: "manual", aspectratio: { x: 1.2 * sides[0], y: 1.2 * sides[1], z: 0.45 }, camera: { eye: views.aslant },
+        scene: { aspectmode: "manual", aspectratio: { x: 1.2 * sides[0], y: 1.2 * sides[1], z: 0.45 }, camera: { eye: views.tilted },
           xaxis: { title: { text: `x (${across})` } }, yaxis: { title: { text: `y (${across})` } }, zaxis: { title: { text: `height (${height.unit})` } } },
       });
     };
@@ -178,11 +186,11 @@
       const output = Number(slider.value);
       slider.setAttribute("aria-valuetext", outputs[output]);
       document.getElementById("output-label").textContent = outputs[output];
-      await Plotly.react("map-pressure", pressure(output), plane(), config);
+      await Plotly.react(overlay(document.getElementById("map-pressure")), pressure(output), plane(), config);
       for (let body = 0; body < bodies.length; body += 1) {
         const place = document.getElementById(`map-wear-${body}`);
         if (place) {
-          await Plotly.react(place, [heat(`wear_${bodies[body]}_m`, "Wear", output)], plane(), config);
+          await Plotly.react(overlay(place), [heat(`wear_${bodies[body]}_m`, "Wear", output)], plane(), config);
         }
       }
       if (solid) {
@@ -194,6 +202,7 @@
       document.getElementById("surface").textContent = "This browser draws no surfaces in space (WebGL is off); the maps show the same depths.";
     }
     await draw();
+    if (solid) await printed(document.getElementById("surface"));
     // One drawing at a time: the last place of the slider counts.
     let busy = false;
     let again = false;

@@ -163,6 +163,9 @@ pub struct Run {
     /// Print errors only
     #[arg(short, long)]
     pub quiet: bool,
+    /// Print every check of the verdict, the good ones too
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub verbose: bool,
 }
 
 impl Run {

@@ -1,47 +1,59 @@
 //! The runs on fewer elements that come before one with an `accuracy`.
 
+use std::error::Error as StdError;
+
 use archard::case::{Following, Resolved, Task, Unsettled};
-use archard::simulation::{Companion, Error, Observer};
+use archard::simulation::{Companion, Error, Observer, Report};
 
 use crate::arguments::Run;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
+use crate::progress::Follower;
 use crate::run::one_thread;
-use crate::say::tell;
 
-/// Says on how many elements, and ends where that is asked for.
-struct Follow {
+/// Shows them, and ends where that is asked for.
+struct Follow<'a> {
     watch: Watch,
-    quiet: bool,
+    follower: &'a mut Follower,
 }
 
-impl Following for Follow {
+impl Following for Follow<'_> {
+    fn plans(&mut self, elements: &[[usize; 2]]) {
+        self.follower.plan(elements);
+    }
+
     fn begins(&mut self, [nx, ny]: [usize; 2]) {
-        if !self.quiet {
-            tell(&format!("on {nx} x {ny} elements, to see what the elements err by"));
-        }
+        let what = format!("estimating the discretisation error: {nx} x {ny} elements");
+        self.follower.begin_before(what);
     }
 
     fn observer(&mut self) -> &mut dyn Observer {
-        &mut self.watch
+        self
+    }
+}
+
+impl Observer for Follow<'_> {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        self.follower.observe(report)?;
+        self.watch.observe(report)
     }
 }
 
 /// The task on the elements that its accuracy takes, and what says how far off they are.
 pub fn settle(
     task: Task,
-    watch: &Watch,
+    (watch, follower): (&Watch, &mut Follower),
     arguments: &Run,
 ) -> Result<(Task, Option<Companion>), Failure> {
     let Task::Contact(resolved) = task else { return Ok((task, None)) };
-    let mut follow = Follow { watch: watch.clone(), quiet: arguments.quiet };
     let store = arguments.store();
     let small = arguments.threads.is_none() && resolved.case.is_small();
+    let mut follow = Follow { watch: watch.clone(), follower };
     let settle = || resolved.with_companion(store.as_ref(), &mut follow);
     let settled = if small { one_thread()?.install(settle) } else { settle() };
     let (resolved, companion) = settled.map_err(failure)?;
-    if let (Some(_), false) = (&companion, arguments.quiet) {
-        tell(&grid(&resolved));
+    if companion.is_some() {
+        follower.tell(&grid(&resolved));
     }
     Ok((Task::Contact(Box::new(resolved)), companion))
 }

@@ -15,7 +15,11 @@ use crate::underway::command;
 use crate::verdict;
 
 /// Computes a body and writes its results into the folder that is held.
-pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(), Failure> {
+pub fn run(
+    resolved: &ResolvedElastic,
+    watch: &Watch,
+    [quiet, verbose]: [bool; 2],
+) -> Result<(), Failure> {
     let ResolvedElastic { case, warnings, .. } = resolved;
     let wrong = |error: &dyn std::error::Error| Failure::wrong(error.to_string());
     let body = case.build().map_err(|error| wrong(&error))?;
@@ -38,7 +42,8 @@ pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(),
     }
     let judged = body.verdict(&deformed);
     if !quiet {
-        verdict::say_all(&judged)?;
+        say(&format!("verdict           {}", verdict::headline(&judged)))?;
+        verdict::say_lines(&judged, verbose)?;
     }
     verdict::judge(&judged, claim.dir())
 }

@@ -17,6 +17,7 @@ mod fit;
 mod folder;
 mod interrupt;
 mod laws;
+mod lines;
 mod meant;
 mod new;
 mod number;

@@ -9,6 +9,11 @@ pub fn energy(value: f64) -> String {
     in_one_of(value, [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")])
 }
 
+/// A length (m) as a microscope shows it: "1.250 mm", "85.30 um".
+pub fn length(value: f64) -> String {
+    in_one_of(value, [(1e3, "mm"), (1e6, "um"), (1e9, "nm"), (1e9, "nm")])
+}
+
 /// A mass (kg) in a unit that a balance shows: "1.250 mg".
 pub fn mass(value: f64) -> String {
     in_one_of(value, [(1e3, "g"), (1e6, "mg"), (1e9, "ug"), (1e12, "ng")])
@@ -19,6 +24,13 @@ fn in_one_of(value: f64, units: [(f64, &str); 4]) -> String {
     let suits = |(factor, _): &&(f64, &str)| value == 0.0 || (value * factor).abs() >= 1.0;
     let (factor, unit) = units.iter().find(suits).unwrap_or(&units[3]);
     format!("{} {unit}", four(value * factor))
+}
+
+/// A relative error in percent with two significant digits: "0.34 %".
+pub fn percent(relative: f64) -> String {
+    let percent = 100.0 * relative;
+    let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize;
+    format!("{percent:.decimals$} %")
 }
 
 /// A number of things, of which parts may be done: whole if it is, with four significant digits otherwise.
@@ -48,7 +60,13 @@ mod tests {
     use archard::motion::Progress;
     use archard::parameters::Quantity;
 
-    use super::{energy, mass, progress};
+    use super::{energy, mass, percent, progress};
+
+    #[test]
+    fn errors_have_two_digits() {
+        let shown = [0.0033561, 0.0018, 0.0604, 0.271, 1.5, 2e-7].map(percent);
+        assert_eq!(shown, ["0.34 %", "0.18 %", "6.0 %", "27 %", "150 %", "0.0000 %"]);
+    }
 
     #[test]
     fn energies_are_readable() {

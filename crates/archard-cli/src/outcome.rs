@@ -1,140 +1,210 @@
 //! What came out of a run, in words.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use archard::body::Body;
 use archard::case::Forecast;
 use archard::motion::{Rolling, Shift};
 use archard::output::Totals;
 use archard::simulation::history::{
-    self, CREEPAGE, ERRORS, FORCE, FRICTIONAL_POWER, MASS_LOSS, STICK_AREA, WEAR_DEPTH,
-    WORN_SECTION, WORN_VOLUME, of_body,
+    self, BODY_DEPTH, CREEPAGE, ERRORS, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA,
+    TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body,
 };
 use archard::simulation::{Effort, Simulation};
+use archard::verdict::Verdict;
 
 use crate::failure::Failure;
-use crate::number::{count, energy, four, mass};
+use crate::lines::Lines;
+use crate::number::{count, energy, four, length, mass, percent};
 use crate::progress::Follower;
-use crate::say::say;
 use crate::standards;
+use crate::verdict;
 
-/// Says what came out and where it is.
-pub fn say_all(
-    (simulation, forecast): (&Simulation, &Forecast),
-    follower: &Follower,
-    totals: &Totals,
-    effort: Effort,
-    dir: &Path,
-) -> Result<(), Failure> {
-    let number = |column: &str, factor: f64| four(follower.number(column).unwrap_or(0.0) * factor);
-    for (what, column, factor, unit) in [
-        ("peak pressure", history::PEAK_PRESSURE, 1e-6, "MPa"),
-        ("approach", history::APPROACH, 1e6, "um"),
-        ("contact area", history::CONTACT_AREA, 1e6, "mm^2"),
-    ] {
-        let error = error(follower, &[column]);
-        say(&format!("{what:<18}{} {unit}{error}", number(column, factor)))?;
+/// What came of a run.
+pub struct Outcome<'a> {
+    pub simulation: &'a Simulation,
+    pub forecast: &'a Forecast,
+    pub follower: &'a Follower,
+    pub totals: &'a Totals,
+    pub effort: Effort,
+    pub verdict: &'a Verdict,
+    /// Whether checks that are good are listed too.
+    pub verbose: bool,
+    pub dir: &'a Path,
+    /// The page about it, if there is one.
+    pub page: Option<PathBuf>,
+}
+
+impl Outcome<'_> {
+    /// Says what came out, whether it can be believed, and where it is.
+    ///
+    /// # Errors
+    /// If standard output cannot be written.
+    pub fn say(&self) -> Result<(), Failure> {
+        let Self { simulation, totals, verdict, .. } = self;
+        let mut lines = Lines::default();
+        for (what, column, factor, unit) in [
+            ("peak pressure", history::PEAK_PRESSURE, 1e-6, "MPa"),
+            ("approach", history::APPROACH, 1e6, "um"),
+            ("contact area", history::CONTACT_AREA, 1e6, "mm^2"),
+        ] {
+            let value = four(self.last(column) * factor);
+            lines.add(what, format!("{value} {unit}"), self.error(&[column]));
+        }
+        if let Some(rolling) = simulation.problem.motion.rolling() {
+            self.rolled(rolling, &mut lines);
+        }
+        if let Some(shift) = simulation.problem.motion.shift() {
+            self.shifted(shift, &mut lines);
+        }
+        if let Some(largest) = self.follower.number(history::FLASH_TEMPERATURE) {
+            let [largest, mean] = [largest, self.last(history::MEAN_FLASH_TEMPERATURE)].map(four);
+            let value = format!("{largest} K at most, {mean} K in the mean");
+            lines.add("flash temperature", value, String::new());
+        }
+        if simulation.problem.wears() {
+            self.worn(&mut lines);
+        }
+        let Effort { steps, solves, .. } = self.effort;
+        let time = format!("{:.2} s, {steps} steps, {solves} solves", totals.seconds);
+        lines.add("time", time, String::new());
+        lines.add("results", self.dir.display().to_string(), String::new());
+        if let Some(page) = &self.page {
+            lines.add("report", page.display().to_string(), String::new());
+        }
+        lines.add("verdict", verdict::headline(verdict), String::new());
+        lines.say()?;
+        verdict::say_lines(verdict, self.verbose)
     }
-    if let Some(rolling) = simulation.problem.motion.rolling() {
-        rolled(simulation, rolling, follower)?;
+
+    /// A number at the end; zero where there is none.
+    fn last(&self, column: &str) -> f64 {
+        self.follower.number(column).unwrap_or(0.0)
     }
-    if let Some(shift) = simulation.problem.motion.shift() {
-        shifted(simulation, shift, follower, effort)?;
-    }
-    if let Some(largest) = follower.number(history::FLASH_TEMPERATURE) {
-        let mean = number(history::MEAN_FLASH_TEMPERATURE, 1.0);
-        say(&format!("flash temperature {} K at most, {mean} K in the mean", four(largest)))?;
-    }
-    if simulation.problem.wears() {
-        let (depth, of_depth) = (number(WEAR_DEPTH, 1e6), error(follower, &[WEAR_DEPTH]));
-        say(&format!("wear depth        {depth} um{of_depth}"))?;
-        for Body { name, .. } in &simulation.problem.bodies {
-            let column = of_body(WORN_VOLUME, name);
-            if let Some(volume) = follower.number(&column) {
-                let (volume, error) = (four(volume * 1e9), error(follower, &[&column]));
-                say(&format!("worn volume       {volume} mm^3{error} off `{name}`"))?;
-            }
-            if let Some(loss) = follower.number(&of_body(MASS_LOSS, name)) {
-                say(&format!("mass loss         {} of `{name}`", mass(loss)))?;
-            }
-            let column = of_body(WORN_SECTION, name);
-            if let Some(section) = follower.number(&column) {
-                let (section, error) = (four(section * 1e6), error(follower, &[&column]));
-                say(&format!("worn section      {section} mm^2{error} off `{name}`"))?;
+
+    /// Adds what is worn off each body that wears, what both are worn by together, and how wide it is.
+    fn worn(&self, lines: &mut Lines) {
+        let problem = &self.simulation.problem;
+        let wearing: Vec<&str> = problem
+            .bodies
+            .iter()
+            .filter(|body| body.wear.is_some())
+            .map(|body| &*body.name)
+            .collect();
+        let both = ["both".to_owned(), WEAR_DEPTH.to_owned()];
+        let depths = wearing.iter().map(|name| [(*name).to_owned(), of_body(BODY_DEPTH, name)]);
+        for [name, column] in depths.chain((wearing.len() > 1).then_some(both)) {
+            let depth = format!("{} um", four(self.last(&column) * 1e6));
+            lines.add(format!("wear depth ({name})"), depth, self.error(&[&column]));
+        }
+        let shown: [(&str, &str, fn(f64) -> String); 4] = [
+            ("worn volume", WORN_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
+            ("worn section", WORN_SECTION, |section| format!("{} mm^2", four(section * 1e6))),
+            ("mass loss", MASS_LOSS, mass),
+            ("wear rate", WEAR_RATE, |rate| format!("{} mm^3/(N m)", four(rate * 1e9))),
+        ];
+        for (what, column, shown) in shown {
+            for name in &wearing {
+                let column = of_body(column, name);
+                if let Some(value) = self.follower.number(&column) {
+                    lines.add(format!("{what} ({name})"), shown(value), self.error(&[&column]));
+                }
             }
         }
-        for equivalent in &forecast.equivalents {
-            say(equivalent.to_string().trim_end())?;
+        for (what, column) in
+            [("scar length", SCAR[0]), ("scar width", SCAR[1]), ("track width", TRACK_WIDTH)]
+        {
+            if let Some(extent) = self.follower.number(column) {
+                lines.add(what, length(extent), self.error(&[column]));
+            }
         }
-        standards::say_all(&simulation.problem, &follower.last)?;
+        self.scars(lines);
+        for equivalent in &self.forecast.equivalents {
+            let text = equivalent.to_string();
+            let (name, value) = text.trim_end().split_once("  ").unwrap_or((text.trim_end(), ""));
+            lines.add(name, value.trim_start(), String::new());
+        }
+        standards::add_all(problem, &self.follower.last, lines);
     }
-    let Effort { steps, solves, .. } = effort;
-    say(&format!("time              {:.2} s, {steps} steps, {solves} solves", totals.seconds))?;
-    say(&format!("results           {}", dir.display()))
-}
 
-/// Says how the bodies creep at last and, where there is friction, what they pass on.
-fn rolled(simulation: &Simulation, rolling: &Rolling, follower: &Follower) -> Result<(), Failure> {
-    let number = |column: &str| follower.number(column).unwrap_or(0.0);
-    let creepage = along_and_across(CREEPAGE.map(number), "");
-    say(&format!("creepage          {creepage}{}", error(follower, &CREEPAGE)))?;
-    if simulation.problem.friction.is_none() {
-        return Ok(());
+    /// Adds how far the scars of bodies that stay under the contact reach, where no track names them.
+    fn scars(&self, lines: &mut Lines) {
+        let bodies = &self.simulation.problem.bodies;
+        for (body, extent) in bodies.iter().zip(self.follower.scars) {
+            if let (Some([along, across]), None) = (extent, self.follower.number(SCAR[0])) {
+                let extent = match self.simulation.problem.frame.is_line() {
+                    true => length(along),
+                    false => format!("{} along, {} across", length(along), length(across)),
+                };
+                lines.add(format!("scar ({})", body.name), extent, String::new());
+            }
+        }
     }
-    // Where nothing is passed on, what is left of a force is rounding, and so is its error.
-    const NONE: f64 = 1e-9;
-    let nothing = NONE * number(history::LOAD);
-    let [x, y] = FORCE.map(number).map(|force| if force.abs() > nothing { force } else { 0.0 });
-    let units = [rolling.direction.forward(), rolling.direction.lateral()];
-    let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
-    let error = if [x, y] == [0.0; 2] { String::new() } else { error(follower, &FORCE) };
-    say(&format!("creep force       {force}{error}, on `{}`", simulation.problem.bodies[0].name))?;
-    let intensity = number(FRICTIONAL_POWER) / number(history::CONTACT_AREA);
-    say(&format!("T gamma / A       {} N/mm^2, over the contact", four(intensity * 1e-6)))?;
-    stuck(follower)
-}
 
-/// Says how large an area sticks at last.
-fn stuck(follower: &Follower) -> Result<(), Failure> {
-    let area = four(follower.number(STICK_AREA).unwrap_or(0.0) * 1e6);
-    say(&format!("stick area        {area} mm^2{}", error(follower, &[STICK_AREA])))
-}
+    /// Adds how the bodies creep at last and, where there is friction, what they pass on.
+    fn rolled(&self, rolling: &Rolling, lines: &mut Lines) {
+        let problem = &self.simulation.problem;
+        let creepage = along_and_across(CREEPAGE.map(|column| self.last(column)), "");
+        lines.add("creepage", creepage, self.error(&CREEPAGE));
+        if problem.friction.is_none() {
+            return;
+        }
+        // Where nothing is passed on, what is left of a force is rounding, and so is its error.
+        const NONE: f64 = 1e-9;
+        let nothing = NONE * self.last(history::LOAD);
+        let force = FORCE.map(|column| self.last(column));
+        let [x, y] = force.map(|force| if force.abs() > nothing { force } else { 0.0 });
+        let units = [rolling.direction.forward(), rolling.direction.lateral()];
+        let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
+        let error = if [x, y] == [0.0; 2] { String::new() } else { self.error(&FORCE) };
+        lines.add(format!("creep force ({})", problem.bodies[0].name), force, error);
+        let intensity = self.last(FRICTIONAL_POWER) / self.last(history::CONTACT_AREA);
+        let intensity = format!("{} N/mm^2, over the contact", four(intensity * 1e-6));
+        lines.add("T gamma / A", intensity, String::new());
+        self.stuck(lines);
+    }
 
-/// Says what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
-fn shifted(
-    simulation: &Simulation,
-    shift: &Shift,
-    follower: &Follower,
-    effort: Effort,
-) -> Result<(), Failure> {
-    if simulation.problem.friction.is_some() {
-        stuck(follower)?;
-        let [last, all] = effort.dissipated.map(energy);
-        let last =
-            if last == all { String::new() } else { format!(", {last} of it in the last cycle") };
-        say(&format!("dissipated        {all}{last}"))?;
+    /// Adds how large an area sticks at last.
+    fn stuck(&self, lines: &mut Lines) {
+        let area = format!("{} mm^2", four(self.last(STICK_AREA) * 1e6));
+        lines.add("stick area", area, self.error(&[STICK_AREA]));
     }
-    let cycles = simulation.schedule.extent / shift.period();
-    if effort.true_cycles as f64 >= cycles - 0.5 {
-        return Ok(());
-    }
-    say(&format!("cycles            {}, {} of them computed", count(cycles), effort.true_cycles))
-}
 
-/// What is stated of a quantity with these components, relative to it; nothing where no accuracy is asked for.
-fn error(follower: &Follower, columns: &[&str]) -> String {
-    let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
-    let stated = |column: &&str| {
-        let of = ERRORS.iter().filter_map(|of| follower.number(&format!("{of}{column}")));
-        of.sum::<f64>()
-    };
-    let value = size(columns.iter().filter_map(|column| follower.number(column)).collect());
-    let percent = 100.0 * size(columns.iter().map(stated).collect()) / value;
-    if !percent.is_normal() {
-        return String::new();
+    /// Adds what sticks at last, what friction dissipated, and how many cycles were computed where not all were.
+    fn shifted(&self, shift: &Shift, lines: &mut Lines) {
+        if self.simulation.problem.friction.is_some() {
+            self.stuck(lines);
+            let [last, all] = self.effort.dissipated.map(energy);
+            let last = if last == all {
+                String::new()
+            } else {
+                format!(", {last} of it in the last cycle")
+            };
+            lines.add("dissipated", format!("{all}{last}"), String::new());
+        }
+        let cycles = self.simulation.schedule.extent / shift.period();
+        if (self.effort.true_cycles as f64) < cycles - 0.5 {
+            let computed =
+                format!("{}, {} of them computed", count(cycles), self.effort.true_cycles);
+            lines.add("cycles", computed, String::new());
+        }
     }
-    let decimals = (1.0 - percent.log10().floor()).clamp(0.0, 4.0) as usize;
-    format!(" +- {percent:.decimals$} %")
+
+    /// What is stated of a quantity with these components, relative to it; nothing where no accuracy is asked for or there is
+    /// nothing but rounding.
+    fn error(&self, columns: &[&str]) -> String {
+        const ROUNDING: f64 = 1e-9;
+        let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
+        let stated = |column: &&str| {
+            let of = ERRORS.iter().filter_map(|of| self.follower.number(&format!("{of}{column}")));
+            of.sum::<f64>()
+        };
+        let value = size(columns.iter().map(|column| self.last(column)).collect());
+        let relative = size(columns.iter().map(stated).collect()) / value;
+        match relative.is_normal() && relative > ROUNDING {
+            true => format!("+- {}", percent(relative)),
+            false => String::new(),
+        }
+    }
 }
 
 /// Two components by the direction of rolling; one that is nothing but rounding beside the other is

@@ -18,10 +18,10 @@ use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
-use crate::outcome;
+use crate::outcome::Outcome;
 use crate::progress::Follower;
 use crate::report;
-use crate::say::{say, tell};
+use crate::say::tell;
 use crate::underway::Underway;
 use crate::verdict;
 
@@ -34,13 +34,15 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
-    let (task, companion) = companions::settle(task, &watch, arguments)?;
+    let mut follower = Follower::new(arguments.quiet);
+    let (task, companion) = companions::settle(task, (&watch, &mut follower), arguments)?;
     let case_toml = task.case_toml();
     let claim = folder::claim(arguments, &case_toml)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = match &task {
         Task::Contact(resolved) => {
+            let companion = (companion, follower);
             let contact = || contact(resolved, companion, &case_toml, &watch, (arguments, &dir));
             match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
@@ -50,7 +52,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
         Task::Elastic(_) if arguments.resume.is_some() => {
             Err(Failure::wrong("a body by itself is solved at once: there is no run to go on with"))
         }
-        Task::Elastic(resolved) => elastic::run(resolved, &watch, arguments.quiet),
+        Task::Elastic(resolved) => {
+            elastic::run(resolved, &watch, [arguments.quiet, arguments.verbose])
+        }
     };
     // A folder that is still held has nothing of this run in it.
     if let Some(claim) = watch.release() {
@@ -62,13 +66,13 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
     Resolved { case, forecast, warnings, .. }: &Resolved,
-    companion: Option<Companion>,
+    (companion, mut follower): (Option<Companion>, Follower),
     case_toml: &str,
     watch: &Watch,
     (arguments, dir): (&Run, &Path),
 ) -> Result<(), Failure> {
-    let mut follower = Follower::new(arguments.quiet);
     let begun = Instant::now();
+    follower.begin();
     let store = arguments.store();
     let equations = Equations::new(follower.bar(), arguments.quiet);
     let built = case.build_telling(store.as_ref(), &|making| equations.are(making));
@@ -110,16 +114,24 @@ fn contact(
         Ok(effort)
     });
     let (totals, judged, effort) = finish(watch, outcome)?;
+    let page = match arguments.report {
+        true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
+        false => None,
+    };
+    let page = page.transpose().map_err(|error| Failure::wrong(format!("{error:#}")))?;
     if !arguments.quiet {
-        outcome::say_all((&simulation, forecast), &follower, &totals, effort, dir)?;
-        verdict::say_all(&judged)?;
-    }
-    if arguments.report {
-        let page = report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() });
-        let page = page.map_err(|error| Failure::wrong(format!("{error:#}")))?;
-        if !arguments.quiet {
-            say(&format!("report            {}", page.display()))?;
-        }
+        let outcome = Outcome {
+            simulation: &simulation,
+            forecast,
+            follower: &follower,
+            totals: &totals,
+            effort,
+            verdict: &judged,
+            verbose: arguments.verbose,
+            dir,
+            page,
+        };
+        outcome.say()?;
     }
     verdict::judge(&judged, dir)
 }

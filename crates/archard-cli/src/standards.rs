@@ -3,26 +3,24 @@
 use archard::output::Standard;
 use archard::problem::ContactProblem;
 
-use crate::failure::Failure;
+use crate::lines::Lines;
 use crate::number::four;
-use crate::say::say;
 
 /// Difference from the worn volume below which both are called the same.
 const SAME: f64 = 5e-4;
 
-/// Says what standards make of the scar and the track of a test at a row of its history.
-pub fn say_all(problem: &ContactProblem, row: &[(String, f64)]) -> Result<(), Failure> {
+/// Adds what standards make of the scar and the track of a test at a row of its history.
+pub fn add_all(problem: &ContactProblem, row: &[(String, f64)], lines: &mut Lines) {
     let standards = Standard::of(problem, row);
     for standard in &standards {
         let Standard { name, measured, body, volume, .. } = standard;
-        let (label, body) = (format!("{name}, {measured}"), &problem.bodies[*body].name);
-        let (volume, beside) = (four(volume * 1e9), beside(standard.difference()));
-        say(&format!("{label:<18}{volume} mm^3 off `{body}`, {beside}"))?;
+        let label = format!("{name}, {measured} ({})", problem.bodies[*body].name);
+        let volume = format!("{} mm^3, {}", four(volume * 1e9), beside(standard.difference()));
+        lines.add(label, volume, String::new());
     }
     if !standards.is_empty() && problem.bodies.iter().all(|body| body.wear.is_some()) {
-        say(&format!("{:18}the formula takes one body to wear; here both do", ""))?;
+        lines.add("", "the formula takes one body to wear; here both do", String::new());
     }
-    Ok(())
 }
 
 /// A relative difference from the worn volume in words.

@@ -108,28 +108,7 @@ pub(crate) fn save(
             [across, across * sheet.size[1] / sheet.size[0]]
         }
     };
-    let rows = panels.len().div_ceil(columns);
-    let several = panels.len() > 1;
-    let (plots, layouts) = panels.iter().map(drawn).unzip();
-    let mut figure = Figure::new(rows, columns)
-        .with_cell_size(across, up)
-        .with_plots(plots)
-        .with_layouts(layouts);
-    if let Some(mark) = mark {
-        figure = figure.with_title(mark).with_title_size(20);
-    }
-    if several {
-        figure = figure.with_labels_lowercase();
-    }
-    let mut scene = figure.render();
-    let shapes = panels.iter().flat_map(|panel| &panel.marks).map(|mark| &mark.shape);
-    let parts: Vec<&Parts> = shapes
-        .filter_map(|shape| match shape {
-            Shape::Parts(parts) => Some(parts),
-            _ => None,
-        })
-        .collect();
-    parts::put(&mut scene, &parts);
+    let scene = scene(&panels, (columns, [across, up]), mark);
     let both = [Format::Svg, Format::Png];
     let formats = if sheet.paper.formats.is_empty() { &both[..] } else { &sheet.paper.formats };
     let draw = |format: &Format| {
@@ -146,6 +125,56 @@ pub(crate) fn save(
         Ok(file)
     };
     formats.iter().map(draw).collect()
+}
+
+/// Panels laid out side by side, each of that size (px), below a mark if there is one.
+fn scene(panels: &[Panel], (columns, size): (usize, [f64; 2]), mark: Option<&str>) -> Scene {
+    let (plots, layouts) = panels.iter().map(drawn).unzip();
+    let mut figure = Figure::new(panels.len().div_ceil(columns), columns)
+        .with_cell_size(size[0], size[1])
+        .with_plots(plots)
+        .with_layouts(layouts);
+    if let Some(mark) = mark {
+        figure = figure.with_title(mark).with_title_size(20);
+    }
+    if panels.len() > 1 {
+        figure = figure.with_labels_lowercase();
+    }
+    let mut scene = figure.render();
+    let shapes = panels.iter().flat_map(|panel| &panel.marks).map(|mark| &mark.shape);
+    let parts: Vec<&Parts> = shapes
+        .filter_map(|shape| match shape {
+            Shape::Parts(parts) => Some(parts),
+            _ => None,
+        })
+        .collect();
+    parts::put(&mut scene, &parts);
+    scene
+}
+
+/// A picture for a page: its kind, `image/svg+xml` or `image/png`, and its bytes.
+#[derive(Debug)]
+pub(crate) struct Still {
+    pub(crate) kind: &'static str,
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// Size (px) of a picture on a page, and of one to scale.
+const STILL: [f64; 2] = [600.0, 400.0];
+const STILL_MAP: [f64; 2] = [560.0, 440.0];
+/// Bytes of an SVG from which its picture in pixels is the smaller one.
+const LARGE: usize = 120_000;
+
+/// A panel as a picture for a page, which has the title above it.
+pub(crate) fn still(panel: &Panel) -> anyhow::Result<Still> {
+    let panel = Panel { title: String::new(), ..panel.clone() };
+    let size = if panel.view.to_scale { STILL_MAP } else { STILL };
+    let scene = scene(std::slice::from_ref(&panel), (1, size), None);
+    let bytes = svg(&scene, None).into_bytes();
+    match bytes.len() < LARGE {
+        true => Ok(Still { kind: "image/svg+xml", bytes }),
+        false => Ok(Still { kind: "image/png", bytes: raster::png(&scene, 2.0 * STILL[0])? }),
+    }
 }
 
 /// The scene as SVG, of that width (mm) if it is given.

@@ -14,7 +14,7 @@ mod fretting_loop;
 mod heights;
 mod lengths;
 mod load;
-mod outline;
+pub(crate) mod outline;
 mod parts;
 mod pressure;
 mod raster;
@@ -110,6 +110,17 @@ pub(crate) fn write(
 /// Whether a folder is that of a study.
 pub(crate) fn is_study(dir: &Path) -> bool {
     study::is_one(dir)
+}
+
+/// The panels of a study by the name of their picture, and what they have to say of rows that are left out.
+///
+/// # Errors
+/// If the study has no results.
+pub(crate) fn of_study(
+    dir: &Path,
+) -> anyhow::Result<(Vec<(&'static str, Vec<Panel>)>, Option<String>)> {
+    let (pictures, mark) = study::pictures(dir)?;
+    Ok((pictures.into_iter().map(|picture| (picture.name, picture.panels)).collect(), mark))
 }
 
 /// The wear of a run beside that of others.

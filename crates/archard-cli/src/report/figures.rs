@@ -1,25 +1,72 @@
-//! Panels as the page draws them: traces and axes for plotly.js, with words for who cannot see them.
+//! Panels as the page shows them: a picture, traces and axes for plotly.js, and words for who cannot see them.
 
+use anyhow::Result;
 use kuva::plot::ColorMap;
 use serde_json::{Value, json};
 
+use super::html::{Html, fill};
 use super::words::plain;
+use crate::plot::draw::{Still, still};
 use crate::plot::figure::{Map, Mark, Panel, Parts, Pen, Points, Shape};
 
 /// Most points of a curve: more cannot be told apart on a page.
 const MOST: usize = 1500;
 
-/// A figure: what draws it, and what it shows in words.
+/// A figure: its picture, what draws it where scripts run, and what it shows in words.
+#[derive(Debug)]
 pub(super) struct Figure {
-    pub(super) title: String,
-    pub(super) words: String,
-    pub(super) data: Vec<Value>,
-    pub(super) layout: Value,
+    title: String,
+    words: String,
+    data: Vec<Value>,
+    layout: Value,
+    still: Still,
 }
 
 impl Figure {
+    /// A picture that the script draws of something else than a panel.
+    pub(super) fn pictured(panel: &Panel, words: String) -> Result<Self> {
+        let still = still(panel)?;
+        Ok(Self { title: panel.title.clone(), words, data: vec![], layout: Value::Null, still })
+    }
+
+    /// A picture of a file.
+    pub(super) fn file(title: &str, words: &str, still: Still) -> Self {
+        let [title, words] = [title, words].map(str::to_owned);
+        Self { title, words, data: vec![], layout: Value::Null, still }
+    }
+
+    /// The figure without anything for a script to draw.
+    pub(super) fn alone(&self) -> Html {
+        let Self { title, words, .. } = self;
+        fill(
+            "<figure>\n<h3>{}</h3>\n{}\n<figcaption>{}</figcaption>\n</figure>\n",
+            &[title, &self.picture("still"), words],
+        )
+    }
+
+    /// What plotly.js draws.
+    pub(super) fn json(&self) -> Value {
+        json!({ "data": self.data, "layout": self.layout })
+    }
+
+    /// The picture alone, as it stands on the first screen.
+    pub(super) fn small(&self) -> Html {
+        fill(
+            "<figure class=\"glance\">{}<figcaption>{}</figcaption></figure>\n",
+            &[&self.picture("still"), &self.title],
+        )
+    }
+
+    fn picture(&self, class: &'static str) -> Html {
+        let Still { kind, bytes } = &self.still;
+        fill(
+            "<img class=\"{}\" alt=\"{}. {}\" src=\"data:{};base64,{}\">",
+            &[&class, &self.title, &self.words, kind, &Html::packed(bytes)],
+        )
+    }
+
     /// A panel as a figure.
-    pub(super) fn of(panel: &Panel) -> Self {
+    pub(super) fn of(panel: &Panel) -> Result<Self> {
         let [x, y] = &panel.labels;
         let view = &panel.view;
         let mut layout = json!({
@@ -35,13 +82,24 @@ impl Figure {
         }
         let note = |(words, [x, y]): &(String, [f64; 2])| json!({ "text": words, "x": x, "y": y, "showarrow": false });
         layout["annotations"] = view.notes.iter().map(note).collect();
-        Self {
+        Ok(Self {
             title: panel.title.clone(),
             words: words(panel),
             data: panel.marks.iter().flat_map(traces).collect(),
             layout,
-        }
+            still: still(panel)?,
+        })
     }
+}
+
+/// The place of a figure: its picture, which gives way to what the script draws.
+pub(super) fn drawn(id: &str, figure: &Figure) -> Html {
+    let Figure { title, words, .. } = figure;
+    fill(
+        "<figure>\n<h3>{}</h3>\n<div class=\"plot\" id=\"{}\" role=\"img\" aria-label=\"{}. {}\"></div>\n{}\n\
+         <figcaption>{}</figcaption>\n</figure>\n",
+        &[title, &id, title, words, &figure.picture("still"), words],
+    )
 }
 
 /// An axis with its label; ends that are not given follow from what is drawn.

@@ -8,8 +8,10 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
-use super::figures::rounded;
+use super::figures::{Figure, rounded};
 use crate::plot::cells::Cells;
+use crate::plot::figure::{COLOURS, Curves, Map, Mark, Panel, Pen, Shape, View};
+use crate::plot::outline;
 use crate::plot::results::{Results, within};
 use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{Axis, size};
@@ -24,6 +26,8 @@ const WHOLE: f64 = 32767.0;
 /// Maps of a run, and how many of its outputs they leave out.
 pub(super) struct Maps {
     pub(super) value: Value,
+    /// The place on the page and the picture of each map at the last output.
+    pub(super) pictures: Vec<(String, Figure)>,
     pub(super) left_out: usize,
     /// Whether some were put out on other elements than the last.
     pub(super) resampled: bool,
@@ -69,13 +73,17 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
         add(format!("wear_{body}_m"), Unit::depth);
         add(format!("height_{body}_m"), Unit::depth);
     }
-    if shape.contains(&0) {
+    let has = |name: &String| fields.iter().any(|field| field.name == *name);
+    let whole = results.bodies.iter().all(|body| has(&format!("height_{body}_m")));
+    if shape.contains(&0) || !whole {
         return Ok(None);
     }
+    let across = Unit::across(windows.into_iter().flatten().map(f64::abs).fold(0.0, f64::max));
+    let grid = Grid { edges: edges.map(|ends| ends.map(|end| end * across.factor)), shape, shown };
+    let pictures = pictures(results, &fields, (&grid, &across))?;
     let shown = shown.map(|shown| {
         STANDARD.encode(shown.iter().flat_map(|part| part.to_le_bytes()).collect::<Vec<u8>>())
     });
-    let across = Unit::across(windows.into_iter().flatten().map(f64::abs).fold(0.0, f64::max));
     let places = |axis: usize| -> Vec<f64> {
         let [low, high] = edges[axis];
         let step = (high - low) / shape[axis] as f64;
@@ -95,7 +103,124 @@ pub(super) fn of(dir: &Path, results: &Results) -> Result<Option<Maps>> {
         "shown": shown,
         "fields": fields.iter().map(|field| (field.name.clone(), field.packed())).collect::<serde_json::Map<_, _>>(),
     });
-    Ok(Some(Maps { value, left_out: all.len() - count, resampled }))
+    Ok(Some(Maps { value, pictures, left_out: all.len() - count, resampled }))
+}
+
+/// The cells of a map: their edges in the unit shown, columns and rows, and of meshed bodies the element of each.
+struct Grid<'a> {
+    edges: [[f64; 2]; 2],
+    shape: [usize; 2],
+    shown: Option<&'a [i32]>,
+}
+
+/// Cells along an axis that a picture has at least: between those of a coarse frame it is interpolated.
+const SMOOTH: usize = 240;
+
+impl Grid<'_> {
+    /// The values of cells in rows, interpolated between their centres.
+    fn rows(&self, values: &[f64], factor: f64) -> Vec<Vec<f64>> {
+        let [columns, rows] = self.shape;
+        let value = |place: usize| match self.shown {
+            None => values[place],
+            Some(shown) => usize::try_from(shown[place]).map_or(0.0, |part| values[part]),
+        };
+        let at = |x: usize, y: usize| {
+            let value = factor * value(x + columns * y);
+            if value.is_finite() { value } else { 0.0 }
+        };
+        let (wide, high) = (finer(columns), finer(rows));
+        let between = |y: usize, x: usize| {
+            let ([x0, x1], u) = neighbours(x, (columns, wide));
+            let ([y0, y1], v) = neighbours(y, (rows, high));
+            let along = |y: usize| (1.0 - u) * at(x0, y) + u * at(x1, y);
+            (1.0 - v) * along(y0) + v * along(y1)
+        };
+        (0..rows * high).map(|y| (0..columns * wide).map(|x| between(y, x)).collect()).collect()
+    }
+}
+
+impl Grid<'_> {
+    /// The outline of the cells where a field is not zero at the last output, of those of a uniform frame.
+    fn outline(&self, field: &Packed) -> Vec<Mark> {
+        let values = field.outputs.last().filter(|_| self.shown.is_none());
+        let rows: Vec<Vec<f64>> =
+            values.iter().flat_map(|own| own.chunks(self.shape[0])).map(<[f64]>::to_vec).collect();
+        let lines = outline::around(&rows, self.edges);
+        let mark = |line: outline::Line| {
+            let shape = Shape::Line(line.to_vec(), Pen::line(COLOURS[2]));
+            Mark { shape, legend: None }
+        };
+        lines.into_iter().map(mark).collect()
+    }
+}
+
+/// Parts that each of so many cells is divided into.
+fn finer(cells: usize) -> usize {
+    if cells > 1 { SMOOTH.div_ceil(cells) } else { 1 }
+}
+
+/// The two cells whose centres are nearest to that of a part, and the share of the second.
+fn neighbours(part: usize, (cells, parts): (usize, usize)) -> ([usize; 2], f64) {
+    let place = ((part as f64 + 0.5) / parts as f64 - 0.5).clamp(0.0, (cells - 1) as f64);
+    let low = (place.floor() as usize).min(cells.saturating_sub(2));
+    ([low, (low + 1).min(cells - 1)], place - low as f64)
+}
+
+/// The pictures of pressure and wear at the last output.
+fn pictures(
+    results: &Results,
+    fields: &[Packed],
+    (grid, across): (&Grid<'_>, &Unit),
+) -> Result<Vec<(String, Figure)>> {
+    let has = |name: &str| fields.iter().any(|field| field.name == name);
+    let mut stick = String::new();
+    if has("stick") {
+        stick += " Inside the orange outline the bodies stick, outside it they slip.";
+    }
+    if has("traction_x_Pa") {
+        stick +=
+            " Where scripts run, arrows show the traction on body 1, the longest at its largest.";
+    }
+    let words = format!("Pressure over the contact at the output chosen.{stick}");
+    let mut wanted =
+        vec![("map-pressure".to_owned(), PRESSURE.to_owned(), "Pressure".to_owned(), words)];
+    for (body, name) in
+        results.bodies.iter().enumerate().filter(|(body, _)| results.has_worn(*body))
+    {
+        let words = format!("Depth worn off {name} at the output chosen.");
+        wanted.push((
+            format!("map-wear-{body}"),
+            format!("wear_{name}_m"),
+            format!("Wear of {name}"),
+            words,
+        ));
+    }
+    let mut pictures = Vec::new();
+    for (id, name, title, words) in wanted {
+        if let Some(field) = fields.iter().find(|field| field.name == name) {
+            let mut panel = panel((&title, field), (grid, across));
+            if let Some(stick) = fields.iter().find(|own| own.name == "stick" && name == PRESSURE) {
+                panel.marks.extend(grid.outline(stick));
+            }
+            pictures.push((id, Figure::pictured(&panel, words)?));
+        }
+    }
+    Ok(pictures)
+}
+
+/// Length over width from which a map is stretched across.
+const SLENDER: f64 = 4.0;
+
+/// The map of a field at the last output.
+fn panel((title, field): (&str, &Packed), (grid, across): (&Grid<'_>, &Unit)) -> Panel {
+    let values = field.outputs.last().map_or(&[][..], Vec::as_slice);
+    let mut curves = Curves::new();
+    curves.map(Map { edges: grid.edges, rows: grid.rows(values, field.unit.factor) });
+    let [one, other] = grid.edges.map(|[low, high]| high - low);
+    let to_scale = one.max(other) <= SLENDER * one.min(other);
+    let title = format!("{title} ({})", field.unit.name);
+    let labels = [&*title, &across.label("x"), &across.label("y")];
+    curves.panel(labels, |view| View { to_scale, ..view })
 }
 
 /// The outputs as a page shows them.

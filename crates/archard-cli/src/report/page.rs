@@ -1,89 +1,252 @@
-//! Pieces of a page in HTML.
+//! A page in HTML: its document, and the pieces it is made of.
 
-use std::fmt::Write;
+use std::io::{Read, Write};
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::Compression;
+use flate2::read::GzDecoder;
+use flate2::write::GzEncoder;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+use super::html::{Html, fill};
+
+/// plotly.js as its package has it, packed.
+const PLOTLY: &[u8] = include_bytes!("../../assets/plotly.min.js.gz");
+const STYLE: &str = include_str!("../../assets/report.css");
+const SCRIPT: &str = include_str!("../../assets/report.js");
+
+/// Most columns of a table: more cannot be read on a telephone.
+const COLUMNS: usize = 3;
+
+/// A page.
+pub(super) struct Page {
+    pub(super) title: String,
+    pub(super) header: Html,
+    pub(super) body: Html,
+    /// What the script draws, where there is anything to draw.
+    pub(super) drawings: Option<Value>,
+}
 
 /// A table: what it shows, the heads of its columns, and its rows; the first cell of a row names it.
+#[derive(Debug, Clone)]
 pub(super) struct Table {
     pub(super) caption: String,
     pub(super) heads: Vec<&'static str>,
     pub(super) rows: Vec<Vec<String>>,
 }
 
-/// Text as it may stand in HTML.
-pub(super) fn escape(text: &str) -> String {
-    [("&", "&amp;"), ("<", "&lt;"), (">", "&gt;"), ("\"", "&quot;")]
-        .iter()
-        .fold(text.to_owned(), |text, (plain, escaped)| text.replace(plain, escaped))
+impl Page {
+    /// The whole document. Its policy runs the program's own two scripts, known by their digests, and nothing else; it fetches
+    /// nothing from anywhere.
+    pub(super) fn document(&self) -> String {
+        let scripts = match &self.drawings {
+            Some(drawings) => fill(
+                "<script type=\"text/plain\" id=\"data\">{}</script>\n\
+                 <script type=\"text/plain\" id=\"plotly\">{}</script>\n<script>{}</script>\n",
+                &[
+                    &Html::packed(&packed(drawings.to_string().as_bytes())),
+                    &Html::packed(PLOTLY),
+                    &Html::constant(SCRIPT),
+                ],
+            ),
+            None => Html::default(),
+        };
+        let document = fill(
+            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+             <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <title>{} \u{2013} Archard</title>\n<style>\n{}</style>\n</head>\n<body>\n\
+             <a class=\"skip\" href=\"#main\">To the results</a>\n{}\n<main id=\"main\">\n\
+             <p id=\"trouble\" class=\"mark\" role=\"alert\" hidden></p>\n{}</main>\n{}</body>\n</html>\n",
+            &[
+                &policy(self.drawings.is_some()),
+                &self.title,
+                &Html::constant(STYLE),
+                &self.header,
+                &self.body,
+                &scripts,
+            ],
+        );
+        document.as_str().to_owned()
+    }
 }
 
-/// A section under its heading, or nothing where there is nothing in it.
-pub(super) fn section(id: &str, heading: &str, body: &str) -> String {
-    if body.is_empty() {
-        return String::new();
-    }
-    let heading = escape(heading);
+/// What the browser may do with the page. Plotly places its parts by `style` attributes, which run nothing, and shows its maps
+/// and pictures as `data:` and `blob:` images.
+fn policy(draws: bool) -> String {
+    let mut plotly = Vec::new();
+    // A packed file of the program itself.
+    let _ = GzDecoder::new(PLOTLY).read_to_end(&mut plotly);
+    let digest = |text: &[u8]| format!("'sha256-{}'", STANDARD.encode(Sha256::digest(text)));
+    let scripts = match draws {
+        true => format!("{} {}", digest(SCRIPT.as_bytes()), digest(&plotly)),
+        false => "'none'".to_owned(),
+    };
     format!(
-        "<section id=\"{id}\" aria-labelledby=\"{id}-h\"><h2 id=\"{id}-h\">{heading}</h2>\n{body}</section>\n"
+        "default-src 'none'; script-src {scripts}; style-src 'unsafe-inline'; img-src data: blob:; \
+         base-uri 'none'; form-action 'none'"
     )
+}
+
+/// Bytes, compressed.
+fn packed(bytes: &[u8]) -> Vec<u8> {
+    let mut encoder = GzEncoder::new(Vec::new(), Compression::default());
+    let written = encoder.write_all(bytes).and_then(|()| encoder.finish());
+    // Memory takes all that is written to it.
+    written.unwrap_or_default()
+}
+
+/// The top of a page: what it is about, whether it can be believed, what is read first beside a picture, and the contents.
+pub(super) struct Header<'a> {
+    /// What the page is about: "contact and wear".
+    pub(super) about: &'static str,
+    pub(super) version: &'a str,
+    pub(super) title: &'a str,
+    /// The colour of the verdict and its words.
+    pub(super) verdict: (&'static str, String),
+    /// What has to be said at once.
+    pub(super) mark: Option<String>,
+    /// The outcome in a sentence or two.
+    pub(super) lead: Vec<String>,
+    /// Name, value and error of a few numbers.
+    pub(super) tiles: Vec<[String; 3]>,
+    pub(super) picture: Html,
+}
+
+impl Header<'_> {
+    /// The header, with links to the sections that are there.
+    pub(super) fn html(&self, sections: &[(&'static str, &'static str)]) -> Html {
+        let Self { about, version, title, verdict: (sign, word), .. } = self;
+        let mark = |text: &String| {
+            fill("<p class=\"mark\" role=\"note\"><strong>{}</strong></p>\n", &[&capital(text)])
+        };
+        let lead = |text: &String| fill("<p class=\"lead\">{}</p>\n", &[text]);
+        let tile = |[name, value, error]: &[String; 3]| {
+            let error = match error.is_empty() {
+                true => Html::default(),
+                false => fill(" <span class=\"error\">{}</span>", &[error]),
+            };
+            fill("<div><dt>{}</dt><dd>{}{}</dd></div>\n", &[name, value, &error])
+        };
+        let link = |(id, heading): &(&'static str, &'static str)| {
+            fill("<li><a href=\"#{}\">{}</a></li>\n", &[id, heading])
+        };
+        let words: Html = self.mark.iter().map(mark).chain(self.lead.iter().map(lead)).collect();
+        let tiles: Html = self.tiles.iter().map(tile).collect();
+        let links: Html = sections.iter().map(link).collect();
+        fill(
+            "<header>\n<p class=\"program\">Archard {} \u{00b7} {}</p>\n<h1>{}</h1>\n\
+             <p class=\"verdict {}\">Verdict: <strong>{}</strong></p>\n<div class=\"first\"><div>\n{}<dl class=\"tiles\">\n{}</dl>\n\
+             </div>{}</div>\n<nav aria-label=\"Contents\"><ul>\n{}</ul></nav>\n</header>",
+            &[version, about, title, sign, word, &words, &tiles, &self.picture, &links],
+        )
+    }
+}
+
+/// Sections of a page, each with its heading.
+#[derive(Debug, Default)]
+pub(super) struct Sections {
+    pub(super) html: Html,
+    /// The name and the heading of each.
+    pub(super) there: Vec<(&'static str, &'static str)>,
+}
+
+impl Sections {
+    /// Adds a section, unless there is nothing in it.
+    pub(super) fn add(&mut self, id: &'static str, heading: &'static str, body: &Html) {
+        if body.is_empty() {
+            return;
+        }
+        self.there.push((id, heading));
+        self.html += fill(
+            "<section id=\"{}\" aria-labelledby=\"{}-h\"><h2 id=\"{}-h\">{}</h2>\n{}</section>\n",
+            &[&id, &id, &id, &heading, body],
+        );
+    }
 }
 
 impl Table {
     /// The table in HTML; cells are text. Nothing where it has no rows.
-    pub(super) fn html(&self) -> String {
+    pub(super) fn html(&self) -> Html {
+        debug_assert!(self.heads.len() <= COLUMNS, "{}", self.caption);
         if self.rows.is_empty() {
-            return String::new();
+            return Html::default();
         }
-        let mut html =
-            String::from("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"");
-        let _ = write!(
-            html,
-            "{}\"><table><caption>{}</caption><thead><tr>",
-            escape(&self.caption),
-            escape(&self.caption)
-        );
-        for head in &self.heads {
-            let _ = write!(html, "<th scope=\"col\">{}</th>", escape(head));
-        }
-        html.push_str("</tr></thead><tbody>\n");
-        for row in &self.rows {
-            html.push_str("<tr>");
-            for (place, cell) in row.iter().enumerate() {
-                let cell = escape(cell);
-                let _ = match place {
-                    0 => write!(html, "<th scope=\"row\">{cell}</th>"),
-                    _ => write!(html, "<td>{cell}</td>"),
-                };
-            }
-            html.push_str("</tr>\n");
-        }
-        html + "</tbody></table></div>\n"
+        let head = |head: &&'static str| fill("<th scope=\"col\">{}</th>", &[head]);
+        let cell = |(place, cell): (usize, &String)| match place {
+            0 => fill("<th scope=\"row\">{}</th>", &[cell]),
+            _ => fill("<td>{}</td>", &[cell]),
+        };
+        let row = |row: &Vec<String>| {
+            let cells: Html = row.iter().enumerate().map(cell).collect();
+            fill("<tr>{}</tr>\n", &[&cells])
+        };
+        let heads: Html = self.heads.iter().map(head).collect();
+        let rows: Html = self.rows.iter().map(row).collect();
+        fill(
+            "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption><thead><tr>{}</tr></thead>\
+             <tbody>\n{}</tbody></table></div>\n",
+            &[&self.caption, &self.caption, &heads, &rows],
+        )
     }
 }
 
 /// A list of paragraphs of text.
-pub(super) fn list(items: &[String]) -> String {
+pub(super) fn list(items: &[String]) -> Html {
     if items.is_empty() {
-        return String::new();
+        return Html::default();
     }
-    let items: String = items.iter().map(|item| format!("<li>{}</li>\n", escape(item))).collect();
-    format!("<ul>\n{items}</ul>\n")
+    let items: Html = items.iter().map(|item| fill("<li>{}</li>\n", &[item])).collect();
+    fill("<ul>\n{}</ul>\n", &[&items])
+}
+
+/// Names with what they stand for.
+pub(super) fn definitions(rows: &[(&'static str, String)]) -> Html {
+    let row =
+        |(what, value): &(&'static str, String)| fill("<dt>{}</dt><dd>{}</dd>\n", &[what, value]);
+    let rows: Html = rows.iter().map(row).collect();
+    if rows.is_empty() { rows } else { fill("<dl>\n{}</dl>\n", &[&rows]) }
+}
+
+/// Text with a capital at its start.
+pub(super) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    first + letters.as_str()
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Table, escape};
+    use super::{Page, Table};
+    use crate::report::html::{Html, fill};
 
     #[test]
     fn names_cannot_leave_their_cells() {
-        assert_eq!(escape("<b>\"a\" & c"), "&lt;b&gt;&quot;a&quot; &amp; c");
         let table = Table {
             caption: "a < b".to_owned(),
             heads: vec!["what"],
             rows: vec![vec!["</td><script>".to_owned()]],
         };
         let html = table.html();
+        let html = html.as_str();
         assert!(html.contains("<caption>a &lt; b</caption>"), "{html}");
         assert!(html.contains("<th scope=\"row\">&lt;/td&gt;&lt;script&gt;</th>"), "{html}");
-        assert_eq!(Table { rows: vec![], ..table }.html(), "");
+        assert_eq!(Table { rows: vec![], ..table }.html(), Html::default());
+    }
+
+    #[test]
+    fn a_page_without_drawings_allows_no_script() {
+        let page = Page {
+            title: "</title><script>".to_owned(),
+            header: Html::default(),
+            body: fill("<p>{}</p>", &[&"<b>"]),
+            drawings: None,
+        };
+        let document = page.document();
+        assert!(document.contains("script-src &#39;none&#39;"), "{document}");
+        assert!(!document.contains("<script"), "{document}");
+        assert!(document.contains("<p>&lt;b&gt;</p>"), "{document}");
     }
 }

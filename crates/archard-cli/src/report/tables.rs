@@ -2,15 +2,15 @@
 
 use archard::closed_form::Hertz;
 use archard::simulation::history::{
-    APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, Column, ERRORS,
-    FLASH_TEMPERATURE, FORCE, LOAD, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, WEAR_DEPTH,
-    WORN_SECTION, WORN_VOLUME, body_of, of_body,
+    APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERRORS,
+    FLASH_TEMPERATURE, FORCE, LOAD, MASS_LOSS, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, SHIFT,
+    TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, body_of, of_body,
 };
 use serde_json::Value;
 
-use super::page::Table;
+use super::page::{Table, capital};
 use super::words::{plain, quantity};
-use crate::number::count;
+use crate::number::{count, percent};
 use crate::plot::results::Results;
 use crate::plot::scale::phrase;
 use crate::plot::tables::size;
@@ -23,23 +23,30 @@ const WORK: [&str; 7] =
 pub(super) fn results(results: &Results) -> Table {
     let history = &results.history;
     let last = |column: &str| history.column(column).ok().and_then(|values| values.last().copied());
+    let still = |name: &str| {
+        let whose = results.bodies.iter().position(|body| {
+            let belongs = |column: &Column| body_of(column.name, name) == Some(body.as_str());
+            COLUMNS.iter().any(belongs)
+        });
+        whose.is_some_and(|body| !results.has_worn(body))
+    };
+    let worn = (0..results.bodies.len()).filter(|&body| results.has_worn(body)).count();
     let mut rows = Vec::new();
     for name in history.names() {
         let errors = ERRORS.iter().any(|of| name.starts_with(of));
         let Some(value) = last(name).filter(|value| value.is_finite() && !errors) else { continue };
-        if WORK.contains(&name) {
+        // What does not wear has nothing to say, and of one body the depth is that of both.
+        let twice = name == WEAR_DEPTH && worn < 2;
+        if WORK.contains(&name) || still(name) || twice {
             continue;
         }
-        let (label, unit) = label(results, name);
+        let (label, unit) = label(&results.bodies, name);
         // Components that are nothing but rounding beside the load.
         let rounding = ROUNDING * last(LOAD).unwrap_or_default();
         let value = if ["N", "Nm"].contains(&unit) && value.abs() < rounding { 0.0 } else { value };
         let whole = unit.is_empty() && value == value.round();
-        let value = if whole { count(value) } else { quantity(value, unit) };
-        let error = results.error(name).and_then(|errors| errors.last().copied());
-        let error = error
-            .map_or_else(|| NOT_STATED.to_owned(), |error| format!("± {}", quantity(error, unit)));
-        rows.push(vec![label, value, error]);
+        let shown = if whole { count(value) } else { quantity(value, unit) };
+        rows.push(vec![label, shown, error(results, name, value, unit)]);
     }
     let (column, values) = results.progress();
     let end = values.last().copied().unwrap_or_default();
@@ -47,26 +54,73 @@ pub(super) fn results(results: &Results) -> Table {
         end,
         COLUMNS_OF_PROGRESS.iter().find(|(known, _)| *known == column).map_or("", |(_, unit)| unit),
     );
-    let stated = rows.iter().any(|row: &Vec<String>| row[2] != NOT_STATED);
-    let mut heads = vec!["Quantity", "Value", "Stated error"];
-    if !stated {
+    let mut heads = vec!["Quantity", "Value", "Error"];
+    if !states_errors(results) {
         heads.pop();
-        rows.iter_mut().for_each(|row| row.truncate(2));
+        rows.iter_mut().for_each(|row: &mut Vec<String>| row.truncate(2));
     }
     Table { caption: format!("Numbers at {} {end}", phrase(column).to_lowercase()), heads, rows }
 }
 
-/// Share of the load below which a force (N) or moment (N m) is rounding.
+/// Whether a run states errors at all.
+fn states_errors(results: &Results) -> bool {
+    results.history.names().any(|name| ERRORS.iter().any(|of| name.starts_with(of)))
+}
+
+/// Share of the load below which a force (N) or moment (N m) is rounding, and of a number below which its error is.
 const ROUNDING: f64 = 1e-9;
 
-/// What stands beside a number without an error.
-const NOT_STATED: &str = "not stated";
+/// What a case may prescribe, besides how far the motion goes.
+const PRESCRIBED: [&str; 8] =
+    [LOAD, APPROACH, SHIFT[0], SHIFT[1], FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
+
+/// The error of a number, or why it has none.
+fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
+    let prescribed = PRESCRIBED.contains(&name);
+    let (progress, _) = results.progress();
+    if [progress, "turns", "time_s", CYCLE].contains(&name) {
+        return "prescribed".to_owned();
+    }
+    match stated(results, name) {
+        Some(error) if error <= ROUNDING * value.abs() && prescribed => "prescribed".to_owned(),
+        Some(error) if error <= ROUNDING * value.abs() => "exact".to_owned(),
+        Some(error) if value != 0.0 => format!("± {}", percent(error / value.abs())),
+        Some(error) => format!("± {}", quantity(error, unit)),
+        None => reason(name).to_owned(),
+    }
+}
+
+/// The error that is stated of a column, or of the worn volume that it is a multiple of.
+fn stated(results: &Results, name: &str) -> Option<f64> {
+    let of = |column: &str| results.error(column).and_then(|errors| errors.last().copied());
+    let last = |column: &str| results.history.column(column).ok()?.last().copied();
+    let of_volume = || {
+        let multiple = |body: &String| {
+            [MASS_LOSS, WEAR_RATE].into_iter().any(|own| of_body(own, body) == name)
+        };
+        let volume = of_body(WORN_VOLUME, results.bodies.iter().find(|body| multiple(body))?);
+        let relative = of(&volume)? / last(&volume).filter(|volume| *volume > 0.0)?;
+        Some(relative * last(name)?.abs())
+    };
+    of(name).or_else(of_volume)
+}
+
+/// Why no error is stated of a column.
+fn reason(name: &str) -> &'static str {
+    match name {
+        _ if SCAR.contains(&name) || name == TRACK_WIDTH => {
+            "not estimated: about one element at each end"
+        }
+        FLASH_TEMPERATURE | MEAN_FLASH_TEMPERATURE => "not estimated: follows the pressures",
+        _ => "not estimated: does not count for the accuracy",
+    }
+}
 
 /// The columns of the progress that have units.
 const COLUMNS_OF_PROGRESS: [(&str, &str); 2] = [("distance_m", "m"), ("time_s", "s")];
 
 /// What a column is called, with its body where it belongs to one, and its unit.
-fn label(results: &Results, name: &str) -> (String, &'static str) {
+pub(super) fn label(bodies: &[String], name: &str) -> (String, &'static str) {
     let called = |name: &str, unit: &str| {
         let bare = name.strip_suffix(unit).map_or(name, |bare| bare.trim_end_matches('_'));
         phrase(if unit.is_empty() { name } else { bare })
@@ -74,7 +128,7 @@ fn label(results: &Results, name: &str) -> (String, &'static str) {
     if let Some(column) = COLUMNS.iter().find(|column| column.name == name) {
         return (called(name, column.unit), column.unit);
     }
-    for body in &results.bodies {
+    for body in bodies {
         let belongs = |column: &&Column| body_of(column.name, name) == Some(body.as_str());
         if let Some(column) = COLUMNS.iter().find(belongs) {
             let bare = column.name.replacen("_BODY", "", 1);
@@ -86,8 +140,8 @@ fn label(results: &Results, name: &str) -> (String, &'static str) {
     (called(name, unit), unit)
 }
 
-/// What is read first: name and value of a few numbers at the end.
-pub(super) fn first(results: &Results) -> Vec<[String; 2]> {
+/// What is read first: name, value and error of a few numbers at the end.
+pub(super) fn first(results: &Results) -> Vec<[String; 3]> {
     let last = |column: &str| {
         let values = results.history.column(column).ok()?;
         values.last().copied().filter(|value| *value != 0.0)
@@ -99,43 +153,35 @@ pub(super) fn first(results: &Results) -> Vec<[String; 2]> {
     if names.iter().all(|name| last(name).is_none()) {
         names.extend([LOAD, APPROACH, CONTACT_AREA, FORCE[0]].map(str::to_owned));
     }
+    names.extend([SCAR[0], SCAR[1], TRACK_WIDTH].map(str::to_owned));
     names.extend([PEAK_PRESSURE, FLASH_TEMPERATURE].map(str::to_owned));
+    let errors = states_errors(results);
     let shown = |name: String| {
         let value = last(&name)?;
-        let (label, unit) = label(results, &name);
-        Some([label, quantity(value, unit)])
+        let (label, unit) = label(&results.bodies, &name);
+        let error = if errors { error(results, &name, value, unit) } else { String::new() };
+        let error = if error.starts_with("not") { String::new() } else { error };
+        Some([label, quantity(value, unit), error])
     };
     names.into_iter().filter_map(shown).collect()
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
-    first + letters.as_str()
 }
 
 /// The verdict, line by line.
 pub(super) fn verdict(summary: &Value) -> Table {
     let lines = summary["verdict"]["lines"].as_array().map_or(&[][..], Vec::as_slice);
     let row = |line: &Value| {
-        let text = |key: &str| line[key].as_str().unwrap_or_default().to_owned();
-        let number = |key: &str| line[key].as_f64();
-        let bound = |side: &str, words: &str| {
-            number(&format!("doubtful_{side}")).map(|bound| format!("{words} {}", plain(bound)))
-        };
-        let bound = bound("above", "at most").or_else(|| bound("below", "at least"));
-        let value = number("value").map_or_else(|| "no number".to_owned(), plain);
-        vec![
-            capital(&text("subject")),
-            text("word"),
-            value,
-            bound.unwrap_or_default(),
-            text("text"),
-        ]
+        let text = |key: &str| line[key].as_str().map(str::to_owned);
+        // Summaries of earlier versions have no words of their own.
+        let value = || line["value"].as_f64().map_or_else(|| "no number".to_owned(), plain);
+        let words = text("words");
+        let words =
+            words.unwrap_or_else(|| format!("{} {}", value(), text("text").unwrap_or_default()));
+        let [subject, word] = ["subject", "word"].map(|key| text(key).unwrap_or_default());
+        vec![capital(&subject), word, words]
     };
     Table {
-        caption: "What was judged, by which bound".to_owned(),
-        heads: vec!["Subject", "Word", "Number", "Good if", "What the number is"],
+        caption: "What was judged".to_owned(),
+        heads: vec!["Check", "Verdict", "Finding"],
         rows: lines.iter().map(row).collect(),
     }
 }
@@ -155,16 +201,14 @@ impl Pair<'_> {
         let difference = 100.0 * (computed / expected - 1.0);
         let difference = match difference {
             none if !none.is_finite() => "\u{2013}".to_owned(),
-            small if small.abs() < 0.005 => "below 0.01 %".to_owned(),
+            small if small.abs() < 0.005 => "within 0.01 %".to_owned(),
             other => format!("{other:+.2} %").replace('-', "\u{2212}"),
         };
-        vec![
-            what,
-            theory.to_owned(),
-            quantity(expected, unit),
-            quantity(computed, unit),
-            difference,
-        ]
+        let computed = match difference.as_str() {
+            "\u{2013}" => quantity(computed, unit),
+            _ => format!("{} ({difference})", quantity(computed, unit)),
+        };
+        vec![format!("{what} ({theory})"), quantity(expected, unit), computed]
     }
 }
 
@@ -179,7 +223,7 @@ pub(super) fn closed_forms(results: &Results) -> Table {
     let known = |pair: &Pair<'_>| pair.expected.is_finite() && pair.expected != 0.0;
     Table {
         caption: "What theory says and what was computed; areas count whole elements".to_owned(),
-        heads: vec!["Quantity", "Theory", "Says", "Computed", "Difference"],
+        heads: vec!["Quantity", "Theory", "Computed (difference)"],
         rows: pairs.into_iter().filter(known).map(row).collect(),
     }
 }

@@ -1,11 +1,12 @@
 //! A case in words, from its printed form: a key a line, in SI.
 
-use super::page::escape;
+use super::html::{Html, fill};
+use super::page::capital;
 use crate::plot::scale::superscript;
 use archard::verdict::four;
 
 /// The case as a list of what it is made of, in HTML.
-pub(super) fn case(case: &str) -> String {
+pub(super) fn case(case: &str) -> Html {
     let mut groups: Vec<(String, Vec<(String, String)>)> = Vec::new();
     for (key, value) in case.lines().filter_map(|line| line.split_once(" = ")) {
         let parts: Vec<&str> = key.split('.').collect();
@@ -26,18 +27,19 @@ pub(super) fn case(case: &str) -> String {
         let value = if several { value.replace(" × ", ", ") } else { value };
         put(&mut groups[place].1, rest, &value);
     }
-    let mut html = String::from("<dl>\n");
-    for (group, parts) in groups {
-        let parts: Vec<String> = parts
-            .iter()
-            .map(|(name, text)| match &**name {
-                "" => escape(text),
-                name => format!("<b>{}</b>: {}", escape(name), escape(text)),
-            })
-            .collect();
-        html += &format!("<dt>{}</dt><dd>{}</dd>\n", escape(&group), parts.join("<br>"));
-    }
-    html + "</dl>\n"
+    let part = |(place, (name, text)): (usize, &(String, String))| {
+        let text = match name.is_empty() {
+            true => fill("{}", &[text]),
+            false => fill("<b>{}</b>: {}", &[name, text]),
+        };
+        if place == 0 { text } else { Html::constant("<br>") + text }
+    };
+    let group = |(group, parts): &(String, Vec<(String, String)>)| {
+        let parts: Html = parts.iter().enumerate().map(part).collect();
+        fill("<dt>{}</dt><dd>{}</dd>\n", &[group, &parts])
+    };
+    let groups: Html = groups.iter().map(group).collect();
+    fill("<dl>\n{}</dl>\n", &[&groups])
 }
 
 /// Adds a value below its part: `profile.sphere.radius` is "profile: sphere, radius 50 mm".
@@ -80,12 +82,6 @@ fn phrase(keys: &[&str], value: &str) -> String {
         "{}" | "true" => name,
         value => format!("{name} {value}"),
     }
-}
-
-fn capital(word: &str) -> String {
-    let mut letters = word.chars();
-    let first = letters.next().map(|first| first.to_uppercase().to_string());
-    first.unwrap_or_default() + letters.as_str()
 }
 
 /// A printed value in the units of a tribologist.
@@ -158,8 +154,9 @@ mod tests {
              motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"0.5 m\"\n\
              solver.conjugate_gradient = {}\n";
         let words = case(printed);
+        let words = words.as_str();
         for part in [
-            "<dt>Body pin</dt><dd><b>material</b>: Young's modulus 210 GPa, Poisson's ratio 0.3<br><b>profile</b>: sphere, radius 50 mm",
+            "<dt>Body pin</dt><dd><b>material</b>: Young&#39;s modulus 210 GPa, Poisson&#39;s ratio 0.3<br><b>profile</b>: sphere, radius 50 mm",
             "coefficient 1.33·10⁻⁴ mm³/(N m)",
             "<b>profile</b>: flat",
             "size 1.2 mm × 1.2 mm, elements 30 × 30, twice as wide from 50 mm, 2.5 m",

@@ -139,6 +139,21 @@ impl Page {
         assert_eq!(self.value(ready), "done");
     }
 
+    /// Opens a file with its scripts switched off, or on again.
+    pub fn visit_plain(&mut self, file: &Path, plain: bool) {
+        self.tell("Emulation.setScriptExecutionDisabled", json!({ "value": plain }));
+        if plain {
+            self.tell("Page.navigate", json!({ "url": format!("file://{}", file.display()) }));
+            std::thread::sleep(Duration::from_millis(500));
+        }
+    }
+
+    /// Shows the page as in print, or as on a screen.
+    pub fn in_print(&mut self, print: bool) {
+        let media = if print { "print" } else { "screen" };
+        self.tell("Emulation.setEmulatedMedia", json!({ "media": media }));
+    }
+
     /// The value of an expression, of a promise what it promised.
     pub fn value(&mut self, expression: &str) -> Value {
         let evaluate =

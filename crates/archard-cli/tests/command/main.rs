@@ -7,6 +7,7 @@ mod finite;
 mod fit;
 #[path = "../../../archard/tests/framed/mod.rs"]
 mod framed;
+mod hostile;
 mod memory;
 mod report;
 mod running;
@@ -41,6 +42,11 @@ fn said(assert: &Assert) -> String {
 
 fn printed(assert: &Assert) -> String {
     text(&assert.get_output().stdout)
+}
+
+/// A text with one space wherever there are several.
+fn squeezed(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
 #[test]

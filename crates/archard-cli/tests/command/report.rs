@@ -29,7 +29,8 @@ fn the_page_has_case_verdict_theory_and_command() {
         "<html lang=\"en\">",
         "<h1>Pin on disc: the pin wears</h1>",
         "profile</b>: sphere, radius 50 mm",
-        "Good if",
+        "elements across the contact",
+        "Content-Security-Policy",
         "sphere worn flat, no elasticity",
         "Worn volume of pin",
         "archard run",
@@ -119,7 +120,7 @@ fn slid(page: &mut Page, output: usize) -> Value {
 /// Looks at a page at both widths; the pictures it has, by their number.
 fn look(page: &mut Page, file: &Path, name: &str) -> usize {
     let mut count = 0;
-    for width in [1280, 375] {
+    for width in [1280, 390] {
         page.resize(width);
         page.visit(file);
         let plots = page.value(PLOTS);
@@ -130,6 +131,16 @@ fn look(page: &mut Page, file: &Path, name: &str) -> usize {
         }
         assert_eq!(page.value(ACCESS), json!([]), "{name} at {width}");
         assert_eq!(page.value(WIDE), json!([]), "{name} at {width}");
+        let columns = "Math.max(0, ...Array.from(document.querySelectorAll('tr')).map((row) => row.children.length))";
+        assert!(page.value(columns).as_u64().unwrap() <= 3, "{name} has a table of more columns");
+        if width == 1280 {
+            let lowest =
+                "Math.round(document.querySelector('.glance img').getBoundingClientRect().bottom)";
+            assert!(
+                page.value(lowest).as_u64().unwrap() < 900,
+                "{name}: no picture on the first screen"
+            );
+        }
         page.picture(&format!("{name}-{width}"));
     }
     assert_eq!(page.complaints, Vec::<String>::new(), "{name}");
@@ -154,6 +165,31 @@ fn pages_of_all_motions_open_in_a_browser() {
         let count = look(&mut page, &file, name);
         assert!(count >= least, "{name} has {count} pictures");
     }
+}
+
+/// The pictures that are seen, and the figures without one: the surface that is turned has none.
+const STILLS: &str = "(() => { const seen = (one) => one.getBoundingClientRect().height > 100; \
+    const figures = Array.from(document.querySelectorAll('main figure')).filter((one) => one.id !== 'surface' && !one.querySelector('#surface')); \
+    return [figures.length, figures.filter((one) => seen(one.querySelector('img.still'))).length, figures.filter((one) => one.querySelector('img.still').naturalWidth > 100).length]; })()";
+
+/// Pictures are there where scripts are off, and where the page is printed.
+#[test]
+fn pictures_need_no_scripts() {
+    let Some(mut page) = Page::open() else { return };
+    let dir = TempDir::new().unwrap();
+    let file = reported(&dir, "pin_on_disc", &PIN);
+    page.resize(1280);
+    page.visit_plain(&file, true);
+    let stills = page.value(STILLS);
+    page.picture("plain");
+    let [all, seen, drawn] = [0, 1, 2].map(|i| stills[i].as_u64().unwrap());
+    assert!(all >= 10 && seen == all && drawn == all, "{stills}");
+    page.visit_plain(&file, false);
+    page.visit(&file);
+    assert_eq!(page.value(STILLS)[1], 0, "pictures below what is drawn");
+    page.in_print(true);
+    assert_eq!(page.value(STILLS)[1], json!(all));
+    assert_eq!(page.complaints, Vec::<String>::new());
 }
 
 #[test]

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-use super::{archard, case, printed, said};
+use super::{archard, case, printed, said, squeezed};
 
 #[test]
 fn a_run_leaves_a_case_that_runs_again() {
@@ -175,12 +175,14 @@ fn rolling_says_what_to_expect_and_what_came_out() {
     let ran = archard(&dir, &arguments).success();
     assert!(said(&ran).contains("100 %  revolution 0"), "{}", said(&ran));
     let printed = printed(&ran);
-    for line in ["creepage          0.005000 along\n", "worn section      0 mm^2 off `disc2`"] {
+    let printed = squeezed(&printed);
+    for line in ["creepage 0.005000 along", "worn section (disc2) 0 mm^2"] {
         assert!(printed.contains(line), "{line} is not in\n{printed}");
     }
-    let force = printed.split("creep force").nth(1).unwrap().split_whitespace().next().unwrap();
+    let force = printed.split("creep force (disc1) ").nth(1).unwrap();
+    let force = force.split_whitespace().next().unwrap();
     assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
-    assert!(printed.contains("N along, on `disc1`"), "{printed}");
+    assert!(printed.contains("N along"), "{printed}");
 }
 
 #[test]
@@ -194,7 +196,8 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     let ran = archard(&dir, &arguments).success();
     assert!(said(&ran).contains("100 %  cycle 2,"), "{}", said(&ran));
     let printed = printed(&ran);
-    for text in ["stick area        0.0", "nJ of it in the last cycle"] {
+    let printed = squeezed(&printed);
+    for text in ["stick area 0.0", "nJ of it in the last cycle"] {
         assert!(printed.contains(text), "{text} is not in\n{printed}");
     }
     // The beginning of each cycle and its increments.

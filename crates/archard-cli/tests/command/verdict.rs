@@ -4,7 +4,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::{archard, case, printed, said};
+use super::{archard, case, printed, said, squeezed};
 
 /// The word on a subject in the summary of a folder.
 fn word(dir: &TempDir, folder: &str, subject: &str) -> String {
@@ -23,12 +23,36 @@ fn a_contact_pressed_against_its_frame_is_doubtful() {
     let narrow = "frame.size=[\"0.3 mm\",\"0.3 mm\"]";
     let options = ["run", hertz.to_str().unwrap(), "--set", narrow, "-o", "narrow"];
     let ran = printed(&archard(&dir, &options).success());
-    assert!(ran.contains("verdict           doubtful"), "{ran}");
+    let ran = squeezed(&ran);
+    assert!(ran.contains("verdict doubtful (1 of 5 checks)"), "{ran}");
+    assert!(ran.contains("edges doubtful: ") && ran.contains("(good up to 0 %)"), "{ran}");
+    assert!(!ran.contains("load met to"), "{ran}");
     assert_eq!(word(&dir, "narrow", "edges"), "doubtful");
     assert_eq!(word(&dir, "narrow", "load"), "good");
     archard(&dir, &["plot", "narrow"]).success();
     let picture = fs::read_to_string(dir.path().join("narrow/plots/overview.svg")).unwrap();
     assert!(picture.contains("doubtful: edges"));
+}
+
+/// One line where all is good; every check in words where that is asked for.
+#[test]
+fn a_good_verdict_is_one_line() {
+    let dir = TempDir::new().unwrap();
+    let hertz = case("hertz");
+    let run = |more: &[&str]| {
+        let options = [&["run", hertz.to_str().unwrap(), "-o", "out"], more].concat();
+        printed(&archard(&dir, &options).success())
+    };
+    let brief = run(&[]);
+    let verdict = brief.lines().position(|line| line.starts_with("verdict")).unwrap();
+    assert_eq!(squeezed(brief.lines().nth(verdict).unwrap()), "verdict good (5 checks)");
+    assert_eq!(brief.lines().count(), verdict + 1, "{brief}");
+    let whole = run(&["--verbose"]);
+    for line in ["load met to", "elements across the contact", "0 % of the load at the edge"] {
+        assert!(whole.contains(line), "{line} is not in\n{whole}");
+    }
+    assert!(!whole.contains("at most") && !whole.contains('\u{1b}'), "{whole}");
+    archard(&dir, &["run", "--quiet", "--verbose", hertz.to_str().unwrap()]).code(2);
 }
 
 /// A contact of a hundredth of an element, on an even number of them: four share it, with a ten thousandth of its pressure.
@@ -51,7 +75,7 @@ fn a_contact_on_one_element_is_wrong() {
         ["run", hertz.to_str().unwrap(), "--set", coarse[0], "--set", coarse[1], "-o", "wrong"];
     let failed = archard(&dir, &run).code(1);
     assert!(said(&failed).contains("the result is wrong: contact"), "{}", said(&failed));
-    assert!(printed(&failed).contains("verdict           wrong"));
+    assert!(squeezed(&printed(&failed)).contains("verdict wrong ("));
     assert_eq!(word(&dir, "wrong", "contact"), "wrong");
     assert!(dir.path().join("wrong/fields/0000.vti").is_file());
     archard(&dir, &["plot", "wrong"]).success();

@@ -99,6 +99,7 @@ pub(crate) fn json_of(verdict: &Verdict) -> Value {
             format!("doubtful_{side}"): doubtful,
             format!("wrong_{side}"): wrong,
             "text": line.text,
+            "words": line.finding(),
         })
     };
     let lines: Vec<Value> = verdict.lines.iter().map(line).collect();

@@ -1,7 +1,5 @@
 //! One line of a verdict.
 
-use std::fmt;
-
 /// How far something can be believed; the worst is the largest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Word {
@@ -67,21 +65,6 @@ impl Line {
     }
 }
 
-impl Line {
-    /// The line with its number, its bound and its word; what to do about it where it is not good.
-    pub fn in_words(&self) -> String {
-        let Self { subject, value, .. } = self;
-        let (side, [doubtful, wrong]) = match self.bound {
-            Bound::AtMost(bounds) => ("at most", bounds),
-            Bound::AtLeast(bounds) => ("at least", bounds),
-        };
-        let word = self.word();
-        let bound = if word == Word::Wrong { wrong } else { doubtful };
-        let text = if word == Word::Good { String::new() } else { format!(": {}", self.text) };
-        format!("{subject:<16}{} ({side} {}) {}{text}", four(*value), four(bound), word.text())
-    }
-}
-
 /// A number with four significant digits.
 pub fn four(value: f64) -> String {
     if value == 0.0 {
@@ -96,17 +79,5 @@ pub fn four(value: f64) -> String {
         format!("{value:.*}", digits.max(0) as usize)
     } else {
         format!("{value:.3e}")
-    }
-}
-
-impl fmt::Display for Line {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { subject, value, text, .. } = self;
-        let value = match *value {
-            0.0 => "0".to_owned(),
-            value if (0.01..1e4).contains(&value.abs()) => format!("{value:.3}"),
-            value => format!("{value:.1e}"),
-        };
-        write!(f, "{subject}: {value} {text}")
     }
 }

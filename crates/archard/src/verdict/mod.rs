@@ -6,6 +6,7 @@
 
 mod bounds;
 mod line;
+mod words;
 
 pub use bounds::{
     accuracy, balance, beyond, contact, edges, energy, first_contact, heat, load, roughness,
@@ -32,7 +33,17 @@ impl Verdict {
         self.complaints().any(|line| bounds::OF_THE_FRAME.contains(&line.subject))
     }
 
-    /// The lines that are not good, in words.
+    /// The word and how many checks it stands on: "good (7 checks)", "doubtful (1 of 7 checks)".
+    pub fn in_words(&self) -> String {
+        let (word, all) = (self.word(), self.lines.len());
+        match word {
+            Word::Good if all == 1 => "good (1 check)".to_owned(),
+            Word::Good => format!("good ({all} checks)"),
+            word => format!("{} ({} of {all} checks)", word.text(), self.complaints().count()),
+        }
+    }
+
+    /// The lines that are not good.
     pub fn complaints(&self) -> impl Iterator<Item = &Line> {
         self.lines.iter().filter(|line| line.word() != Word::Good)
     }
@@ -54,6 +65,11 @@ mod tests {
         assert_eq!(verdict(&[0.1, 0.15]).word(), Word::Doubtful);
         assert_eq!(verdict(&[0.15, 0.25, 0.0]).word(), Word::Wrong);
         assert_eq!(verdict(&[f64::NAN]).word(), Word::Wrong);
+        let said = [&[][..], &[0.1], &[0.1, 0.0], &[0.15, 0.05, 0.25]];
+        let said = said.map(|values| verdict(values).in_words());
+        let expected =
+            ["good (0 checks)", "good (1 check)", "good (2 checks)", "wrong (2 of 3 checks)"];
+        assert_eq!(said, expected);
         let complaints = verdict(&[0.15, 0.05, 0.25]);
         let complaints: Vec<f64> = complaints.complaints().map(|line| line.value).collect();
         assert_eq!(complaints, [0.15, 0.25]);

@@ -58,6 +58,12 @@ pub(super) fn is_one(dir: &Path) -> bool {
 
 /// Draws the pictures of a study; returns their files.
 pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
+    let (pictures, mark) = pictures(dir)?;
+    write(dir, pictures, (mark.as_deref(), paper))
+}
+
+/// The pictures of a study, and what they have to say of rows that are left out.
+pub(super) fn pictures(dir: &Path) -> Result<(Vec<Picture>, Option<String>)> {
     let study = Study::read(dir)?;
     let mut pictures = vec![];
     if !study.sampled.is_empty() {
@@ -78,7 +84,7 @@ pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
     let mark = (whole < all).then(|| {
         format!("{} of {all} rows are left out: failed, wrong or not run{narrow}", all - whole)
     });
-    write(dir, pictures, (mark.as_deref(), paper))
+    Ok((pictures, mark))
 }
 
 fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {

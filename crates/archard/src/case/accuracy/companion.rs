@@ -30,6 +30,10 @@ const FINER: [f64; 2] = [1.1, 2.0];
 
 /// What follows the runs of companions.
 pub trait Following {
+    /// These come now, each on so many elements, and then the run itself on those that stand last: until some are found too
+    /// few.
+    fn plans(&mut self, _: &[[usize; 2]]) {}
+
     /// One begins, on so many elements.
     fn begins(&mut self, elements: [usize; 2]);
 
@@ -257,6 +261,8 @@ impl Resolved {
         let fewer = own.map(|own| [own, increments::fewer(own)]);
         let runs = [(half, own), (quarter, own), (quarter, fewer.map(|[_, fewer]| fewer))];
         let wanted = if fewer.is_some() { 3 } else { 2 };
+        let plan = runs.iter().take(wanted).map(|(grid, _)| *grid).chain([elements]);
+        following.plans(&plan.collect::<Vec<_>>());
         let mut rows = vec![];
         let mut reach = [0.0; 2];
         for (grid, increments) in runs.into_iter().take(wanted) {

@@ -1,0 +1,255 @@
+//! The page about a study: what came out of its rows as a whole, and by what it was varied.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result};
+use archard::simulation::history::{
+    BODY_DEPTH, MASS_LOSS, PEAK_PRESSURE, SCAR, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, body_of,
+    of_body,
+};
+use serde_json::{Value, json};
+
+use super::figures::{Figure, drawn};
+use super::html::{Html, fill};
+use super::page::{Header, Page, Sections, Table};
+use super::words::{plain, quantity};
+use super::{name_of, tables};
+use crate::plot::{self, quantile};
+
+/// Most rows that did not come to a good end that are listed.
+const LISTED: usize = 20;
+/// Shares of the samples that lie below the ends of the interval.
+const ENDS: [f64; 2] = [0.05, 0.95];
+
+/// A study, read back.
+struct Study {
+    /// Keys by column: those gone over, then those sampled.
+    over: Vec<String>,
+    sampled: Vec<String>,
+    heads: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// The page of a study.
+pub(super) fn page(dir: &Path) -> Result<Page> {
+    let study = Study::read(dir)?;
+    let (pictures, mark) = plot::of_study(dir)?;
+    let title = name_of(dir);
+    let mut all = Sections::default();
+    all.add("outcome", "What came out", &study.outcome().html());
+    let mut figures = Vec::new();
+    for (name, panels) in pictures {
+        let of: Vec<Figure> = panels.iter().map(Figure::of).collect::<Result<_>>()?;
+        let (id, heading) = section(name);
+        let first = figures.len() + 1;
+        let places = of.iter().enumerate();
+        let places: Html =
+            places.map(|(i, figure)| drawn(&format!("figure-{}", first + i), figure)).collect();
+        all.add(id, heading, &fill("<div class=\"figures\">\n{}</div>\n", &[&places]));
+        figures.extend(of);
+    }
+    all.add("varied", "What was varied", &study.varied().html());
+    all.add("rows", "Rows", &(study.standing().html() + study.complaints().html()));
+    let header = Header {
+        about: "a study",
+        version: env!("CARGO_PKG_VERSION"),
+        title: &title,
+        verdict: study.verdict(),
+        mark: mark.clone(),
+        lead: study.lead(),
+        tiles: study.tiles(),
+        picture: figures.first().map_or_else(Html::default, Figure::small),
+    };
+    let header = header.html(&all.there);
+    let drawings: Vec<Value> = figures.iter().map(Figure::json).collect();
+    let drawings = Some(json!({ "figures": drawings, "maps": null, "mark": mark }));
+    Ok(Page { title, header, body: all.html, drawings })
+}
+
+/// The section of a picture.
+fn section(name: &str) -> (&'static str, &'static str) {
+    match name {
+        "bands" => ("bands", "Over the motion"),
+        "main_effects" => ("effects", "What each value does"),
+        "sobol_indices" => ("indices", "What the variance comes from"),
+        _ => ("more", "More pictures"),
+    }
+}
+
+impl Study {
+    fn read(dir: &Path) -> Result<Self> {
+        let path = dir.join("study.json");
+        let context = || format!("cannot read `{}`", path.display());
+        let kind: Value = serde_json::from_slice(&fs::read(&path).with_context(context)?)
+            .with_context(context)?;
+        let names = |key: &str| -> Vec<String> {
+            let list = kind[key].as_array().map_or(&[][..], Vec::as_slice);
+            list.iter().filter_map(|name| name.as_str().map(str::to_owned)).collect()
+        };
+        let path = dir.join("sweep.csv");
+        let context = || format!("cannot read `{}`: run the study first", path.display());
+        let mut reader = csv::Reader::from_path(&path).with_context(context)?;
+        let text = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect();
+        let heads = text(reader.headers().with_context(context)?);
+        let rows = reader.records().map(|record| record.map(|record| text(&record)));
+        let rows = rows.collect::<Result<_, _>>().with_context(context)?;
+        Ok(Self { over: names("over"), sampled: names("sample"), heads, rows })
+    }
+
+    fn cell<'a>(&self, row: &'a [String], name: &str) -> &'a str {
+        let place = self.heads.iter().position(|head| head == name);
+        place.and_then(|place| row.get(place)).map_or("", String::as_str)
+    }
+
+    /// What became of a row: its verdict if it is done, its status if not.
+    fn word<'a>(&self, row: &'a [String]) -> &'a str {
+        match self.cell(row, "status") {
+            "done" => self.cell(row, "verdict"),
+            other => other,
+        }
+    }
+
+    /// The values of a column in the rows that count, in order.
+    fn sorted(&self, name: &str) -> Vec<f64> {
+        let counts = |row: &&Vec<String>| {
+            self.cell(row, "status") == "done" && self.cell(row, "verdict") != "wrong"
+        };
+        let rows = self.rows.iter().filter(counts);
+        let mut values: Vec<f64> =
+            rows.filter_map(|row| self.cell(row, name).parse().ok()).collect();
+        values.sort_by(f64::total_cmp);
+        values
+    }
+
+    fn bodies(&self) -> Vec<String> {
+        let of = |head: &String| body_of(BODY_DEPTH, head).map(str::to_owned);
+        self.heads.iter().filter_map(of).collect()
+    }
+
+    /// The columns that are read first and are not zero in all rows.
+    fn columns(&self) -> Vec<String> {
+        let of = |body: &String| {
+            [BODY_DEPTH, WORN_VOLUME, WORN_SECTION, MASS_LOSS].map(|name| of_body(name, body))
+        };
+        let bodies = self.bodies();
+        let all = bodies.iter().flat_map(of);
+        let all = all.chain([PEAK_PRESSURE, SCAR[0], SCAR[1], TRACK_WIDTH].map(str::to_owned));
+        all.filter(|name| self.sorted(name).iter().any(|value| *value != 0.0)).collect()
+    }
+
+    /// The middle of a column, and the ends between which its samples lie: nine in ten of them, or all values of a grid.
+    fn spread(&self, name: &str) -> [f64; 3] {
+        let values = self.sorted(name);
+        let ends = if self.sampled.is_empty() { [0.0, 1.0] } else { ENDS };
+        [quantile(&values, 0.5), quantile(&values, ends[0]), quantile(&values, ends[1])]
+    }
+
+    fn heads(&self) -> Vec<&'static str> {
+        match self.sampled.is_empty() {
+            true => vec!["Quantity", "Middle value", "Lowest to highest"],
+            false => vec!["Quantity", "Median", "Nine in ten lie within"],
+        }
+    }
+
+    fn outcome(&self) -> Table {
+        let bodies = self.bodies();
+        let row = |name: &String| {
+            let (label, unit) = tables::label(&bodies, name);
+            let [middle, low, high] = self.spread(name).map(|value| quantity(value, unit));
+            vec![label, middle, format!("{low} to {high}")]
+        };
+        let rows = self.columns().iter().map(row).collect();
+        let caption = "At the end of the rows".to_owned();
+        Table { caption, heads: self.heads(), rows }
+    }
+
+    fn tiles(&self) -> Vec<[String; 3]> {
+        let rows = self.outcome().rows.into_iter().take(4);
+        rows.map(|row| [row[0].clone(), row[1].clone(), row[2].clone()]).collect()
+    }
+
+    /// The outcome in words.
+    fn lead(&self) -> Vec<String> {
+        let bodies = self.bodies();
+        let columns = self.columns();
+        let Some(name) = columns.first() else { return vec![] };
+        let (label, unit) = tables::label(&bodies, name);
+        let [middle, low, high] = self.spread(name).map(|value| quantity(value, unit));
+        let count = self.sorted(name).len();
+        let label = label.to_lowercase();
+        match self.sampled.is_empty() {
+            true => vec![format!("Over the {count} rows the {label} goes from {low} to {high}.")],
+            false => vec![
+                format!("In half of the {count} samples the {label} stays below {middle}."),
+                format!(
+                    "The next test, if its values lie as the samples do, ends between {low} and {high} with a probability of nine in ten."
+                ),
+            ],
+        }
+    }
+
+    /// The colour of the verdict and its words.
+    fn verdict(&self) -> (&'static str, String) {
+        let all = self.rows.len();
+        let of = |word: &str| self.rows.iter().filter(|row| self.word(row) == word).count();
+        let (good, doubtful) = (of("good"), of("doubtful"));
+        let open = of("open") + of("interrupted");
+        let words = format!("{good} of {all} rows are good");
+        match () {
+            () if good == all => ("good", words),
+            () if open > 0 => ("incomplete", format!("incomplete, {words}")),
+            () if good + doubtful == all => ("doubtful", words),
+            () => ("wrong", words),
+        }
+    }
+
+    fn varied(&self) -> Table {
+        let numbers = |key: &String| -> Vec<f64> {
+            self.rows.iter().filter_map(|row| self.cell(row, key).parse().ok()).collect()
+        };
+        let row = |(how, key): (&str, &String)| {
+            let values = numbers(key);
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            vec![key.clone(), how.to_owned(), format!("{} to {}", plain(low), plain(high))]
+        };
+        let over = self.over.iter().map(|key| ("gone over", key));
+        let sampled = self.sampled.iter().map(|key| ("sampled", key));
+        Table {
+            caption: "Values in SI".to_owned(),
+            heads: vec!["Key", "How", "Values"],
+            rows: over.chain(sampled).map(row).collect(),
+        }
+    }
+
+    fn standing(&self) -> Table {
+        let words = ["good", "doubtful", "wrong", "failed", "interrupted", "open"];
+        let count = |word: &str| self.rows.iter().filter(|row| self.word(row) == word).count();
+        let rows = words.into_iter().map(|word| (word, count(word)));
+        let rows = rows.filter(|(_, count)| *count > 0);
+        Table {
+            caption: "How the rows ended".to_owned(),
+            heads: vec!["Verdict", "Rows"],
+            rows: rows.map(|(word, count)| vec![word.to_owned(), count.to_string()]).collect(),
+        }
+    }
+
+    /// The rows that are not good.
+    fn complaints(&self) -> Table {
+        let rows = self.rows.iter().filter(|row| self.word(row) != "good").take(LISTED);
+        let row = |row: &Vec<String>| {
+            ["row", "", "error"]
+                .map(|name| match name {
+                    "" => self.word(row).to_owned(),
+                    name => self.cell(row, name).to_owned(),
+                })
+                .to_vec()
+        };
+        Table {
+            caption: format!("Rows that are not good, the first {LISTED} of them"),
+            heads: vec!["Row", "Verdict", "Why it stopped"],
+            rows: rows.map(row).collect(),
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Lines of a verdict in words, with their numbers as people write them.
+
+use super::{Bound, Line, Word};
+
+/// How a number is written.
+#[derive(Clone, Copy)]
+enum Number {
+    /// A part of a whole, in percent; a tiny one by its power of ten.
+    Share,
+    /// What is left of an equation, which is rounding at best.
+    Residual,
+    /// A pure number.
+    Plain,
+}
+
+/// What a good line says, by its subject; its number stands at `{}`.
+const GOOD: [(&str, &str, Number); 16] = [
+    ("load", "load met to {}", Number::Residual),
+    ("edges", "{} of the load at the edge of the frame", Number::Share),
+    ("beyond", "overlap beyond the frame {} of the approach", Number::Share),
+    ("elements", "{} elements across the first contact", Number::Plain),
+    ("contact", "{} elements across the contact", Number::Plain),
+    ("stick zone", "{} elements across the stick zone", Number::Plain),
+    ("time", "error by steps in time {}", Number::Share),
+    ("accuracy", "error by steps and elements {}", Number::Share),
+    ("energy", "work and dissipation of a cycle agree to {}", Number::Residual),
+    ("touch", "{} of the solves left unsettled before touch", Number::Share),
+    ("volume", "volume closes to {}", Number::Residual),
+    ("heat", "smallest Peclet number {}", Number::Plain),
+    ("pressures", "pressures ragged by {} of the peak", Number::Share),
+    ("forces", "forces balance to {}", Number::Residual),
+    ("moments", "moments balance to {}", Number::Residual),
+    ("bending", "longest element {} of the thickness that bends", Number::Share),
+];
+
+/// A residual that is nothing but rounding.
+const ROUNDING: f64 = 1e-12;
+/// The least share that is written in percent.
+const LEAST: f64 = 1e-4;
+
+impl Number {
+    fn write(self, value: f64) -> String {
+        match self {
+            _ if !value.is_finite() => value.to_string(),
+            Number::Residual if value.abs() < ROUNDING => "rounding".to_owned(),
+            Number::Plain => plain(value),
+            Number::Share | Number::Residual if value == 0.0 => "0 %".to_owned(),
+            Number::Share | Number::Residual if value.abs() < LEAST => format!("{value:.0e}"),
+            Number::Share | Number::Residual => format!("{} %", two(100.0 * value)),
+        }
+    }
+}
+
+/// Two significant digits, without an exponent.
+fn two(value: f64) -> String {
+    let decimals = (1.0 - value.abs().log10().floor()).max(0.0) as usize;
+    let digits = format!("{value:.decimals$}");
+    match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => digits,
+    }
+}
+
+/// A pure number: whole if it is or is large.
+fn plain(value: f64) -> String {
+    match value.abs() {
+        none if none == 0.0 => "0".to_owned(),
+        odd if !(1e-3..1e6).contains(&odd) => format!("{value:.1e}"),
+        large if large >= 100.0 || value == value.round() => format!("{value:.0}"),
+        _ => two(value),
+    }
+}
+
+impl Line {
+    /// What was found, in words: the number of a good line; of any other what it means, its bound, and what to do.
+    pub fn finding(&self) -> String {
+        let known = GOOD.iter().find(|(subject, ..)| *subject == self.subject);
+        let number = known.map_or(Number::Plain, |(_, _, number)| *number);
+        let (side, bounds) = match self.bound {
+            Bound::AtMost(bounds) => ("up to", bounds),
+            Bound::AtLeast(bounds) => ("from", bounds),
+        };
+        // A bound that is rounding at best is still written as a number.
+        let bound = match number {
+            Number::Plain => plain(bounds[0]),
+            _ => Number::Share.write(bounds[0]),
+        };
+        let value = number.write(self.value);
+        match known {
+            _ if self.word() != Word::Good => {
+                format!("{value} {} (good {side} {bound})", self.text)
+            }
+            Some((_, words, _)) => words.replace("{}", &value),
+            None => format!("{value}, good {side} {bound}"),
+        }
+    }
+
+    /// The line with its subject, and with its word where it is not good.
+    pub fn in_words(&self) -> String {
+        let word = match self.word() {
+            Word::Good => String::new(),
+            word => format!("{}: ", word.text()),
+        };
+        format!("{:<16}{word}{}", self.subject, self.finding())
+    }
+}
+
+impl std::fmt::Display for Line {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.subject, self.finding())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::verdict::{self, Bound, Line};
+
+    #[test]
+    fn good_lines_are_short_and_their_numbers_sensible() {
+        let said = [
+            verdict::load(4.441e-16),
+            verdict::volume(1.2e-9),
+            verdict::volume(3.4e-3),
+            verdict::accuracy(0.003356, 0.004, 0.01),
+            verdict::edges(0.0, 0),
+            verdict::contact(54.0),
+            verdict::roughness(2.76e-4),
+            verdict::heat(123.4),
+        ]
+        .map(|line| line.finding());
+        let expected = [
+            "load met to rounding",
+            "volume closes to 1e-9",
+            "volume closes to 0.34 %",
+            "error by steps and elements 0.34 %",
+            "0 % of the load at the edge of the frame",
+            "54 elements across the contact",
+            "pressures ragged by 0.028 % of the peak",
+            "smallest Peclet number 123",
+        ];
+        assert_eq!(said, expected);
+    }
+
+    #[test]
+    fn other_lines_say_what_it_means_and_what_is_good() {
+        let line = verdict::edges(0.0123, 12);
+        let finding = "1.2 % of the load at the edge of the frame, on 12 elements: enlarge `frame.size`, or the zone of the mesh (good up to 0 %)";
+        assert_eq!(line.finding(), finding);
+        assert_eq!(line.in_words(), format!("edges           doubtful: {finding}"));
+        assert_eq!(line.to_string(), format!("edges: {finding}"));
+        let few = verdict::contact(4.0).finding();
+        assert!(few.starts_with("4 elements across the contact") && few.ends_with("(good from 6)"));
+        let other = Line::new("other", 3.0, Bound::AtMost([5.0, 9.0]), "of something");
+        assert_eq!(other.finding(), "3, good up to 5");
+        let missing = Line::new("load", f64::NAN, Bound::AtMost([1e-5, 1e-3]), "off");
+        assert_eq!(missing.finding(), "NaN off (good up to 1e-5)");
+    }
+
+    /// Every line there is has words of its own where it is good.
+    #[test]
+    fn all_lines_have_words() {
+        let [forces, moments] = verdict::balance(0.1, 0.1);
+        let all = [
+            verdict::load(0.0),
+            verdict::edges(0.0, 0),
+            verdict::beyond(0.0, [0.0; 2]),
+            verdict::first_contact(20.0),
+            verdict::contact(20.0),
+            verdict::stick_zone(20.0),
+            verdict::time(1e-3, 1e-2),
+            verdict::accuracy(1e-3, 1e-3, 1e-2),
+            verdict::energy(1e-3),
+            verdict::touch(1e-3),
+            verdict::volume(1e-3),
+            verdict::heat(20.0),
+            verdict::roughness(1e-3),
+            forces,
+            moments,
+            verdict::slenderness(0.5),
+        ];
+        for line in all {
+            assert!(!line.finding().contains("good"), "{line}");
+        }
+    }
+}
