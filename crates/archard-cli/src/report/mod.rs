@@ -9,11 +9,11 @@ mod page;
 mod tables;
 mod words;
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
+use archard::files;
 use archard::output::write_whole;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -81,7 +81,7 @@ impl<'a> Page<'a> {
         for (id, heading, panels) in plot::groups(results)? {
             all.push((id, heading, figures(panels)));
         }
-        let case = fs::read_to_string(dir.join("case.toml")).unwrap_or_default();
+        let case = files::read_text(&dir.join("case.toml")).unwrap_or_default();
         Ok(Self { dir, results, case, compared, figures: all, maps: maps::of(dir, results)? })
     }
 

@@ -16,6 +16,7 @@ use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
+use crate::files;
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -125,7 +126,7 @@ impl CaseFile {
     /// If there is no such file or it is not text.
     pub fn read(path: &Path) -> Result<Self, Unreadable> {
         let path = if path.is_dir() { path.join("case.toml") } else { path.to_owned() };
-        match std::fs::read_to_string(&path) {
+        match files::read_text(&path) {
             Ok(text) => {
                 let folder = path.parent().map(Path::to_owned).unwrap_or_default();
                 Ok(Self::from_text(path.display().to_string(), text, folder))
