@@ -28,10 +28,10 @@ pub fn run(resolved: &ResolvedElastic, watch: &Watch, quiet: bool) -> Result<(),
         failure: None,
         command: Some(command()),
     };
-    let Some(claim) = watch.release() else {
+    let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_elastic(&claim, &case.to_string(), (&body, &deformed), &totals)
+    write_elastic(&mut claim, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
     if !quiet {
         summarize(&body, &deformed, &totals, claim.dir())?;

@@ -35,7 +35,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
     let (task, companion) = companions::settle(task, &watch, arguments)?;
     let case_toml = task.case_toml();
-    let claim = folder::claim(arguments, &case_toml)?;
+    let claim = folder::claim(arguments, &task)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = match &task {
@@ -88,7 +88,7 @@ fn contact(
         let folder = match arguments.resume {
             None => claim.begin(case_toml)?,
             Some(_) => {
-                let (folder, run) = claim.resume()?;
+                let (folder, run) = claim.resume(&simulation)?;
                 kept = Some(run);
                 folder
             }

@@ -17,6 +17,7 @@ use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
 use crate::files;
+use crate::output::{Inside, elastic_files};
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -107,6 +108,21 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.case.to_string(),
             Task::Elastic(resolved) => resolved.case.to_string(),
+        }
+    }
+
+    /// The files of points and sections that its results have, by their names in the folder; for
+    /// [`Claim::adding`](crate::output::Claim::adding).
+    pub fn files(&self) -> Vec<String> {
+        match self {
+            Task::Contact(resolved) => {
+                let Case { points, sections, bodies, .. } = &resolved.case;
+                let inside = Inside::at(points.clone()).on(sections.clone());
+                inside.files(bodies.each_ref().map(|body| body.name.as_str()))
+            }
+            Task::Elastic(resolved) => {
+                elastic_files(&resolved.case.points, &resolved.case.sections)
+            }
         }
     }
 
