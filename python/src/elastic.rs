@@ -31,7 +31,9 @@ pub fn solve_elastic(
             return Err(Unsolved::Case);
         };
         let (case, case_toml) = (&resolved.case, resolved.case.to_string());
-        let claim = Claim::take(&folder).map_err(Unsolved::Output)?;
+        let task = Task::Elastic(resolved.clone());
+        let claim = Claim::take(&folder).map_err(Unsolved::Output)?.adding(task.files());
+        let mut claim = if force { claim.adopting() } else { claim };
         if !force && claim.holds_another(&case_toml) {
             return Err(Unsolved::Taken(folder));
         }
@@ -45,7 +47,7 @@ pub fn solve_elastic(
             failure: None,
             command: None,
         };
-        output::write_elastic(&claim, &case_toml, (&body, &deformed), &totals)
+        output::write_elastic(&mut claim, &case_toml, (&body, &deformed), &totals)
             .map_err(Unsolved::Output)
     };
     let outcome = away(py, &pool, work).unless_interrupted()?;

@@ -92,7 +92,10 @@ impl Run {
         let case = resolved.case;
         let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
         let case_toml = format!("{remark}{case}");
-        let claim = Claim::take(&folder).map_err(unwritten)?;
+        let inside = Inside::at(case.points.clone()).on(case.sections.clone());
+        let files = inside.files(case.bodies.each_ref().map(|body| body.name.as_str()));
+        let claim = Claim::take(&folder).map_err(unwritten)?.adding(files);
+        let claim = if force { claim.adopting() } else { claim };
         if !resume && !force && claim.holds_another(&case_toml) {
             return Err(taken(&folder));
         }
@@ -108,7 +111,7 @@ impl Run {
             }
         };
         let (results, stage) = if resume {
-            let (results, kept) = claim.resume().map_err(unwritten)?;
+            let (results, kept) = claim.resume(&simulation).map_err(unwritten)?;
             (results, Stage::Kept(simulation, kept))
         } else {
             (claim.begin(&case_toml).map_err(unwritten)?, Stage::Built(simulation))
@@ -117,7 +120,7 @@ impl Run {
         Ok(Self {
             pool,
             stage,
-            inside: Some(Inside::at(case.points).on(case.sections).keeping(kept)),
+            inside: Some(inside.keeping(kept)),
             results: Arc::new(Mutex::new(Some(results))),
             failed,
             warnings: warnings.chain(doubts.iter().cloned()).collect(),

@@ -144,10 +144,10 @@ pub struct Run {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["case", "set", "output", "force"])]
     pub resume: Option<PathBuf>,
     /// Where to write the results; results/NAME if not given, with the values of --set in its name.
-    /// Files of an earlier run of the same case in it are replaced, others left alone
+    /// Files that an earlier run of the same case wrote there are replaced; all others stay
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
-    /// Replace the results of another case
+    /// Replace the results of another case, or of an earlier version of the program
     #[arg(long)]
     pub force: bool,
     /// Write a page about the run into its folder, as `archard report` does

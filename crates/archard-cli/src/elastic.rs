@@ -32,10 +32,10 @@ pub fn run(
         failure: None,
         command: Some(command()),
     };
-    let Some(claim) = watch.release() else {
+    let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_elastic(&claim, &case.to_string(), (&body, &deformed), &totals)
+    write_elastic(&mut claim, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
     if !quiet {
         summarize(&body, &deformed, &totals, claim.dir())?;

@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use archard::output::Claim;
+use archard::case::Task;
+use archard::output::{Claim, Error};
 
 use crate::arguments::{Case, Run};
 use crate::failure::Failure;
@@ -10,18 +11,25 @@ use crate::failure::Failure;
 /// Most letters that settings take in the name of a folder.
 const LONGEST: usize = 100;
 
-/// The folder of the arguments, held for a case that prints like this.
-pub fn claim(arguments: &Run, case_toml: &str) -> Result<Claim, Failure> {
+/// The folder of the arguments, held for a task.
+pub fn claim(arguments: &Run, task: &Task) -> Result<Claim, Failure> {
+    let wrong = |error: Error| Failure::wrong(error.to_string());
     if let Some(dir) = &arguments.resume {
-        return Claim::take(dir).map_err(|error| Failure::wrong(error.to_string()));
+        return Ok(Claim::take(dir).map_err(wrong)?.adding(task.files()));
     }
     let Case { case, set } = arguments.case();
     let dir = arguments.output.clone().unwrap_or_else(|| default(&case, &set));
     keep_the_case(&case, &dir)?;
-    let claim = Claim::take(&dir).map_err(|error| Failure::wrong(error.to_string()))?;
-    if arguments.force || !claim.holds_another(case_toml) {
+    let claim = Claim::take(&dir).map_err(wrong)?.adding(task.files());
+    let claim = if arguments.force { claim.adopting() } else { claim };
+    if let Err(error) = claim.admit() {
+        claim.give_up();
+        return Err(wrong(error));
+    }
+    if arguments.force || !claim.holds_another(&task.case_toml()) {
         return Ok(claim);
     }
+    claim.give_up();
     Err(Failure::wrong(format!(
         "`{}` holds another case or its results; choose another folder with -o, or replace them with --force",
         dir.display()

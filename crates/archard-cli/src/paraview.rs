@@ -5,7 +5,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use archard::output::{Collection, Error, Image, RELIEF, Sheet, Surface, WornSurface, bodies};
+use archard::body::Body;
+use archard::output::{
+    Collection, Error, Field, Image, Manifest, RELIEF, Sheet, Surface, WornSurface, bodies,
+    write_whole,
+};
 
 use crate::failure::Failure;
 use crate::say::say;
@@ -29,17 +33,19 @@ pub fn write(dir: &Path) -> Result<(), Failure> {
         ))
     })?;
     let folder = dir.join(FOLDER);
-    let made = if folder.exists() { fs::remove_dir_all(&folder) } else { Ok(()) };
-    made.and_then(|()| fs::create_dir_all(&folder)).map_err(|error| {
-        Failure::wrong(format!("cannot write into `{}`: {error}", folder.display()))
-    })?;
+    if folder.is_symlink() {
+        let message = format!("`{}` is a link, through which nothing is written", folder.display());
+        return Err(Failure::wrong(message));
+    }
+    let mut manifest = Manifest::read(&folder).map_err(wrong)?;
+    manifest.begin([]).map_err(wrong)?;
     let mut written: BTreeMap<usize, (String, Collection, [f64; 4])> = BTreeMap::new();
     for (index, (progress, file)) in collection.outputs.iter().enumerate() {
         for (place, (body, surface)) in
             surfaces(&dir.join(file)).map_err(wrong)?.into_iter().enumerate()
         {
             let name = format!("{body}_{index:04}.vtu");
-            surface.write(&folder.join(&name)).map_err(wrong)?;
+            surface.write(&manifest.claim(&name).map_err(wrong)?).map_err(wrong)?;
             let found = extents(&surface);
             let entry =
                 written.entry(place).or_insert_with(|| (body, Collection::default(), [0.0; 4]));
@@ -48,20 +54,20 @@ pub fn write(dir: &Path) -> Result<(), Failure> {
         }
     }
     let names: Vec<&str> = written.values().map(|body| body.0.as_str()).collect();
-    let inside = bodies_inside(dir, &folder, &names).map_err(wrong)?;
+    let inside = bodies_inside(dir, &mut manifest, &names).map_err(wrong)?;
     if alone {
         let files = inside.join(" and ");
         return say(&format!("{files} written into {}; open them in ParaView", folder.display()));
     }
     for (body, collection, _) in written.values() {
-        collection.write(&folder.join(format!("{body}.pvd"))).map_err(wrong)?;
+        let path = manifest.claim(&format!("{body}.pvd")).map_err(wrong)?;
+        collection.write(&path).map_err(wrong)?;
     }
     let most = |which: usize| written.values().map(|body| body.2[which]).fold(0.0, f64::max);
     let shown = if most(2) > 0.0 { (SHOWN[0], most(2)) } else { (SHOWN[1], most(3)) };
     let script = script(&names, most(0), factor(most(0), most(1)), shown);
-    let path = folder.join(MACRO);
-    fs::write(&path, script)
-        .map_err(|error| Failure::wrong(format!("cannot write `{}`: {error}", path.display())))?;
+    let path = manifest.claim(MACRO).map_err(wrong)?;
+    write_whole(&path, script.as_bytes()).map_err(wrong)?;
     let beside = if inside.is_empty() { String::new() } else { format!(", {}", inside.join(", ")) };
     say(&format!(
         "{} outputs of {}{beside} written into {}; next: paraview --script={}",
@@ -73,10 +79,14 @@ pub fn write(dir: &Path) -> Result<(), Failure> {
 }
 
 /// Writes what loads make of meshed bodies, on their surfaces and on sections; the names of the files.
-fn bodies_inside(dir: &Path, folder: &Path, bodies: &[&str]) -> Result<Vec<String>, Error> {
+fn bodies_inside(
+    dir: &Path,
+    manifest: &mut Manifest,
+    bodies: &[&str],
+) -> Result<Vec<String>, Error> {
     let mut written = vec![];
     let mut write = |surface: &WornSurface, name: String| -> Result<(), Error> {
-        surface.write(&folder.join(&name))?;
+        surface.write(&manifest.claim(&name)?)?;
         written.push(name);
         Ok(())
     };
@@ -99,17 +109,22 @@ fn bodies_inside(dir: &Path, folder: &Path, bodies: &[&str]) -> Result<Vec<Strin
 /// The surfaces of both bodies at an output, body 1 first.
 fn surfaces(path: &Path) -> Result<Vec<(String, WornSurface)>, Error> {
     let meshed = path.extension().is_some_and(|extension| extension == "vtu");
-    let of = |fields: &[archard::output::Field], make: &dyn Fn(&str) -> Option<WornSurface>| {
+    let of = |fields: &[Field], make: &dyn Fn(&str) -> Option<WornSurface>| {
+        let bodies = bodies(fields);
+        if let Some(name) = bodies.iter().find(|body| !Body::is_name(body)) {
+            let what = format!("no case can have a body `{name}`");
+            return Err(Error::NotAnImage { path: path.to_owned(), what });
+        }
         let named = |body: &&str| Some(((*body).to_owned(), make(body)?));
-        bodies(fields).iter().filter_map(named).collect()
+        Ok(bodies.iter().filter_map(named).collect())
     };
-    Ok(if meshed {
+    if meshed {
         let surface = Surface::read(path)?;
         of(&surface.fields, &|body| WornSurface::of_surface(&surface, body))
     } else {
         let image = Image::read(path)?;
         of(&image.fields, &|body| WornSurface::of_image(&image, body))
-    })
+    }
 }
 
 /// What the surfaces are coloured by, where nothing has worn the second.

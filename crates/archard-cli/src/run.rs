@@ -37,7 +37,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
     let (task, companion) = companions::settle(task, (&watch, &mut follower), arguments)?;
     let case_toml = task.case_toml();
-    let claim = folder::claim(arguments, &case_toml)?;
+    let claim = folder::claim(arguments, &task)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = match &task {
@@ -92,7 +92,7 @@ fn contact(
         let folder = match arguments.resume {
             None => claim.begin(case_toml)?,
             Some(_) => {
-                let (folder, run) = claim.resume()?;
+                let (folder, run) = claim.resume(&simulation)?;
                 kept = Some(run);
                 folder
             }

@@ -1,8 +1,8 @@
 //! Measured tables, with the names that options give their columns.
 
-use std::fs;
 use std::path::Path;
 
+use archard::files::{self, Contents};
 use archard::measured::Table;
 
 /// Names and titles, of options like `depth="Tiefe [um]"`.
@@ -27,8 +27,8 @@ pub fn names(options: &[String]) -> Result<Vec<(&str, &str)>, String> {
 /// # Errors
 /// If there is no such file, it is no table, or has no such columns.
 pub fn read(path: &Path, names: &[(&str, &str)]) -> Result<Table, String> {
-    let bytes =
-        fs::read(path).map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
+    let bytes = files::read(path, Contents::Text)
+        .map_err(|error| format!("cannot read `{}`: {error}", path.display()))?;
     let table = Table::read(&path.display().to_string(), &bytes);
     table.and_then(|table| table.naming(names)).map_err(|error| error.to_string())
 }

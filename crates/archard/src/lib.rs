@@ -83,6 +83,7 @@ pub mod closed_form;
 pub mod compliance;
 pub mod elastic;
 pub mod estimate;
+pub mod files;
 pub mod fit;
 pub mod frame;
 pub mod friction;

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use archard::files::{self, Contents};
 use archard::simulation::history::{BODY_DEPTH, body_of};
 
 /// An axis of the frame.
@@ -122,7 +123,7 @@ fn read_rows(
     mut take: impl FnMut(&[(&str, &str)]) -> anyhow::Result<()>,
 ) -> anyhow::Result<()> {
     let context = || format!("cannot read `{}`", path.display());
-    let mut text = std::fs::read(path).with_context(context)?;
+    let mut text = files::read(path, Contents::Text).with_context(context)?;
     // A run that is under way, or was killed, may leave half a row at the end.
     text.truncate(text.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1));
     let mut reader = csv::Reader::from_reader(&text[..]);

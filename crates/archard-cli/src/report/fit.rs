@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use archard::files::{self, Contents};
 use serde_json::Value;
 
 use super::figures::Figure;
@@ -29,8 +30,8 @@ pub(super) fn is_one(dir: &Path) -> bool {
 pub(super) fn page(dir: &Path) -> Result<Page> {
     let path = dir.join(FOUND);
     let context = || format!("cannot read `{}`", path.display());
-    let found: Value =
-        serde_json::from_slice(&fs::read(&path).with_context(context)?).with_context(context)?;
+    let text = files::read(&path, Contents::Text).with_context(context)?;
+    let found: Value = serde_json::from_slice(&text).with_context(context)?;
     let coefficients: Vec<Coefficient<'_>> =
         found["coefficients"].as_array().into_iter().flatten().map(Coefficient).collect();
     let title = name_of(dir);
@@ -62,11 +63,10 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
 
 /// The picture of the folder. It is shown as an image, in which nothing runs.
 fn picture(dir: &Path) -> Option<Figure> {
-    let small =
-        |path: &Path| fs::metadata(path).is_ok_and(|file| file.is_file() && file.len() < LARGEST);
+    let small = |path: &Path| fs::metadata(path).is_ok_and(|file| file.len() < LARGEST);
     let read = |(name, kind): (&str, &'static str)| {
         let path = dir.join(name);
-        let bytes = fs::read(&path).ok().filter(|_| small(&path))?;
+        let bytes = small(&path).then(|| files::read(&path, Contents::Numbers).ok()).flatten()?;
         Some(Still { kind, bytes })
     };
     let still = PICTURES.into_iter().find_map(read)?;

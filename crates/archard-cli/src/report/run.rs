@@ -1,9 +1,9 @@
 //! The page about a run.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::Result;
+use archard::files;
 use serde_json::{Value, json};
 
 use super::figures::{Figure, drawn};
@@ -40,7 +40,7 @@ pub(super) fn page(dir: &Path, results: &Results, compared: Vec<Comparison>) -> 
         let own = figures(&one.panels)?;
         Ok((one, own))
     };
-    let case = fs::read_to_string(dir.join("case.toml")).unwrap_or_default();
+    let case = files::read_text(&dir.join("case.toml")).unwrap_or_default();
     let compared = compared.into_iter().map(with).collect::<Result<Vec<_>>>()?;
     let run = Run { dir, results, case, figures: all, maps: maps::of(dir, results)?, compared };
     Ok(run.page())

@@ -1,9 +1,9 @@
 //! The page about a study: what came out of its rows as a whole, and by what it was varied.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
+use archard::files::{self, Contents};
 use archard::simulation::history::{
     BODY_DEPTH, MASS_LOSS, PEAK_PRESSURE, SCAR, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, body_of,
     of_body,
@@ -81,8 +81,8 @@ impl Study {
     fn read(dir: &Path) -> Result<Self> {
         let path = dir.join("study.json");
         let context = || format!("cannot read `{}`", path.display());
-        let kind: Value = serde_json::from_slice(&fs::read(&path).with_context(context)?)
-            .with_context(context)?;
+        let text = files::read(&path, Contents::Text).with_context(context)?;
+        let kind: Value = serde_json::from_slice(&text).with_context(context)?;
         let names = |key: &str| -> Vec<String> {
             let list = kind[key].as_array().map_or(&[][..], Vec::as_slice);
             list.iter().filter_map(|name| name.as_str().map(str::to_owned)).collect()

@@ -1,8 +1,8 @@
 //! Coefficients of a fit as samples of a study.
 
-use std::fs;
 use std::path::Path;
 
+use archard::files::{self, Contents};
 use serde_json::Value;
 
 use crate::arguments::Sweep;
@@ -26,7 +26,7 @@ pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
 
 fn read(path: &Path) -> Result<Value, String> {
     let wrong = |why: String| format!("`{}`: {why}", path.display());
-    let text = fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let text = files::read(path, Contents::Text).map_err(|error| wrong(error.to_string()))?;
     serde_json::from_slice(&text).map_err(|error| wrong(error.to_string()))
 }
 

@@ -17,11 +17,13 @@ mod words;
 
 use std::collections::HashSet;
 use std::fs;
+use std::io::ErrorKind;
 use std::num::NonZero;
 use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use archard::files;
 use archard::output::{Store, write_whole};
 use rayon::ThreadPoolBuilder;
 
@@ -94,7 +96,7 @@ const ELSEWHERE: &str = "choose another folder with -o, or remove this one";
 /// Makes the folder, or sees that it is of the same study.
 fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
     let (path, text) = (study.join("design.csv"), design.csv());
-    match fs::read_to_string(&path) {
+    match files::read_text(&path) {
         Ok(known) if known != text => {
             let differ = known.lines().zip(text.lines()).position(|(one, other)| one != other);
             let line = differ.unwrap_or(known.lines().count().min(text.lines().count())) + 1;
@@ -104,6 +106,10 @@ fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
             )));
         }
         Ok(_) => {}
+        Err(error) if error.kind() != ErrorKind::NotFound => {
+            let message = format!("cannot read `{}`: {error}; {ELSEWHERE}", path.display());
+            return Err(Failure::wrong(message));
+        }
         Err(_) => {
             let made = fs::create_dir_all(study.join("rows")).map_err(|error| error.to_string());
             let write = |path: &Path, text: &str| {

@@ -1,13 +1,13 @@
 //! One row of a study: its run, in a result folder of its own.
 
 use std::error::Error as StdError;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use archard::case::{self, Resolved};
+use archard::files::{self, Contents};
 use archard::output::{Claim, Error, Inside, ResultFolder, Store};
-use archard::simulation::{self, Observer, Report, Simulation};
+use archard::simulation::{Observer, Report, Simulation};
 
 use crate::interrupt::{Interrupted, Requests};
 use crate::underway::Underway;
@@ -32,7 +32,7 @@ pub fn folder(study: &Path, index: usize) -> PathBuf {
 
 /// The summary in a folder, if there is a whole one.
 pub fn summary(dir: &Path) -> Option<serde_json::Value> {
-    serde_json::from_slice(&fs::read(dir.join("summary.json")).ok()?).ok()
+    serde_json::from_slice(&files::read(&dir.join("summary.json"), Contents::Text).ok()?).ok()
 }
 
 /// Whether a folder holds a run of that case that came to its end.
@@ -48,7 +48,7 @@ pub fn holds_another(dir: &Path, resolved: &Resolved) -> bool {
 
 /// The case in a folder, if there is one.
 fn kept(dir: &Path) -> Option<String> {
-    fs::read(dir.join("case.toml")).ok().map(|known| String::from_utf8_lossy(&known).into_owned())
+    files::read_text(&dir.join("case.toml")).ok()
 }
 
 /// Runs a row, or goes on with it where it was interrupted.
@@ -73,8 +73,10 @@ fn attempt(
     (requests, store): (&Requests, Option<&Store>),
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
+    let claim = Claim::take(dir)?;
     let settled = resolved.clone().with_companion(store, &mut Stop(requests));
     if requests.any() {
+        claim.give_up();
         return Ok(Outcome::Interrupted);
     }
     let (resolved, settled) = match settled {
@@ -82,24 +84,22 @@ fn attempt(
         Err(error) => (resolved.clone(), Err(error.to_string())),
     };
     let resolved = &resolved;
-    let (folder, kept) = begin(dir, resolved)?;
-    let mut results = Following { folder, requests };
-    let beside = store.map(|store| Store::new(store.folder()));
-    let mut inside =
-        Inside::at(resolved.case.points.clone()).on(resolved.case.sections.clone()).keeping(beside);
-    let mut stale = false;
     let built = settled.and_then(|companion| {
         let mut simulation = build(resolved, store)?;
         simulation.companion = companion;
         Ok(simulation)
     });
+    let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;
+    let mut results = Following { folder, requests };
+    let beside = store.map(|store| Store::new(store.folder()));
+    let mut inside =
+        Inside::at(resolved.case.points.clone()).on(resolved.case.sections.clone()).keeping(beside);
     let failure = built.and_then(|simulation| {
         let observers: &mut [&mut dyn Observer] = &mut [&mut results, &mut inside];
         let ran = match &kept {
             Some(run) => simulation.resume(run, observers),
             None => simulation.run(observers),
         };
-        stale = matches!(ran, Err(simulation::Error::NotResumed(_)));
         ran.map_err(|error| error.to_string())?;
         let written = inside.write(dir, simulation.problem.bodies.each_ref());
         written.map_err(|error| error.to_string())
@@ -110,25 +110,29 @@ fn attempt(
         Err(why) => Outcome::Failed(why.clone()),
     };
     finish(results.folder, resolved, begun, failure.err())?;
-    if stale && fs::remove_file(dir.join("checkpoint")).is_ok() {
-        // What was kept is of a run in other steps: it begins anew.
-        return attempt(resolved, dir, (requests, store));
-    }
     Ok(outcome)
 }
 
 /// The results of a row, from the start or from where they were interrupted.
-fn begin(dir: &Path, resolved: &Resolved) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
-    let case_toml = resolved.case.to_string();
-    if dir.join("checkpoint").is_file() && kept(dir).is_some_and(|known| known == case_toml) {
-        match Claim::take(dir)?.resume() {
-            Ok((folder, run)) => return Ok((folder, Some(run))),
-            // What cannot be gone on with begins anew.
-            Err(Error::NoCheckpoint { .. }) => {}
-            Err(error) => return Err(error),
+fn begin(
+    claim: Claim,
+    resolved: &Resolved,
+    simulation: Option<&Simulation>,
+) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
+    let (dir, case_toml) = (claim.dir().to_owned(), resolved.case.to_string());
+    let goes_on =
+        dir.join("checkpoint").is_file() && kept(&dir).is_some_and(|known| known == case_toml);
+    let Some(simulation) = simulation.filter(|_| goes_on) else {
+        return Ok((claim.begin(&case_toml)?, None));
+    };
+    match claim.resume(simulation) {
+        Ok((folder, run)) => Ok((folder, Some(run))),
+        // What cannot be gone on with begins anew.
+        Err(Error::NoCheckpoint { .. } | Error::NotResumed { .. }) => {
+            Ok((Claim::take(&dir)?.begin(&case_toml)?, None))
         }
+        Err(error) => Err(error),
     }
-    Ok((Claim::take(dir)?.begin(&case_toml)?, None))
 }
 
 /// The simulation of a row.

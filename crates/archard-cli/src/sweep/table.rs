@@ -1,8 +1,10 @@
 //! `sweep.csv`: a row a run, with what was put in, what came out, and whether it can be believed.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use archard::case::Resolved;
+use archard::files::{self, Contents};
 use archard::output::{Claim, Error, write_whole};
 
 use super::design::Design;
@@ -122,7 +124,7 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
 
 /// The last row of a history by column, each number as it stands there.
 fn last_row(path: &Path) -> Option<Vec<(String, String)>> {
-    let mut reader = csv::Reader::from_path(path).ok()?;
+    let mut reader = csv::Reader::from_reader(Cursor::new(files::read(path, Contents::Text).ok()?));
     let header = reader.headers().ok()?.clone();
     let last = reader.records().last()?.ok()?;
     Some(header.iter().zip(&last).map(|(name, cell)| (name.to_owned(), cell.to_owned())).collect())

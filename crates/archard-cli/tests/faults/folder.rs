@@ -73,6 +73,74 @@ fn results_of_another_case_are_kept() {
     assert_ne!(content(&dir.path().join("out")), before);
 }
 
+/// A run that does not go on leaves every byte: of an edited case, from a checkpoint of another run, or from none.
+#[test]
+fn a_resume_that_is_refused_changes_nothing() {
+    let dir = tempfile::tempdir().unwrap();
+    let start = |step: &str| {
+        let settings = [MANY_STEPS[0], step, "output.every=\"4 um\""];
+        Run::start(&mut command(dir.path(), "pin_on_disc", &settings))
+    };
+    let out = dir.path().join("out");
+    let [case, checkpoint] = ["case.toml", "checkpoint"].map(|name| out.join(name));
+    let stop = |run: Run| {
+        wait_until("rows", || lines(dir.path()) > 8);
+        run.signal("TERM");
+        assert_eq!(run.end().status.code(), Some(3));
+    };
+    stop(start("motion.sliding.step=0.001 mm"));
+    let other = fs::read(&checkpoint).unwrap();
+    fs::remove_dir_all(&out).unwrap();
+    stop(start("motion.sliding.step=0.002 mm"));
+    let (text, kept) = (fs::read_to_string(&case).unwrap(), fs::read(&checkpoint).unwrap());
+    let edited = text.replacen("coefficient = ", "coefficient = 2", 1);
+    assert_ne!(edited, text);
+    let pipe = || {
+        fs::remove_file(&checkpoint).unwrap();
+        assert!(Command::new("mkfifo").arg(&checkpoint).status().unwrap().success());
+    };
+    let forged = [&kept[..kept.len() / 2], &kept[kept.len() / 2 + 1..]].concat();
+    let trials: [(&str, &dyn Fn()); 4] = [
+        ("another case", &|| fs::write(&case, &edited).unwrap()),
+        ("another case", &|| fs::write(&checkpoint, &other).unwrap()),
+        ("damaged", &|| fs::write(&checkpoint, &forged).unwrap()),
+        ("a named pipe", &pipe),
+    ];
+    for (why, spoil) in trials {
+        fs::write(&case, &text).unwrap();
+        fs::write(&checkpoint, &kept).unwrap();
+        spoil();
+        let before = content(&out);
+        let mut resume = super::program();
+        resume.current_dir(dir.path()).args(["run", "-q", "--resume", "out"]);
+        let refused = resume.output().unwrap();
+        assert_eq!(refused.status.code(), Some(2), "{}", said(&refused));
+        assert!(said(&refused).contains(why), "{}", said(&refused));
+        assert_eq!(content(&out), before, "{why}");
+    }
+}
+
+/// Files of the user's with names that a run gives are named before anything is computed, and stay.
+#[test]
+fn files_of_the_user_are_in_the_way() {
+    let dir = tempfile::tempdir().unwrap();
+    let out = dir.path().join("out");
+    fs::create_dir_all(out.join("fields")).unwrap();
+    for name in ["profiles.csv", "fields/2024.vti"] {
+        fs::write(out.join(name), "mine").unwrap();
+        for more in [&[][..], &["--force"]] {
+            let ran = command(dir.path(), "pin_on_disc", &SMALL).args(more).output().unwrap();
+            assert_eq!(ran.status.code(), Some(2));
+            let message = format!("`out/{name}` is in the way");
+            assert!(said(&ran).contains(&message), "{}", said(&ran));
+        }
+        assert_eq!(content(&out).len(), 1, "nothing is added");
+        fs::remove_file(out.join(name)).unwrap();
+    }
+    let ran = command(dir.path(), "pin_on_disc", &SMALL).output().unwrap();
+    assert!(ran.status.success(), "{}", said(&ran));
+}
+
 /// While the equations of another mesh are made, the results in the folder stay as they are.
 #[test]
 fn a_run_that_does_not_come_to_its_first_step_costs_no_results() {

@@ -70,8 +70,8 @@ impl Body {
     /// What to write for a name that is none.
     pub(crate) const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
 
-    /// Whether a body can be called that.
-    pub(crate) fn is_name(name: &str) -> bool {
+    /// Whether a body of a case can be called that: its name becomes part of the names of columns and files.
+    pub fn is_name(name: &str) -> bool {
         let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-');
         !name.is_empty() && name != "total" && name.chars().all(fits)
     }

@@ -1,8 +1,10 @@
 //! Columns out of a CSV file whose header names them with their units.
 
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use super::quantity::measure;
+use crate::files::{self, Contents};
 use crate::parameters::{Column, Quantity, Values};
 use crate::units::{self, Measure, Scale};
 
@@ -40,22 +42,25 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
     rows((path, reader), headings.collect::<Result<_, _>>()?, &|name| quantity(name, known))
 }
 
+/// A reader of the bytes of a table.
+type Reader = csv::Reader<Cursor<Vec<u8>>>;
+
 /// A reader of a table, at its first row, and the titles of the columns.
-fn begin(path: &Path) -> Result<(csv::Reader<std::fs::File>, csv::StringRecord), Error> {
+fn begin(path: &Path) -> Result<(Reader, csv::StringRecord), Error> {
     let unreadable = |cause| Error::Unreadable { file: path.to_owned(), cause };
+    let bytes = files::read(path, Contents::Text).map_err(|cause| unreadable(cause.into()))?;
     let mut reader = csv::ReaderBuilder::new()
         .trim(csv::Trim::All)
         .comment(Some(b'#'))
         .flexible(true)
-        .from_path(path)
-        .map_err(unreadable)?;
+        .from_reader(Cursor::new(bytes));
     let titles = reader.headers().map_err(unreadable)?.clone();
     Ok((reader, titles))
 }
 
 /// The numbers below headings, each a name and its unit; what a column of a name holds bounds its size.
 fn rows(
-    (path, mut reader): (&Path, csv::Reader<std::fs::File>),
+    (path, mut reader): (&Path, Reader),
     headings: Vec<(String, Scale)>,
     quantity: &dyn Fn(&str) -> Quantity,
 ) -> Result<Columns, Error> {

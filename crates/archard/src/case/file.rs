@@ -17,6 +17,8 @@ use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
+use crate::files;
+use crate::output::{Inside, elastic_files};
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -112,6 +114,21 @@ impl Task {
         }
     }
 
+    /// The files of points and sections that its results have, by their names in the folder; for
+    /// [`Claim::adding`](crate::output::Claim::adding).
+    pub fn files(&self) -> Vec<String> {
+        match self {
+            Task::Contact(resolved) => {
+                let Case { points, sections, bodies, .. } = &resolved.case;
+                let inside = Inside::at(points.clone()).on(sections.clone());
+                inside.files(bodies.each_ref().map(|body| body.name.as_str()))
+            }
+            Task::Elastic(resolved) => {
+                elastic_files(&resolved.case.points, &resolved.case.sections)
+            }
+        }
+    }
+
     /// What may not be as it was meant.
     pub fn warnings(&self) -> &[Problem] {
         match self {
@@ -128,7 +145,7 @@ impl CaseFile {
     /// If there is no such file or it is not text.
     pub fn read(path: &Path) -> Result<Self, Unreadable> {
         let path = if path.is_dir() { path.join("case.toml") } else { path.to_owned() };
-        match std::fs::read_to_string(&path) {
+        match files::read_text(&path) {
             Ok(text) => {
                 let folder = path.parent().map(Path::to_owned).unwrap_or_default();
                 Ok(Self::from_text(path.display().to_string(), text, folder))

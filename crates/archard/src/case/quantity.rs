@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::columns;
 use super::reader::Line;
 use super::tree::{Item, Node};
+use crate::files::{self, Contents};
 use crate::parameters::{Columns, Parameter, Quantity, Value, Values};
 use crate::units::{self, Measure};
 
@@ -301,7 +302,7 @@ fn file(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
         return Err(format!("expected the name of a file, found {}", node.item.kind()).into());
     };
     let path = folder.join(name);
-    let bytes = std::fs::read(&path).map_err(|cause| Wrong {
+    let bytes = files::read(&path, Contents::Text).map_err(|cause| Wrong {
         help: help(&path),
         message: format!("cannot read {}: {cause}", path.display()),
         within: None,

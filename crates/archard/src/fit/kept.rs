@@ -8,6 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::quantity::Quantity;
 use crate::case::Case;
+use crate::files::{self, Contents};
 use crate::output::write_whole;
 use crate::simulation::{Simulation, digest};
 
@@ -53,7 +54,7 @@ const SUM: usize = 32;
 impl Kept {
     /// What a file holds; `None` where there is none, or it is damaged.
     pub fn read(path: &Path) -> Option<Self> {
-        let bytes = fs::read(path).ok()?;
+        let bytes = files::read(path, Contents::Numbers).ok()?;
         let (content, sum) = bytes.split_last_chunk::<SUM>()?;
         let whole = Sha256::digest(content)[..] == *sum;
         whole.then(|| postcard::from_bytes(content).ok())?

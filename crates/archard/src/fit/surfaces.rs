@@ -1,7 +1,6 @@
 //! Readings that are whole surfaces: profiles and height maps in files that a table names, and what is worn off in them.
 
 use std::fmt;
-use std::fs;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -10,6 +9,7 @@ use super::Error;
 use super::quantity::{Kind, Quantity};
 use crate::body::profile::Profile;
 use crate::case::Case;
+use crate::files::{self, Contents};
 use crate::measured::Table;
 use crate::measured::surface::{Scar, Surface, Unworn};
 use crate::verdict::four;
@@ -67,7 +67,7 @@ pub(super) fn read(
             line,
             why: format!("`{file}`: {why}"),
         };
-        let bytes = fs::read(files.folder.join(file))
+        let bytes = files::read(&files.folder.join(file), Contents::Text)
             .map_err(|error| refuse(format!("cannot read it: {error}")))?;
         // These errors begin with the name of the file.
         let unread = |why: String| Error::Reading { table: table.source().to_owned(), line, why };

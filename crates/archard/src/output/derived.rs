@@ -1,6 +1,5 @@
 //! The result folder of a run that another one has gone through.
 
-use std::fs;
 use std::path::Path;
 
 use serde_json::{Map, Value, json};
@@ -8,7 +7,7 @@ use serde_json::{Map, Value, json};
 use super::folder::HISTORY;
 use super::summary::json_of;
 use super::table::{Table, number};
-use super::{Claim, Error, file};
+use super::{CASE, Claim, Error, SUMMARY, file};
 use crate::verdict::Verdict;
 
 /// What another run tells of a run.
@@ -25,14 +24,15 @@ pub struct Derived<'a> {
 }
 
 impl Derived<'_> {
-    /// Writes `case.toml`, `history.csv` and `summary.json`; what earlier runs left in the folder is removed.
+    /// Writes `case.toml`, `history.csv` and `summary.json`; what earlier runs wrote into the folder is removed.
     ///
     /// # Errors
     /// If another run writes into the folder, or a file cannot be written.
     pub fn write(&self, dir: &Path, case_toml: &str) -> Result<(), Error> {
-        let claim = Claim::take(dir)?;
-        claim.clear()?;
-        file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
+        let mut claim = Claim::take(dir)?;
+        claim.admit()?;
+        claim.manifest.begin([CASE, HISTORY, SUMMARY])?;
+        file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
         let mut history = Table::create(dir.join(HISTORY))?;
         for row in self.rows {
             let cells: Vec<_> =
@@ -55,8 +55,7 @@ impl Derived<'_> {
             "derived_from": self.from,
         });
         // Last of all: a folder with a summary is whole.
-        file::write_whole(&dir.join("summary.json"), format!("{summary:#}\n").as_bytes())?;
-        let _ = fs::remove_dir(dir.join("fields"));
+        file::write_whole(&dir.join(SUMMARY), format!("{summary:#}\n").as_bytes())?;
         Ok(())
     }
 }

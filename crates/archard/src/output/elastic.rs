@@ -1,38 +1,44 @@
 //! The results of an elastic body: fields on its surface, and a row for each point inside.
 
-use std::path::Path;
-
 use serde_json::{Map, Value, json};
 
 use super::summary;
 use super::table::{Table, number};
-use super::{Claim, Error, Field, Sheet, Surface, Totals, file};
-use crate::elastic::{Deformed, ElasticBody, Point, Response, Sampled, row};
+use super::{CASE, Claim, Error, Field, Manifest, SUMMARY, Sheet, Surface, Totals, file};
+use crate::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section, row};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` and files in `sections` where points and sections were asked for, and
-/// `summary.json` into a folder; what earlier runs left there is removed.
+/// `summary.json` into a folder; what earlier runs wrote there is removed.
 ///
 /// # Errors
 /// If a file cannot be removed or written.
 pub fn write_elastic(
-    claim: &Claim,
+    claim: &mut Claim,
     case_toml: &str,
     (body, deformed): (&ElasticBody, &Deformed),
     totals: &Totals,
 ) -> Result<(), Error> {
-    claim.clear()?;
-    let dir = claim.dir();
-    file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
-    Surface::of_elastic(deformed).write(&dir.join(SURFACE))?;
+    claim.admit()?;
+    let manifest = &mut claim.manifest;
+    manifest.begin([CASE, SURFACE])?;
+    file::write_whole(&manifest.claim(CASE)?, case_toml.as_bytes())?;
+    Surface::of_elastic(deformed).write(&manifest.claim(SURFACE)?)?;
     if !body.points.is_empty() {
-        let mut table = Table::create(dir.join(POINTS))?;
+        let mut table = Table::create(manifest.claim(POINTS)?)?;
         write_points(&mut table, &[], &body.points, deformed)?;
         table.flush()?;
         table.sync()?;
     }
-    write_sections(dir, "", deformed, false)?;
+    write_sections(manifest, "", deformed, false)?;
     let summary = format!("{:#}\n", summary(body, deformed, totals));
-    file::write_whole(&dir.join("summary.json"), summary.as_bytes())
+    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
+}
+
+/// The files that [`write_elastic`] adds to the case and the summary, by their names in the folder.
+pub fn elastic_files(points: &[Point], sections: &[Section]) -> Vec<String> {
+    let table = (!points.is_empty()).then(|| POINTS.to_owned());
+    let sections = sections.iter().map(|section| section_file("", &section.name));
+    [SURFACE.to_owned()].into_iter().chain(table).chain(sections).collect()
 }
 
 /// The file of the fields on a body's surface.
@@ -41,25 +47,24 @@ pub(super) const SURFACE: &str = "surface.vtu";
 pub(super) const POINTS: &str = "points.csv";
 
 /// The folder of sections.
-pub(super) const SECTIONS: &str = "sections";
+const SECTIONS: &str = "sections";
+
+/// The file of a section, its name behind a prefix.
+pub(super) fn section_file(prefix: &str, name: &str) -> String {
+    format!("{SECTIONS}/{prefix}{name}.vtu")
+}
 
 /// Writes a file a section, its name behind a prefix; of a body that is turned over in its place.
 pub(super) fn write_sections(
-    dir: &Path,
+    manifest: &mut Manifest,
     prefix: &str,
     deformed: &Deformed,
     turned: bool,
 ) -> Result<(), Error> {
-    if deformed.sections.is_empty() {
-        return Ok(());
-    }
-    let folder = dir.join(SECTIONS);
-    let refused = |source| Error::Write { path: folder.clone(), source };
-    std::fs::create_dir_all(&folder).map_err(refused)?;
     deformed.sections.iter().try_for_each(|sampled| {
         let sheet = Sheet::of_section(sampled);
         let sheet = if turned { sheet.turned_over() } else { sheet };
-        sheet.write(&folder.join(format!("{prefix}{}.vtu", sampled.name)))
+        sheet.write(&manifest.claim(&section_file(prefix, &sampled.name))?)
     })
 }
 

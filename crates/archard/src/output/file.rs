@@ -69,19 +69,19 @@ fn part(path: &Path) -> PathBuf {
     name.into()
 }
 
-/// The process that wrote a part, if that is the name of one.
-fn writer(name: &OsStr) -> Option<u32> {
+/// The file that a part is of and the process that wrote it, if that is the name of one.
+fn writer(name: &OsStr) -> Option<(&str, u32)> {
     let (rest, number) = name.to_str()?.strip_suffix(PART)?.rsplit_once('.')?;
-    let (_, process) = rest.rsplit_once('.')?;
+    let (whole, process) = rest.rsplit_once('.')?;
     number.parse::<usize>().ok()?;
-    process.parse().ok()
+    Some((whole, process.parse().ok()?))
 }
 
-/// Removes the parts in a folder whose writer is gone, as far as that can be done.
-pub(super) fn remove_parts(folder: &Path, gone: impl Fn(u32) -> bool) {
+/// Removes the parts of some files in a folder whose writer is gone, as far as that can be done.
+pub(super) fn remove_parts(folder: &Path, gone: impl Fn(u32) -> bool, of: impl Fn(&str) -> bool) {
     let Ok(entries) = fs::read_dir(folder) else { return };
     for entry in entries.flatten() {
-        if writer(&entry.file_name()).is_some_and(&gone) {
+        if writer(&entry.file_name()).is_some_and(|(whole, process)| of(whole) && gone(process)) {
             let _ = fs::remove_file(entry.path());
         }
     }
@@ -101,16 +101,18 @@ mod tests {
         let parts = [part(&path), part(&path)];
         assert_ne!(parts[0], parts[1]);
         for part in &parts {
-            assert_eq!(writer(part.file_name().unwrap()), Some(std::process::id()));
+            let own = Some(("summary.json", std::process::id()));
+            assert_eq!(writer(part.file_name().unwrap()), own);
             fs::write(part, "half").unwrap();
         }
         for other in ["notes.part", "my.2.part", "summary.json", "a.b.2.part", "a.1.2.parts"] {
             assert_eq!(writer(OsStr::new(other)), None, "{other}");
         }
         fs::write(folder.path().join("notes.part"), "mine").unwrap();
-        remove_parts(folder.path(), |_| false);
+        remove_parts(folder.path(), |_| false, |_| true);
+        remove_parts(folder.path(), |_| true, |whole| whole != "summary.json");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
-        remove_parts(folder.path(), |process| process == std::process::id());
+        remove_parts(folder.path(), |process| process == std::process::id(), |_| true);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

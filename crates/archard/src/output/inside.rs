@@ -3,9 +3,9 @@
 use std::error::Error as StdError;
 use std::path::Path;
 
-use super::elastic::{POINTS, write_points, write_sections};
+use super::elastic::{POINTS, section_file, write_points, write_sections};
 use super::table::Table;
-use super::{Error, Store, Surface};
+use super::{Error, Manifest, Store, Surface};
 use crate::body::{Body, Finite, Material};
 use crate::compliance::Unsolved;
 use crate::compliance::bem::Boundary;
@@ -43,6 +43,11 @@ pub enum InsideError {
     Write(#[from] Error),
 }
 
+/// What the files of a body's sections begin with.
+fn prefix(body: &str) -> String {
+    format!("{body}_")
+}
+
 impl Inside {
     /// Stresses at points of body 1 and body 2 (m, in their own coordinates).
     pub fn at(points: [Vec<Point>; 2]) -> Self {
@@ -62,6 +67,19 @@ impl Inside {
         Self { store, ..self }
     }
 
+    /// The files that [`Inside::write`] writes for bodies of these names, by their names in the folder.
+    pub fn files(&self, bodies: [&str; 2]) -> Vec<String> {
+        let table = self.points.iter().any(|points| !points.is_empty());
+        let mut files: Vec<String> = table.then(|| POINTS.to_owned()).into_iter().collect();
+        for (which, body) in bodies.into_iter().enumerate().filter(|(which, _)| self.wants(*which))
+        {
+            files.push(SURFACES[which].to_owned());
+            let sections = &self.sections[which];
+            files.extend(sections.iter().map(|one| section_file(&prefix(body), &one.name)));
+        }
+        files
+    }
+
     /// Whether anything of a body is wanted.
     fn wants(&self, which: usize) -> bool {
         !self.points[which].is_empty() || !self.sections[which].is_empty()
@@ -76,7 +94,9 @@ impl Inside {
     pub fn write(&self, dir: &Path, bodies: [&Body; 2]) -> Result<(), InsideError> {
         let Some((tractions, worn)) = &self.last else { return Ok(()) };
         let any = self.points.iter().any(|points| !points.is_empty());
-        let mut table = any.then(|| Table::create(dir.join(POINTS))).transpose()?;
+        let mut manifest = Manifest::read(dir)?;
+        let path = any.then(|| manifest.claim(POINTS)).transpose()?;
+        let mut table = path.map(Table::create).transpose()?;
         for which in (0..2).filter(|&which| self.wants(which)) {
             let body = &bodies[which].name;
             let solve = |finite: &Finite, material: &Material, job: &Job<'_>, acting: &[f64]| {
@@ -91,11 +111,11 @@ impl Inside {
             let turned = which == 1 && !placed;
             let surface = Surface::of_elastic(&deformed);
             let surface = if turned { surface.turned_over() } else { surface };
-            surface.write(&dir.join(SURFACES[which]))?;
+            surface.write(&manifest.claim(SURFACES[which])?)?;
             if let Some(table) = &mut table {
                 write_points(table, &[("body", body.clone())], &self.points[which], &deformed)?;
             }
-            write_sections(dir, &format!("{body}_"), &deformed, turned)?;
+            write_sections(&mut manifest, &prefix(body), &deformed, turned)?;
         }
         if let Some(mut table) = table {
             table.flush()?;

@@ -12,6 +12,7 @@
 //! - `fields.pvd`, the [`Collection`] of outputs for ParaView, and for each `fields/NNNN.vti`, the [`Image`] of all
 //!   fields; on frames that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals;
+//! - `manifest.txt`: the names of all these, so that nothing else is ever replaced or removed;
 //! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
 //!
 //! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end
@@ -36,6 +37,7 @@ mod image;
 mod inside;
 mod length_profiles;
 mod limit;
+mod manifest;
 mod sections;
 mod sheet;
 mod standards;
@@ -53,14 +55,17 @@ mod fixture;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::simulation::NotResumed;
+
 pub(crate) use closed_forms::blocks as estimate_json;
 pub use derived::Derived;
-pub use elastic::write_elastic;
+pub use elastic::{elastic_files, write_elastic};
 pub use fields::{Field, fields};
 pub use file::write_whole;
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
+pub use manifest::Manifest;
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
@@ -70,8 +75,14 @@ pub use surface::Surface;
 pub use vtk::Collection;
 pub use worn_surface::{RELIEF, WornSurface, bodies};
 
+/// The file of the case as resolved.
+const CASE: &str = "case.toml";
+/// The file of the end of a run.
+const SUMMARY: &str = "summary.json";
 /// The file that lists the outputs.
 const COLLECTION: &str = "fields.pvd";
+/// The folder of the outputs.
+const FIELDS: &str = "fields";
 
 /// What a file of fields is called.
 fn extension(path: &Path) -> String {
@@ -90,6 +101,17 @@ pub enum Error {
         /// Why.
         source: io::Error,
     },
+    /// Something stands where a file goes that this program did not write.
+    #[error(
+        "`{}` is in the way, and nothing says that archard wrote it: move it, or choose another folder{help}",
+        .path.display()
+    )]
+    NotOurs {
+        /// What stands there.
+        path: PathBuf,
+        /// What else can be done.
+        help: &'static str,
+    },
     /// A file was removed while it was written.
     #[error("`{}` was removed or moved while the run wrote into it; what it held is lost", .path.display())]
     Removed {
@@ -107,6 +129,14 @@ pub enum Error {
         dir: PathBuf,
         /// The process that holds it, where it can be told.
         process: Option<u32>,
+    },
+    /// A folder whose run is another one.
+    #[error("`{}` stays as it is: {source}", .dir.display())]
+    NotResumed {
+        /// The folder.
+        dir: PathBuf,
+        /// Why not.
+        source: NotResumed,
     },
     /// A folder without a run to go on with.
     #[error("`{}` holds no run to go on with: {why}", .dir.display())]

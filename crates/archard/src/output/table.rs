@@ -1,6 +1,6 @@
 //! A CSV file that grows row by row.
 
-use std::fs::{File, OpenOptions};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -28,6 +28,22 @@ pub(super) struct Kept {
     headed: bool,
 }
 
+impl Kept {
+    /// Says whether a file still has the rows that it had.
+    ///
+    /// # Errors
+    /// If it is none, or shorter.
+    pub(super) fn find(self, path: &Path) -> Result<(), Error> {
+        let found = fs::symlink_metadata(path).and_then(|known| {
+            if known.is_file() && known.len() >= self.length {
+                return Ok(());
+            }
+            Err(io::Error::other("it is shorter than it was, or no file; start the run anew"))
+        });
+        found.map_err(|source| Error::Read { path: path.to_owned(), source })
+    }
+}
+
 impl Table {
     /// What is in the file now, brought to the disk.
     pub(super) fn keep(&self) -> Result<Kept, Error> {
@@ -35,12 +51,9 @@ impl Table {
         Ok(Kept { length: self.length, headed: self.headed })
     }
 
-    /// A table as it was kept; rows that were added since are cut off.
+    /// A table as it was kept, once it [was found](Kept::find); rows that were added since are cut off.
     pub(super) fn resume(path: PathBuf, Kept { length, headed }: Kept) -> Result<Self, Error> {
         let opened = OpenOptions::new().append(true).open(&path).and_then(|file| {
-            if file.metadata()?.len() < length {
-                return Err(io::Error::other("it is shorter than it was; start the run anew"));
-            }
             file.set_len(length)?;
             Ok(file)
         });

@@ -107,6 +107,14 @@ impl Simulation {
         })
     }
 
+    /// Says whether what was kept is of a run of this simulation.
+    ///
+    /// # Errors
+    /// If it was another run, or cannot be read.
+    pub fn recognise(&self, checkpoint: &[u8]) -> Result<(), NotResumed> {
+        March::from_bytes(checkpoint, self).map(|_| ())
+    }
+
     fn carry_on(
         &self,
         mut march: March,

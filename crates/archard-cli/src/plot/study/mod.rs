@@ -4,10 +4,11 @@ mod keys;
 mod map;
 mod statistics;
 
-use std::fs;
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
+use archard::files::{self, Contents};
 use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
 use serde_json::Value;
 
@@ -96,8 +97,9 @@ impl Study {
     fn read(dir: &Path) -> Result<Self> {
         let path = dir.join("study.json");
         let context = || format!("cannot read `{}`", path.display());
-        let kind: Value = serde_json::from_slice(&fs::read(&path).with_context(context)?)
-            .with_context(context)?;
+        let kind: Value =
+            serde_json::from_slice(&files::read(&path, Contents::Text).with_context(context)?)
+                .with_context(context)?;
         let names = |key: &str| -> Vec<String> {
             let list = kind[key].as_array().map_or(&[][..], Vec::as_slice);
             list.iter().filter_map(|name| name.as_str().map(str::to_owned)).collect()
@@ -105,7 +107,8 @@ impl Study {
         let (over, sampled) = (names("over"), names("sample"));
         let path = dir.join("sweep.csv");
         let context = || format!("cannot read `{}`: run the study first", path.display());
-        let mut reader = csv::Reader::from_path(&path).with_context(context)?;
+        let table = files::read(&path, Contents::Text).with_context(context)?;
+        let mut reader = csv::Reader::from_reader(Cursor::new(table));
         let header = reader.headers().with_context(context)?.clone();
         let at = |name: &str| {
             let place = header.iter().position(|known| known == name);

@@ -1,13 +1,13 @@
 //! Whether the machine holds what a case takes.
 
 use super::Parts;
-pub(in crate::case) use super::free::{available_to_equations, free_memory};
 use crate::body::Elasticity;
 use crate::body::mesh::Shape;
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+pub(in crate::case) use crate::files::{available_to_equations, free_memory};
 
 /// Share of the free memory beyond which a case is worth a warning.
 const LARGE: f64 = 0.5;

@@ -10,7 +10,6 @@ mod finite;
 pub(super) mod footprint;
 mod forecast;
 mod foreseen;
-mod free;
 mod geometry;
 mod heat;
 mod inside;
@@ -26,12 +25,12 @@ mod surfaces;
 mod track;
 mod words;
 
+pub use crate::files::free_memory;
 pub use coarse::BesideHalfSpace;
 pub use cycles::Cycles;
 pub use equivalent::Equivalent;
 pub use finite::Finiteness;
 pub use forecast::{Forecast, Solves};
-pub use free::free_memory;
 pub use surfaces::Surfaces;
 pub(super) use surfaces::settle;
 

@@ -5,7 +5,6 @@
 //! as far as steps end in that time; never so often that it takes more than a fiftieth of the time. When the
 //! run has come to its end, it goes.
 
-use std::fs;
 use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -17,11 +16,13 @@ use super::super::evidence::Evidence;
 use super::super::fretting_loop::FrettingLoop;
 use super::super::table::Kept as KeptTable;
 use super::super::{Error, file};
+use super::{Claim, TABLES, claim};
+use crate::files::{self, Contents};
 
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 11\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 12\n");
 /// Bytes of a checksum.
 const SUM: usize = 32;
 /// The longest a run is not kept where it could be.
@@ -40,6 +41,33 @@ pub(super) struct Kept {
     pub evidence: Evidence,
     /// Time the run has taken (s).
     pub seconds: f64,
+}
+
+impl Kept {
+    /// Says whether the files of a folder are those of these results.
+    ///
+    /// # Errors
+    /// If one of them is missing, shorter than it was or somebody else's.
+    pub fn find(&self, claim: &Claim) -> Result<(), Error> {
+        let dir = &claim.dir;
+        let damaged = || Error::NoCheckpoint {
+            dir: dir.clone(),
+            why: "its checkpoint is damaged; start the run anew",
+        };
+        let [history, profiles, ..] = self.tables;
+        if history.is_none() || profiles.is_none() {
+            return Err(damaged());
+        }
+        let mut names = self.outputs.iter().map(|(_, name)| claim::output(name)).enumerate();
+        if !names.all(|(index, number)| number == Some(index)) {
+            return Err(damaged());
+        }
+        claim.admit()?;
+        TABLES.iter().zip(self.tables).try_for_each(|(name, kept)| match kept {
+            Some(kept) => kept.find(&dir.join(name)),
+            None => Ok(()),
+        })
+    }
 }
 
 /// When a run was kept last, and how long that took.
@@ -81,7 +109,7 @@ pub(super) fn write(dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
 pub(super) fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
     let path = dir.join(NAME);
     let refuse = |why: &'static str| Error::NoCheckpoint { dir: dir.to_owned(), why };
-    let bytes = match fs::read(&path) {
+    let bytes = match files::read(&path, Contents::Numbers) {
         Ok(bytes) => bytes,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(refuse(missing(dir))),
         Err(source) => return Err(Error::Read { path, source }),

@@ -2,14 +2,17 @@
 
 use std::ffi::OsStr;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
+
+use serde_json::Value;
 
 use super::lock::Lock;
 use super::{HISTORY, ResultFolder, TABLES, checkpoint};
-use crate::output::elastic::{POINTS, SECTIONS, SURFACE};
+use crate::files::{self, Contents};
+use crate::output::elastic::{POINTS, SURFACE};
 use crate::output::inside::SURFACES;
-use crate::output::{COLLECTION, Error, file};
+use crate::output::{CASE, COLLECTION, Collection, Error, FIELDS, Manifest, SUMMARY};
+use crate::simulation::Simulation;
 
 /// A folder that no other run writes into. What is in it stays as it is until the results begin, so that a case that
 /// cannot be built costs no results.
@@ -17,6 +20,9 @@ use crate::output::{COLLECTION, Error, file};
 pub struct Claim {
     pub(super) dir: PathBuf,
     pub(super) lock: Lock,
+    pub(in crate::output) manifest: Manifest,
+    /// Files that a run adds at its end.
+    more: Vec<String>,
     /// Whether the folder was made for it.
     made: bool,
 }
@@ -29,7 +35,20 @@ impl Claim {
     pub fn take(dir: &Path) -> Result<Self, Error> {
         let made = !dir.exists();
         fs::create_dir_all(dir).map_err(|source| Error::Write { path: dir.to_owned(), source })?;
-        Ok(Self { dir: dir.to_owned(), lock: Lock::take(dir)?, made })
+        let lock = Lock::take(dir)?;
+        match Manifest::read(dir) {
+            Ok(manifest) => Ok(Self { dir: dir.to_owned(), lock, manifest, more: vec![], made }),
+            Err(error) => {
+                lock.give_up();
+                Err(error)
+            }
+        }
+    }
+
+    /// The same for a run that adds files of these names at its end, such as [`Inside::files`](crate::output::Inside).
+    #[must_use]
+    pub fn adding(self, more: Vec<String>) -> Self {
+        Self { more, ..self }
     }
 
     /// The folder.
@@ -39,74 +58,116 @@ impl Claim {
 
     /// Whether the folder holds results of another case than the one that prints like this, or a case by itself.
     pub fn holds_another(&self, case_toml: &str) -> bool {
-        match fs::read(self.dir.join("case.toml")) {
+        match files::read(&self.dir.join(CASE), Contents::Text) {
             Ok(known) => known != case_toml.as_bytes(),
-            Err(_) => ["summary.json", HISTORY].iter().any(|name| self.dir.join(name).exists()),
+            Err(_) => [SUMMARY, HISTORY].iter().any(|name| self.dir.join(name).exists()),
         }
     }
 
-    /// Gives the folder up; one that was made for it and is empty is removed.
+    /// Says whether a run may begin: nothing stands where its files go but what this program wrote.
+    ///
+    /// # Errors
+    /// If something does, which is named.
+    pub fn admit(&self) -> Result<(), Error> {
+        let fixed = FIXED.into_iter().chain(TABLES).map(str::to_owned);
+        let mut names = fixed.chain(self.more.iter().cloned()).chain(self.numbered());
+        names.try_for_each(|name| self.manifest.admit(&name).map(|_| ())).map_err(|error| {
+            match error {
+                Error::NotOurs { path, .. } if self.is_of_an_earlier_version() => {
+                    let help = "; this looks like the results of an earlier version: `--force` replaces them";
+                    Error::NotOurs { path, help }
+                }
+                error => error,
+            }
+        })
+    }
+
+    /// Takes results of an earlier version, which left no list of its files, for what this program wrote: the files with
+    /// names that it always gave, and the fields that its `fields.pvd` names. Of any other folder it takes nothing.
+    #[must_use]
+    pub fn adopting(mut self) -> Self {
+        if self.is_of_an_earlier_version() {
+            let fields = Collection::read(&self.dir.join(COLLECTION)).unwrap_or_default().outputs;
+            let fields =
+                fields.into_iter().map(|(_, name)| name).filter(|name| output(name).is_some());
+            let fixed = FIXED.into_iter().chain(TABLES).chain([POINTS, SURFACE]).chain(SURFACES);
+            let all = fixed.map(str::to_owned).chain(fields).chain(self.more.iter().cloned());
+            let there: Vec<String> = all.filter(|name| self.dir.join(name).is_file()).collect();
+            self.manifest.adopt(there);
+        }
+        self
+    }
+
+    /// Gives the folder up as it was; one that was made for it and is empty is removed.
     pub fn give_up(self) {
+        self.lock.give_up();
         if self.made {
-            self.lock.remove();
             let _ = fs::remove_dir(self.dir);
         }
     }
 
-    /// Removes what earlier runs left and begins the results of a case.
+    /// Removes what earlier runs wrote and begins the results of a case.
     ///
     /// # Errors
-    /// If a file cannot be removed or written.
+    /// If something else stands where its files go, or a file cannot be removed or written.
     pub fn begin(self, case_toml: &str) -> Result<ResultFolder, Error> {
-        ResultFolder::begin(self, case_toml)
+        match self.admit() {
+            Ok(()) => ResultFolder::begin(self, case_toml),
+            Err(error) => {
+                self.give_up();
+                Err(error)
+            }
+        }
     }
 
-    /// Goes on with the results of a run that was interrupted; the run itself comes with them, for
-    /// [`Simulation::resume`](crate::simulation::Simulation::resume).
+    /// Goes on with the results of a simulation's run that was interrupted; the run itself comes with them, for
+    /// [`Simulation::resume`]. What cannot be gone on with stays as it is.
     ///
     /// # Errors
-    /// If there is no checkpoint of this version, it is damaged, or files of the results are.
-    pub fn resume(self) -> Result<(ResultFolder, Vec<u8>), Error> {
-        ResultFolder::resume(self)
+    /// If there is no checkpoint of this version and this simulation, it is damaged, or files of the results are.
+    pub fn resume(self, simulation: &Simulation) -> Result<(ResultFolder, Vec<u8>), Error> {
+        ResultFolder::resume(self, simulation)
     }
 
-    /// Removes parts of files. The lock is held: whoever wrote them is gone.
-    pub(super) fn remove_parts(&self) {
-        file::remove_parts(&self.dir, |_| true);
-        file::remove_parts(&self.dir.join("fields"), |_| true);
-        file::remove_parts(&self.dir.join(SECTIONS), |_| true);
+    /// Removes the outputs from a number on.
+    pub(super) fn remove_fields(&mut self, first: usize) -> Result<(), Error> {
+        let old = |name: &&str| output(name).is_some_and(|number| number >= first);
+        let old: Vec<String> = self.manifest.names().filter(old).map(str::to_owned).collect();
+        old.iter().try_for_each(|name| self.manifest.remove(name))
     }
 
-    /// Removes what earlier runs left, whole or in parts; anything else is left alone.
-    pub(in crate::output) fn clear(&self) -> Result<(), Error> {
-        let fields = self.dir.join("fields");
-        self.remove_parts();
-        let names = ["summary.json", COLLECTION, checkpoint::NAME].into_iter().chain(TABLES);
-        let mut names = names.chain([POINTS, SURFACE]).chain(SURFACES);
-        names.try_for_each(|name| file::remove(&self.dir.join(name)))?;
-        let sections = self.dir.join(SECTIONS);
-        let old = fs::read_dir(&sections).into_iter().flatten().flatten().map(|entry| entry.path());
-        let mut old = old.filter(|path| path.extension() == Some(OsStr::new("vtu")));
-        old.try_for_each(|path| file::remove(&path))?;
-        remove_fields(&fields, 0)
+    /// What stands in the folder of fields under the name of one.
+    fn numbered(&self) -> impl Iterator<Item = String> {
+        let entries = fs::read_dir(self.dir.join(FIELDS)).into_iter().flatten().flatten();
+        let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+        names.filter(|name| number(name).is_some()).map(|name| format!("{FIELDS}/{name}"))
+    }
+
+    /// Whether the folder holds results and no list of them.
+    fn is_of_an_earlier_version(&self) -> bool {
+        let there = |name: &str| self.dir.join(name).is_file();
+        let signed = || {
+            let summary = files::read(&self.dir.join(SUMMARY), Contents::Text).ok();
+            let summary: Option<Value> =
+                summary.and_then(|text| serde_json::from_slice(&text).ok());
+            summary.is_some_and(|summary| summary["program"] == "archard")
+        };
+        !self.manifest.exists() && there(CASE) && (there(HISTORY) && there(COLLECTION) || signed())
     }
 }
 
-/// Removes the outputs from a number on.
-pub(super) fn remove_fields(fields: &Path, first: usize) -> Result<(), Error> {
-    match fs::read_dir(fields) {
-        Ok(entries) => {
-            let paths = entries.flatten().map(|entry| entry.path());
-            let mut old = paths.filter(|path| number(path).is_some_and(|number| number >= first));
-            old.try_for_each(|path| file::remove(&path))
-        }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        Err(source) => Err(Error::Write { path: fields.to_owned(), source }),
-    }
+/// Files that every run in contact writes, beside its tables.
+const FIXED: [&str; 4] = [CASE, SUMMARY, COLLECTION, checkpoint::NAME];
+
+/// The number of an output, by its name in the folder of results.
+pub(super) fn output(name: &str) -> Option<usize> {
+    let (folder, name) = name.split_once('/')?;
+    if folder == FIELDS { number(name) } else { None }
 }
 
 /// The number of an output, if that is the name of one.
-fn number(path: &Path) -> Option<usize> {
+fn number(name: &str) -> Option<usize> {
+    let path = Path::new(name);
     let digits = |stem: &&str| stem.len() >= 4 && stem.bytes().all(|byte| byte.is_ascii_digit());
     let fields = [Some(OsStr::new("vti")), Some(OsStr::new("vtu"))].contains(&path.extension());
     let stem = path.file_stem().and_then(OsStr::to_str).filter(|_| fields).filter(digits)?;

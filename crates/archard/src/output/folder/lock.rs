@@ -17,6 +17,8 @@ const NAME: &str = ".archard.lock";
 pub(super) struct Lock {
     path: PathBuf,
     _file: File,
+    /// Whether its file was made for it.
+    made: bool,
 }
 
 impl Lock {
@@ -27,6 +29,7 @@ impl Lock {
     pub(super) fn take(dir: &Path) -> Result<Self, Error> {
         let path = dir.join(NAME);
         let refused = |source| Error::Write { path: path.clone(), source };
+        let made = !path.exists();
         loop {
             let mut file = open(&path).map_err(refused)?;
             match file.try_lock() {
@@ -40,13 +43,15 @@ impl Lock {
                 Ok(()) => {}
             }
             sign(&mut file).map_err(refused)?;
-            return Ok(Self { path, _file: file });
+            return Ok(Self { path, _file: file, made });
         }
     }
 
-    /// Removes the file, and with it the lock.
-    pub(super) fn remove(self) {
-        let _ = fs::remove_file(&self.path);
+    /// Leaves the folder as it was: a file that was made for the lock is removed.
+    pub(super) fn give_up(self) {
+        if self.made {
+            let _ = fs::remove_file(&self.path);
+        }
     }
 }
 
@@ -102,8 +107,12 @@ mod tests {
             assert_eq!(process, Some(std::process::id()));
         }
         drop(lock);
-        Lock::take(dir.path()).unwrap().remove();
-        assert_eq!(std::fs::read_dir(dir.path()).unwrap().count(), 0);
+        let count = || std::fs::read_dir(dir.path()).unwrap().count();
+        Lock::take(dir.path()).unwrap().give_up();
+        assert_eq!(count(), 1);
+        std::fs::remove_file(dir.path().join(super::NAME)).unwrap();
+        Lock::take(dir.path()).unwrap().give_up();
+        assert_eq!(count(), 0);
     }
 
     #[cfg(unix)]

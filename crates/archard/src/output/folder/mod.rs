@@ -8,7 +8,6 @@ mod lock;
 mod tests;
 
 use std::error::Error as StdError;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -23,10 +22,13 @@ use super::length_profiles;
 use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
-use super::{COLLECTION, Collection, Error, Image, Surface, Totals, file, sections};
+use super::{
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals, file,
+    sections,
+};
 use crate::estimate::Estimator;
 use crate::simulation::history::TIME_ERROR;
-use crate::simulation::{Observer, Report, row};
+use crate::simulation::{Observer, Report, Simulation, row};
 use crate::verdict::Verdict;
 
 /// The file of the numbers of every step.
@@ -46,6 +48,7 @@ const TABLES: [&str; 5] = [HISTORY, PROFILES, WORN_PROFILES, LENGTH_PROFILES, FR
 #[derive(Debug)]
 pub struct ResultFolder {
     dir: PathBuf,
+    manifest: Manifest,
     /// Held until the results are whole.
     _lock: Lock,
     history: Table,
@@ -71,21 +74,20 @@ pub struct ResultFolder {
 }
 
 impl ResultFolder {
-    /// Makes the folder and starts its files; results of an earlier run in it are removed, anything
+    /// Makes the folder and starts its files; what an earlier run wrote into it is removed, anything
     /// else is left alone. [`Claim`] does the same in two steps.
     ///
     /// # Errors
-    /// If another run writes into the folder, or the folder or a file in it cannot be written.
+    /// If another run writes into the folder, something else stands where a file goes, or the folder or a file in it
+    /// cannot be written.
     pub fn create(dir: &Path, case_toml: &str) -> Result<Self, Error> {
         Claim::take(dir)?.begin(case_toml)
     }
 
     fn begin(claim: Claim, case_toml: &str) -> Result<Self, Error> {
-        let fields = claim.dir.join("fields");
-        fs::create_dir_all(&fields).map_err(|source| Error::Write { path: fields, source })?;
-        claim.clear()?;
-        let Claim { dir, lock, .. } = claim;
-        file::write_whole(&dir.join("case.toml"), case_toml.as_bytes())?;
+        let Claim { dir, lock, mut manifest, .. } = claim;
+        manifest.begin([CASE, HISTORY, PROFILES])?;
+        file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
         Ok(Self {
             history: Table::create(dir.join(HISTORY))?,
             profiles: Table::create(dir.join(PROFILES))?,
@@ -103,40 +105,45 @@ impl ResultFolder {
             begun: Instant::now(),
             before: 0.0,
             dir,
+            manifest,
             _lock: lock,
         })
     }
 
-    /// Goes on with the results of a run that was kept; the run itself comes with them.
-    fn resume(claim: Claim) -> Result<(Self, Vec<u8>), Error> {
+    /// Goes on with the results of a run that was kept; the run itself comes with them. Nothing changes before all of it
+    /// is known to belong together.
+    fn resume(claim: Claim, simulation: &Simulation) -> Result<(Self, Vec<u8>), Error> {
         let (kept, run) = checkpoint::read(&claim.dir)?;
-        claim.remove_parts();
-        let Claim { dir, lock, .. } = claim;
+        let refused = |source| Error::NotResumed { dir: claim.dir.clone(), source };
+        simulation.recognise(&run).map_err(refused)?;
+        kept.find(&claim)?;
+        Ok((Self::go_on(claim, kept)?, run))
+    }
+
+    /// Brings the results of a run back to where it was kept.
+    fn go_on(mut claim: Claim, kept: Kept) -> Result<Self, Error> {
         let Kept { tables, fretting_loop, outputs, iterations, evidence, seconds } = kept;
-        let mut tables = TABLES.into_iter().zip(tables).map(|(name, kept)| {
-            let path = dir.join(name);
-            match kept {
-                Some(kept) => Table::resume(path, kept).map(Some),
-                // Rows that were added since.
-                None => file::remove(&path).map(|()| None),
-            }
-        });
-        let mut next = || tables.next().unwrap_or(Ok(None));
-        let [history, profiles, worn_profiles, length_profiles, fretting_loops] =
-            [next()?, next()?, next()?, next()?, next()?];
-        drop(tables);
-        let (Some(history), Some(profiles)) = (history, profiles) else {
-            let why = "its checkpoint is damaged; start the run anew";
-            return Err(Error::NoCheckpoint { dir, why });
+        claim.manifest.remove_parts(|_| true);
+        claim.manifest.remove(SUMMARY)?;
+        claim.remove_fields(outputs.len())?;
+        // Tables whose rows all were added since.
+        for (name, _) in TABLES.iter().zip(&tables).filter(|(_, kept)| kept.is_none()) {
+            claim.manifest.remove(name)?;
+        }
+        let Claim { dir, lock, manifest, .. } = claim;
+        let resume = |index: usize| {
+            tables[index].map(|kept| Table::resume(dir.join(TABLES[index]), kept)).transpose()
         };
-        file::remove(&dir.join("summary.json"))?;
-        claim::remove_fields(&dir.join("fields"), outputs.len())?;
-        let folder = Self {
-            history,
-            profiles,
-            worn_profiles,
-            length_profiles,
-            fretting_loops,
+        let begun = |index: usize| match resume(index)? {
+            Some(table) => Ok(table),
+            None => Table::create(dir.join(TABLES[index])),
+        };
+        Ok(Self {
+            history: begun(0)?,
+            profiles: begun(1)?,
+            worn_profiles: resume(2)?,
+            length_profiles: resume(3)?,
+            fretting_loops: resume(4)?,
             fretting_loop,
             collection: Collection { outputs },
             behind: Behind::default(),
@@ -148,9 +155,9 @@ impl ResultFolder {
             begun: Instant::now(),
             before: seconds,
             dir,
+            manifest,
             _lock: lock,
-        };
-        Ok((folder, run))
+        })
     }
 
     /// Keeps the run, if it is time to, or in any case.
@@ -178,6 +185,7 @@ impl ResultFolder {
             evidence: self.evidence.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
         };
+        self.manifest.claim(checkpoint::NAME)?;
         checkpoint::write(&self.dir, &kept, &run)?;
         self.clock.was_kept(begun);
         Ok(())
@@ -219,10 +227,10 @@ impl ResultFolder {
         tables.try_for_each(Table::sync)?;
         let verdict = self.verdict();
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
-        file::write_whole(&self.dir.join("summary.json"), text.as_bytes())?;
+        file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(()),
-            None => file::remove(&self.dir.join(checkpoint::NAME)),
+            None => self.manifest.remove(checkpoint::NAME),
         }
     }
 
@@ -244,7 +252,7 @@ impl ResultFolder {
             self.put_out(report)?;
         }
         if self.fretting_loop.take(report, &row) {
-            let table = begun(&mut self.fretting_loops, &self.dir.join(FRETTING_LOOP))?;
+            let table = begun(&mut self.fretting_loops, (&mut self.manifest, FRETTING_LOOP))?;
             self.fretting_loop.write(table)?;
         }
         self.evidence.take(report, &row);
@@ -257,12 +265,13 @@ impl ResultFolder {
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
         if let Some(swung) = &report.state.swung {
-            let table = begun(&mut self.length_profiles, &self.dir.join(LENGTH_PROFILES))?;
+            let table = begun(&mut self.length_profiles, (&mut self.manifest, LENGTH_PROFILES))?;
             length_profiles::write(table, (report.problem, report.state), swung)?;
         }
         match WornProfiles::of(report.problem, report.state) {
             Some(profiles) => {
-                profiles.write(begun(&mut self.worn_profiles, &self.dir.join(WORN_PROFILES))?)
+                let table = begun(&mut self.worn_profiles, (&mut self.manifest, WORN_PROFILES))?;
+                profiles.write(table)
             }
             None => Ok(()),
         }
@@ -274,11 +283,11 @@ impl ResultFolder {
     fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let Report { problem, state, .. } = report;
         let progress = (problem.motion.progress().column, state.progress);
-        let name = format!("fields/{:04}", self.collection.outputs.len());
+        let name = format!("{FIELDS}/{:04}", self.collection.outputs.len());
         let through = sections::through(problem, state);
         let uniform = problem.frame.is_uniform();
         let name = format!("{name}.{}", if uniform { "vti" } else { "vtu" });
-        let (path, all) = (self.dir.join(&name), self.dir.join(COLLECTION));
+        let (path, all) = (self.manifest.claim(&name)?, self.manifest.claim(COLLECTION)?);
         self.collection.outputs.push((state.progress, name));
         let collection = self.collection.clone();
         if uniform {
@@ -293,11 +302,14 @@ impl ResultFolder {
     }
 }
 
-/// A table, begun at that path if it is not there yet.
-fn begun<'a>(table: &'a mut Option<Table>, path: &Path) -> Result<&'a mut Table, Error> {
+/// A table, begun under that name if it is not there yet.
+fn begun<'a>(
+    table: &'a mut Option<Table>,
+    (manifest, name): (&mut Manifest, &str),
+) -> Result<&'a mut Table, Error> {
     let begun = match table.take() {
         Some(begun) => begun,
-        None => Table::create(path.to_owned())?,
+        None => Table::create(manifest.claim(name)?)?,
     };
     Ok(table.insert(begun))
 }

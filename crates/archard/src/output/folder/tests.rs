@@ -240,6 +240,54 @@ fn a_new_run_removes_the_results_of_the_old_one_only() {
     assert!(!there("summary.json") && !there("fields.pvd") && !there("fields/0000.vti"));
 }
 
+/// Whatever has a name that a run needs, and is not a run's, is named and stays, with all else.
+#[test]
+fn files_of_others_are_in_the_way() {
+    for name in ["profiles.csv", "case.toml", "checkpoint", "fields/2024.vti", "sections/pin_a.vtu"]
+    {
+        let dir = tempdir().unwrap();
+        let path = dir.path().join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, "mine").unwrap();
+        let claim = Claim::take(dir.path()).unwrap().adding(vec!["sections/pin_a.vtu".to_owned()]);
+        let error = claim.adopting().begin("").unwrap_err().to_string();
+        assert!(error.contains(name) && error.contains("is in the way"), "{error}");
+        assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+        let first = std::path::Path::new(name).iter().next().unwrap();
+        let left: Vec<_> =
+            fs::read_dir(dir.path()).unwrap().map(|e| e.unwrap().file_name()).collect();
+        assert_eq!(left, [first], "nothing is added");
+    }
+}
+
+/// What a run has removed again is no longer its own.
+#[test]
+fn a_name_that_is_free_again_may_be_anyones() {
+    let dir = folder();
+    fs::write(dir.path().join("checkpoint"), "mine").unwrap();
+    let error = ResultFolder::create(dir.path(), "").unwrap_err().to_string();
+    assert!(error.contains("`") && error.contains("checkpoint` is in the way"), "{error}");
+    assert!(dir.path().join("summary.json").exists());
+}
+
+/// Folders without a list are taken for results only where they look like some, and only when that is asked for.
+#[test]
+fn results_of_an_earlier_version_are_replaced_when_asked() {
+    let dir = folder();
+    fs::remove_file(dir.path().join("manifest.txt")).unwrap();
+    let mine = ["fields/2024.vti", "points.txt"].map(|name| dir.path().join(name));
+    mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
+    let refused = || Claim::take(dir.path()).unwrap().begin("").unwrap_err().to_string();
+    assert!(refused().contains("`--force` replaces them"), "{}", refused());
+    let error = Claim::take(dir.path()).unwrap().adopting().begin("").unwrap_err().to_string();
+    assert!(error.contains("fields/2024.vti` is in the way"), "{error}");
+    assert!(dir.path().join("fields/0001.vti").exists());
+    fs::remove_file(&mine[0]).unwrap();
+    let begun = Claim::take(dir.path()).unwrap().adopting().begin("").unwrap();
+    assert!(!dir.path().join("fields/0001.vti").exists() && mine[1].exists());
+    drop(begun);
+}
+
 #[test]
 fn a_folder_that_cannot_be_made_is_named() {
     let dir = tempdir().unwrap();
@@ -263,15 +311,16 @@ fn a_folder_is_held_while_results_are_written() {
 fn results_stay_until_others_begin() {
     let dir = folder();
     let before = fs::read(dir.path().join("history.csv")).unwrap();
-    let part = dir.path().join("fields/0007.vti.4194305.3.part");
-    fs::write(&part, "half").unwrap();
+    let [part, other] = ["fields/0001.vti", "fields/mine.vti"]
+        .map(|name| dir.path().join(format!("{name}.4194305.3.part")));
+    [&part, &other].map(|part| fs::write(part, "half").unwrap());
     let claim = Claim::take(dir.path()).unwrap();
     assert_eq!(fs::read(dir.path().join("history.csv")).unwrap(), before);
     assert!(dir.path().join("summary.json").exists() && part.exists());
     claim.give_up();
     assert!(dir.path().join("summary.json").exists());
     let _folder = Claim::take(dir.path()).unwrap().begin("").unwrap();
-    assert!(!dir.path().join("summary.json").exists() && !part.exists());
+    assert!(!dir.path().join("summary.json").exists() && !part.exists() && other.exists());
     assert_eq!(fs::read(dir.path().join("history.csv")).unwrap(), b"");
 }
 

@@ -7,6 +7,7 @@ use std::path::Path;
 use super::Kept;
 use super::arrays::{END, attribute, elements, escape, number, opening, unescape};
 use crate::output::Error;
+use crate::output::manifest::is_within;
 
 /// The outputs of a run, as kept in `fields.pvd` (a VTK collection).
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -57,8 +58,12 @@ impl Kept for Collection {
         let output = |element: &str| {
             Ok((number(element, "timestep")?, unescape(attribute(element, "file")?)))
         };
-        let outputs = elements(text, OUTPUT).map(output).collect::<Result<_, String>>()?;
-        Ok(Self { outputs })
+        let outputs: Vec<(f64, String)> =
+            elements(text, OUTPUT).map(output).collect::<Result<_, String>>()?;
+        match outputs.iter().find(|(_, file)| !is_within(file)) {
+            Some((_, file)) => Err(format!("`{file}` lies outside of its folder")),
+            None => Ok(Self { outputs }),
+        }
     }
 }
 
@@ -75,6 +80,15 @@ mod tests {
         assert_eq!(Collection::decode(&whole).unwrap(), collection);
         for length in 0..whole.len() {
             assert!(Collection::decode(&whole[..length]).is_err(), "{length} of {}", whole.len());
+        }
+    }
+
+    #[test]
+    fn outputs_lie_within_the_folder() {
+        for file in ["../0000.vti", "/tmp/0000.vti", "fields/../../0000.vti", ""] {
+            let collection = Collection { outputs: vec![(0.0, file.to_owned())] };
+            let error = Collection::decode(&collection.encode().unwrap()).unwrap_err();
+            assert!(error.contains("outside of its folder"), "{error}");
         }
     }
 }

@@ -14,13 +14,13 @@ mod image_data;
 mod points;
 mod unstructured_grid;
 
-use std::fs;
 use std::io;
 use std::path::Path;
 
 pub use collection::Collection;
 
 use super::{Error, WornSurface, file};
+use crate::files::{self, Contents};
 
 /// What is kept in a file of its own kind.
 pub(super) trait Kept: Sized {
@@ -51,6 +51,7 @@ pub(super) fn decode<T: Kept>(bytes: &[u8]) -> Result<T, String> {
 
 /// Reads a file that [`write`] wrote.
 pub(super) fn read<T: Kept>(path: &Path) -> Result<T, Error> {
-    let bytes = fs::read(path).map_err(|source| Error::Read { path: path.to_owned(), source })?;
+    let bytes = files::read(path, Contents::Numbers)
+        .map_err(|source| Error::Read { path: path.to_owned(), source })?;
     T::decode(&bytes).map_err(|what| Error::NotAnImage { path: path.to_owned(), what })
 }

@@ -25,7 +25,7 @@ pub fn free_memory() -> f64 {
 
 /// The same for dense equations: each thread of their factorisation reserves twice the size of the processor's last
 /// cache (of the products of `faer`), of which it uses little.
-pub(in crate::case) fn available_to_equations() -> f64 {
+pub(crate) fn available_to_equations() -> f64 {
     let root = Path::new("/");
     free(root, OF_A_THREAD + 2.0 * last_cache(root))
 }

@@ -1,0 +1,339 @@
+//! The list of what this program has written into a folder: nothing else in it is replaced or removed.
+//!
+//! The file `manifest.txt` has a line for each file that was written and for each that was removed again, as that
+//! happens: `wrote NAME`, `removed NAME`, names within the folder. A name is on the disk before its file appears, so
+//! that a run that is killed leaves no file without its name. The last line may be torn; its file never appeared.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::path::{Component, Path, PathBuf};
+
+use super::{Error, file};
+use crate::files;
+
+/// The file.
+const NAME: &str = "manifest.txt";
+/// Its first line.
+const FORMAT: &str =
+    "# What archard has written here, and removes when it writes anew. Keep this file.\n";
+const WROTE: &str = "wrote ";
+const REMOVED: &str = "removed ";
+
+/// The files of a folder that this program has written.
+#[derive(Debug, Clone, Default)]
+pub struct Manifest {
+    dir: PathBuf,
+    names: BTreeSet<String>,
+    /// Whether the folder has a list.
+    exists: bool,
+}
+
+impl Manifest {
+    /// The list of a folder; empty where there is none.
+    ///
+    /// # Errors
+    /// If it cannot be read, or another program wrote it.
+    pub fn read(dir: &Path) -> Result<Self, Error> {
+        let path = dir.join(NAME);
+        let dir = dir.to_owned();
+        match fs::symlink_metadata(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                return Ok(Self { dir, ..Self::default() });
+            }
+            Ok(known) if known.is_symlink() => return Err(not_ours(path)),
+            _ => {}
+        }
+        let text = match files::read_text(&path) {
+            Ok(text) => text,
+            Err(source) => return Err(Error::Read { path, source }),
+        };
+        let whole = &text[..text.rfind('\n').map_or(0, |end| end + 1)];
+        let Some(lines) = whole.strip_prefix(FORMAT) else { return Err(not_ours(path)) };
+        let mut names = BTreeSet::new();
+        for line in lines.lines() {
+            if let Some(name) = line.strip_prefix(WROTE) {
+                names.insert(name.to_owned());
+            } else if let Some(name) = line.strip_prefix(REMOVED) {
+                names.remove(name);
+            }
+        }
+        names.retain(|name| is_within(name));
+        Ok(Self { dir, names, exists: true })
+    }
+
+    /// Whether the folder has a list.
+    pub(super) fn exists(&self) -> bool {
+        self.exists
+    }
+
+    /// The names, in order.
+    pub(super) fn names(&self) -> impl Iterator<Item = &str> {
+        self.names.iter().map(String::as_str)
+    }
+
+    /// Whether a file was written by this program.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.names.contains(name)
+    }
+
+    /// Says whether a file of that name may be written: it was written before, or nothing stands there.
+    ///
+    /// # Errors
+    /// If something stands there that is not listed, or the name leads out of the folder.
+    pub fn admit(&self, name: &str) -> Result<PathBuf, Error> {
+        let path = self.dir.join(name);
+        if !is_within(name) {
+            let source = io::Error::new(ErrorKind::InvalidInput, "it leads out of its folder");
+            return Err(Error::Write { path, source });
+        }
+        self.find_no_links(name)?;
+        match fs::symlink_metadata(&path) {
+            Err(_) => Ok(path),
+            Ok(known) if self.has(name) && !known.is_dir() => Ok(path),
+            Ok(_) => Err(not_ours(path)),
+        }
+    }
+
+    /// Takes a name for a file that is about to be written, and makes the folder it lies in.
+    ///
+    /// # Errors
+    /// As [`Manifest::admit`], and if the list cannot be written.
+    pub fn claim(&mut self, name: &str) -> Result<PathBuf, Error> {
+        let path = self.admit(name)?;
+        if let Some((folder, _)) = name.rsplit_once('/') {
+            let folder = self.dir.join(folder);
+            match fs::create_dir(&folder) {
+                Err(source) if !folder.is_dir() => {
+                    return Err(Error::Write { path: folder, source });
+                }
+                _ => {}
+            }
+        }
+        if !self.has(name) {
+            self.note(WROTE, name)?;
+            self.names.insert(name.to_owned());
+        }
+        Ok(path)
+    }
+
+    /// Removes a file, if it is listed.
+    ///
+    /// # Errors
+    /// If it cannot be removed or the list cannot be written.
+    pub(super) fn remove(&mut self, name: &str) -> Result<(), Error> {
+        if !self.has(name) {
+            return Ok(());
+        }
+        self.find_no_links(name)?;
+        file::remove(&self.dir.join(name))?;
+        self.note(REMOVED, name)?;
+        self.names.remove(name);
+        Ok(())
+    }
+
+    /// Removes all files that are listed, and their folders where nothing else is in them; the list begins anew with
+    /// the names of files that are about to be written.
+    ///
+    /// # Errors
+    /// If one of these names is taken by what is not listed, which removes nothing, or a file cannot be removed or
+    /// written.
+    pub fn begin<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) -> Result<(), Error> {
+        let next: BTreeSet<String> = names.into_iter().map(str::to_owned).collect();
+        next.iter().try_for_each(|name| self.admit(name).map(|_| ()))?;
+        self.names.iter().try_for_each(|name| self.find_no_links(name))?;
+        self.remove_parts(|_| true);
+        self.names.iter().try_for_each(|name| file::remove(&self.dir.join(name)))?;
+        for folder in self.folders() {
+            // One that holds anything else stays.
+            let _ = fs::remove_dir(self.dir.join(folder));
+        }
+        self.names = next;
+        fs::create_dir_all(&self.dir)
+            .map_err(|source| Error::Write { path: self.dir.clone(), source })?;
+        file::write_whole(&self.dir.join(NAME), self.text().as_bytes())?;
+        self.exists = true;
+        Ok(())
+    }
+
+    /// Removes parts of files that are listed, if whoever wrote them is gone.
+    pub(super) fn remove_parts(&self, gone: impl Fn(u32) -> bool) {
+        for folder in self.folders().into_iter().chain([""]) {
+            let own = |whole: &str| match folder {
+                "" => whole == NAME || self.has(whole),
+                folder => self.has(&format!("{folder}/{whole}")),
+            };
+            file::remove_parts(&self.dir.join(folder), &gone, own);
+        }
+    }
+
+    /// The folders within the folder that listed files lie in.
+    fn folders(&self) -> BTreeSet<&str> {
+        self.names.iter().filter_map(|name| Some(name.rsplit_once('/')?.0)).collect()
+    }
+
+    /// Takes over files that no list names.
+    pub(super) fn adopt(&mut self, names: impl IntoIterator<Item = String>) {
+        self.names.extend(names.into_iter().filter(|name| is_within(name)));
+    }
+
+    /// Refuses a name that leads elsewhere through the link of a folder.
+    fn find_no_links(&self, name: &str) -> Result<(), Error> {
+        let within = Path::new(name).ancestors().skip(1).map(|folder| self.dir.join(folder));
+        let link =
+            within.take_while(|folder| *folder != self.dir).find(|folder| folder.is_symlink());
+        link.map_or(Ok(()), |path| Err(not_ours(path)))
+    }
+
+    /// Adds a line to the list, and brings it to the disk.
+    fn note(&self, what: &str, name: &str) -> Result<(), Error> {
+        let path = self.dir.join(NAME);
+        let mut options = OpenOptions::new();
+        let list = options.read(true).append(true).create(true).open(&path);
+        let added = list.and_then(|mut list| {
+            if cut_to_lines(&mut list)? == 0 {
+                list.write_all(self.text().as_bytes())?;
+            }
+            list.write_all(format!("{what}{name}\n").as_bytes())?;
+            list.sync_data()
+        });
+        added.map_err(|source| Error::Write { path, source })
+    }
+
+    /// The list anew.
+    fn text(&self) -> String {
+        let lines: String = self.names.iter().map(|name| format!("{WROTE}{name}\n")).collect();
+        format!("{FORMAT}{lines}")
+    }
+}
+
+/// Cuts off what stands behind the last whole line of a list; what is left of it (bytes).
+fn cut_to_lines(list: &mut File) -> io::Result<u64> {
+    let length = list.metadata()?.len();
+    let mut last = [b'\n'];
+    if length > 0 {
+        list.seek(SeekFrom::Start(length - 1))?;
+        list.read_exact(&mut last)?;
+    }
+    if last == [b'\n'] {
+        return Ok(length);
+    }
+    let mut bytes = vec![];
+    list.rewind()?;
+    list.read_to_end(&mut bytes)?;
+    let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end as u64 + 1);
+    list.set_len(whole)?;
+    Ok(whole)
+}
+
+fn not_ours(path: PathBuf) -> Error {
+    Error::NotOurs { path, help: "" }
+}
+
+/// Whether a name is one of a file within the folder, on one line.
+pub(super) fn is_within(name: &str) -> bool {
+    let plain = |part: Component<'_>| matches!(part, Component::Normal(_));
+    !name.is_empty() && !name.contains(char::is_control) && Path::new(name).components().all(plain)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use super::{FORMAT, Manifest, NAME};
+    use crate::output::{Error, write_whole};
+
+    fn write(manifest: &mut Manifest, name: &str, content: &str) {
+        write_whole(&manifest.claim(name).unwrap(), content.as_bytes()).unwrap();
+    }
+
+    fn names(dir: &Path) -> Vec<String> {
+        Manifest::read(dir).unwrap().names().map(str::to_owned).collect()
+    }
+
+    #[test]
+    fn what_was_written_is_listed_and_goes_when_it_begins_anew() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        manifest.begin(["case.toml"]).unwrap();
+        write(&mut manifest, "case.toml", "one");
+        write(&mut manifest, "fields/0000.vti", "one");
+        write(&mut manifest, "checkpoint", "one");
+        // Another writer adds its own, as stresses inside do at the end.
+        write(&mut Manifest::read(dir.path()).unwrap(), "points.csv", "one");
+        manifest.remove("checkpoint").unwrap();
+        assert_eq!(names(dir.path()), ["case.toml", "fields/0000.vti", "points.csv"]);
+        let mine = ["notes.txt", "checkpoint"].map(|name| dir.path().join(name));
+        mine.iter().for_each(|path| fs::write(path, "mine").unwrap());
+        Manifest::read(dir.path()).unwrap().begin(["summary.json"]).unwrap();
+        let left = fs::read_dir(dir.path()).unwrap().count();
+        assert_eq!(left, mine.len() + 1, "the folder of fields is empty and goes");
+        assert_eq!(names(dir.path()), ["summary.json"]);
+    }
+
+    #[test]
+    fn what_others_wrote_is_in_the_way_and_stays() {
+        let dir = tempfile::tempdir().unwrap();
+        let [path, own] = ["profiles.csv", "case.toml"].map(|name| dir.path().join(name));
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        write(&mut manifest, "case.toml", "one");
+        fs::write(&path, "mine").unwrap();
+        let refused = |error: Error| matches!(&error, Error::NotOurs { path: p, .. } if *p == path);
+        assert!(refused(manifest.claim("profiles.csv").unwrap_err()));
+        assert!(refused(manifest.begin(["case.toml", "profiles.csv"]).unwrap_err()));
+        assert_eq!([&path, &own].map(|path| fs::read_to_string(path).unwrap()), ["mine", "one"]);
+        // A list of another program, too.
+        fs::write(dir.path().join(NAME), "files:\n").unwrap();
+        assert!(matches!(Manifest::read(dir.path()), Err(Error::NotOurs { .. })));
+    }
+
+    /// A list that somebody else made up names nothing outside of its folder, and a folder may be a link.
+    #[test]
+    fn no_name_leads_out_of_the_folder() {
+        let [dir, other] = [tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap()];
+        let victim = other.path().join("victim");
+        fs::write(&victim, "mine").unwrap();
+        let way = format!("../{}/victim", other.path().file_name().unwrap().display());
+        let list = format!("{FORMAT}wrote {way}\nwrote {}\n", victim.display());
+        fs::write(dir.path().join(NAME), list).unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        manifest.begin([]).unwrap();
+        for name in [way.as_str(), "", "..", "/tmp/x", "a\nb"] {
+            assert!(manifest.claim(name).is_err(), "{name}");
+        }
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(other.path(), dir.path().join("fields")).unwrap();
+            fs::write(dir.path().join(NAME), format!("{FORMAT}wrote fields/victim\n")).unwrap();
+            assert!(Manifest::read(dir.path()).unwrap().begin([]).is_err());
+            assert!(manifest.claim("fields/0000.vti").is_err());
+        }
+        assert_eq!(fs::read_to_string(&victim).unwrap(), "mine");
+    }
+
+    /// Wherever a kill tears the list, no name comes out that was not written, and it goes on.
+    #[test]
+    fn a_torn_list_has_no_other_names() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        manifest.begin([]).unwrap();
+        for name in ["fields/0000.vti", "fields/0001.vti"] {
+            manifest.claim(name).unwrap();
+        }
+        let path = dir.path().join(NAME);
+        let whole = fs::read(&path).unwrap();
+        for length in FORMAT.len()..whole.len() {
+            fs::write(&path, &whole[..length]).unwrap();
+            let mut torn = Manifest::read(dir.path()).unwrap();
+            assert!(torn.names().all(|name| manifest.has(name)), "{length}");
+            torn.claim("summary.json").unwrap();
+            let known = names(dir.path());
+            let of = |name: &String| manifest.has(name) || name == "summary.json";
+            assert!(
+                known.contains(&"summary.json".to_owned()) && known.iter().all(of),
+                "{known:?}"
+            );
+        }
+    }
+}
