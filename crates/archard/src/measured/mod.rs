@@ -173,17 +173,21 @@ impl Table {
         measure: &Measure,
     ) -> Result<Option<Vec<Option<f64>>>, Error> {
         let Some(column) = self.column(name) else { return Ok(None) };
-        let scale = self.scale(&self.headings[column], measure)?;
+        self.values(column, &self.scale(&self.headings[column], measure)?).map(Some)
+    }
+
+    /// The values in a column that are written in a unit.
+    fn values(&self, column: usize, scale: &Scale) -> Result<Vec<Option<f64>>, Error> {
         let value = |row: &Row| match row.cells[column].as_str() {
             "" => Ok(None),
-            text => cells::value(text, &scale).map(Some).ok_or_else(|| Error::NotANumber {
+            text => cells::value(text, scale).map(Some).ok_or_else(|| Error::NotANumber {
                 table: self.source.clone(),
                 line: row.line,
                 column: self.headings[column].title.clone(),
                 text: text.to_owned(),
             }),
         };
-        self.rows.iter().map(value).collect::<Result<_, _>>().map(Some)
+        self.rows.iter().map(value).collect()
     }
 
     /// The values in a column that has to be there, in every row (SI).
@@ -197,6 +201,32 @@ impl Table {
             name: name.to_owned(),
             titles: self.titles(),
         })?;
+        self.without_gaps(name, values)
+    }
+
+    /// Every column: its name, its unit, whatever it measures, and the values in it, in every row (SI). Without a unit they are
+    /// pure numbers.
+    ///
+    /// # Errors
+    /// If a unit is none, a cell is empty or not a finite number.
+    pub fn columns(&self) -> Result<Vec<(String, String, Vec<f64>)>, Error> {
+        let column = |(index, heading): (usize, &Heading)| {
+            let unit = heading.unit.clone().unwrap_or_else(|| "1".to_owned());
+            let scale = Scale::read_any(&unit).map_err(|cause| Error::WrongUnit {
+                table: self.source.clone(),
+                column: heading.title.clone(),
+                cause: Box::new(cause),
+                like: format!("{} [MPa]", heading.name),
+            });
+            let values = self.values(index, &scale?.0)?;
+            let values = self.without_gaps(&heading.name, values)?;
+            Ok((heading.name.clone(), unit, values))
+        };
+        self.headings.iter().enumerate().map(column).collect()
+    }
+
+    /// Values where there is one in every row.
+    fn without_gaps(&self, name: &str, values: Vec<Option<f64>>) -> Result<Vec<f64>, Error> {
         let there = |(row, value): (&Row, Option<f64>)| {
             value.ok_or_else(|| Error::NoValue {
                 table: self.source.clone(),
