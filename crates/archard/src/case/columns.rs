@@ -15,8 +15,6 @@ pub(super) enum Error {
     Unreadable { file: PathBuf, cause: io::Error },
     #[error(transparent)]
     Table(#[from] measured::Error),
-    #[error("{}, line {line}: {value:e} in the column `{column}` (SI) is too large to compute with", .file.display())]
-    TooLarge { file: PathBuf, line: u64, column: String, value: f64 },
 }
 
 /// Named columns (SI).
@@ -29,7 +27,7 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
         let quantity = quantity(name, known);
         let measure = measure(quantity, &Values::default()).unwrap_or(Measure::NUMBER);
         let values = table.all_numbers(name, &measure)?;
-        bounded((path, &table), name, &values, quantity)?;
+        table.hold(name, &values, quantity)?;
         Ok((name.to_owned(), values))
     };
     table.names().map(column).collect()
@@ -38,11 +36,8 @@ pub(super) fn read(path: &Path, known: &[(&str, Quantity)]) -> Result<Columns, E
 /// Reads the columns of a file (SI), whatever their units measure.
 pub(super) fn read_any(path: &Path) -> Result<Vec<Column>, Error> {
     let table = table(path)?;
-    let columns = table.columns()?.into_iter().map(|(name, unit, values)| {
-        bounded((path, &table), &name, &values, Quantity::Number)?;
-        Ok(Column { name, unit, values })
-    });
-    columns.collect()
+    let columns = table.columns()?.into_iter();
+    Ok(columns.map(|(name, unit, values)| Column { name, unit, values }).collect())
 }
 
 fn table(path: &Path) -> Result<Table, Error> {
@@ -57,23 +52,6 @@ fn quantity(name: &str, known: &[(&str, Quantity)]) -> Quantity {
         .iter()
         .find(|(known, _)| *known == name)
         .map_or(Quantity::Length, |(_, quantity)| *quantity)
-}
-
-/// Refuses values that are larger than what a column holds may be.
-fn bounded(
-    (path, table): (&Path, &Table),
-    name: &str,
-    values: &[f64],
-    quantity: Quantity,
-) -> Result<(), Error> {
-    let most = quantity.range()[1];
-    match values.iter().zip(table.lines()).find(|(value, _)| value.abs() > most) {
-        None => Ok(()),
-        Some((&value, line)) => {
-            let (file, column) = (path.to_owned(), name.to_owned());
-            Err(Error::TooLarge { file, line, column, value })
-        }
-    }
 }
 
 #[cfg(test)]
