@@ -5,8 +5,8 @@ mod statistics;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
-use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
+use anyhow::{Context, Result, bail, ensure};
+use archard::simulation::history::{BODY_DEPTH, PEAK_PRESSURE};
 use serde_json::Value;
 
 use super::draw::Paper;
@@ -32,8 +32,9 @@ struct Study {
     saltelli: bool,
     /// The values of all keys and the results, a row a run.
     rows: Vec<Row>,
-    /// What the pictures show: a column of the history, and its unit.
-    column: &'static str,
+    /// What the pictures show: a column of the history, in words, and its unit.
+    column: String,
+    name: String,
     unit: Unit,
     dir: PathBuf,
 }
@@ -52,17 +53,26 @@ pub(super) fn is_one(dir: &Path) -> bool {
     dir.join("study.json").is_file() && dir.join("design.csv").is_file()
 }
 
-/// Draws the pictures of a study; returns their files.
-pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
-    let study = Study::read(dir)?;
+/// Draws the pictures of a study, of columns of the history or, where there are none, of the wear of each body; returns their
+/// files.
+pub(super) fn run(dir: &Path, quantities: &[String], paper: &Paper) -> Result<Vec<PathBuf>> {
+    let columns = match quantities {
+        [] => worn(dir)?,
+        named => named.to_vec(),
+    };
+    let studies: Vec<Study> =
+        columns.iter().map(|column| Study::read(dir, column)).collect::<Result<_>>()?;
+    let [study, ..] = &studies[..] else { bail!("the study shows nothing") };
     let mut pictures = vec![];
     if !study.sampled.is_empty() {
-        pictures.push(tiled("bands", study.bands()?));
+        let panels: Vec<_> = studies.iter().map(Study::bands).collect::<Result<_>>()?;
+        pictures.push(tiled("bands", panels.into_iter().flatten().collect()));
     }
-    pictures.push(tiled("main_effects", study.effects()));
+    pictures.push(tiled("main_effects", studies.iter().flat_map(Study::effects).collect()));
     if study.saltelli {
         let height = 160.0 + 100.0 * study.sampled.len() as f64;
-        let picture = Picture::new("sobol_indices", vec![study.indices()?]);
+        let panels = studies.iter().map(Study::indices).collect::<Result<Vec<_>>>()?;
+        let picture = Picture { columns: 1, ..Picture::new("sobol_indices", panels) };
         pictures.push(picture.sized([1000.0, height]));
     }
     let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
@@ -79,8 +89,31 @@ fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {
     Picture { columns, ..Picture::new(name, panels) }
 }
 
+/// The depth of each body that wears in a study, or the peak pressure.
+fn worn(dir: &Path) -> Result<Vec<String>> {
+    let path = dir.join("sweep.csv");
+    let context = || format!("cannot read `{}`: run the study first", path.display());
+    let mut reader = csv::Reader::from_path(&path).with_context(context)?;
+    let header = reader.headers().with_context(context)?.clone();
+    let records: Vec<csv::StringRecord> =
+        reader.records().collect::<Result<_, _>>().with_context(context)?;
+    let (before, after) = BODY_DEPTH.split_once("BODY").unwrap_or((BODY_DEPTH, ""));
+    let depths = header.iter().enumerate().filter(|(_, name)| {
+        name.strip_prefix(before)
+            .is_some_and(|rest| rest.len() > after.len() && rest.ends_with(after))
+    });
+    let wears = |place: usize| {
+        let cells = records.iter().filter_map(|record| record[place].parse::<f64>().ok());
+        cells.into_iter().any(|depth| depth > 0.0)
+    };
+    let found: Vec<String> =
+        depths.filter(|(place, _)| wears(*place)).map(|(_, name)| name.to_owned()).collect();
+    Ok(if found.is_empty() { vec![PEAK_PRESSURE.to_owned()] } else { found })
+}
+
 impl Study {
-    fn read(dir: &Path) -> Result<Self> {
+    /// Reads a study whose pictures are to show a column.
+    fn read(dir: &Path, column: &str) -> Result<Self> {
         let path = dir.join("study.json");
         let context = || format!("cannot read `{}`", path.display());
         let kind: Value = serde_json::from_slice(&fs::read(&path).with_context(context)?)
@@ -111,14 +144,6 @@ impl Study {
                 .with_context(|| format!("`{}`: `{}` is no number", path.display(), &record[place]))
         };
         ensure!(records.iter().any(|record| good(&record)), "no row of the study has a result yet");
-        let wears = |column: &usize| {
-            let rows = records.iter().filter(good);
-            rows.filter_map(|record| record[*column].parse::<f64>().ok()).any(|depth| depth > 0.0)
-        };
-        let column = match at(WEAR_DEPTH).ok().filter(wears) {
-            Some(_) => WEAR_DEPTH,
-            None => PEAK_PRESSURE,
-        };
         let place = at(column)?;
         let rows: Vec<Row> = records
             .iter()
@@ -129,15 +154,16 @@ impl Study {
                 Ok(Row { number: index + 1, values, result })
             })
             .collect::<Result<_>>()?;
-        let most = rows.iter().filter_map(|row| row.result).fold(0.0, f64::max);
-        let unit = if column == WEAR_DEPTH { Unit::depth(most) } else { Unit::pressure() };
+        let most = rows.iter().filter_map(|row| row.result).map(f64::abs).fold(0.0, f64::max);
+        let (name, unit) = Unit::of_result(column, most);
         let saltelli = kind["design"] == "saltelli";
-        Ok(Self { over, sampled, saltelli, rows, column, unit, dir: dir.to_owned() })
+        let (column, dir) = (column.to_owned(), dir.to_owned());
+        Ok(Self { over, sampled, saltelli, rows, column, name, unit, dir })
     }
 
     /// What the pictures show, as a phrase.
-    fn name(&self) -> &'static str {
-        if self.column == WEAR_DEPTH { "Wear depth" } else { "Peak pressure" }
+    fn name(&self) -> &str {
+        &self.name
     }
 
     /// The quantiles of the histories of all samples, in a panel for each of the first combinations gone over.
@@ -161,7 +187,7 @@ impl Study {
         let mut columns: Vec<(f64, Vec<f64>)> = vec![];
         for place in places.filter(|place| place.is_finite()) {
             let value = |history: &Table| {
-                Ok(value_at(history.first().1, history.column(self.column)?, place))
+                Ok(value_at(history.first().1, history.column(&self.column)?, place))
             };
             let mut values: Vec<f64> = histories.iter().map(value).collect::<Result<_>>()?;
             values.sort_by(f64::total_cmp);
@@ -183,8 +209,11 @@ impl Study {
         let title: Vec<String> = values.map(|(key, value)| format!("{key} = {value}")).collect();
         let title = if title.is_empty() { self.name().to_owned() } else { title.join(", ") };
         let labels = [&*title, &along.label(&phrase(&name)), &self.unit.label(self.name())];
+        let least = columns.iter().filter_map(|column| column.1.first()).fold(0.0, |a, b| b.min(a));
         Ok(curves.panel(labels, |view| {
-            view.below_x(end * along.factor).above_y(0.0).legend(LegendPosition::InsideTopLeft)
+            view.below_x(end * along.factor)
+                .above_y(1.1 * least * self.unit.factor)
+                .legend(LegendPosition::InsideTopLeft)
         }))
     }
 
