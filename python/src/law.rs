@@ -1,13 +1,15 @@
 //! A wear law as a function in Python, which takes whole columns.
 
+use std::ffi::CString;
 use std::fmt;
 use std::panic::resume_unwind;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use archard::problem::ContactProblem;
 use archard::wear::{Columns, Input, Per, Rubbing, WearLaw};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::{PyTypeError, PyUserWarning, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -47,6 +49,16 @@ pub struct Law {
     inputs: Vec<Input>,
     per: Per,
     failed: Failed,
+    /// Whether it was said that its numbers are too coarse.
+    told: AtomicBool,
+}
+
+/// What a function makes of columns.
+struct Returned {
+    depth: Vec<f64>,
+    slope: Option<Vec<f64>>,
+    /// The rounding of the depths, relative.
+    rounding: f64,
 }
 
 impl Law {
@@ -82,7 +94,16 @@ impl Law {
             }
         }
         let per = if cycle { Per::Cycle } else { Per::Increment };
-        Ok(Self { body, function, name, columns, inputs, per, failed: failed.clone() })
+        Ok(Self {
+            body,
+            function,
+            name,
+            columns,
+            inputs,
+            per,
+            failed: failed.clone(),
+            told: AtomicBool::new(false),
+        })
     }
 
     /// Does something in Python; what is raised there ends the run.
@@ -99,7 +120,7 @@ impl Law {
     }
 
     /// What the function makes of columns: depths, and slopes if it tells them.
-    fn call<'py>(&self, py: Python<'py>, points: &Columns) -> PyResult<[Option<Vec<f64>>; 2]> {
+    fn call(&self, py: Python<'_>, points: &Columns) -> PyResult<Returned> {
         let array = |values: &[f64]| PyArray1::from_slice(py, values);
         let columns = PyDict::new(py);
         for (name, _) in &self.columns {
@@ -119,41 +140,61 @@ impl Law {
         }
         let (pressure, slip) = (array(&points.pressure), array(&points.slip));
         let returned = self.function.bind(py).call((pressure, slip), Some(&columns))?;
+        let values = |own: &Bound<'_, PyAny>, what| self.values(py, own, what, points.len());
         match returned.cast::<PyTuple>() {
             Ok(both) if both.len() == 2 => {
-                let [depth, slope] = [both.get_item(0)?, both.get_item(1)?];
-                Ok([
-                    Some(self.values(py, &depth, "depth", points.len())?),
-                    Some(self.values(py, &slope, "slope", points.len())?),
-                ])
+                let (depth, rounding) = values(&both.get_item(0)?, "depth")?;
+                let (slope, _) = values(&both.get_item(1)?, "slope")?;
+                Ok(Returned { depth, slope: Some(slope), rounding })
             }
             Ok(other) => Err(PyValueError::new_err(format!(
                 "{self} returned {} values; return the depth (m), or the depth and its slope (m/Pa)",
                 other.len()
             ))),
-            Err(_) => Ok([Some(self.values(py, &returned, "depth", points.len())?), None]),
+            Err(_) => {
+                let (depth, rounding) = values(&returned, "depth")?;
+                Ok(Returned { depth, slope: None, rounding })
+            }
         }
     }
 
-    /// The numbers of an array, one a point.
+    /// The numbers of an array, one a point, and their rounding.
     fn values(
         &self,
         py: Python<'_>,
         returned: &Bound<'_, PyAny>,
         what: &str,
         points: usize,
-    ) -> PyResult<Vec<f64>> {
-        let array = py.import("numpy")?.getattr("asarray")?.call1((returned, "float64"))?;
+    ) -> PyResult<(Vec<f64>, f64)> {
+        let numpy = py.import("numpy")?;
+        // A list is gone through once.
+        let plain = numpy.call_method1("asarray", (returned,))?;
+        let array = numpy.call_method1("asarray", (&plain, "float64"))?;
         let array = array.extract::<PyReadonlyArray1<'_, f64>>().ok();
-        match array.filter(|array| array.len() == points) {
-            Some(array) => Ok(array.as_array().to_vec()),
-            None => {
-                let shape = py.import("numpy")?.getattr("shape")?.call1((returned,))?;
-                Err(PyValueError::new_err(format!(
-                    "{self} returned a {what} of shape {shape}; one value a point has shape ({points},)"
-                )))
-            }
+        let Some(array) = array.filter(|array| array.len() == points) else {
+            let shape = plain.getattr("shape")?;
+            return Err(PyValueError::new_err(format!(
+                "{self} returned a {what} of shape {shape}; one value a point has shape ({points},)"
+            )));
+        };
+        Ok((array.as_array().to_vec(), self.rounding(py, &plain.getattr("dtype")?)?))
+    }
+
+    /// The rounding of numbers of a kind; those that are coarser than doubles are warned of once.
+    fn rounding(&self, py: Python<'_>, kind: &Bound<'_, PyAny>) -> PyResult<f64> {
+        let coarse = kind.getattr("kind")?.eq("f")? && kind.getattr("itemsize")?.lt(8)?;
+        if !coarse {
+            return Ok(f64::EPSILON);
         }
+        if !self.told.swap(true, Ordering::Relaxed) {
+            let text = format!(
+                "{self} returns {kind}: steps of wear agree to 1e-9, finer than that rounds, and take many times as long; \
+                 return float64"
+            );
+            let text = CString::new(text).unwrap_or_default();
+            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)?;
+        }
+        py.import("numpy")?.call_method1("finfo", (kind,))?.getattr("eps")?.extract()
     }
 
     /// Depths, and slopes where they are asked for.
@@ -164,13 +205,13 @@ impl Law {
         depths: &mut [f64],
         slopes: Option<&mut [f64]>,
     ) -> PyResult<()> {
-        let [depth, slope] = self.call(py, points)?;
-        depths.copy_from_slice(&depth.unwrap_or_default());
+        let Returned { depth, slope, rounding } = self.call(py, points)?;
+        depths.copy_from_slice(&depth);
         self.hold(points, "depth", depths, |_| 0.0)?;
         let Some(slopes) = slopes else { return Ok(()) };
         slopes.copy_from_slice(&match slope {
             Some(slope) => slope,
-            None => self.difference(py, points)?,
+            None => self.difference(py, points, rounding)?,
         });
         let least = |point: usize| match points.pressure[point] {
             pressure if pressure > 0.0 => ROUNDING * depths[point] / pressure,
@@ -181,9 +222,10 @@ impl Law {
         Ok(())
     }
 
-    /// Slopes by a central difference, as of any law that does not tell its own.
-    fn difference(&self, py: Python<'_>, points: &Columns) -> PyResult<Vec<f64>> {
-        let change = |point: usize| 1e-6 * points.pressure[point].max(1.0);
+    /// Slopes by a central difference, as of any law that does not tell its own: over the cube root of the rounding, where the
+    /// errors by rounding and by the length are alike.
+    fn difference(&self, py: Python<'_>, points: &Columns, rounding: f64) -> PyResult<Vec<f64>> {
+        let change = |point: usize| rounding.cbrt() * points.pressure[point].max(1.0);
         let moved = |sign: f64| {
             let all = 0..points.len();
             let at = all.map(|point| {
@@ -194,8 +236,7 @@ impl Law {
         };
         let [low, high] = [-1.0, 1.0].map(moved);
         let [below, above] = [self.call(py, &low)?, self.call(py, &high)?];
-        let (below, above) = (below[0].as_deref(), above[0].as_deref());
-        let depths = below.unwrap_or_default().iter().zip(above.unwrap_or_default());
+        let depths = below.depth.iter().zip(&above.depth);
         let pressures = low.pressure.iter().zip(&high.pressure);
         let slope = |((below, above), (low, high)): ((&f64, &f64), (&f64, &f64))| {
             (above - below) / (high - low)

@@ -206,3 +206,26 @@ def test_friction_that_is_none_is_refused(case):
     del case["friction"]
     with pytest.raises(ValueError, match="no `friction` table"):
         case.run(friction=lambda p: 0.3 * p)
+
+
+def test_coarse_numbers_are_told_and_cost_little():
+    """Lists are converted once; float32 is warned of, its slopes follow from differences that its rounding allows."""
+    case = archard.Case("pin_on_disc")
+    del case["accuracy"]
+    case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [16, 16]}
+    case["motion.sliding"] = {"load": "10.2 N", "distance": "20 mm", "step": "5 mm"}
+    calls = {}
+
+    def counted(kind, convert):
+        def law(p, s):
+            calls[kind] = calls.get(kind, 0) + 1
+            return convert(K * p * s)
+
+        return law
+
+    native = case.run()
+    close(case.run(laws={"pin": counted("array", np.asarray)}), native, 1e-7)
+    close(case.run(laws={"pin": counted("list", np.ndarray.tolist)}), native, 1e-7)
+    assert calls["list"] == calls["array"]
+    with pytest.warns(UserWarning, match="returns float32.*return float64"):
+        close(case.run(laws={"pin": counted("float32", np.float32)}), native, 1e-5)

@@ -232,6 +232,10 @@ pub struct Plot {
     /// Folders of other runs, whose wear is compared with that of the first
     #[arg(long, value_name = "DIR", num_args = 1..)]
     pub with: Vec<PathBuf>,
+    /// What the pictures of a study show: a column of the history, e.g. worn_volume_ball_m3; if not given the wear depth of each
+    /// body, or the peak pressure where nothing wears
+    #[arg(long, value_name = "COLUMN", conflicts_with = "with")]
+    pub quantity: Vec<String>,
     /// The width to fill in print, with letters to match; that of a screen if not given
     #[arg(long, value_enum)]
     pub size: Option<Width>,
@@ -319,6 +323,9 @@ pub struct Sweep {
     /// Draw the coefficients of a fit (a `fit.json`) as the next test will have them
     #[arg(long, value_name = "FILE", requires = "samples")]
     pub from: Option<PathBuf>,
+    /// Take the wear coefficient at a key from the case where `--from` has none of that body
+    #[arg(long, value_name = "KEY", requires = "from")]
+    pub assume: Vec<String>,
     /// How the first two coefficients of `--from` go together, where they come from the same tests: correlation of their
     /// logarithms
     #[arg(skip)]

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use archard::case::{CaseFile, nearest};
+use archard::files::{self, Contents};
 use archard::output::{Store, write_whole};
 
 use crate::failure::Failure;
@@ -113,7 +114,9 @@ impl Builtin {
         let kept = kept.ok_or_else(|| Failure::wrong(format!("no place for files: {next}")))?;
         let folder = kept.folder().join("cases").join(name);
         let write = |(file, bytes): &(&str, &[u8])| match folder.join(file) {
-            path if fs::read(&path).is_ok_and(|known| known == *bytes) => Ok(()),
+            path if files::read(&path, Contents::Numbers).is_ok_and(|known| known == *bytes) => {
+                Ok(())
+            }
             path => write_whole(&path, bytes).map_err(|error| error.to_string()),
         };
         let made = fs::create_dir_all(&folder).map_err(|error| error.to_string());

@@ -36,6 +36,7 @@ mod table;
 mod underway;
 mod verdict;
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
@@ -67,11 +68,11 @@ fn main() -> ExitCode {
                     files.iter().try_for_each(|file| say::say(&file.display().to_string()))
                 })
         }
-        Command::Plot(arguments) => plot::run(&arguments.dir, &arguments.with, &arguments.paper())
-            .map_err(|error| Failure::wrong(format!("{error:#}")))
-            .and_then(|files| {
-                files.iter().try_for_each(|file| say::say(&file.display().to_string()))
-            }),
+        Command::Plot(arguments) => {
+            drawn(&arguments).map_err(|error| Failure::wrong(format!("{error:#}"))).and_then(
+                |files| files.iter().try_for_each(|file| say::say(&file.display().to_string())),
+            )
+        }
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,
@@ -79,5 +80,14 @@ fn main() -> ExitCode {
             failure.report();
             ExitCode::from(failure.code())
         }
+    }
+}
+
+/// Draws what a folder has, or what is asked for of a study.
+fn drawn(arguments: &arguments::Plot) -> anyhow::Result<Vec<PathBuf>> {
+    let (dir, paper) = (&arguments.dir, arguments.paper());
+    match &arguments.quantity[..] {
+        [] => plot::run(dir, &arguments.with, &paper),
+        columns => plot::of_study(dir, columns, &paper),
     }
 }

@@ -11,7 +11,7 @@ use archard::fit::{Coefficient, Error, Files, Fit, Following, Request, fit};
 use archard::measured::Table;
 use archard::output::Claim;
 use archard::simulation::history::{self, number};
-use archard::simulation::{Observer, Report};
+use archard::simulation::{Observer, Report, worn_extent};
 
 /// Numbers of a normal distribution, by Box and Muller.
 struct Normal(fastrand::Rng);
@@ -203,6 +203,58 @@ fn a_pin_is_fitted() {
     let again = fitted(&file, &text, None).unwrap();
     let [one, other] = [&found, &again].map(|fit| fit.coefficients[0].estimate.median);
     assert!((one / other - 1.0).abs() < 1e-3, "{one:e} {other:e}");
+}
+
+/// The diameter of a scar at the end of a run, as `fit` reads it: the geometric mean of both extents.
+struct Scar(usize, f64);
+
+impl Observer for Scar {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        let [along, across] = worn_extent(report, self.0).unwrap_or_default();
+        self.1 = (along * across).sqrt();
+        Ok(())
+    }
+}
+
+fn scar(file: &CaseFile, body: usize) -> f64 {
+    let mut scar = Scar(body, 0.0);
+    file.resolve().unwrap().case.build().unwrap().run(&mut [&mut scar]).unwrap();
+    scar.1
+}
+
+/// One coefficient takes one run that is long enough and what tells its errors. The diameter goes by the fourth root of k or
+/// less: 2 % of k is half a per cent of it.
+#[test]
+fn a_pin_is_fitted_by_the_diameter_of_its_scar() {
+    let file = published("pin_on_disc", &["motion.sliding.step=\"10 mm\""]);
+    let diameter = 1e6 * scar(&file, 0);
+    let text =
+        format!("test,distance_mm,diameter_um\nA,500,{}\nB,500,{diameter}\n", 1.02 * diameter);
+    let found = fitted(&file.clone().set(FAR_OFF), &text, None).unwrap();
+    let k = found.coefficients[0].estimate.tests[1].1;
+    assert!((k / 1.33e-13 - 1.0).abs() < 0.02, "{k:e}");
+    assert_eq!(found.unsettled, None);
+    assert!(found.runs <= 6, "{}", found.runs);
+}
+
+/// A ball on a track whose own wear the case gives: its coefficient is found from its scar, which the track shapes.
+#[test]
+fn a_ball_on_a_track_that_wears_is_fitted_by_its_scar() {
+    let coarse = [
+        "frame.elements=[24, 24]",
+        "motion.sliding.tolerance=0.01",
+        "motion.sliding.distance=100 m",
+    ];
+    let file = published("pin_on_disc_track", &coarse);
+    let key = "body.ball.wear.archard.coefficient";
+    let of = |k: f64| file.clone().set(format!("{key}=\"{k:e} 1/Pa\""));
+    let true_k = 3e-16;
+    let diameter = 1e6 * scar(&of(true_k), 0);
+    let text = format!("test,distance_m,diameter_ball_um\nA,100,{diameter}\nB,100,{diameter}\n");
+    let found = fitted(&of(2.5 * true_k), &text, None).unwrap();
+    let k = found.coefficients[0].estimate.median;
+    assert!((k / true_k - 1.0).abs() < 0.03, "{k:e}");
+    assert!(!found.by_k_s && found.runs <= 24, "{}", found.runs);
 }
 
 /// Volumes follow k F s of each body, whatever the other does.

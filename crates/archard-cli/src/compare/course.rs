@@ -75,8 +75,12 @@ pub(super) fn compare(results: &Results, table: &Table, body: usize) -> Result<C
             continue;
         };
         used.push(called);
-        let taken: Vec<(f64, f64)> =
-            places.iter().copied().zip(values).filter_map(|(s, value)| Some((s, value?))).collect();
+        let mut taken = vec![];
+        for (row, (&far, value)) in places.iter().zip(values).enumerate() {
+            let Some(value) = value else { continue };
+            table.worn(row, (course, far), (called, value))?;
+            taken.push((far, value));
+        }
         add(
             results,
             &mut comparison,

@@ -26,6 +26,14 @@ pub fn draw(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>> {
 
 fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
     let (name, factor, unit) = &fit.quantities[shown.quantity];
+    let own_readings = || {
+        let tests = own.tests.iter().filter(|test| test.load == shown.load);
+        tests.flat_map(|test| &test.readings).filter(|reading| reading.quantity == shown.quantity)
+    };
+    let upper = shown.points.iter().map(|point| point.1[3]);
+    let most = own_readings().map(|reading| reading.value).chain(upper).fold(0.0, f64::max);
+    let unit = Unit::of_readings((unit, *factor), most);
+    let factor = unit.factor;
     let end = shown.points.last().map_or(1.0, |point| point.0);
     let column = match fit.progress {
         "distance" => "distance_m",
@@ -55,24 +63,20 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
         _ => "median",
     };
     curves.add(x.iter().copied().zip(at(2)), Pen::line(COLOURS[1]), Some(bands));
-    let tests = own.tests.iter().filter(|test| test.load == shown.load);
-    let readings: Vec<(f64, f64)> = tests
-        .flat_map(|test| &test.readings)
-        .filter(|reading| reading.quantity == shown.quantity)
+    let readings: Vec<(f64, f64)> = own_readings()
         .map(|reading| (reading.progress * along.factor, reading.value * factor))
         .collect();
-    let most = readings.iter().map(|point| point.1).chain(at(3)).fold(0.0, f64::max);
     let legend = format!("{} readings", readings.len());
     curves.mark(readings, COLOURS[0], Some(&legend));
     let title = match shown.load {
         Some(load) => format!("{} at {load} N", own.key),
         None => own.key.clone(),
     };
-    let labels = [&*title, &along.label(fit.progress), &format!("{name} ({unit})")];
+    let labels = [&*title, &along.label(fit.progress), &unit.label(name)];
     curves.panel(labels, |view| {
         view.along_x([0.0, end * along.factor])
             .above_y(0.0)
-            .below_y(1.25 * most)
+            .below_y(1.25 * most * factor)
             .legend(LegendPosition::InsideTopLeft)
     })
 }

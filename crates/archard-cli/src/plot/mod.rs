@@ -80,7 +80,7 @@ impl Picture {
 pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<PathBuf>> {
     if study::is_one(dir) {
         ensure!(others.is_empty(), "a study is not compared with runs");
-        return study::run(dir, paper);
+        return study::run(dir, &[], paper);
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
@@ -89,6 +89,15 @@ pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<
         pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
     }
     write(dir, pictures, (results.mark.as_deref(), paper))
+}
+
+/// Draws the pictures of a study of these columns of the history; returns their files.
+///
+/// # Errors
+/// If the folder is none of a study, or its rows have no such column.
+pub fn of_study(dir: &Path, columns: &[String], paper: &Paper) -> anyhow::Result<Vec<PathBuf>> {
+    ensure!(study::is_one(dir), "--quantity is what the pictures of a study show");
+    study::run(dir, columns, paper)
 }
 
 /// Writes pictures into `dir/plots`, each below a mark if there is one.
@@ -116,10 +125,10 @@ pub(crate) fn is_study(dir: &Path) -> bool {
 ///
 /// # Errors
 /// If the study has no results.
-pub(crate) fn of_study(
+pub(crate) fn panels_of_study(
     dir: &Path,
 ) -> anyhow::Result<(Vec<(&'static str, Vec<Panel>)>, Option<String>)> {
-    let (pictures, mark) = study::pictures(dir)?;
+    let (pictures, mark) = study::pictures(dir, &[])?;
     Ok((pictures.into_iter().map(|picture| (picture.name, picture.panels)).collect(), mark))
 }
 

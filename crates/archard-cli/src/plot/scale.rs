@@ -105,6 +105,37 @@ impl Unit {
         }
     }
 
+    /// What a column of results holds, in words, and its unit, with values up to `largest`.
+    pub(crate) fn of_result(column: &str, largest: f64) -> (String, Self) {
+        let units: [(&str, fn(f64) -> Self); 7] = [
+            ("_m2", Self::section),
+            ("_m3", Self::volume),
+            ("_m", Self::depth),
+            ("_N", Self::force),
+            ("_kg", Self::mass),
+            ("_Pa", |_| Self::pressure()),
+            ("_K", |_| Self::kelvin()),
+        ];
+        let known = units.iter().find_map(|(end, unit)| Some((column.strip_suffix(end)?, unit)));
+        match known {
+            Some((name, unit)) => (phrase(name), unit(largest)),
+            None => (phrase(column), Self::by_powers(largest)),
+        }
+    }
+
+    /// For readings of worn bodies up to `largest` (SI) that are shown in a unit of that name and factor.
+    pub(crate) fn of_readings((name, factor): (&str, f64), largest: f64) -> Self {
+        match name {
+            "um" => Self::depth(largest),
+            "mm" => Self::across(largest),
+            "mg" => Self::mass(largest),
+            "mm2" if largest < 1e-9 => Self::new("µm²", 1e12),
+            "mm2" => Self::section(largest),
+            "mm3" => Self::volume(largest),
+            _ => Self::new(name, factor),
+        }
+    }
+
     /// For a column whose name ends in its SI unit, with values up to `largest`.
     pub(crate) fn of_column(column: &str, largest: f64) -> Self {
         if column.ends_with("_m") {
@@ -179,6 +210,20 @@ mod tests {
         assert_eq!(Unit::volume(2e-9).name, "mm³");
         assert_eq!(Unit::volume(2e-3).name, "mm³");
         assert_eq!(Unit::section(9e-8).name, "10⁻³ mm²");
+    }
+
+    /// A section of 61 um^2 has no tick labels of zero.
+    #[test]
+    fn units_follow_what_was_read() {
+        let unit = |name, factor, largest| Unit::of_readings((name, factor), largest).name;
+        assert_eq!(unit("mm2", 1e6, 61e-12), "µm²");
+        assert_eq!(unit("mm2", 1e6, 3e-9), "10⁻³ mm²");
+        assert_eq!(unit("mm", 1e3, 20e-6), "µm");
+        assert_eq!(unit("mm", 1e3, 0.5e-3), "mm");
+        assert_eq!(unit("mm3", 1e9, 4.6e-14), "10⁻⁶ mm³");
+        let (name, unit) = Unit::of_result("worn_volume_ball_m3", 2e-9);
+        assert_eq!((&*name, &*unit.name), ("Worn volume ball", "mm³"));
+        assert_eq!(Unit::of_result("revolutions", 30.0).0, "Revolutions");
     }
 
     #[test]

@@ -34,7 +34,7 @@ struct Study {
 /// The page of a study.
 pub(super) fn page(dir: &Path) -> Result<Page> {
     let study = Study::read(dir)?;
-    let (pictures, mark) = plot::of_study(dir)?;
+    let (pictures, mark) = plot::panels_of_study(dir)?;
     let title = name_of(dir);
     let mut all = Sections::default();
     all.add("outcome", "What came out", &study.outcome().html());
@@ -89,7 +89,8 @@ impl Study {
         };
         let path = dir.join("sweep.csv");
         let context = || format!("cannot read `{}`: run the study first", path.display());
-        let mut reader = csv::Reader::from_path(&path).with_context(context)?;
+        let text = files::read(&path, Contents::Text).with_context(context)?;
+        let mut reader = csv::Reader::from_reader(text.as_slice());
         let text = |record: &csv::StringRecord| record.iter().map(str::to_owned).collect();
         let heads = text(reader.headers().with_context(context)?);
         let rows = reader.records().map(|record| record.map(|record| text(&record)));

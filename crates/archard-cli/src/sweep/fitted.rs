@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use archard::case::{Case, CaseFile};
 use archard::files::{self, Contents};
 use serde_json::Value;
 
@@ -13,6 +14,7 @@ pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
     if let Some(path) = &arguments.from {
         let fit = read(path)?;
         let mut samples = samples(path, &fit)?;
+        all_known(arguments, &fit)?;
         samples.append(&mut all.sample);
         all.sample = samples;
         all.together = fit["correlation_of_coefficients"]["value"].as_f64();
@@ -22,6 +24,51 @@ pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
             .to_owned());
     }
     Ok(all)
+}
+
+/// Refuses a prediction by coefficients that nobody has told: the case may have any number for a body that was not fitted.
+fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), String> {
+    let file = CaseFile::read(&arguments.case).map_err(|error| error.to_string())?;
+    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    // What is wrong with the case is shown where its rows are checked.
+    let Ok(resolved) = file.resolve() else { return Ok(()) };
+    let fitted = fit["coefficients"].as_array().into_iter().flatten();
+    let fitted = fitted.filter_map(|own| own["key"].as_str());
+    let given = [&arguments.set, &arguments.over, &arguments.sample, &arguments.assume];
+    let given = given.into_iter().flatten().map(String::as_str);
+    let told: Vec<&str> = fitted.chain(given).collect();
+    let missing = untold(&resolved.case, &told);
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let values: Vec<String> =
+        missing.iter().map(|(key, value)| format!("`{key}`{value}")).collect();
+    let options: Vec<String> = missing.iter().map(|(key, _)| format!("--assume {key}")).collect();
+    Err(format!(
+        "`{}` has no {}: wear of that body, and what is worn off both together, would be that of a number which no test has \
+         told; add {} to take it from the case, put another one there by --set, --over or --sample, or fit both bodies",
+        arguments.from.as_deref().unwrap_or(Path::new("fit.json")).display(),
+        values.join(" and no "),
+        options.join(" ")
+    ))
+}
+
+/// The wear laws of a case of which none of these keys tells anything: their keys, and what the case has there, in words.
+fn untold(case: &Case, told: &[&str]) -> Vec<(String, String)> {
+    let own = |body: &archard::case::BodyCase| {
+        let wear = format!("body.{}.wear", body.name);
+        if told.iter().any(|key| key.starts_with(&wear)) {
+            return None;
+        }
+        let law = format!("{wear}.{}", body.wear.as_ref()?.choice.name);
+        let key = format!("{law}.coefficient");
+        Some(match case.number_at(&key) {
+            Some((0.0, _)) => return None,
+            Some((value, unit)) => (key, format!(", which is {value:.3e} {unit} in the case")),
+            None => (law, String::new()),
+        })
+    };
+    case.bodies.iter().filter_map(own).collect()
 }
 
 fn read(path: &Path) -> Result<Value, String> {
@@ -37,6 +84,9 @@ fn samples(path: &Path, fit: &Value) -> Result<Vec<String>, String> {
     let wrong = |why: &str| format!("`{name}`: {why}");
     let coefficients = fit["coefficients"].as_array().filter(|list| !list.is_empty());
     let coefficients = coefficients.ok_or_else(|| wrong("is no fit.json of `archard fit`"))?;
+    if let Some(why) = fit["unsettled"].as_str() {
+        return Err(wrong(why));
+    }
     let one = |own: &Value| {
         let damaged = || wrong("a coefficient is not whole; fit again");
         let key = own["key"].as_str().ok_or_else(damaged)?;

@@ -165,6 +165,13 @@ fn what_cannot_be_compared_is_refused_in_words() {
     assert!(message.contains("no place has a height"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &["--levelled"]);
     assert!(message.contains("leave --levelled out"), "{message}");
+    // What a fit refuses.
+    let message = refused("distance [m],depth [um]\n0.1,1\n0.2,-1\n", &[]);
+    assert!(message.contains("line 3: `depth` is negative"), "{message}");
+    let message = refused("distance [m],depth [km]\n0.1,-1e308\n", &[]);
+    assert!(message.contains("line 2: `-1e308` in the column `depth [km]`"), "{message}");
+    let message = refused("distance [m],depth [um]\n0.1,-1e300\n", &[]);
+    assert!(message.contains("in the column `depth` (SI) is too large"), "{message}");
     let message = refused("distance [m],mass [mg]\n0.1,1\n", &[]);
     assert!(message.contains("no reading of depth"), "{message}");
     let message = said(&archard(&dir, &["compare", "pin_on_disc", "nowhere.csv"]).code(2));

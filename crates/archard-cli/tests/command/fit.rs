@@ -115,3 +115,34 @@ fn coefficients_of_the_same_tests_are_drawn_together() {
     let refused = super::said(&refused);
     assert!(refused.contains("go together"), "{refused}");
 }
+
+/// What the fit of one body says nothing of is not taken from the case without a word.
+#[test]
+fn a_prediction_says_what_no_test_has_told() {
+    let (dir, case) = (TempDir::new().unwrap(), case("pin_on_disc_both"));
+    let case = case.to_str().unwrap();
+    let pin = "body.pin.wear.archard.coefficient";
+    let fit = format!(
+        r#"{{"coefficients": [{{"key": "{pin}", "unit": "1/Pa", "median": 1e-13,
+            "next_test_log_deviation": 0.2, "next_test_degrees_of_freedom": 3.0}}]}}"#
+    );
+    fs::write(dir.path().join("fit.json"), fit).unwrap();
+    let coarse = ["--set", "frame.elements=[16, 16]", "--set", "motion.sliding.step=50 mm"];
+    let predict = ["sweep", case, "--from", "fit.json", "--samples", "3", "-o", "study"];
+    let predict = [&predict[..], &coarse].concat();
+    let refused = said(&archard(&dir, &predict).code(2));
+    let disc = "body.disc.wear.archard.coefficient";
+    assert!(refused.contains(&format!("has no `{disc}`, which is 4.435e-14 1/Pa")), "{refused}");
+    assert!(refused.contains(&format!("--assume {disc}")), "{refused}");
+    assert!(!dir.path().join("study").exists());
+    archard(&dir, &[&predict[..], &["--assume", disc]].concat()).success();
+    // Bands are those of each body, and of any column.
+    archard(&dir, &["plot", "study"]).success();
+    let bands = fs::read_to_string(dir.path().join("study/plots/bands.svg")).unwrap();
+    assert!(bands.contains("Wear depth pin") && bands.contains("Wear depth disc"));
+    archard(&dir, &["plot", "study", "--quantity", "worn_volume_pin_m3"]).success();
+    let bands = fs::read_to_string(dir.path().join("study/plots/bands.svg")).unwrap();
+    assert!(bands.contains("Worn volume pin") && !bands.contains("Wear depth"));
+    let refused = said(&archard(&dir, &["plot", "study", "--quantity", "volume"]).code(2));
+    assert!(refused.contains("has no column `volume`"), "{refused}");
+}

@@ -3,11 +3,18 @@
 /// The known name nearest to what was written, if any is near enough to be worth a suggestion.
 pub fn nearest<'a>(written: &str, known: &[&'a str]) -> Option<&'a str> {
     let lower = written.to_lowercase();
+    let letters = lower.chars().count();
+    let near = |name: &&str| {
+        let own = name.chars().count();
+        let most = 1 + own / 3;
+        // No fewer letters change than one name has more than the other.
+        let distance = (letters.abs_diff(own) <= most).then(|| distance(&lower, name))?;
+        (distance <= most).then_some(distance)
+    };
     known
         .iter()
-        .map(|name| (distance(&lower, name), *name))
+        .filter_map(|name| Some((near(name)?, *name)))
         .min_by_key(|(distance, _)| *distance)
-        .filter(|(distance, name)| *distance <= 1 + name.chars().count() / 3)
         .map(|(_, name)| name)
 }
 

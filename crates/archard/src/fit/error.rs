@@ -58,22 +58,12 @@ pub enum Error {
         /// Why.
         why: String,
     },
-    /// Rounds of runs did not settle.
-    #[error(
-        "the coefficients did not settle after {rounds} rounds of runs; they still change by {change:.1e}"
-    )]
-    Unsettled {
-        /// How many.
-        rounds: usize,
-        /// The last relative change.
-        change: f64,
-    },
 }
 
 impl Error {
     /// Whether something did not converge, rather than being wrong from the start.
     pub fn is_of_convergence(&self) -> bool {
-        matches!(self, Self::Run { .. } | Self::Unsettled { .. })
+        matches!(self, Self::Run { .. })
     }
 
     pub(super) fn untold(test: &str, cause: Unfitted<Error>) -> Self {

@@ -273,19 +273,10 @@ fn tests(table: &Table, columns: &[Column], progress: &str) -> Result<(Vec<Test>
                     )));
                 }
             };
-            if value < 0.0 {
-                return Err(refuse(format!(
-                    "`{name}` is negative: give what was worn off as a positive number"
-                )));
-            }
+            table.worn(row, (progress, far[row]), (name, value))?;
             if far[row] == 0.0 {
                 at_start += 1;
                 continue;
-            }
-            if value == 0.0 {
-                return Err(refuse(format!(
-                    "`{name}` is zero after some wear: leave the cell empty if it was too little to measure"
-                )));
             }
             test.readings.push(Reading { line, quantity, progress: far[row], value, uncertainty });
         }

@@ -48,6 +48,9 @@ pub struct Fit {
     pub runs: usize,
     /// Whether one run told all k.
     pub by_k_s: bool,
+    /// By how much the ratio of both coefficients in the runs differs from that of the readings (its logarithm), where runs did
+    /// not bring them together; `None` where they did.
+    pub unsettled: Option<f64>,
 }
 
 /// Fewest tests that tell how two coefficients go together.

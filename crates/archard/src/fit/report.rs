@@ -79,9 +79,17 @@ impl Coefficient {
 }
 
 impl Fit {
-    /// Why some coefficient is not one, if that is so.
+    /// Why the coefficients, or some of them, are none, if that is so.
     pub fn rejected(&self) -> Option<String> {
-        self.coefficients.iter().find_map(Coefficient::rejected)
+        self.not_settled().or_else(|| self.coefficients.iter().find_map(Coefficient::rejected))
+    }
+
+    fn not_settled(&self) -> Option<String> {
+        let percent = percent(self.unsettled?.exp_m1().abs());
+        Some(format!(
+            "the coefficients did not settle: the ratio of both in the runs and that of the readings differ by {percent}; \
+             readings of both bodies, or more of them, may tell it"
+        ))
     }
 
     /// The fit as JSON, in SI.
@@ -96,6 +104,7 @@ impl Fit {
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
             "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
             "remarks": self.remarks,
+            "unsettled": self.not_settled(),
         })
     }
 
@@ -143,7 +152,7 @@ impl fmt::Display for Fit {
         for surface in &self.surfaces {
             writeln!(f, "surface           {surface}")?;
         }
-        for remark in &self.remarks {
+        for remark in self.not_settled().iter().chain(&self.remarks) {
             writeln!(f, "note              {remark}")?;
         }
         Ok(())

@@ -1,10 +1,13 @@
 //! The coefficients of a case from measured tests: rounds of runs until model and readings agree.
 //!
 //! Where the worn state follows from k s alone, one run tells all k: a reading at s of a test with k is what the run shows at
-//! s k / k_run, and the last round's steps end there. Other laws are run anew at each k that is tried. Where both bodies wear,
-//! tests are held against runs in which the ratio of the coefficients is that of their medians.
+//! s k / k_run, and the last round's steps end there. Where the other body wears as the case has it, runs at a series of k tell
+//! those between them. Other laws are run anew at each k that is tried. Where both coefficients are sought, tests are held
+//! against runs in which their ratio is that of their medians.
 
 mod conclude;
+mod model;
+mod root;
 mod rounds;
 
 use std::collections::HashMap;
@@ -23,8 +26,6 @@ use crate::measured::Table;
 use crate::output::Store;
 use crate::simulation::{self, Observer};
 
-/// The change of k by which the slopes of a law that is not linear are found.
-const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
 const FITTED: [f64; 2] = [1e-7, 1e-3];
 
@@ -62,7 +63,9 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     }
     let (file, case) = &settled(file, resolved, request.store, &mut *request.following)?;
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
-    let by_k_s = linear && case.wears_by_k_s().is_some();
+    let others = others(case, &measured.targets);
+    let linear = linear && case.wears_by_k_s().is_some();
+    let by_k_s = linear && others.is_empty();
     let runner = Runner {
         file,
         quantities: &measured.quantities,
@@ -73,7 +76,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         count: 0,
         kept: vec![],
     };
-    let others = others(case, &measured.targets);
+    let reference: Vec<f64> = measured.targets.iter().map(|own| own.value).collect();
     let mut search = Search {
         runner,
         table,
@@ -82,8 +85,9 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         load,
         others,
         by_k_s,
-        reference: measured.targets.iter().map(|own| own.value).collect(),
-        ratio: None,
+        between: linear && !by_k_s && reference.len() == 1,
+        guess: reference.clone(),
+        reference,
         variant: Variant::default(),
         known: HashMap::new(),
         scale: HashMap::new(),
@@ -91,7 +95,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         name: "run",
         of: None,
     };
-    let first = search.settle()?;
+    let (first, unsettled) = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
@@ -110,6 +114,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         surfaces,
         remarks,
         by_k_s,
+        unsettled,
     })
 }
 
@@ -198,10 +203,11 @@ struct Search<'a> {
     load: Option<String>,
     others: Vec<(String, f64, String)>,
     by_k_s: bool,
-    /// The coefficients at which the scale of a run is one.
+    /// Whether runs at a series of k tell those between them.
+    between: bool,
+    /// The coefficients at which the scale of a run is one, and those that tests are fitted from.
     reference: Vec<f64>,
-    /// By how much the logarithm of their ratio was changed last, and how far off it had been.
-    ratio: Option<(f64, f64)>,
+    guess: Vec<f64>,
     variant: Variant,
     /// Runs by what they were run with.
     known: HashMap<String, Run>,
@@ -244,8 +250,8 @@ impl Search<'_> {
         for (place, target) in targets.iter().enumerate() {
             let study = Study { quantities: quantities.clone(), tests: target.tests.clone() };
             let common = commons.get(place).map_or(&[][..], Vec::as_slice);
-            let guess = self.reference[place];
-            let settled = FITTED[usize::from(!self.by_k_s)];
+            let guess = self.guess[place];
+            let settled = FITTED[usize::from(!self.by_k_s && !self.between)];
             self.of = Some(place);
             let mut model =
                 |test: usize, log_k: f64| self.expected(place, &target.tests[test], log_k);
@@ -257,37 +263,23 @@ impl Search<'_> {
 
     /// What runs say of the readings of a test at a logarithm of its coefficient.
     fn expected(&mut self, place: usize, test: &Test, log_k: f64) -> Result<Vec<Expected>, Error> {
-        let scale = log_k.exp() / self.reference[place];
         let far = 1.0 + self.variant.far.unwrap_or(0.0);
-        if self.by_k_s {
-            let own = self.scale.get(&of_load(test.load)).copied().unwrap_or(1.0);
-            let run = self.run(own, test.load)?;
-            self.within(&run, test)?;
-            let at = |reading: &super::Reading| {
-                run.at(reading.quantity, reading.progress * far * scale / own)
-            };
-            return Ok(test.readings.iter().map(at).collect());
-        }
-        let [here, tried] = [self.run(1.0, test.load)?, self.run(TRIED, test.load)?];
-        self.within(&here, test)?;
-        let run = self.run(scale, test.load)?;
-        let at = |reading: &super::Reading| {
-            let log = |run: &Run| run.at(reading.quantity, reading.progress * far).log;
-            Expected { log: log(&run), slope: (log(&tried) - log(&here)) / TRIED.ln() }
-        };
+        let model = self.model(place, test.load, log_k)?;
+        self.within(model.end(), test)?;
+        let at = |reading: &super::Reading| model.at(reading.quantity, reading.progress * far);
         Ok(test.readings.iter().map(at).collect())
     }
 
     /// Refuses readings beyond the run.
-    fn within(&self, run: &Run, test: &Test) -> Result<(), Error> {
-        match test.readings.iter().find(|reading| reading.progress > run.end * (1.0 + 1e-9)) {
+    fn within(&self, end: f64, test: &Test) -> Result<(), Error> {
+        match test.readings.iter().find(|reading| reading.progress > end * (1.0 + 1e-9)) {
             None => Ok(()),
             Some(reading) => Err(Error::Reading {
                 table: self.table.source().to_owned(),
                 line: reading.line,
                 why: format!(
                     "`{}` is {} (SI) and the run of the case ends at {}: let the case go as far as the readings",
-                    self.progress, reading.progress, run.end
+                    self.progress, reading.progress, end
                 ),
             }),
         }

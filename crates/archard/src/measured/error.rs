@@ -152,6 +152,30 @@ pub enum Error {
         /// What stands there.
         text: String,
     },
+    /// A number whose powers are none.
+    #[error(
+        "{table}, line {line}: {value:e} in the column `{column}` (SI) is too large to compute with"
+    )]
+    TooLarge {
+        /// What the table is called.
+        table: String,
+        /// The line.
+        line: u64,
+        /// The name of the column.
+        column: String,
+        /// The value (SI).
+        value: f64,
+    },
+    /// A reading that cannot be what it says.
+    #[error("{table}, line {line}: {why}")]
+    Reading {
+        /// What the table is called.
+        table: String,
+        /// The line.
+        line: u64,
+        /// Why, and what to do.
+        why: String,
+    },
     /// An empty cell where a value is needed.
     #[error("{table}, line {line}: the column `{column}` needs a value in every row")]
     NoValue {

@@ -18,6 +18,7 @@ pub use error::Error;
 use heading::Heading;
 use text::{decoded, separator};
 
+use crate::parameters::Quantity;
 use crate::units::{Measure, Scale};
 
 /// A measured table.
@@ -173,17 +174,75 @@ impl Table {
         measure: &Measure,
     ) -> Result<Option<Vec<Option<f64>>>, Error> {
         let Some(column) = self.column(name) else { return Ok(None) };
-        let scale = self.scale(&self.headings[column], measure)?;
+        self.values(column, &self.scale(&self.headings[column], measure)?).map(Some)
+    }
+
+    /// The values in a column that are written in a unit.
+    fn values(&self, column: usize, scale: &Scale) -> Result<Vec<Option<f64>>, Error> {
+        let heading = &self.headings[column];
         let value = |row: &Row| match row.cells[column].as_str() {
             "" => Ok(None),
-            text => cells::value(text, &scale).map(Some).ok_or_else(|| Error::NotANumber {
-                table: self.source.clone(),
-                line: row.line,
-                column: self.headings[column].title.clone(),
-                text: text.to_owned(),
-            }),
+            text => match cells::value(text, scale) {
+                None => Err(Error::NotANumber {
+                    table: self.source.clone(),
+                    line: row.line,
+                    column: heading.title.clone(),
+                    text: text.to_owned(),
+                }),
+                Some(value) => self.bounded(row.line, &heading.name, value, Quantity::Number),
+            },
         };
-        self.rows.iter().map(value).collect::<Result<_, _>>().map(Some)
+        self.rows.iter().map(value).collect()
+    }
+
+    /// A value (SI) that is no larger than what a column holds may be.
+    fn bounded(
+        &self,
+        line: u64,
+        column: &str,
+        value: f64,
+        quantity: Quantity,
+    ) -> Result<Option<f64>, Error> {
+        if value.abs() <= quantity.range()[1] {
+            return Ok(Some(value));
+        }
+        let (table, column) = (self.source.clone(), column.to_owned());
+        Err(Error::TooLarge { table, line, column, value })
+    }
+
+    /// Refuses values (SI) of a column of which one is larger than what it holds may be.
+    ///
+    /// # Errors
+    /// With the line of the first.
+    pub fn hold(&self, column: &str, values: &[f64], quantity: Quantity) -> Result<(), Error> {
+        let mut rows = self.rows.iter().zip(values);
+        rows.try_for_each(|(row, value)| {
+            self.bounded(row.line, column, *value, quantity).map(|_| ())
+        })
+    }
+
+    /// Refuses a reading of what was worn off, taken in a row after so much of a motion: both are named, and SI.
+    ///
+    /// # Errors
+    /// If one of them is negative, or nothing was worn off after some wear.
+    pub fn worn(
+        &self,
+        row: usize,
+        (progress, far): (&str, f64),
+        (name, value): (&str, f64),
+    ) -> Result<(), Error> {
+        let why = if far < 0.0 {
+            format!("`{progress}` is negative")
+        } else if value < 0.0 {
+            format!("`{name}` is negative: give what was worn off as a positive number")
+        } else if far > 0.0 && value == 0.0 {
+            format!(
+                "`{name}` is zero after some wear: leave the cell empty if it was too little to measure"
+            )
+        } else {
+            return Ok(());
+        };
+        Err(Error::Reading { table: self.source.clone(), line: self.rows[row].line, why })
     }
 
     /// The values in a column that has to be there, in every row (SI).
@@ -197,6 +256,32 @@ impl Table {
             name: name.to_owned(),
             titles: self.titles(),
         })?;
+        self.without_gaps(name, values)
+    }
+
+    /// Every column: its name, its unit, whatever it measures, and the values in it, in every row (SI). Without a unit they are
+    /// pure numbers.
+    ///
+    /// # Errors
+    /// If a unit is none, a cell is empty or not a finite number.
+    pub fn columns(&self) -> Result<Vec<(String, String, Vec<f64>)>, Error> {
+        let column = |(index, heading): (usize, &Heading)| {
+            let unit = heading.unit.clone().unwrap_or_else(|| "1".to_owned());
+            let scale = Scale::read_any(&unit).map_err(|cause| Error::WrongUnit {
+                table: self.source.clone(),
+                column: heading.title.clone(),
+                cause: Box::new(cause),
+                like: format!("{} [MPa]", heading.name),
+            });
+            let values = self.values(index, &scale?.0)?;
+            let values = self.without_gaps(&heading.name, values)?;
+            Ok((heading.name.clone(), unit, values))
+        };
+        self.headings.iter().enumerate().map(column).collect()
+    }
+
+    /// Values where there is one in every row.
+    fn without_gaps(&self, name: &str, values: Vec<Option<f64>>) -> Result<Vec<f64>, Error> {
         let there = |(row, value): (&Row, Option<f64>)| {
             value.ok_or_else(|| Error::NoValue {
                 table: self.source.clone(),

@@ -93,6 +93,17 @@ impl Run {
         }
     }
 
+    /// The same sphere on a track of the disc, which passes.
+    pub(super) fn pin_on_track(elements: [usize; 2]) -> Self {
+        let mut values = Values::default();
+        let numbers = [("load", LOAD), ("distance", 0.5), ("step", 5e-3), ("track_radius", 10e-3)];
+        numbers.iter().for_each(|(name, number)| values.insert(name, Value::Number(*number)));
+        values.insert("passes", Value::Body(1, "disc".to_owned()));
+        let motion = MOTIONS.iter().find(|motion| motion.name == "sliding").expect("sliding");
+        let (motion, _) = (motion.build)(&values).expect("a track");
+        Self { problem: ContactProblem { motion, ..Self::pin_on_disc(elements).problem } }
+    }
+
     /// The same sphere with friction, fretting along x in cycles of 8 increments.
     pub(super) fn fretting(elements: [usize; 2]) -> Self {
         let mut values = Values::default();

@@ -7,9 +7,9 @@ mod statistics;
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, ensure};
+use anyhow::{Context, Result, bail, ensure};
 use archard::files::{self, Contents};
-use archard::simulation::history::{PEAK_PRESSURE, WEAR_DEPTH};
+use archard::simulation::history::{BODY_DEPTH, PEAK_PRESSURE};
 use serde_json::Value;
 
 use super::draw::Paper;
@@ -37,8 +37,9 @@ struct Study {
     saltelli: bool,
     /// The values of all keys and the results, a row a run.
     rows: Vec<Row>,
-    /// What the pictures show: a column of the history, and its unit.
-    column: &'static str,
+    /// What the pictures show: a column of the history, in words, and its unit.
+    column: String,
+    name: String,
     unit: Unit,
     dir: PathBuf,
 }
@@ -57,26 +58,39 @@ pub(super) fn is_one(dir: &Path) -> bool {
     dir.join("study.json").is_file() && dir.join("design.csv").is_file()
 }
 
-/// Draws the pictures of a study; returns their files.
-pub(super) fn run(dir: &Path, paper: &Paper) -> Result<Vec<PathBuf>> {
-    let (pictures, mark) = pictures(dir)?;
+/// Draws the pictures of a study, of columns of the history or, where there are none, of the wear of each body; returns their
+/// files.
+pub(super) fn run(dir: &Path, quantities: &[String], paper: &Paper) -> Result<Vec<PathBuf>> {
+    let (pictures, mark) = pictures(dir, quantities)?;
     write(dir, pictures, (mark.as_deref(), paper))
 }
 
 /// The pictures of a study, and what they have to say of rows that are left out.
-pub(super) fn pictures(dir: &Path) -> Result<(Vec<Picture>, Option<String>)> {
-    let study = Study::read(dir)?;
+pub(super) fn pictures(
+    dir: &Path,
+    quantities: &[String],
+) -> Result<(Vec<Picture>, Option<String>)> {
+    let columns = match quantities {
+        [] => worn(dir)?,
+        named => named.to_vec(),
+    };
+    let studies: Vec<Study> =
+        columns.iter().map(|column| Study::read(dir, column)).collect::<Result<_>>()?;
+    let [study, ..] = &studies[..] else { bail!("the study shows nothing") };
     let mut pictures = vec![];
     if !study.sampled.is_empty() {
-        pictures.push(tiled("bands", study.bands()?));
+        let panels: Vec<_> = studies.iter().map(Study::bands).collect::<Result<_>>()?;
+        pictures.push(tiled("bands", panels.into_iter().flatten().collect()));
     }
-    pictures.push(tiled("main_effects", study.effects()));
-    if let Some(map) = study.map() {
-        pictures.push(Picture::new("map", vec![map]).sized(MAP));
+    pictures.push(tiled("main_effects", studies.iter().flat_map(Study::effects).collect()));
+    let maps: Vec<Panel> = studies.iter().filter_map(Study::map).collect();
+    if !maps.is_empty() {
+        pictures.push(Picture::new("map", maps).sized(MAP));
     }
     if study.saltelli {
         let height = 160.0 + 100.0 * study.sampled.len() as f64;
-        let picture = Picture::new("sobol_indices", vec![study.indices()?]);
+        let panels = studies.iter().map(Study::indices).collect::<Result<Vec<_>>>()?;
+        let picture = Picture { columns: 1, ..Picture::new("sobol_indices", panels) };
         pictures.push(picture.sized([1000.0, height]));
     }
     let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
@@ -93,8 +107,32 @@ fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {
     Picture { columns, ..Picture::new(name, panels) }
 }
 
+/// The depth of each body that wears in a study, or the peak pressure.
+fn worn(dir: &Path) -> Result<Vec<String>> {
+    let path = dir.join("sweep.csv");
+    let context = || format!("cannot read `{}`: run the study first", path.display());
+    let text = files::read(&path, Contents::Text).with_context(context)?;
+    let mut reader = csv::Reader::from_reader(Cursor::new(text));
+    let header = reader.headers().with_context(context)?.clone();
+    let records: Vec<csv::StringRecord> =
+        reader.records().collect::<Result<_, _>>().with_context(context)?;
+    let (before, after) = BODY_DEPTH.split_once("BODY").unwrap_or((BODY_DEPTH, ""));
+    let depths = header.iter().enumerate().filter(|(_, name)| {
+        name.strip_prefix(before)
+            .is_some_and(|rest| rest.len() > after.len() && rest.ends_with(after))
+    });
+    let wears = |place: usize| {
+        let cells = records.iter().filter_map(|record| record[place].parse::<f64>().ok());
+        cells.into_iter().any(|depth| depth > 0.0)
+    };
+    let found: Vec<String> =
+        depths.filter(|(place, _)| wears(*place)).map(|(_, name)| name.to_owned()).collect();
+    Ok(if found.is_empty() { vec![PEAK_PRESSURE.to_owned()] } else { found })
+}
+
 impl Study {
-    fn read(dir: &Path) -> Result<Self> {
+    /// Reads a study whose pictures are to show a column.
+    fn read(dir: &Path, column: &str) -> Result<Self> {
         let path = dir.join("study.json");
         let context = || format!("cannot read `{}`", path.display());
         let kind: Value =
@@ -127,14 +165,6 @@ impl Study {
                 .with_context(|| format!("`{}`: `{}` is no number", path.display(), &record[place]))
         };
         ensure!(records.iter().any(|record| good(&record)), "no row of the study has a result yet");
-        let wears = |column: &usize| {
-            let rows = records.iter().filter(good);
-            rows.filter_map(|record| record[*column].parse::<f64>().ok()).any(|depth| depth > 0.0)
-        };
-        let column = match at(WEAR_DEPTH).ok().filter(wears) {
-            Some(_) => WEAR_DEPTH,
-            None => PEAK_PRESSURE,
-        };
         let place = at(column)?;
         let known = keys.iter().zip(over.iter().chain(&sampled)).map(|(key, name)| {
             Key::read(name, records.iter().map(|record| record[*key].to_owned()).collect())
@@ -149,18 +179,19 @@ impl Study {
                 Ok(Row { number: index + 1, values, result })
             })
             .collect::<Result<_>>()?;
-        let most = rows.iter().filter_map(|row| row.result).fold(0.0, f64::max);
-        let unit = if column == WEAR_DEPTH { Unit::depth(most) } else { Unit::pressure() };
+        let most = rows.iter().filter_map(|row| row.result).map(f64::abs).fold(0.0, f64::max);
+        let (name, unit) = Unit::of_result(column, most);
         let saltelli = kind["design"] == "saltelli";
         let gone_over = over.len();
         let mut over: Vec<Key> = known.into_iter().map(|(key, _)| key).collect();
         let sampled = over.split_off(gone_over);
-        Ok(Self { over, sampled, saltelli, rows, column, unit, dir: dir.to_owned() })
+        let (column, dir) = (column.to_owned(), dir.to_owned());
+        Ok(Self { over, sampled, saltelli, rows, column, name, unit, dir })
     }
 
     /// What the pictures show, as a phrase.
-    fn name(&self) -> &'static str {
-        if self.column == WEAR_DEPTH { "Wear depth" } else { "Peak pressure" }
+    fn name(&self) -> &str {
+        &self.name
     }
 
     /// The quantiles of the histories of all samples, in a panel for each of the first combinations gone over.
@@ -184,7 +215,7 @@ impl Study {
         let mut columns: Vec<(f64, Vec<f64>)> = vec![];
         for place in places.filter(|place| place.is_finite()) {
             let value = |history: &Table| {
-                Ok(value_at(history.first().1, history.column(self.column)?, place))
+                Ok(value_at(history.first().1, history.column(&self.column)?, place))
             };
             let mut values: Vec<f64> = histories.iter().map(value).collect::<Result<_>>()?;
             values.sort_by(f64::total_cmp);
@@ -206,8 +237,11 @@ impl Study {
         let title: Vec<String> = values.collect();
         let title = if title.is_empty() { self.name().to_owned() } else { title.join(", ") };
         let labels = [&*title, &along.label(&phrase(&name)), &self.unit.label(self.name())];
+        let least = columns.iter().filter_map(|column| column.1.first()).fold(0.0, |a, b| b.min(a));
         Ok(curves.panel(labels, |view| {
-            view.below_x(end * along.factor).above_y(0.0).legend(LegendPosition::InsideTopLeft)
+            view.below_x(end * along.factor)
+                .above_y(1.1 * least * self.unit.factor)
+                .legend(LegendPosition::InsideTopLeft)
         }))
     }
 

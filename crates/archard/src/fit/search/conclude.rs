@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Error, Estimate};
-use super::{Search, Variant, of_load};
+use super::{Search, Variant};
 use crate::case::Case;
 
 /// Points of a curve that is shown.
@@ -132,23 +132,15 @@ impl Search<'_> {
         let far = readings().map(|reading| reading.progress).fold(0.0, f64::max);
         let near = readings().map(|reading| reading.progress).fold(far, f64::min);
         let (first, last) = ((0.5 * near).min(0.02 * far), 1.05 * far);
-        let mut runs = vec![];
+        let mut models = vec![];
         for k in ks {
-            let scale = k / self.reference[place];
-            runs.push(match self.by_k_s {
-                true => {
-                    let own = self.scale.get(&of_load(load)).copied().unwrap_or(1.0);
-                    (self.run(own, load)?, scale / own)
-                }
-                false => (self.run(scale, load)?, 1.0),
-            });
+            models.push(self.model(place, load, k.ln())?);
         }
         let quantities = (0..self.runner.quantities.len())
             .filter(|&quantity| readings().any(|reading| reading.quantity == quantity));
         let point = |quantity: usize, index: usize| {
             let at = first * (last / first).powf(index as f64 / (POINTS - 1) as f64);
-            let value = |(run, scale): &(super::Run, f64)| run.at(quantity, at * scale).log.exp();
-            (at, std::array::from_fn(|i| value(&runs[i])))
+            (at, std::array::from_fn(|i| models[i].at(quantity, at).log.exp()))
         };
         let shown = |quantity: usize| {
             let points = (0..POINTS).map(|index| point(quantity, index)).collect();

@@ -1,48 +1,66 @@
 //! Rounds of runs: each with coefficients, lengths and steps by what the last one found.
+//!
+//! Where the worn state follows from k s, one run that goes as far as the readings tells one coefficient. Where both are sought,
+//! their ratio is the unknown: readings tell a ratio of their own at each that is run, and the one is sought at which both
+//! agree.
 
 use super::super::{Error, Estimate};
+use super::root::Root;
 use super::{Search, of_load};
 
-/// Rounds of runs at most, and the relative change of k that ends them: where one run tells all k, and where it does not.
-const ROUNDS: usize = 10;
-const SETTLED: [f64; 2] = [1e-3, 5e-3];
+/// Rounds of runs at most: four halve a bracket, so that this is one of a factor of 40 narrowed to 4 %.
+const ROUNDS: usize = 25;
+/// How closely the ratio of both coefficients is sought: relative to their standard uncertainty, to which a tenth adds half a
+/// per cent; where nothing tells that one, as closely as coefficients are printed.
+const OF_UNCERTAINTY: f64 = 0.1;
+const PRINTED: f64 = 1e-3;
 /// Part of a run beyond its end that readings may reach into before the run is made longer.
 const BEYOND: f64 = 1.02;
+
+/// What rounds of runs found, and by how much (the logarithm of) the ratio of both coefficients is off where they did not
+/// settle.
+pub(super) type Settled = (Vec<Estimate>, Option<f64>);
+
 impl Search<'_> {
-    /// Rounds of runs until the coefficients settle.
-    pub(super) fn settle(&mut self) -> Result<Vec<Estimate>, Error> {
-        let mut last: Option<Vec<Estimate>> = None;
-        let mut change = f64::INFINITY;
-        for _ in 0..ROUNDS {
+    /// Rounds of runs until they reach as far as the readings, with the ratio of coefficients that the readings ask for.
+    pub(super) fn settle(&mut self) -> Result<Settled, Error> {
+        let mut root = Root::default();
+        let mut round = 0;
+        loop {
+            round += 1;
             let found = self.estimates(&[])?;
-            let logs = |all: &[Estimate]| -> Vec<f64> {
-                all.iter().flat_map(|own| own.tests.iter().map(|test| test.1.ln())).collect()
-            };
-            let last_logs = last.as_deref().map(logs);
-            change = last_logs.map_or(f64::INFINITY, |last| {
-                let changes =
-                    logs(&found).into_iter().zip(last).map(|(new, old)| (new - old).abs());
-                changes.fold(0.0, f64::max)
-            });
             let off = self.ratio_off(&found);
-            let settled = SETTLED[usize::from(!self.by_k_s)];
+            let last = round == ROUNDS;
             let reaches = !self.by_k_s || self.reaches(&found);
-            let alone = !self.by_k_s && self.targets.len() == 1;
-            if alone || change <= settled && off.abs() <= settled && reaches {
-                return Ok(found);
+            if !reaches && !last {
+                self.reach(&found, 0.0);
+                continue;
             }
-            self.adapt(&found, off);
-            last = Some(found);
+            let next = root.next(self.log_ratio(), off, tolerance(&found));
+            match next {
+                None if reaches => {
+                    self.guess = found.iter().map(|own| own.median).collect();
+                    return Ok((found, None));
+                }
+                _ if last => return Ok((found, Some(off))),
+                Some(next) => self.reach(&found, next - self.log_ratio()),
+                None => self.reach(&found, 0.0),
+            }
         }
-        Err(Error::Unsettled { rounds: ROUNDS, change })
     }
 
     /// How far the logarithm of the ratio of both coefficients is from that of the runs: zero where there is one coefficient.
     fn ratio_off(&self, found: &[Estimate]) -> f64 {
-        let change = |place: usize| (found[place].median / self.reference[place]).ln();
-        match found.len() {
-            2 => change(1) - change(0),
-            _ if self.by_k_s && !self.others.is_empty() => -change(0),
+        match found {
+            [one, other] => (other.median / one.median).ln() - self.log_ratio(),
+            _ => 0.0,
+        }
+    }
+
+    /// The logarithm of the ratio of both coefficients in the runs.
+    fn log_ratio(&self) -> f64 {
+        match self.reference[..] {
+            [one, other] => other.ln() - one.ln(),
             _ => 0.0,
         }
     }
@@ -58,58 +76,53 @@ impl Search<'_> {
 
     /// The scale of a run that ends where the last reading of a load asks for.
     fn needed(&self, found: &[Estimate], load: Option<f64>) -> f64 {
-        let end = self.end();
-        let mut needed = 0.0_f64;
-        for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
-            for (test, (_, k, _)) in
-                target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
-            {
-                let far = test.readings.last().map_or(0.0, |reading| reading.progress);
-                needed = needed.max(k / reference * far / end);
-            }
-        }
-        needed
+        let far = self.places_in(found, load).into_iter().flatten();
+        far.fold(0.0, f64::max)
     }
 
-    /// Runs of the next round: their coefficients, how far they go, and where their steps end. The ratio of both coefficients
-    /// goes by secants: each may change what the readings of the other ask for.
-    fn adapt(&mut self, found: &[Estimate], off: f64) {
-        let change = match self.ratio {
-            Some((moved, last)) if moved != 0.0 && (off - last).abs() > 0.2 * moved.abs() => {
-                (-off * moved / (off - last)).clamp(-2.0, 2.0)
+    /// How far the readings of each test of a load are, relative to the run at a scale of one.
+    fn places_in(&self, found: &[Estimate], load: Option<f64>) -> Vec<Vec<f64>> {
+        let end = self.end();
+        let mut places = vec![];
+        for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
+            let tests = target.tests.iter().zip(&own.tests);
+            for (test, (_, k, _)) in tests.filter(|(test, _)| test.load == load) {
+                let far = test.readings.iter().map(|reading| reading.progress);
+                places.push(far.map(|far| k / reference * far / end).collect());
             }
-            _ => off.clamp(-2.0, 2.0),
-        };
-        self.ratio = Some((change, off));
-        let logs: Vec<f64> = self.reference.iter().map(|known| known.ln()).collect();
-        self.reference = match found {
-            [one, other] => {
+        }
+        places
+    }
+
+    /// Runs of the next round: how far they go, where their steps end, and by how much the logarithm of the ratio of both
+    /// coefficients changes.
+    fn reach(&mut self, found: &[Estimate], change: f64) {
+        self.reference = match (found, &self.reference[..]) {
+            ([one, other], [first, second]) => {
                 let middle = 0.5 * (one.median.ln() + other.median.ln());
-                let half = 0.5 * (logs[1] - logs[0] + change);
+                let half = 0.5 * (second.ln() - first.ln() + change);
                 vec![(middle - half).exp(), (middle + half).exp()]
             }
-            // The other coefficient keeps its value.
-            [_] if self.by_k_s && !self.others.is_empty() => vec![(logs[0] - change).exp()],
-            all => all.iter().map(|own| own.median).collect(),
+            (all, _) => all.iter().map(|own| own.median).collect(),
         };
-        if !self.by_k_s {
-            return;
-        }
-        let end = self.end();
-        for load in self.loads() {
-            let scale = 1.001 * self.needed(found, load);
-            let mut shares = vec![];
-            for ((target, own), reference) in self.targets.iter().zip(found).zip(&self.reference) {
-                for (test, (_, k, _)) in
-                    target.tests.iter().zip(&own.tests).filter(|(test, _)| test.load == load)
-                {
-                    let far = test.readings.iter().map(|reading| reading.progress);
-                    shares.extend(far.map(|far| k / reference * far / end / scale));
-                }
+        self.guess = found.iter().map(|own| own.median).collect();
+        if self.by_k_s {
+            for load in self.loads() {
+                let scale = 1.001 * self.needed(found, load);
+                let places = self.places_in(found, load).into_iter().flatten();
+                let shares = places.map(|place| place / scale).collect();
+                self.scale.insert(of_load(load), scale);
+                self.shares.insert(of_load(load), shares);
             }
-            self.scale.insert(of_load(load), scale);
-            self.shares.insert(of_load(load), shares);
         }
         self.known.clear();
     }
+}
+
+/// How closely the ratio of both coefficients has to be found.
+fn tolerance(found: &[Estimate]) -> f64 {
+    let width = |own: &Estimate| own.interval.map(|[low, high]| (high / low).ln() / 4.0);
+    let known: Option<Vec<f64>> = found.iter().map(width).collect();
+    let least = known.and_then(|all| all.into_iter().reduce(f64::min));
+    least.map_or(PRINTED, |least| (OF_UNCERTAINTY * least).max(PRINTED))
 }

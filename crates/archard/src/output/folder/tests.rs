@@ -103,6 +103,34 @@ fn bodies_that_slide_have_no_worn_profiles() {
     assert!(!dir.path().join("worn_profiles.csv").exists());
 }
 
+/// The section of the body that stays is the one through its middle, whatever the frame beside it; the track's is the mean of
+/// each line, as its points go through all of it.
+#[test]
+fn a_body_that_stays_on_a_track_shows_its_section() {
+    for elements in [[9, 8], [8, 8]] {
+        let dir = tempdir().unwrap();
+        let run = Run::pin_on_track(elements);
+        let mut folder = ResultFolder::create(dir.path(), "").unwrap();
+        run.show(&mut folder, &[0.0, 0.5], |_| true);
+        let (header, rows) = table(&dir, "worn_profiles.csv");
+        let column = |name: &str| header.split(' ').position(|known| known == name).unwrap();
+        let [pin, disc, place] = ["wear_pin_m", "wear_disc_m", "y_m"].map(column);
+        let state = run.state(0.5);
+        for row in &rows[8..] {
+            let line: Vec<usize> = (0..elements[0] * elements[1])
+                .filter(|&pair| (run.problem.frame.place(pair)[1] - row[place]).abs() < 1e-9)
+                .collect();
+            let count = elements[0];
+            let middle = 0.5
+                * [(count - 1) / 2, count / 2].map(|i| state.worn[0][line[i]]).iter().sum::<f64>();
+            let mean = line.iter().map(|&pair| state.worn[1][pair]).sum::<f64>() / count as f64;
+            assert_relative_eq!(row[pin], middle, max_relative = 1e-12);
+            assert_relative_eq!(row[disc], mean, max_relative = 1e-12);
+        }
+        assert!(rows[8..].iter().any(|row| row[pin] > 0.0));
+    }
+}
+
 #[test]
 fn fields_of_friction_are_read_back_and_cut() {
     let dir = rolled(ALONG_X);
