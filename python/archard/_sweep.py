@@ -6,7 +6,7 @@ import csv
 import itertools
 import os
 import pickle
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -48,14 +48,15 @@ class _Laws(NamedTuple):
 
     def travel(self) -> None:
         """See that another process can be sent them."""
-        functions = [law.function if isinstance(law, Law) else law for law in (self.wear or {}).values()]
-        for function in [*functions, self.friction]:
+        functions: list[Callable[..., Any]] = [] if self.friction is None else [self.friction]
+        functions += [law.function if isinstance(law, Law) else law for law in (self.wear or {}).values()]
+        for function in functions:
             try:
                 pickle.dumps(function)
             except (pickle.PicklingError, AttributeError, TypeError):
                 raise ValueError(
-                    f"the law `{_law.name(function)}` cannot be sent to another process: define it with `def` at the "
-                    "top level of a module, or give executor=ThreadPoolExecutor()"
+                    f"the law `{_law.name(function)}` cannot be sent to another process: define it with `def` at "
+                    "the top level of a module, or give executor=ThreadPoolExecutor()"
                 ) from None
 
 
@@ -112,8 +113,8 @@ def sweep(
         out: folder for ``rows/0001`` and on, a result folder each, and ``sweep.csv``; results are in memory if
             not given.
         laws: wear laws of all rows by the name of their body, as of :meth:`Case.run`. Other processes import them
-            by name: they stand at the top level of a module. Rows in ``out`` know them by name only: after a change
-            of a law that keeps its name, choose another folder.
+            by name: they stand at the top level of a module. Rows in ``out`` know them by name only: after a
+            change of a law that keeps its name, choose another folder.
         friction: a friction law of all rows, likewise.
 
     Raises:

@@ -293,6 +293,8 @@ Examples:
   three loads, each at six coefficients of friction:
     archard sweep CASE --over motion.rolling.load=\"100 N,200 N,300 N\" \\
       --over friction.coulomb.coefficient=0.1:0.6:6 -o results/study
+  two amplitudes, each along x and y:
+    archard sweep CASE --over 'motion.fretting.amplitude=[\"1 um\", \"0 um\"]; [\"2 um\", \"0 um\"]' -o results/amplitudes
   200 samples of a wear coefficient, known to a factor:
     archard sweep CASE --sample \"body.pin.wear.archard.coefficient=lognormal(1.4e-4 mm^3/(N m), 0.4)\" \\
       --samples 200 -o results/scatter
@@ -313,7 +315,8 @@ pub struct Sweep {
     /// Put a value at a key of the case in all rows
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// Go over values of a key: "5 N,10 N,20 N", or a range "5 N:20 N:4" of four; each with each value of other keys
+    /// Go over values of a key: "5 N,10 N,20 N", lists or tables likewise, or a range "5 N:20 N:4" of four; each with each
+    /// value of other keys
     #[arg(long, value_name = "KEY=VALUES")]
     pub over: Vec<String>,
     /// Draw values of a key: normal(mean, deviation), lognormal(median, deviation of the logarithm) or

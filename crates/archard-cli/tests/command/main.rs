@@ -152,6 +152,59 @@ fn new_lists_and_writes_the_cases() {
     assert!(said(&unknown).contains("there is no rig and no built-in case `gear`"));
 }
 
+/// A built-in case is run by its name where no file has it, with the files it reads.
+#[test]
+fn built_in_cases_are_known_by_name() {
+    let dir = TempDir::new().unwrap();
+    archard(&dir, &["run", "hertz", "-q"]).success();
+    assert!(dir.path().join("results/hertz/history.csv").is_file());
+    let kept = dir.path().join("kept");
+    let run = |arguments: &[&str]| {
+        let mut command = Command::cargo_bin("archard").unwrap();
+        command.current_dir(dir.path()).env("ARCHARD_CACHE", &kept).args(arguments).assert()
+    };
+    let checked = printed(&run(&["check", "patch_test"]).success());
+    assert!(checked.contains("unknowns"), "{checked}");
+    assert!(kept.join("cases/patch_test/block.msh").is_file());
+    // What the user has of that name comes first.
+    fs::write(dir.path().join("hertz"), "title = 3").unwrap();
+    assert!(said(&archard(&dir, &["check", "hertz"]).code(2)).contains("hertz:1"));
+}
+
+#[test]
+fn what_was_mistyped_is_answered_with_the_nearest() {
+    let dir = TempDir::new().unwrap();
+    fs::create_dir_all(dir.path().join("mine")).unwrap();
+    fs::write(dir.path().join("mine/monday.toml"), "").unwrap();
+    for (arguments, near) in [
+        (&["run", "pin_on_dics"][..], "did you mean `pin_on_disc`?"),
+        (&["sweep", "hertzz", "--over", "a=1,2", "-o", "out"], "did you mean `hertz`?"),
+        (&["check", "mine/mondya.toml"], "did you mean `mine/monday.toml`?"),
+        (&["new", "twin_dics"], "did you mean `twin_disc`?"),
+        (&["run", "xylophone"], "`archard new --list` shows the built-in cases"),
+        (&["rnu", "hertz"], "a similar subcommand exists: 'run'"),
+        (&["chekc"], "a similar subcommand exists: 'check'"),
+    ] {
+        let refused = archard(&dir, arguments).code(2);
+        assert!(said(&refused).contains(near), "{}", said(&refused));
+    }
+}
+
+/// `check` says what a run with that accuracy would take, and points at what a frame was chosen for.
+#[test]
+fn check_takes_an_accuracy() {
+    let dir = TempDir::new().unwrap();
+    let of = |options: &[&str]| {
+        let checked = archard(&dir, &[&["check", "hertz"], options].concat()).success();
+        printed(&checked)
+    };
+    assert_eq!(of(&["--accuracy", "2%"]), of(&["--set", "accuracy=0.02"]));
+    assert_ne!(of(&["--accuracy", "2%"]), of(&[]));
+    let flat = ["check", "hertz", "--accuracy", "1%", "--set", "body.ball.profile={ flat = {} }"];
+    let refused = archard(&dir, &flat).code(2);
+    assert!(said(&refused).contains("--> --set:1:10"), "{}", said(&refused));
+}
+
 #[test]
 fn rigs_are_known_by_name() {
     let dir = TempDir::new().unwrap();

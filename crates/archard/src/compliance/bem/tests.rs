@@ -2,9 +2,12 @@
 
 use glam::{DMat3, DVec3};
 
-use super::{Condition, Conditions, Given, Solid, Surface};
-use crate::body::mesh::{Corners, Face, Mesh};
-use crate::body::{Interpolation, Material};
+use std::sync::Mutex;
+
+use super::contact::{Job, condense};
+use super::{Condition, Conditions, Given, Making, Solid, Stage, Surface, Told};
+use crate::body::mesh::{Corners, Face, Mesh, Meshed, Zone};
+use crate::body::{Elasticity, Finite, Interpolation, Material};
 
 pub(super) const MATERIAL: Material = Material { young: 2.6, poisson: 0.3 };
 
@@ -90,6 +93,52 @@ fn patch_test(mesh: &Mesh, interpolation: Interpolation, tolerance: f64) -> (f64
         largest = (largest.0.max(u.length()), largest.1.max(t.length()));
     }
     (error.0 / largest.0, error.1 / largest.1)
+}
+
+/// Whoever waits is told of every block of nodes, the factors, and the columns of the zone; what comes out is the same.
+#[test]
+fn stages_are_told_in_their_order() {
+    let mesh = cube(4, false, |place| place);
+    let surface = Surface::new(&mesh, Interpolation::Discontinuous, [false; 2]);
+    let nodes = surface.traction_nodes().iter().enumerate();
+    let zone: Vec<(usize, [DVec3; 3])> = nodes
+        .filter(|(_, node)| node.surface == 5)
+        .map(|(index, _)| (index, [DVec3::X, DVec3::Y, DVec3::Z]))
+        .collect();
+    let held = |node: &super::TractionNode| match node.surface {
+        4 => Condition::clamped(),
+        _ => Condition::free(),
+    };
+    let conditions = Conditions::new(&surface, held, &zone).expect("it is held");
+    let meshed = Meshed { mesh: mesh.clone(), zone: Zone::default(), placed: true };
+    let finite = Finite {
+        meshed,
+        curvatures: None,
+        supports: vec![],
+        mirrored: [false; 2],
+        interpolation: Interpolation::Discontinuous,
+        tolerance: 1e-4,
+        elasticity: Elasticity::BoundaryElements,
+    };
+    let told = Mutex::new(vec![]);
+    let tell = |making: Making| told.lock().unwrap().push(making);
+    let job = Job { surface: &surface, conditions: &conditions, told: Told::by(&tell) };
+    let condensed = condense(&finite, &MATERIAL, &job).unwrap();
+    let alone = condense(&finite, &MATERIAL, &Job { told: Told::default(), ..job }).unwrap();
+    assert_eq!(condensed.compliance, alone.compliance);
+    let told = told.into_inner().unwrap();
+    assert!(told.iter().all(|one| one.equations == surface.unknowns()));
+    let shares = |stage: Stage| -> Vec<f64> {
+        told.iter().filter(|one| one.stage == stage).map(|one| one.share).collect()
+    };
+    // 384 nodes in blocks of 64.
+    let mut blocks = shares(Stage::Assembling);
+    blocks.sort_by(f64::total_cmp);
+    assert_eq!(blocks, [0, 1, 2, 3, 4, 5, 6].map(|done| f64::from(done) / 6.0));
+    assert_eq!(shares(Stage::Factorising), [0.0]);
+    assert_eq!(shares(Stage::Condensing), [0.0]);
+    let order: Vec<Stage> = told.iter().map(|one| one.stage).collect();
+    assert!(order.is_sorted_by_key(|stage| *stage as u8), "{order:?}");
 }
 
 #[test]

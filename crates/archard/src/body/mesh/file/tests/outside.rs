@@ -134,7 +134,19 @@ fn open_surfaces_stay_as_they_are_and_gmsh_is_told() {
         said[0].contains("open: 3 edges") && said[0].contains("removeDuplicateNodes"),
         "{said:?}"
     );
+    assert!(said[0].contains("the first from the vertex x = "), "{said:?}");
     assert!(said[1].contains("setOutwardOrientation"), "{said:?}");
+}
+
+/// Programs compute a corner once for each triangle, and not always to the same bits.
+#[test]
+fn corners_that_differ_by_rounding_leave_no_gap() {
+    let mut triangles = cube();
+    for (index, corner) in triangles.iter_mut().flatten().enumerate() {
+        *corner += 1e-15 * index as f64;
+    }
+    let plain = parse(stl(&triangles).as_bytes()).unwrap();
+    assert_eq!((plain.vertices.len(), problems(&plain, [false; 2])), (8, vec![]));
 }
 
 /// A band with half a twist has no outside.
