@@ -94,7 +94,7 @@
     const top = (list) => list.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 0);
     const largest = (name) => Math.max(...outputs.map((_, output) => top(values(name, output))));
     // Where there is nothing the map is white; between centres of elements it is interpolated.
-    const colours = [[0, "#ffffff"], [0.004, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#fde725"]];
+    const colours = [[0, "#ffffff"], [0.02, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#fde725"]];
     const length = (ends) => Math.abs(ends[ends.length - 1] - ends[0]);
     const slender = Math.max(length(x), length(y)) > 4 * Math.min(length(x), length(y));
     // The whole of the elements, whichever of them show something.
