@@ -44,15 +44,15 @@
     }
     return layout;
   };
-  // The legend stands below the label of the axis, however low the plot is.
-  const styled = (layout, height = 400) => noted({
+  // The legend stands at the bottom of the figure, below the label of the axis.
+  const styled = (layout) => noted({
     ...layout,
     font: { family: "system-ui, 'Segoe UI', Roboto, 'Liberation Sans', sans-serif", size: 13, color: ink },
     margin: { l: 56, r: 16, t: mark ? 48 : 34, b: 44 },
     separators: ".\u2009",
     xaxis: { ...frame, ...layout.xaxis },
     yaxis: { ...frame, ...layout.yaxis },
-    legend: { orientation: "h", x: 0, xanchor: "left", y: -58 / Math.max(90, height - 180), yanchor: "top", ...layout.legend },
+    legend: { orientation: "h", x: 0, xanchor: "left", yref: "container", y: 0, yanchor: "bottom", ...layout.legend },
   });
   // What is drawn takes the place of the picture on the screen.
   const overlay = (place) => {
@@ -74,7 +74,7 @@
 
   for (let i = 0; i < figures.length; i += 1) {
     const place = overlay(document.getElementById(`figure-${i + 1}`));
-    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout, place.clientHeight), config);
+    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout), config);
   }
   if (maps) await mapped();
   document.body.dataset.state = "done";

@@ -110,9 +110,11 @@ pub(crate) fn quantity(value: f64, unit: &str) -> String {
 pub(super) fn range(low: f64, high: f64, unit: &str) -> String {
     let largest = low.abs().max(high.abs());
     let (factor, unit) = usual(largest, unit);
-    let power = (largest * factor).log10().floor();
-    let odd = power.is_finite() && !(-3.0..6.0).contains(&power);
-    let power = if odd { power as i32 } else { 0 };
+    let odd = |end: f64| end != 0.0 && !(1e-3..1e6).contains(&(end.abs() * factor));
+    let power = match odd(low) || odd(high) {
+        true => (largest * factor).log10().floor() as i32,
+        false => 0,
+    };
     let [low, high] = [low, high].map(|end| plain(end * factor * 10f64.powi(-power)));
     let ends = match power {
         0 => format!("{low} to {high}"),
@@ -195,6 +197,7 @@ mod tests {
         assert_eq!(quantity(25.0, ""), "25");
         assert_eq!(range(1.413e-6, 2.634e-6, "m"), "1.413 to 2.634 µm");
         assert_eq!(range(0.714e-13, 2.283e-13, "1/Pa"), "(0.714 to 2.283)·10⁻⁴ mm³/(N m)");
+        assert_eq!(range(3.336e-13, 1.118e-12, "m3"), "(0.3336 to 1.118)·10⁻³ mm³");
         assert_eq!(range(0.0, 0.0, "m"), "0 to 0 mm");
     }
 }
