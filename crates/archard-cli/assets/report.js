@@ -44,15 +44,15 @@
     }
     return layout;
   };
-  // The legend stands below the label of the axis, however low the plot is.
-  const styled = (layout, height = 400) => noted({
+  // The legend stands at the bottom of the figure, below the label of the axis.
+  const styled = (layout) => noted({
     ...layout,
     font: { family: "system-ui, 'Segoe UI', Roboto, 'Liberation Sans', sans-serif", size: 13, color: ink },
     margin: { l: 56, r: 16, t: mark ? 48 : 34, b: 44 },
     separators: ".\u2009",
     xaxis: { ...frame, ...layout.xaxis },
     yaxis: { ...frame, ...layout.yaxis },
-    legend: { orientation: "h", x: 0, xanchor: "left", y: -58 / Math.max(90, height - 180), yanchor: "top", ...layout.legend },
+    legend: { orientation: "h", x: 0, xanchor: "left", yref: "container", y: 0, yanchor: "bottom", ...layout.legend },
   });
   // What is drawn takes the place of the picture on the screen.
   const overlay = (place) => {
@@ -74,7 +74,7 @@
 
   for (let i = 0; i < figures.length; i += 1) {
     const place = overlay(document.getElementById(`figure-${i + 1}`));
-    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout, place.clientHeight), config);
+    await Plotly.newPlot(place, figures[i].data, styled(figures[i].layout), config);
   }
   if (maps) await mapped();
   document.body.dataset.state = "done";
@@ -94,7 +94,7 @@
     const top = (list) => list.reduce((most, value) => (Math.abs(value) > most ? Math.abs(value) : most), 0);
     const largest = (name) => Math.max(...outputs.map((_, output) => top(values(name, output))));
     // Where there is nothing the map is white; between centres of elements it is interpolated.
-    const colours = [[0, "#ffffff"], [0.004, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#fde725"]];
+    const colours = [[0, "#ffffff"], [0.02, "#440154"], [0.25, "#3b528b"], [0.5, "#21918c"], [0.75, "#5ec962"], [1, "#fde725"]];
     const length = (ends) => Math.abs(ends[ends.length - 1] - ends[0]);
     const slender = Math.max(length(x), length(y)) > 4 * Math.min(length(x), length(y));
     // The whole of the elements, whichever of them show something.

@@ -42,7 +42,7 @@ pub enum Command {
         #[arg(value_hint = ValueHint::DirPath)]
         dir: PathBuf,
     },
-    /// Write a page about a run that opens in any browser: results, verdict, theory, curves, maps and worn surfaces
+    /// Write a page about a run, a study or a fit that opens in any browser: results, verdict, theory, curves, maps
     Report(Report),
     /// Hold a run against measured profiles, readings over the motion, or other runs
     #[command(after_help = COMPARE_EXAMPLES)]
@@ -275,7 +275,7 @@ pub struct Compare {
 /// The arguments of `report`.
 #[derive(Debug, Default, Args)]
 pub struct Report {
-    /// A folder written by `run`, and folders of other runs whose wear is shown beside it
+    /// A folder written by `run`, `sweep` or `fit`; after one of `run` those of other runs to compare it with
     #[arg(required = true, value_name = "DIR")]
     pub dirs: Vec<PathBuf>,
     /// The page; report.html in the first folder if not given

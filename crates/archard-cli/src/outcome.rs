@@ -131,9 +131,10 @@ impl Outcome<'_> {
         let bodies = &self.simulation.problem.bodies;
         for (body, extent) in bodies.iter().zip(self.follower.scars) {
             if let (Some([along, across]), None) = (extent, self.follower.number(SCAR[0])) {
-                let extent = match self.simulation.problem.frame.is_line() {
-                    true => length(along),
-                    false => format!("{} along, {} across", length(along), length(across)),
+                let [along, across] = [along, across].map(length);
+                let extent = match self.simulation.problem.frame.is_line() || along == across {
+                    true => along,
+                    false => format!("{along} along, {across} across"),
                 };
                 lines.add(format!("scar ({})", body.name), extent, String::new());
             }

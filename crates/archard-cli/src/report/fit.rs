@@ -11,7 +11,7 @@ use super::figures::Figure;
 use super::html::Html;
 use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
-use super::words::{plain, quantity};
+use super::words::{plain, quantity, range};
 use crate::number::percent;
 use crate::plot::draw::Still;
 
@@ -71,7 +71,7 @@ fn picture(dir: &Path) -> Option<Figure> {
     };
     let still = PICTURES.into_iter().find_map(read)?;
     let words = "Points are readings, the line the case at the median; the dark band is its 95 % interval, the pale one that of the next test.";
-    Some(Figure::file("Readings and fit", words, still))
+    Some(Figure::file("Readings, the case at the median, and both intervals", words, still))
 }
 
 /// The colour of the verdict and its words.
@@ -94,7 +94,11 @@ impl Coefficient<'_> {
     }
 
     fn shown(&self, value: f64) -> String {
-        quantity(value, self.0["unit"].as_str().unwrap_or_default())
+        quantity(value, self.unit())
+    }
+
+    fn unit(&self) -> &str {
+        self.0["unit"].as_str().unwrap_or_default()
     }
 
     fn rejected(&self) -> Option<String> {
@@ -111,8 +115,7 @@ impl Coefficient<'_> {
     }
 
     fn between(&self, ends: &Value) -> Option<String> {
-        let [low, high] = [ends[0].as_f64()?, ends[1].as_f64()?].map(|end| self.shown(end));
-        Some(format!("{low} to {high}"))
+        Some(range(ends[0].as_f64()?, ends[1].as_f64()?, self.unit()))
     }
 
     fn tile(&self) -> [String; 3] {

@@ -13,11 +13,11 @@ use serde_json::{Value, json};
 use super::figures::{Figure, drawn};
 use super::html::{Html, fill};
 use super::page::{Header, Page, Sections, Table};
-use super::words::{plain, quantity};
+use super::words::{plain, quantity, range};
 use super::{name_of, tables};
 use crate::plot::{self, quantile};
 
-/// Most rows that did not come to a good end that are listed.
+/// Most rows that stopped or are wrong that are listed.
 const LISTED: usize = 20;
 /// Shares of the samples that lie below the ends of the interval.
 const ENDS: [f64; 2] = [0.05, 0.95];
@@ -157,8 +157,8 @@ impl Study {
         let bodies = self.bodies();
         let row = |name: &String| {
             let (label, unit) = tables::label(&bodies, name);
-            let [middle, low, high] = self.spread(name).map(|value| quantity(value, unit));
-            vec![label, middle, format!("{low} to {high}")]
+            let [middle, low, high] = self.spread(name);
+            vec![label, quantity(middle, unit), range(low, high, unit)]
         };
         let rows = self.columns().iter().map(row).collect();
         let caption = "At the end of the rows".to_owned();
@@ -176,15 +176,16 @@ impl Study {
         let columns = self.columns();
         let Some(name) = columns.first() else { return vec![] };
         let (label, unit) = tables::label(&bodies, name);
-        let [middle, low, high] = self.spread(name).map(|value| quantity(value, unit));
+        let [middle, low, high] = self.spread(name);
+        let (middle, ends) = (quantity(middle, unit), range(low, high, unit));
         let count = self.sorted(name).len();
         let label = label.to_lowercase();
         match self.sampled.is_empty() {
-            true => vec![format!("Over the {count} rows the {label} goes from {low} to {high}.")],
+            true => vec![format!("Over the {count} rows the {label} goes from {ends}.")],
             false => vec![
                 format!("In half of the {count} samples the {label} stays below {middle}."),
                 format!(
-                    "The next test, if its values lie as the samples do, ends between {low} and {high} with a probability of nine in ten."
+                    "The next test, if its values lie as the samples do, ends within {ends} with a probability of nine in ten."
                 ),
             ],
         }
@@ -196,7 +197,10 @@ impl Study {
         let of = |word: &str| self.rows.iter().filter(|row| self.word(row) == word).count();
         let (good, doubtful) = (of("good"), of("doubtful"));
         let open = of("open") + of("interrupted");
-        let words = format!("{good} of {all} rows are good");
+        let words = match doubtful {
+            0 => format!("{good} of {all} rows are good"),
+            doubtful => format!("{good} of {all} rows are good, {doubtful} doubtful"),
+        };
         match () {
             () if good == all => ("good", words),
             () if open > 0 => ("incomplete", format!("incomplete, {words}")),
@@ -236,21 +240,17 @@ impl Study {
         }
     }
 
-    /// The rows that are not good.
+    /// The rows that stopped or are wrong.
     fn complaints(&self) -> Table {
-        let rows = self.rows.iter().filter(|row| self.word(row) != "good").take(LISTED);
+        let of = |row: &&Vec<String>| !["good", "doubtful"].contains(&self.word(row));
         let row = |row: &Vec<String>| {
-            ["row", "", "error"]
-                .map(|name| match name {
-                    "" => self.word(row).to_owned(),
-                    name => self.cell(row, name).to_owned(),
-                })
-                .to_vec()
+            let cell = |name: &str| self.cell(row, name).to_owned();
+            vec![cell("row"), self.word(row).to_owned(), cell("error")]
         };
         Table {
-            caption: format!("Rows that are not good, the first {LISTED} of them"),
+            caption: format!("Rows that stopped or are wrong, {LISTED} at most"),
             heads: vec!["Row", "Verdict", "Why it stopped"],
-            rows: rows.map(row).collect(),
+            rows: self.rows.iter().filter(of).take(LISTED).map(row).collect(),
         }
     }
 }

@@ -40,10 +40,13 @@ pub(super) fn results(results: &Results) -> Table {
         if WORK.contains(&name) || still(name) || twice {
             continue;
         }
-        let (label, unit) = label(&results.bodies, name);
+        let (label, unit) = match label(&results.bodies, name) {
+            (label, unit) if name == WEAR_DEPTH => (format!("{label} of both"), unit),
+            named => named,
+        };
         // Components that are nothing but rounding beside the load.
-        let rounding = ROUNDING * last(LOAD).unwrap_or_default();
-        let value = if ["N", "Nm"].contains(&unit) && value.abs() < rounding { 0.0 } else { value };
+        let nothing = FORCES.contains(&unit) && value.abs() < rounding(results);
+        let value = if nothing { 0.0 } else { value };
         let whole = unit.is_empty() && value == value.round();
         let shown = if whole { count(value) } else { quantity(value, unit) };
         rows.push(vec![label, shown, error(results, name, value, unit)]);
@@ -70,6 +73,15 @@ fn states_errors(results: &Results) -> bool {
 /// Share of the load below which a force (N) or moment (N m) is rounding, and of a number below which its error is.
 const ROUNDING: f64 = 1e-9;
 
+/// Units of forces and moments.
+const FORCES: [&str; 2] = ["N", "Nm"];
+
+/// The force (N) or moment (N m) that is nothing but rounding under the load.
+fn rounding(results: &Results) -> f64 {
+    let load = results.history.column(LOAD).ok().and_then(|loads| loads.last().copied());
+    ROUNDING * load.unwrap_or_default()
+}
+
 /// What a case may prescribe, besides how far the motion goes.
 const PRESCRIBED: [&str; 8] =
     [LOAD, APPROACH, SHIFT[0], SHIFT[1], FORCE[0], FORCE[1], CREEPAGE[0], CREEPAGE[1]];
@@ -82,6 +94,10 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
         return "prescribed".to_owned();
     }
     match stated(results, name) {
+        // What symmetry makes nothing.
+        Some(error) if value == 0.0 && FORCES.contains(&unit) && error <= rounding(results) => {
+            "exact".to_owned()
+        }
         Some(error) if error <= ROUNDING * value.abs() && prescribed => "prescribed".to_owned(),
         Some(error) if error <= ROUNDING * value.abs() => "exact".to_owned(),
         Some(error) if value != 0.0 => format!("± {}", percent(error / value.abs())),

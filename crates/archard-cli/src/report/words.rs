@@ -102,8 +102,30 @@ fn shown(value: &str) -> String {
 
 /// A value in SI as it is usually written.
 pub(crate) fn quantity(value: f64, unit: &str) -> String {
-    let size = value.abs();
-    let (factor, unit) = match unit {
+    let (factor, unit) = usual(value.abs(), unit);
+    format!("{} {unit}", plain(value * factor)).trim_end().to_owned()
+}
+
+/// Two values in SI in the unit of the larger, with one power of ten: "1.4 to 2.6 µm".
+pub(super) fn range(low: f64, high: f64, unit: &str) -> String {
+    let largest = low.abs().max(high.abs());
+    let (factor, unit) = usual(largest, unit);
+    let odd = |end: f64| end != 0.0 && !(1e-3..1e6).contains(&(end.abs() * factor));
+    let power = match odd(low) || odd(high) {
+        true => (largest * factor).log10().floor() as i32,
+        false => 0,
+    };
+    let [low, high] = [low, high].map(|end| plain(end * factor * 10f64.powi(-power)));
+    let ends = match power {
+        0 => format!("{low} to {high}"),
+        power => format!("({low} to {high})·10{}", superscript(power)),
+    };
+    format!("{ends} {unit}").trim_end().to_owned()
+}
+
+/// The unit in which a value of that size is usually written, with its factor from SI.
+fn usual(size: f64, unit: &str) -> (f64, &str) {
+    match unit {
         "m" if size >= 2e3 => (1e-3, "km"),
         "m" if size >= 2.0 => (1.0, "m"),
         "m" if size >= 1e-4 || size == 0.0 => (1e3, "mm"),
@@ -122,8 +144,7 @@ pub(crate) fn quantity(value: f64, unit: &str) -> String {
         "Nm" => (1e3, "N mm"),
         "rad" => (180.0 / std::f64::consts::PI, "°"),
         other => (1.0, other),
-    };
-    format!("{} {unit}", plain(value * factor)).trim_end().to_owned()
+    }
 }
 
 /// Four digits without superfluous zeros.
@@ -142,7 +163,7 @@ pub(super) fn plain(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{case, quantity};
+    use super::{case, quantity, range};
 
     #[test]
     fn a_case_reads_as_a_list() {
@@ -174,5 +195,9 @@ mod tests {
         assert_eq!(quantity(6.783e-13, "m3"), "6.783·10⁻⁴ mm³");
         assert_eq!(quantity(0.0, "m"), "0 mm");
         assert_eq!(quantity(25.0, ""), "25");
+        assert_eq!(range(1.413e-6, 2.634e-6, "m"), "1.413 to 2.634 µm");
+        assert_eq!(range(0.714e-13, 2.283e-13, "1/Pa"), "(0.714 to 2.283)·10⁻⁴ mm³/(N m)");
+        assert_eq!(range(3.336e-13, 1.118e-12, "m3"), "(0.3336 to 1.118)·10⁻³ mm³");
+        assert_eq!(range(0.0, 0.0, "m"), "0 to 0 mm");
     }
 }

@@ -36,7 +36,7 @@ fn one_number_takes_the_place_of_frame_and_steps() {
     assert!(shares.windows(2).all(|two| two[0] <= two[1]), "{told}");
     let first = told.lines().find(|line| line.contains("peak pressure")).unwrap();
     assert!(!first.starts_with("  0 %") && shares.last() == Some(&100.0), "{told}");
-    assert!(printed(&run).contains("accuracy"), "{}", printed(&run));
+    assert!(printed(&run).contains("  +- "), "{}", printed(&run));
     let read =
         |folder: &str, file: &str| fs::read_to_string(dir.path().join(folder).join(file)).unwrap();
     let history = read("one", "history.csv");

@@ -60,40 +60,40 @@ fn run(dir: &TempDir) -> PathBuf {
     folder
 }
 
-/// A study of two rows whose keys and errors are hostile.
-fn study(dir: &TempDir) -> PathBuf {
+/// A study of three rows with a key, a body and an error of that name.
+pub fn study(dir: &TempDir, name: &str) -> PathBuf {
     let folder = dir.path().join("study");
-    let write = |name: &str, text: &str| {
-        let path = folder.join(name);
+    let write = |file: &str, text: &str| {
+        let path = folder.join(file);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, text).unwrap();
     };
-    let kind = json!({ "over": [], "sample": [NAME], "design": TEXT });
+    let kind = json!({ "over": [], "sample": [name], "design": "latin" });
     write("study.json", &kind.to_string());
     write("design.csv", "row\n");
-    let depth = format!("wear_depth_{NAME}_m");
+    let depth = format!("wear_depth_{name}_m");
     let rows = "1,1.0,done,good,1e-6,1e-6,\n2,2.0,done,good,2e-6,2e-6,\n3,2.0,failed,,,,";
-    let head = format!("row,{NAME},status,verdict,wear_depth_m,{depth},error\n");
-    write("sweep.csv", &format!("{head}{rows}{NAME}\n"));
+    let head = format!("row,{name},status,verdict,wear_depth_m,{depth},error\n");
+    write("sweep.csv", &format!("{head}{rows}{name}\n"));
     for row in 1..=3 {
         write(&format!("rows/{row:04}/history.csv"), "distance_m,wear_depth_m\n0,0\n1,1e-6\n");
     }
     folder
 }
 
-/// A fit whose texts are hostile, and its picture too.
-fn fit(dir: &TempDir) -> PathBuf {
+/// A fit with that text wherever there is one, and a picture that tries to run.
+pub fn fit(dir: &TempDir, text: &str) -> PathBuf {
     let folder = dir.path().join("fit");
     fs::create_dir_all(&folder).unwrap();
     let found = json!({
-        "version": TEXT,
+        "version": text,
         "coefficients": [{
-            "key": TEXT, "unit": TEXT, "median": 1e-13, "interval_95": [0.9e-13, 1.1e-13],
+            "key": text, "unit": "1/Pa", "median": 1e-13, "interval_95": [0.9e-13, 1.1e-13],
             "next_test_95": [0.8e-13, 1.2e-13],
-            "tests": [{ "test": TEXT, "k": 1e-13, "interval_95": [0.9e-13, 1.1e-13] }],
-            "budget": [{ "source": TEXT, "relative": 0.02 }],
+            "tests": [{ "test": text, "k": 1e-13, "interval_95": [0.9e-13, 1.1e-13] }],
+            "budget": [{ "source": text, "relative": 0.02 }],
         }],
-        "remarks": [TEXT],
+        "remarks": [text],
     });
     fs::write(folder.join("fit.json"), found.to_string()).unwrap();
     let picture = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"300\" onload=\"hacked()\">\
@@ -115,7 +115,7 @@ const BREACH: &str = "new Promise((done) => { document.body.insertAdjacentHTML('
 fn nothing_of_a_stranger_runs() {
     let dir = TempDir::new().unwrap();
     let mut browser = Page::open();
-    for (folder, scripts) in [(run(&dir), 2), (study(&dir), 2), (fit(&dir), 0)] {
+    for (folder, scripts) in [(run(&dir), 2), (study(&dir, NAME), 2), (fit(&dir, TEXT), 0)] {
         archard(&dir, &["report", folder.to_str().unwrap()]).success();
         let file = folder.join("report.html");
         let text = fs::read_to_string(&file).unwrap();

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use tempfile::TempDir;
 
 use super::browser::Page;
-use super::{archard, case, printed, said};
+use super::{archard, case, hostile, printed, said};
 
 /// Runs a case with settings and reports it; the page.
 fn reported(dir: &TempDir, name: &str, settings: &[&str]) -> PathBuf {
@@ -165,6 +165,43 @@ fn pages_of_all_motions_open_in_a_browser() {
         let count = look(&mut page, &file, name);
         assert!(count >= least, "{name} has {count} pictures");
     }
+}
+
+/// The page for the manager: median, interval and the next test in words.
+#[test]
+fn studies_and_fits_have_a_page() {
+    let dir = TempDir::new().unwrap();
+    let (study, fit) = (hostile::study(&dir, "pin"), hostile::fit(&dir, "pin"));
+    for (folder, words) in [
+        (
+            &study,
+            [
+                "In half of the 2 samples the wear depth of pin stays below 1.5 µm.",
+                "ends within 1.05 to 1.95 µm with a probability of nine in ten",
+                "2 of 3 rows are good",
+            ],
+        ),
+        (
+            &fit,
+            [
+                "The median of 1 test is 1·10⁻⁴ mm³/(N m)",
+                "with 95 % probability it lies within (0.9 to 1.1)·10⁻⁴ mm³/(N m).",
+                "The next test, read as these, will show (0.8 to 1.2)·10⁻⁴ mm³/(N m)",
+            ],
+        ),
+    ] {
+        archard(&dir, &["report", folder.to_str().unwrap()]).success();
+        let page = fs::read_to_string(folder.join("report.html")).unwrap();
+        words.iter().for_each(|words| assert!(page.contains(words), "{words} is not in\n{page}"));
+        assert!(page.contains("<img class=\"still\""), "no picture");
+        let refused = archard(&dir, &["report", folder.to_str().unwrap(), "other"]).code(2);
+        assert!(said(&refused).contains("which is not compared"), "{}", said(&refused));
+    }
+    let Some(mut page) = Page::open() else { return };
+    look(&mut page, &study.join("report.html"), "study");
+    page.resize(390);
+    page.visit_plain(&fit.join("report.html"), true);
+    assert_eq!([page.value(ACCESS), page.value(WIDE)], [json!([]), json!([])]);
 }
 
 /// The pictures that are seen, and the figures without one: the surface that is turned has none.

@@ -1,6 +1,7 @@
 //! The lines there are, each with its bounds and what these were measured on.
 
-use super::{Bound, Line, four};
+use super::words::share;
+use super::{Bound, Line};
 
 /// Subjects of the lines that a larger frame makes good.
 pub(super) const OF_THE_FRAME: [&str; 2] = ["edges", "beyond"];
@@ -68,16 +69,18 @@ pub fn stick_zone(across: f64) -> Line {
 /// stated has a margin, of 1.8 where all of the contact slides and of one and a half for jumps; without it, it ends below the
 /// tolerance unless ripples, or the fewest or the most steps allowed, bind.
 pub fn time(error: f64, tolerance: f64) -> Line {
-    let text = format!("estimated error of the worn depth by steps in time, {tolerance} asked");
+    let text =
+        format!("estimated error of the worn depth by steps in time, {} asked", share(tolerance));
     Line::new("time", error, Bound::AtMost([2.0 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
 /// The estimated error of the worst quantity by the steps and by the elements at the end, against the accuracy asked for,
 /// and its largest at an output. The run has elements that half of it was foreseen for at the end; what it shows may be more.
 pub fn accuracy(error: f64, largest: f64, asked: f64) -> Line {
-    let mut text = format!("estimated error by steps and elements at the end, {asked} asked");
+    let mut text =
+        format!("estimated error by steps and elements at the end, {} asked", share(asked));
     if largest > error {
-        text += &format!("; up to {} at outputs before it", four(largest));
+        text += &format!("; up to {} at outputs before it", share(largest));
     }
     Line::new("accuracy", error, Bound::AtMost([asked, (10.0 * asked).max(0.1)]), text)
 }

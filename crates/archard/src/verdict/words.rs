@@ -51,6 +51,11 @@ impl Number {
     }
 }
 
+/// A part of a whole: "0.34 %".
+pub(super) fn share(value: f64) -> String {
+    Number::Share.write(value)
+}
+
 /// Two significant digits, without an exponent.
 fn two(value: f64) -> String {
     let decimals = (1.0 - value.abs().log10().floor()).max(0.0) as usize;
@@ -83,7 +88,7 @@ impl Line {
         // A bound that is rounding at best is still written as a number.
         let bound = match number {
             Number::Plain => plain(bounds[0]),
-            _ => Number::Share.write(bounds[0]),
+            _ => share(bounds[0]),
         };
         let value = number.write(self.value);
         match known {
