@@ -1,6 +1,5 @@
 //! The files of a result folder, read back.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
@@ -8,6 +7,7 @@ use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
+use archard::files;
 use archard::motion::{Progress, Rolling};
 use archard::output::{Collection, Image, Surface};
 use archard::simulation::history::{
@@ -375,7 +375,7 @@ fn last_surface(dir: &Path) -> anyhow::Result<Option<Surface>> {
 /// The summary of a run.
 fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
     let context = || format!("cannot read `{}`", path.display());
-    let text = fs::read_to_string(path).with_context(context)?;
+    let text = files::read_text(path).with_context(context)?;
     match serde_json::from_str(&text).with_context(context)? {
         Value::Object(summary) => Ok(summary),
         _ => bail!("`{}` is not the summary of a run", path.display()),
@@ -394,7 +394,7 @@ fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
     let ended = summary.get("complete") == Some(&Value::Bool(true));
     let parts = [
         (!ended).then(|| "incomplete: the run stopped before its end".to_owned()),
-        Some(of("wrong"))
+        Some(of("wrong").into_iter().filter(|subject| *subject != "complete").collect::<Vec<_>>())
             .filter(|these| !these.is_empty())
             .map(|w| format!("the result is wrong: {}", w.join(", "))),
         Some(of("doubtful"))
