@@ -283,7 +283,7 @@ fn what_is_no_file_is_refused_by_its_kind() {
     assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     let case = case("pin_on_disc");
     let case = case.to_str().unwrap();
-    for (name, kind) in [("pipe", "a named pipe"), ("/dev/zero", "a device")] {
+    for (name, kind) in [(pipe.to_str().unwrap(), "a named pipe"), ("/dev/zero", "a device")] {
         let table = format!("body.pin.profile={{table={{file=\"{name}\"}}}}");
         let mesh = format!("body.pin.mesh={{file={{path=\"{name}\"}}}}");
         for arguments in [
