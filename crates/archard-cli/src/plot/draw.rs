@@ -1,10 +1,10 @@
 //! Panels as files, drawn by `kuva`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
+use archard::output::write_whole;
 use kuva::backend::pdf::{PageSize, PdfBackend};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{self, BandPlot, ColorMap, Heatmap, LinePlot, ScatterPlot};
@@ -121,7 +121,7 @@ pub(crate) fn save(
             Format::Pdf => pdf(&scene, millimetres),
         };
         let bytes = bytes.with_context(|| format!("cannot draw `{}`", file.display()))?;
-        fs::write(&file, bytes).with_context(|| format!("cannot write `{}`", file.display()))?;
+        write_whole(&file, &bytes)?;
         Ok(file)
     };
     formats.iter().map(draw).collect()

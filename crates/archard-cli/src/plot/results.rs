@@ -394,7 +394,7 @@ fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
     let ended = summary.get("complete") == Some(&Value::Bool(true));
     let parts = [
         (!ended).then(|| "incomplete: the run stopped before its end".to_owned()),
-        Some(of("wrong"))
+        Some(of("wrong").into_iter().filter(|subject| *subject != "complete").collect::<Vec<_>>())
             .filter(|these| !these.is_empty())
             .map(|w| format!("the result is wrong: {}", w.join(", "))),
         Some(of("doubtful"))

@@ -73,7 +73,7 @@ fn attempt(
     (requests, store): (&Requests, Option<&Store>),
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
-    let claim = Claim::take(dir)?;
+    let claim = Claim::take(dir)?.adopting();
     let settled = resolved.clone().with_companion(store, &mut Stop(requests));
     if requests.any() {
         claim.give_up();
@@ -129,7 +129,7 @@ fn begin(
         Ok((folder, run)) => Ok((folder, Some(run))),
         // What cannot be gone on with begins anew.
         Err(Error::NoCheckpoint { .. } | Error::NotResumed { .. }) => {
-            Ok((Claim::take(&dir)?.begin(&case_toml)?, None))
+            Ok((Claim::take(&dir)?.adopting().begin(&case_toml)?, None))
         }
         Err(error) => Err(error),
     }

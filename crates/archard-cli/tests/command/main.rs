@@ -20,6 +20,7 @@ use std::fs;
 use std::path::Path;
 
 use archard::friction::FRICTION;
+use archard::output::Image;
 use archard::wear::WEAR_LAWS;
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
@@ -298,6 +299,63 @@ fn a_summary_that_is_none_is_refused() {
     fs::write(&history, rows).unwrap();
     fs::remove_file(dir.path().join("out/summary.json")).unwrap();
     archard(&dir, &["plot", "out"]).success();
+}
+
+/// Files that stand beside those for ParaView stay, those it wrote are replaced, and no name from a file leads out of
+/// its folder.
+#[test]
+fn paraview_writes_within_its_folder_and_replaces_its_own_files() {
+    let dir = TempDir::new().unwrap();
+    let case = case("hertz");
+    let arguments = ["run", case.to_str().unwrap(), "-o", "out", "-q"];
+    archard(&dir, &[&arguments[..], &["--set", "frame.elements=[10, 10]"]].concat()).success();
+    let written = dir.path().join("out/paraview");
+    archard(&dir, &["paraview", "out"]).success();
+    let mine = written.join("view.pvsm");
+    fs::write(&mine, "mine").unwrap();
+    archard(&dir, &["paraview", "out"]).success();
+    assert_eq!(fs::read_to_string(&mine).unwrap(), "mine");
+    // One of them that the list does not name is somebody's.
+    fs::remove_file(written.join("manifest.txt")).unwrap();
+    let refused = archard(&dir, &["paraview", "out"]).code(2);
+    assert!(said(&refused).contains("is in the way"), "{}", said(&refused));
+    fs::remove_dir_all(&written).unwrap();
+    fs::create_dir(dir.path().join("victim")).unwrap();
+    let last = dir.path().join("out/fields/0000.vti");
+    let mut image = Image::read(&last).unwrap();
+    for field in &mut image.fields {
+        field.name = field.name.replace("height_ball_m", "height_../../victim/x_m");
+    }
+    assert!(image.fields.iter().any(|field| field.name.contains("victim")));
+    image.write(&last).unwrap();
+    let refused = archard(&dir, &["paraview", "out"]).code(2);
+    assert!(said(&refused).contains("no case can have a body"), "{}", said(&refused));
+    assert_eq!(fs::read_dir(dir.path().join("victim")).unwrap().count(), 0);
+}
+
+/// Whatever is asked for as a file and is none is refused by what it is.
+#[cfg(unix)]
+#[test]
+fn what_is_no_file_is_refused_by_its_kind() {
+    let dir = TempDir::new().unwrap();
+    let pipe = dir.path().join("pipe");
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    let case = case("pin_on_disc");
+    let case = case.to_str().unwrap();
+    for (name, kind) in [(pipe.to_str().unwrap(), "a named pipe"), ("/dev/zero", "a device")] {
+        let table = format!("body.pin.profile={{table={{file=\"{name}\"}}}}");
+        let mesh = format!("body.pin.mesh={{file={{path=\"{name}\"}}}}");
+        for arguments in [
+            &["check", name][..],
+            &["check", case, "--set", &table],
+            &["check", case, "--set", &mesh],
+            &["fit", case, "--data", name],
+        ] {
+            let refused = archard(&dir, arguments).code(2);
+            let said = said(&refused);
+            assert!(said.contains(kind) && said.contains(name), "{arguments:?}: {said}");
+        }
+    }
 }
 
 #[test]

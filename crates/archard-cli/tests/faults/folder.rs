@@ -78,7 +78,7 @@ fn results_of_another_case_are_kept() {
 fn a_resume_that_is_refused_changes_nothing() {
     let dir = tempfile::tempdir().unwrap();
     let start = |step: &str| {
-        let settings = [MANY_STEPS[0], step, "output.every=\"4 um\""];
+        let settings = [MANY_STEPS[0], step, "output.every=\"20 um\""];
         Run::start(&mut command(dir.path(), "pin_on_disc", &settings))
     };
     let out = dir.path().join("out");

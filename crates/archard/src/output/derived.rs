@@ -29,7 +29,7 @@ impl Derived<'_> {
     /// # Errors
     /// If another run writes into the folder, or a file cannot be written.
     pub fn write(&self, dir: &Path, case_toml: &str) -> Result<(), Error> {
-        let mut claim = Claim::take(dir)?;
+        let mut claim = Claim::take(dir)?.adopting();
         claim.admit()?;
         claim.manifest.begin([CASE, HISTORY, SUMMARY])?;
         file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
@@ -50,7 +50,7 @@ impl Derived<'_> {
             "version": env!("CARGO_PKG_VERSION"),
             "complete": self.failure.is_none(),
             "failure": self.failure,
-            "verdict": json_of(self.verdict),
+            "verdict": json_of(&self.verdict.clone().ended(self.failure)),
             "last": last,
             "derived_from": self.from,
         });

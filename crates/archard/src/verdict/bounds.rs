@@ -133,6 +133,87 @@ pub fn roughness(off: f64) -> Line {
     Line::new("pressures", off, Bound::AtMost([0.05, 0.5]), text)
 }
 
+/// The largest pressure over the hardness of a body, and its name.
+///
+/// Hardness is the mean pressure of a contact that yields throughout, three yield stresses (D. Tabor, *The Hardness of
+/// Metals*, 1951; K. L. Johnson, *Contact Mechanics*, section 6.3): no place of a surface bears much more than it. Beyond it
+/// the contact is larger and softer than computed; threefold, nothing of its pressures is left for a law of wear to go by.
+pub fn hardness(over: f64, body: &str) -> Line {
+    let text = format!(
+        "times the hardness of `{body}` is the largest pressure: the body yields where the computed one stays elastic"
+    );
+    Line::new("hardness", over, Bound::AtMost([1.0, 3.0]), text)
+}
+
+/// Young's modulus (Pa) below which bodies are of elastomers, which do not yield (M. F. Ashby, *Materials Selection in
+/// Mechanical Design*, chart of modulus over density).
+pub const ELASTOMERS: f64 = 0.1e9;
+
+/// The largest pressure over Young's modulus of a body whose hardness is not given, and its name.
+///
+/// The hardness of engineering solids ends at about E/20: bearing steel of 62 HRC has 7.5 GPa at 208 GPa (1/28), alumina 18 GPa
+/// at 380 GPa (1/21), silicon nitride 15.5 GPa at 310 GPa (1/20); others are softer beside their moduli (M. F. Ashby, *Materials
+/// Selection in Mechanical Design*, chart of strength over modulus: yield strains of 2 % and less, a third of the hardness).
+pub fn modulus(over: f64, body: &str) -> Line {
+    let text = format!(
+        "of Young's modulus of `{body}` is the largest pressure: metals and ceramics yield there; give the `hardness` of its wear law if it is harder"
+    );
+    Line::new("strain", over, Bound::AtMost([0.05, f64::INFINITY]), text)
+}
+
+/// How far the contact reaches from its middle, over the smallest radius of a body, and its name.
+///
+/// At a third a circle lies 3 % lower than the paraboloid and the half-space that stand for it, and Hertz's pressure over the
+/// contact modulus, 2 a/(pi R), is 0.21: a large strain.
+pub fn radius(share: f64, body: &str) -> Line {
+    let text = format!(
+        "of the smallest radius of `{body}` is how far the contact reaches: a half-space does not stand for it; give it a mesh"
+    );
+    Line::new("half-space", share, Bound::AtMost([1.0 / 3.0, f64::INFINITY]), text)
+}
+
+/// Length of a line of contact that is cut off with its frame over the width of the contact: a chosen bound.
+///
+/// At a cut the line bears less than in its middle, over about a width from either end: of four widths half is left.
+pub fn length(widths: f64) -> Line {
+    let text = "widths of the contact is the length of the line: its ends reach its middle; take a longer frame, or `frame.plane_strain = true`";
+    Line::new("line", widths, Bound::AtLeast([4.0, 0.0]), text)
+}
+
+/// The temperature of the warmest place (K), or its rise where that of the bodies is not given.
+///
+/// At 1000 K (727 C, the eutectoid of iron and carbon) steel becomes austenite, which quenches to martensite behind the contact;
+/// aluminium and most polymers have molten before. Mild wear ends there (S. C. Lim and M. F. Ashby, *Acta Metallurgica* 35 (1987)
+/// 1).
+pub fn temperature(kelvin: f64) -> Line {
+    let text = "K is the warmest place: steel transforms and other materials melt, and no coefficient of friction or wear holds";
+    Line::new("temperature", kelvin, Bound::AtMost([1000.0, f64::INFINITY]), text)
+}
+
+/// The creepage, regardless of its direction.
+///
+/// Rolling is computed for velocities that differ little (J. J. Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*,
+/// 1990, section 1.2): at 0.1 the bodies pass each other by a tenth of the contact, and its square is 1 %.
+pub fn creepage(creepage: f64) -> Line {
+    let text = "is the creepage: the theory of rolling is one of small creepages; such bodies slide, `motion.sliding`";
+    Line::new("creepage", creepage, Bound::AtMost([0.1, f64::INFINITY]), text)
+}
+
+/// The limit of friction over the pressure.
+///
+/// Dry metals and ceramics in air have up to about 1.2, and 1.5 with margin (F. P. Bowden and D. Tabor, *The Friction and
+/// Lubrication of Solids*, 1950); more is measured on clean metals in vacuum, where they weld, and on soft rubber.
+pub fn friction(coefficient: f64) -> Line {
+    let text = "is the coefficient of friction: dry metals and ceramics in air have 1.5 at most";
+    Line::new("friction", coefficient, Bound::AtMost([1.5, f64::INFINITY]), text)
+}
+
+/// Whether a run came to its end.
+pub fn complete(failure: &str) -> Line {
+    let text = format!("of the run is complete: {}", failure.lines().next().unwrap_or_default());
+    Line::new("complete", 0.0, Bound::AtLeast([1.0, 1.0]), text)
+}
+
 /// What is left of the balance of forces and of moments on an elastic body, relative to the load and to the load
 /// times half of the body's extent.
 ///

@@ -9,8 +9,9 @@ mod line;
 mod words;
 
 pub use bounds::{
-    accuracy, balance, beyond, contact, edges, energy, first_contact, heat, load, roughness,
-    slenderness, stick_zone, time, touch, volume,
+    ELASTOMERS, accuracy, balance, beyond, complete, contact, creepage, edges, energy,
+    first_contact, friction, hardness, heat, length, load, modulus, radius, roughness, slenderness,
+    stick_zone, temperature, time, touch, volume,
 };
 pub use line::{Bound, Line, Word, four};
 
@@ -26,6 +27,13 @@ impl Verdict {
     /// The worst word of all lines; good where there are none.
     pub fn word(&self) -> Word {
         self.lines.iter().map(Line::word).max().unwrap_or(Word::Good)
+    }
+
+    /// The verdict on a run that ended, or failed for a reason: what it left is not what was asked for then.
+    #[must_use]
+    pub fn ended(mut self, failure: Option<&str>) -> Self {
+        self.lines.extend(failure.map(complete));
+        self
     }
 
     /// Whether the contact outgrew its frame: a larger one is needed.
@@ -73,6 +81,9 @@ mod tests {
         let complaints = verdict(&[0.15, 0.05, 0.25]);
         let complaints: Vec<f64> = complaints.complaints().map(|line| line.value).collect();
         assert_eq!(complaints, [0.15, 0.25]);
+        let failed = verdict(&[0.0]).ended(Some("no luck\nat all"));
+        assert_eq!((failed.word(), verdict(&[]).ended(None).word()), (Word::Wrong, Word::Good));
+        assert_eq!(failed.complaints().count(), 1);
         let least = |value| Line::new("elements", value, Bound::AtLeast([8.0, 2.0]), "across");
         assert_eq!(
             [9.0, 5.0, 1.0].map(|value| least(value).word()),

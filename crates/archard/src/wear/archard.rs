@@ -11,10 +11,11 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     meaning: "Holm-Archard: depth = k p s, k given or k = k_ad / hardness; any motion",
     parameters: &[COEFFICIENT, K_AD, HARDNESS],
     build: |values| {
+        let hardness = values.number("hardness");
         Ok(Box::new(match values.one_of("coefficient", "k_ad")? {
-            (Some(coefficient), _) => Archard::new(coefficient)?,
+            (Some(coefficient), _) => Archard { hardness, ..Archard::new(coefficient)? },
             (None, k_ad) => {
-                let hardness = values.number("hardness").ok_or_else(|| {
+                let hardness = hardness.ok_or_else(|| {
                     Invalid::new(
                         "k_ad",
                         "`k_ad` needs the `hardness` beside it: k = k_ad / hardness",
@@ -39,6 +40,7 @@ const HARDNESS: Parameter =
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Archard {
     coefficient: f64,
+    hardness: Option<f64>,
 }
 
 impl Archard {
@@ -47,7 +49,7 @@ impl Archard {
     /// # Errors
     /// If the coefficient is negative.
     pub fn new(coefficient: f64) -> Result<Self, Invalid> {
-        Ok(Self { coefficient: COEFFICIENT.admit(coefficient)? })
+        Ok(Self { coefficient: COEFFICIENT.admit(coefficient)?, hardness: None })
     }
 
     /// The law with k = k_ad / hardness, from a number k_ad and the hardness (Pa) of the body.
@@ -55,11 +57,16 @@ impl Archard {
     /// # Errors
     /// If k_ad is negative, or the hardness not greater than zero.
     pub fn with_hardness(k_ad: f64, hardness: f64) -> Result<Self, Invalid> {
-        Ok(Self { coefficient: K_AD.admit(k_ad)? / HARDNESS.admit(hardness)? })
+        let coefficient = K_AD.admit(k_ad)? / HARDNESS.admit(hardness)?;
+        Ok(Self { coefficient, hardness: Some(hardness) })
     }
 }
 
 impl WearLaw for Archard {
+    fn hardness(&self) -> Option<f64> {
+        self.hardness
+    }
+
     fn depth(&self, rubbing: Rubbing) -> f64 {
         self.coefficient * rubbing.pressure * rubbing.slip
     }

@@ -146,6 +146,10 @@ impl Map {
 }
 
 impl WearLaw for Map {
+    fn hardness(&self) -> Option<f64> {
+        Some(self.hardness)
+    }
+
     fn inputs(&self) -> &'static [Input] {
         &[Input::Speed]
     }

@@ -81,6 +81,11 @@ pub trait WearLaw: Debug + Send + Sync {
         Per::Increment
     }
 
+    /// The hardness (Pa) of the body, where the law knows it: the largest pressure that is believed.
+    fn hardness(&self) -> Option<f64> {
+        None
+    }
+
     /// Depth (m) worn off this body by the rubbing; zero without pressure or slip, must not fall as either grows.
     fn depth(&self, rubbing: Rubbing) -> f64;
 

@@ -12,6 +12,7 @@ use crate::friction::Circumstance;
 use crate::motion::Stepping;
 use crate::problem;
 use crate::simulation::{lacks, lacks_cycles};
+use crate::verdict::{self, Word};
 use crate::wear::Input;
 
 /// Pressure (Pa) at which laws are read off where no other is known.
@@ -340,10 +341,12 @@ fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
     let hard = parts.case.bodies.iter().filter_map(|body| {
         let wear = body.wear.as_ref()?;
         let hardness = wear.values.number("hardness")?;
-        (contact.peak_pressure > 3.0 * hardness).then(|| {
+        let over = contact.peak_pressure / hardness;
+        (verdict::hardness(over, &body.name).word() != Word::Good).then(|| {
             let message = format!(
-                "the peak pressure {} is above three times the hardness: the body would yield, here it stays elastic",
-                pressure(contact.peak_pressure)
+                "the peak pressure {} is {} times the hardness: the body would yield, here it stays elastic",
+                pressure(contact.peak_pressure),
+                three(over)
             );
             let law = wear.choice.name;
             Problem::warning(Key::of(["body", &body.name, "wear", law, "hardness"]), message)

@@ -48,7 +48,7 @@ pub(super) fn of(frame: &ContactFrame, border: &[usize], pressure: &[f64]) -> Op
 }
 
 /// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
-fn is_even(problem: &ContactProblem, axis: usize) -> bool {
+pub(super) fn is_even(problem: &ContactProblem, axis: usize) -> bool {
     let Rectangle { centre, size } = problem.frame.rectangle();
     let gap = |along: f64, across: f64| -> Option<f64> {
         let mut place = centre;

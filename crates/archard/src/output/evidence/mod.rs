@@ -4,6 +4,7 @@
 
 mod edges;
 mod extent;
+mod limits;
 mod roughness;
 mod work;
 
@@ -17,6 +18,7 @@ use crate::simulation::{Part, Report};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
+use limits::Limits;
 use work::Cycle;
 
 /// The numbers so far; the worst of all reports where nothing else is said.
@@ -57,6 +59,8 @@ pub(super) struct Evidence {
     worst_output: Option<f64>,
     /// The smallest Peclet number of a contact that is warmed.
     peclet: Option<f64>,
+    /// How near the run comes to the limits of the theory.
+    limits: Limits,
 }
 
 impl Evidence {
@@ -119,7 +123,9 @@ impl Evidence {
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
         worst(&mut self.energy, self.cycle.take(report, row));
         self.volume = volume(report, row);
-        if let Some(peclet) = problem.flash(state).and_then(|flash| flash.peclet) {
+        let flash = problem.flash(state);
+        self.limits.take(report, flash.as_ref());
+        if let Some(peclet) = flash.and_then(|flash| flash.peclet) {
             self.peclet = Some(self.peclet.map_or(peclet, |known| known.min(peclet)));
         }
         if report.output {
@@ -146,16 +152,21 @@ impl Evidence {
             self.peclet.map(verdict::heat),
         ];
         let balance = balance.into_iter().flatten();
-        Verdict { lines: lines.into_iter().flatten().chain(balance).collect() }
+        let lines = lines.into_iter().flatten().chain(balance);
+        Verdict { lines: lines.chain(self.limits.lines()).collect() }
     }
 }
 
 /// Keeps the larger of two numbers; what is not a number stays.
 fn worst(known: &mut Option<f64>, found: Option<f64>) {
     if let Some(found) = found {
-        let keeps = known.is_some_and(|known| known >= found || known.is_nan());
-        *known = if keeps { *known } else { Some(found) };
+        *known = Some(keep(*known, found));
     }
+}
+
+/// The larger of two numbers, or what is none.
+fn keep(known: Option<f64>, found: f64) -> f64 {
+    known.filter(|known| *known >= found || known.is_nan()).unwrap_or(found)
 }
 
 /// Load or approach off the one prescribed, relative to it; where nothing is prescribed, whether anything is there.

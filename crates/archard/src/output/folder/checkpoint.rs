@@ -18,6 +18,7 @@ use super::super::table::Kept as KeptTable;
 use super::super::{Error, file};
 use super::{Claim, TABLES, claim};
 use crate::files::{self, Contents};
+use crate::simulation::Simulation;
 
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
@@ -48,7 +49,7 @@ impl Kept {
     ///
     /// # Errors
     /// If one of them is missing, shorter than it was or somebody else's.
-    pub fn find(&self, claim: &Claim) -> Result<(), Error> {
+    fn find(&self, claim: &Claim) -> Result<(), Error> {
         let dir = &claim.dir;
         let damaged = || Error::NoCheckpoint {
             dir: dir.clone(),
@@ -105,8 +106,20 @@ pub(super) fn write(dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
     file::write_whole(&dir.join(NAME), &bytes)
 }
 
+/// What was kept in a folder of a simulation: the results so far, and the run, all of which belong together.
+///
+/// # Errors
+/// If there is nothing, it is of another simulation, or the files are not those of these results.
+pub(super) fn find(claim: &Claim, simulation: &Simulation) -> Result<(Kept, Vec<u8>), Error> {
+    let (kept, run) = read(&claim.dir)?;
+    let refused = |source| Error::NotResumed { dir: claim.dir.clone(), source };
+    simulation.recognise(&run).map_err(refused)?;
+    kept.find(claim)?;
+    Ok((kept, run))
+}
+
 /// What was kept in a folder: the results so far, and the run.
-pub(super) fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
+fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
     let path = dir.join(NAME);
     let refuse = |why: &'static str| Error::NoCheckpoint { dir: dir.to_owned(), why };
     let bytes = match files::read(&path, Contents::Numbers) {

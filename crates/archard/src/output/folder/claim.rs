@@ -126,7 +126,13 @@ impl Claim {
     /// # Errors
     /// If there is no checkpoint of this version and this simulation, it is damaged, or files of the results are.
     pub fn resume(self, simulation: &Simulation) -> Result<(ResultFolder, Vec<u8>), Error> {
-        ResultFolder::resume(self, simulation)
+        match checkpoint::find(&self, simulation) {
+            Ok((kept, run)) => Ok((ResultFolder::go_on(self, kept)?, run)),
+            Err(error) => {
+                self.give_up();
+                Err(error)
+            }
+        }
     }
 
     /// Removes the outputs from a number on.

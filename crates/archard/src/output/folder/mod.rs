@@ -28,7 +28,7 @@ use super::{
 };
 use crate::estimate::Estimator;
 use crate::simulation::history::TIME_ERROR;
-use crate::simulation::{Observer, Report, Simulation, row};
+use crate::simulation::{Observer, Report, row};
 use crate::verdict::Verdict;
 
 /// The file of the numbers of every step.
@@ -108,16 +108,6 @@ impl ResultFolder {
             manifest,
             _lock: lock,
         })
-    }
-
-    /// Goes on with the results of a run that was kept; the run itself comes with them. Nothing changes before all of it
-    /// is known to belong together.
-    fn resume(claim: Claim, simulation: &Simulation) -> Result<(Self, Vec<u8>), Error> {
-        let (kept, run) = checkpoint::read(&claim.dir)?;
-        let refused = |source| Error::NotResumed { dir: claim.dir.clone(), source };
-        simulation.recognise(&run).map_err(refused)?;
-        kept.find(&claim)?;
-        Ok((Self::go_on(claim, kept)?, run))
     }
 
     /// Brings the results of a run back to where it was kept.
@@ -225,7 +215,7 @@ impl ResultFolder {
         let mut tables =
             [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
         tables.try_for_each(Table::sync)?;
-        let verdict = self.verdict();
+        let verdict = self.verdict().ended(totals.failure.as_deref());
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
         file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
         match totals.failure {

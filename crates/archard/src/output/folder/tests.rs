@@ -253,6 +253,7 @@ fn a_run_without_a_step_has_a_summary() {
     let summary = summary(&dir);
     assert_eq!(summary["complete"], false);
     assert_eq!(summary["failure"], "no luck");
+    assert_eq!(summary["verdict"]["word"], "wrong");
     assert!(summary["last"].is_null());
 }
 

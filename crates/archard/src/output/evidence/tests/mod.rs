@@ -1,5 +1,6 @@
 //! The numbers that small made-up runs leave, against what they were made to.
 
+mod limits;
 mod places;
 mod work;
 
