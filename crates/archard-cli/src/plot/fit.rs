@@ -11,6 +11,8 @@ use super::scale::Unit;
 
 /// Most panels of a picture.
 const MOST: usize = 6;
+/// How many times as high as all else the band of the next test may be shown.
+const BEYOND: f64 = 5.0;
 /// Size of a panel (px).
 const SIZE: [f64; 2] = [640.0, 480.0];
 
@@ -30,8 +32,11 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
         let tests = own.tests.iter().filter(|test| test.load == shown.load);
         tests.flat_map(|test| &test.readings).filter(|reading| reading.quantity == shown.quantity)
     };
-    let upper = shown.points.iter().map(|point| point.1[3]);
-    let most = own_readings().map(|reading| reading.value).chain(upper).fold(0.0, f64::max);
+    let highest = |place: usize| shown.points.iter().map(|p| p.1[place]).fold(0.0, f64::max);
+    let readings = own_readings().map(|reading| reading.value).fold(highest(3), f64::max);
+    // Two tests may leave nothing to be seen of the readings.
+    let within = highest(4) <= BEYOND * readings;
+    let most = if within { highest(4).max(readings) } else { readings };
     let unit = Unit::of_readings((unit, *factor), most);
     let factor = unit.factor;
     let end = shown.points.last().map_or(1.0, |point| point.0);
@@ -58,7 +63,10 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
         band(1, 3, 0.3);
     }
     let bands = match (own.estimate.interval, own.estimate.next) {
-        (Some(_), Some(_)) => "median, its 95 % interval, and that of the next test",
+        (Some(_), Some(_)) if within => "median, its 95 % interval, and that of the next test",
+        (Some(_), Some(_)) => {
+            "median, its 95 % interval, and that of the next test, which goes beyond the picture"
+        }
         (Some(_), None) => "median and its 95 % interval",
         _ => "median",
     };

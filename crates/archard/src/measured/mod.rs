@@ -260,13 +260,15 @@ impl Table {
     }
 
     /// Every column: its name, its unit, whatever it measures, and the values in it, in every row (SI). Without a unit they are
-    /// pure numbers.
+    /// pure numbers; what stands behind `_` is a unit.
     ///
     /// # Errors
     /// If a unit is none, a cell is empty or not a finite number.
     pub fn columns(&self) -> Result<Vec<(String, String, Vec<f64>)>, Error> {
         let column = |(index, heading): (usize, &Heading)| {
-            let unit = heading.unit.clone().unwrap_or_else(|| "1".to_owned());
+            // What stands behind `_` and is no unit may be one that is written wrong.
+            let behind = || heading.title.rsplit_once('_').map(|(_, unit)| unit.to_owned());
+            let unit = heading.unit.clone().or_else(behind).unwrap_or_else(|| "1".to_owned());
             let scale = Scale::read_any(&unit).map_err(|cause| Error::WrongUnit {
                 table: self.source.clone(),
                 column: heading.title.clone(),
