@@ -119,6 +119,9 @@ pub(crate) fn normal_displacement(compliance: &dyn Compliance, pressure: &[f64])
 /// A positive definite map from displacements (m) to pressures (Pa), symmetric in the product of fields weighted
 /// by the areas of the pairs.
 pub trait Preconditioner: Debug {
+    /// The contact of what follows: one for each pair in it, zero for others, where displacements are zero too.
+    fn keep_to(&mut self, _contact: &[f64]) {}
+
     /// The pressures that answer to `displacement`, into `pressure`.
     fn apply(&self, displacement: &[f64], pressure: &mut [f64]);
 }

@@ -5,7 +5,6 @@
 //! symmetric and positive, so that an implicit step of wear is one normal contact problem. Where lines share
 //! pairs, the elastic preconditioner has to do.
 
-use std::cell::RefCell;
 use std::ops::Deref;
 
 use super::{Compliance, Preconditioner, normal_displacement};
@@ -18,10 +17,6 @@ const SETS: usize = 50;
 /// Share of the load that has to move from line to line for pressures worth foreseeing.
 const HARDLY: f64 = 0.03;
 
-/// Updates of the contact after which a pair that has been in contact stays in the means. Large steps let the contact
-/// swing to and fro; a fixed set ends that.
-const SWINGING: usize = 24;
-
 /// A compliance with the wear of its lines.
 #[derive(Debug)]
 pub struct WornLines<'a> {
@@ -30,8 +25,6 @@ pub struct WornLines<'a> {
     /// Elastic displacement (m/Pa) that uniform unit pressure on the contact of a line makes, a pair on the
     /// average, of a line that many lines away.
     between: Vec<f64>,
-    /// Whether preconditioners keep to the contact given instead of following the iteration's.
-    steady: bool,
     /// Whether each line has pairs of its own and some of them touch.
     rows: bool,
     /// Areas of the pairs relative to the mean.
@@ -95,19 +88,13 @@ impl<'a> WornLines<'a> {
         let rows = !between.is_empty();
         let weight = flow.frame().measure().weight;
         let elastic = Elastic::Whole(elastic);
-        Self { elastic, lines, between, steady: false, rows, weight }
+        Self { elastic, lines, between, rows, weight }
     }
 
     /// Sum of the pressures (Pa) of a line, weighted by areas.
     fn sum(&self, line: &Line, pressure: &[f64]) -> f64 {
         let parts = line.pairs.iter().zip(&line.shares);
         parts.map(|(&pair, share)| share * self.weight.at(pair) * pressure[pair]).sum()
-    }
-
-    /// The same with preconditioners that keep to the contact given: slower, but sure where following the
-    /// iteration makes the contact swing.
-    pub fn steady(self) -> Self {
-        Self { steady: true, ..self }
     }
 
     /// Pressures (Pa) to start from under a load, given as the sum of all pressures (Pa): in each row those
@@ -297,7 +284,7 @@ impl Compliance for WornLines<'_> {
         if !self.rows {
             return elastic;
         }
-        Box::new(ByPlanes { elastic, worn: self, addition, contact: RefCell::default() })
+        Box::new(ByPlanes { elastic, worn: self, addition, contact: Contact::default() })
     }
 
     /// Rows of pairs that give way to the pressures, and only to those.
@@ -309,8 +296,8 @@ impl Compliance for WornLines<'_> {
         let elastic = Elastic::Part(self.elastic.within(part)?);
         let lines = self.lines.iter().map(|line| line.within(part));
         let lines = lines.filter(|line| !line.pairs.is_empty()).collect();
-        let (between, steady, rows) = (self.between.clone(), self.steady, self.rows);
-        Some(Box::new(WornLines { elastic, lines, between, steady, rows, weight: self.weight }))
+        let (between, rows) = (self.between.clone(), self.rows);
+        Some(Box::new(WornLines { elastic, lines, between, rows, weight: self.weight }))
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {
@@ -335,16 +322,12 @@ struct ByPlanes<'a> {
     elastic: Box<dyn Preconditioner + 'a>,
     worn: &'a WornLines<'a>,
     addition: f64,
-    contact: RefCell<Contact>,
+    contact: Contact,
 }
 
-/// The contact as an iteration finds it: the pairs of its displacements that are not zero.
+/// The contact line by line.
 #[derive(Debug, Default)]
 struct Contact {
-    /// How often it was looked at.
-    looks: usize,
-    /// Whether each pair of the frame is part of it.
-    pairs: Vec<bool>,
     rows: Vec<Row>,
     /// Factors of the matrix between the sums of the rows.
     means: Option<Cholesky>,
@@ -358,43 +341,22 @@ struct Row {
 }
 
 impl Contact {
-    /// Follows the iteration; after some time without going back.
-    fn follow(&mut self, displacement: &[f64], worn: &WornLines<'_>, addition: f64) {
-        self.looks += 1;
-        self.pairs.resize(displacement.len(), false);
-        if worn.steady {
-            if self.looks == 1 {
-                let contact = worn.lines.iter().flat_map(|line| &line.contact);
-                contact.for_each(|&pair| self.pairs[pair] = true);
-                self.take(worn, addition);
-            }
-            return;
-        }
-        for (pair, value) in self.pairs.iter_mut().zip(displacement) {
-            *pair = *value != 0.0 || *pair && self.looks > SWINGING;
-        }
-        self.take(worn, addition);
-    }
-
-    /// Takes the pairs as rows, and factorises what is between them where they have changed.
-    fn take(&mut self, worn: &WornLines<'_>, addition: f64) {
+    /// The pairs of lines in contact, and the factors of what is between them.
+    fn new(contact: &[f64], worn: &WornLines<'_>, addition: f64) -> Self {
         let row = |(line, pairs): (usize, &Line)| Row {
             line,
-            pairs: pairs.pairs.iter().copied().filter(|&pair| self.pairs[pair]).collect(),
+            pairs: pairs.pairs.iter().copied().filter(|&pair| contact[pair] != 0.0).collect(),
         };
-        let rows: Vec<Row> = worn.lines.iter().enumerate().map(row).collect();
-        let rows: Vec<Row> = rows.into_iter().filter(|row| !row.pairs.is_empty()).collect();
-        if rows == self.rows {
-            return;
-        }
+        let rows = worn.lines.iter().enumerate().map(row);
+        let rows: Vec<Row> = rows.filter(|row| !row.pairs.is_empty()).collect();
         let element = |i: usize, j: usize| {
             let [one, other] = [&rows[i], &rows[j]];
             let [pairs, others] = [one, other].map(|row| row.pairs.len() as f64);
             let own = if i == j { worn.lines[one.line].slope + addition / pairs } else { 0.0 };
             pairs * others * (worn.between[one.line.abs_diff(other.line)] + own)
         };
-        self.means = Cholesky::new(rows.len(), element);
-        self.rows = rows;
+        let means = Cholesky::new(rows.len(), element);
+        Self { rows, means }
     }
 
     /// Takes the mean over its contact from each line; returns the sums.
@@ -410,9 +372,12 @@ impl Contact {
 }
 
 impl Preconditioner for ByPlanes<'_> {
+    fn keep_to(&mut self, contact: &[f64]) {
+        self.contact = Contact::new(contact, self.worn, self.addition);
+    }
+
     fn apply(&self, displacement: &[f64], pressure: &mut [f64]) {
-        let mut contact = self.contact.borrow_mut();
-        contact.follow(displacement, self.worn, self.addition);
+        let contact = &self.contact;
         let Some(means) = &contact.means else {
             return self.elastic.apply(displacement, pressure);
         };

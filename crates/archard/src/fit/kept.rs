@@ -4,11 +4,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use super::quantity::Quantity;
 use crate::case::Case;
 use crate::files::{self, Contents};
+use crate::numerics::seal::{seal, unseal};
 use crate::output::write_whole;
 use crate::simulation::{Simulation, digest};
 
@@ -40,31 +40,26 @@ pub(super) fn file(
     (case, simulation): (&Case, &Simulation),
     (quantities, columns): (&[Quantity], &[&str]),
 ) -> PathBuf {
-    let mut hash = Sha256::new();
-    hash.update(digest(simulation));
-    hash.update(case.to_string());
-    hash.update(format!("{}{quantities:?}{columns:?}", env!("CARGO_PKG_VERSION")));
-    let name: String = hash.finalize()[..16].iter().map(|byte| format!("{byte:02x}")).collect();
+    let mut hash = blake3::Hasher::new();
+    hash.update(&digest(simulation));
+    hash.update(case.to_string().as_bytes());
+    hash.update(format!("{}{quantities:?}{columns:?}", env!("CARGO_PKG_VERSION")).as_bytes());
+    let name: String =
+        hash.finalize().as_bytes()[..16].iter().map(|byte| format!("{byte:02x}")).collect();
     folder(dir).join(name)
 }
-
-/// Bytes of a checksum.
-const SUM: usize = 32;
 
 impl Kept {
     /// What a file holds; `None` where there is none, or it is damaged.
     pub fn read(path: &Path) -> Option<Self> {
         let bytes = files::read(path, Contents::Numbers).ok()?;
-        let (content, sum) = bytes.split_last_chunk::<SUM>()?;
-        let whole = Sha256::digest(content)[..] == *sum;
-        whole.then(|| postcard::from_bytes(content).ok())?
+        postcard::from_bytes(unseal(&bytes)?).ok()
     }
 
     /// Keeps it. What cannot be written is run again.
     pub fn write(&self, path: &Path) {
         let mut bytes = postcard::to_allocvec(self).unwrap_or_default();
-        let sum = Sha256::digest(&bytes);
-        bytes.extend_from_slice(&sum);
+        seal(&mut bytes);
         if path.parent().is_some_and(|dir| fs::create_dir_all(dir).is_ok()) {
             let _ = write_whole(path, &bytes);
         }

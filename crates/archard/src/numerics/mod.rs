@@ -8,6 +8,7 @@ pub mod interpolate;
 pub mod large;
 pub mod piecewise;
 pub mod quadrature;
+pub mod seal;
 pub mod single;
 pub(crate) mod triangle;
 pub mod upwind;

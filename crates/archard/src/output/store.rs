@@ -13,7 +13,6 @@ use std::sync::{Mutex, PoisonError};
 
 use envelope::{Envelope, HASH};
 use faer::Mat;
-use sha2::{Digest, Sha256};
 
 use super::file;
 use crate::body::{Finite, Material};
@@ -22,9 +21,9 @@ use crate::compliance::bem::{Balance, Condensed, Responses, Solid};
 use crate::numerics::dense::Unsolved;
 
 /// What a file begins with; the version changes with the format and with the equations.
-const FORMAT: &[u8] = b"archard compliance 4\n";
+const FORMAT: &[u8] = b"archard compliance 5\n";
 /// The same for what tractions make of the whole body.
-const RESPONSES: &[u8] = b"archard responses 1\n";
+const RESPONSES: &[u8] = b"archard responses 2\n";
 
 /// A folder of compliances.
 #[derive(Debug)]
@@ -166,8 +165,11 @@ impl Store {
 
 /// The hash of all that what is kept of a body follows from.
 fn key(format: &[u8], finite: &Finite, material: &Material, job: &Job<'_>) -> [u8; HASH] {
-    let mut hash = Sha256::new_with_prefix(format);
-    job.fingerprint(finite, material, &mut |bytes| hash.update(bytes));
+    let mut hash = blake3::Hasher::new();
+    hash.update(format);
+    job.fingerprint(finite, material, &mut |bytes| {
+        hash.update(bytes);
+    });
     hash.finalize().into()
 }
 

@@ -3,13 +3,9 @@
 //! What is kept is a [`March`]: every number that further steps follow from, as it is. The simulation itself is not; a
 //! digest says whether another one is the same.
 
-use sha2::{Digest, Sha256};
-
 use super::Simulation;
 use super::march::March;
-
-/// Bytes of a checksum.
-const SUM: usize = 32;
+use crate::numerics::seal::{seal, unseal};
 
 /// Why a run does not go on from what was kept.
 #[non_exhaustive]
@@ -30,16 +26,13 @@ impl March {
     pub(super) fn to_bytes(&self) -> Vec<u8> {
         // Vectors and numbers, which always can be written.
         let mut bytes = postcard::to_allocvec(self).unwrap_or_default();
-        let sum = Sha256::digest(&bytes);
-        bytes.extend_from_slice(&sum);
+        seal(&mut bytes);
         bytes
     }
 
     /// A run of a simulation from what was kept of it.
     pub(super) fn from_bytes(bytes: &[u8], simulation: &Simulation) -> Result<Self, NotResumed> {
-        let content = bytes.split_last_chunk::<SUM>();
-        let content = content.filter(|(content, sum)| Sha256::digest(content)[..] == **sum);
-        let (content, _) = content.ok_or(NotResumed::Unreadable)?;
+        let content = unseal(bytes).ok_or(NotResumed::Unreadable)?;
         let march: Self = postcard::from_bytes(content).map_err(|_| NotResumed::Unreadable)?;
         if march.digest != digest(simulation) {
             return Err(NotResumed::OtherCase);
@@ -52,25 +45,30 @@ impl March {
 /// takes a few entries.
 pub(crate) fn digest(simulation: &Simulation) -> [u8; 32] {
     let Simulation { problem, solver, friction_solver, schedule, .. } = simulation;
-    let mut hash = Sha256::new();
+    let mut hash = blake3::Hasher::new();
     for body in &problem.bodies {
-        hash.update(format!(
-            "{}{:?}{:?}{:?}{:?}",
-            body.name,
-            body.material,
-            body.wear,
-            body.curvatures(),
-            body.depth
-        ));
+        hash.update(
+            format!(
+                "{}{:?}{:?}{:?}{:?}",
+                body.name,
+                body.material,
+                body.wear,
+                body.curvatures(),
+                body.depth
+            )
+            .as_bytes(),
+        );
         if let Some(thermal) = &body.thermal {
-            hash.update(format!("{thermal:?}"));
+            hash.update(format!("{thermal:?}").as_bytes());
         }
     }
-    hash.update(format!("{:?}{:?}{schedule:?}", problem.friction, problem.motion));
-    hash.update(format!("{:?}{:?}", solver.settings(), friction_solver.settings()));
-    hash.update(format!("{solver:?}{friction_solver:?}"));
+    hash.update(format!("{:?}{:?}{schedule:?}", problem.friction, problem.motion).as_bytes());
+    hash.update(format!("{:?}{:?}", solver.settings(), friction_solver.settings()).as_bytes());
+    hash.update(format!("{solver:?}{friction_solver:?}").as_bytes());
     let frame = &problem.frame;
-    hash.update(format!("{:?}{:?}{}", frame.elements(), frame.rectangle(), frame.is_line()));
+    hash.update(
+        format!("{:?}{:?}{}", frame.elements(), frame.rectangle(), frame.is_line()).as_bytes(),
+    );
     let pairs = frame.len();
     let few = [0, pairs / 2, pairs.saturating_sub(1)];
     let few = problem.compliance.matrix(&few);
@@ -80,10 +78,11 @@ pub(crate) fn digest(simulation: &Simulation) -> [u8; 32] {
     let listed = if frame.is_uniform() { 0 } else { pairs };
     let places = (0..listed).flat_map(|pair| frame.place(pair));
     let numbers = frame.gap().iter().chain(&own).chain(few).copied().chain(places);
-    numbers.for_each(|number| hash.update(number.to_le_bytes()));
+    let bytes: Vec<u8> = numbers.flat_map(f64::to_le_bytes).collect();
+    hash.update(&bytes);
     if let Some(wider) = &simulation.wider {
-        hash.update(wider.from.to_le_bytes());
-        hash.update(digest(&wider.simulation));
+        hash.update(&wider.from.to_le_bytes());
+        hash.update(&digest(&wider.simulation));
     }
     hash.finalize().into()
 }

@@ -216,14 +216,7 @@ impl Evolution {
             self.known = Some(Part::none(problem.frame.elements()));
         }
         worn.add_wear(&self.state.pressure, 1.0, &mut self.displacement);
-        let worn = match self.contact(simulation, increment, wearing, &worn, effort) {
-            Err(Error::NotConverged { .. }) => {
-                let worn = worn.steady();
-                self.contact(simulation, increment, wearing, &worn, effort)?;
-                worn
-            }
-            other => other.map(|()| worn)?,
-        };
+        self.contact(simulation, increment, wearing, &worn, effort)?;
         worn.add_wear(&self.state.pressure, -1.0, &mut self.displacement);
         if let Gap { values, part: Some(part) } = &mut self.state.gap {
             let within = part.cut(values);

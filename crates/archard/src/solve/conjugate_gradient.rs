@@ -1,13 +1,20 @@
-//! Preconditioned conjugate gradients on the set of pairs in contact.
+//! Preconditioned conjugate gradients on sets of pairs in contact.
 //!
-//! Pressures that become negative leave the set, pairs that overlap join it (I. A. Polonsky and
-//! L. M. Keer, *Wear* 231 (1999) 206; E. A. H. Vollebregt, *J. Comput. Phys.* 257 (2014) 333, for the
-//! preconditioner by Fourier transforms). The load is a constraint of the same iteration: directions
-//! are projected, in the metric of the preconditioner, on those that do not change it, and the
-//! approach is the multiplier. The displacement follows by recurrence, so that an iteration applies
-//! the compliance once, and once more only where pressures were cut off. Products of fields are weighted by
-//! the areas of the pairs, in which the compliance is symmetric.
+//! A primal-dual active set method (M. Hintermüller, K. Ito and K. Kunisch, *SIAM J. Optim.* 13 (2003) 865): in contact are
+//! the pairs with p > g / c, c the compliance of a pair to its own pressure. Conjugate gradients close the gap on that set
+//! without cutting off any pressure, so that directions stay conjugate; then the set is chosen anew. A set is kept until
+//! the violations of the pairs that are about to change sides outweigh those of the others: the proportioning of Z.
+//! Dostál and J. Schöberl, *Comput. Optim. Appl.* 30 (2005) 23, with their factor of one. Sets that are solved exactly
+//! shrink until they are right where the inverse of the compliance is an M-matrix, which it nearly is. Where a new set
+//! has not brought the residual down, the next are therefore solved more exactly.
+//!
+//! The preconditioner works by Fourier transforms (E. A. H. Vollebregt, *J. Comput. Phys.* 257 (2014) 333). The load is a
+//! constraint of the same iteration: directions are projected, in the metric of the preconditioner, on those that do not
+//! change it, and the approach is the multiplier. The displacement follows by recurrence, so that an iteration applies the
+//! compliance once, and once more where pairs under pressure leave the set. Products of fields are weighted by the areas
+//! of the pairs, in which the compliance is symmetric.
 
+use super::contact_set::{Proportioning, Violations, belongs};
 use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
@@ -59,17 +66,26 @@ impl Solver for ConjugateGradient {
 
 impl ConjugateGradient {
     fn iterate(&self, mut iteration: Iteration<'_>) -> Outcome {
+        let Settings { tolerance, max_iterations } = self.settings;
+        let mut proportioning = Proportioning::default();
         loop {
-            let residual = iteration.balance();
-            let status = if residual <= self.settings.tolerance {
-                iteration.converged()
-            } else if iteration.count == self.settings.max_iterations || residual.is_nan() {
-                Status::OutOfIterations
-            } else {
-                iteration.advance();
-                continue;
-            };
-            return iteration.finish(status, residual);
+            let violations = iteration.find_gap();
+            let residual = violations.residual();
+            if residual <= tolerance {
+                if iteration.cut_tensions() {
+                    continue;
+                }
+                let status = iteration.converged();
+                return iteration.finish(status, residual);
+            }
+            if iteration.count == max_iterations || residual.is_nan() {
+                return iteration.finish(Status::OutOfIterations, residual);
+            }
+            if proportioning.asks_for_another_set(&violations) && iteration.change_set() {
+                proportioning.changed(residual);
+                iteration.find_gap();
+            }
+            iteration.advance();
         }
     }
 }
@@ -82,21 +98,17 @@ struct Iteration<'a> {
     pressure: Vec<f64>,
     displacement: Vec<f64>,
     approach: f64,
-    /// Gap (m) at the present pressure and approach.
+    /// Gap (m) at the present pressure and approach, and the same on the contact, zero elsewhere.
     gap: Vec<f64>,
-    /// One where the pressure may change, zero elsewhere; how many ones, and whether they are those
-    /// of the last iteration.
-    contact: Vec<f64>,
-    touching: usize,
-    same_contact: bool,
-    /// The gap of the contact, zero elsewhere (m).
     overlap: Vec<f64>,
-    /// What the preconditioner makes of the gap and of the gap that an approach of one closes, on the contact.
-    correction: Vec<f64>,
+    /// The set: one where the pressure may change, zero elsewhere.
+    contact: Vec<f64>,
+    /// What the preconditioner makes of the gap that an approach of one closes, on the contact, and the load of it.
     uniform: Vec<f64>,
-    uniform_sum: f64,
-    /// Product of the correction with the gap, now and at the last iteration.
-    product: f64,
+    uniform_load: f64,
+    /// What the preconditioner makes of the overlap.
+    correction: Vec<f64>,
+    /// Product of the correction with the overlap at the last iteration on this set; zero at its first.
     last_product: f64,
     /// Search direction (Pa) and the displacement the compliance makes of it (m).
     direction: Vec<f64>,
@@ -125,28 +137,30 @@ impl<'a> Iteration<'a> {
             displacement: start.map_or_else(zeros, |start| start.displacement.to_vec()),
             approach,
             gap: zeros(),
-            contact: zeros(),
-            touching: 0,
-            same_contact: false,
             overlap: zeros(),
-            correction: zeros(),
+            contact: zeros(),
             uniform: zeros(),
-            uniform_sum: 0.0,
-            product: 0.0,
+            uniform_load: 0.0,
+            correction: zeros(),
             last_product: 0.0,
             direction: zeros(),
             response: zeros(),
             count: 0,
             applications: 0,
         };
+        if let Control::Approach(approach) = step.control {
+            iteration.approach = approach;
+        }
         iteration.meet_load();
         if start.is_none() {
             iteration.refresh();
         }
+        update(&mut iteration.contact, [&iteration.pressure], |_, [p]| f64::from(p > 0.0));
+        iteration.begin_set();
         iteration
     }
 
-    /// Whether the load is given, and the approach unknown.
+    /// The load that is given while the approach is unknown.
     fn load(&self) -> Option<f64> {
         match self.step.control {
             Control::Load(load) => Some(load),
@@ -171,85 +185,117 @@ impl<'a> Iteration<'a> {
     fn refresh(&mut self) {
         self.applications += 1;
         self.step.compliance.apply_normal(&self.pressure, &mut self.displacement);
-        self.same_contact = false;
     }
 
-    /// Finds the gap, the contact, the correction and, under a given load, the approach; returns the
-    /// residual.
-    fn balance(&mut self) -> f64 {
-        if let Control::Approach(approach) = self.step.control {
-            self.approach = approach;
-        }
-        self.find_contact();
-        self.preconditioner.apply(&self.overlap, &mut self.correction);
-        let shift = if self.load().is_some() { self.approach_change() } else { 0.0 };
+    /// Finds the gap and, under a given load, the approach that suits the set; returns what violates the conditions.
+    fn find_gap(&mut self) -> Violations {
+        let approach = self.approach;
+        let [mean] = sweep_with(
+            self.beside(),
+            [&mut self.gap],
+            [self.step.gap, &self.displacement, &self.pressure, self.step.addition, &self.uniform],
+            |[weight, closing], [_], [undeformed, displacement, pressure, addition, uniform]| {
+                let gap = undeformed + displacement + addition * pressure - closing * approach;
+                ([gap], [weight * uniform * gap])
+            },
+        );
+        let shift = if self.load().is_some() { mean / self.uniform_load } else { 0.0 };
         self.approach += shift;
         let measure = Measure::of(self.step);
-        let [violations, pressures, product] = sweep_with(
+        let own = self.step.compliance.normal_self_term();
+        let [staying, changing, pressures] = sweep_with(
             self.beside(),
-            [&mut self.gap, &mut self.overlap, &mut self.correction],
-            [&self.pressure, &self.contact, &self.uniform, self.step.addition],
-            |[weight, closing],
-             [gap, overlap, correction],
-             [pressure, contact, uniform, addition]| {
-                let (gap, overlap) = (gap - shift * closing, overlap - shift * closing * contact);
-                let correction = contact * (correction - shift * uniform);
+            [&mut self.gap, &mut self.overlap],
+            [&self.pressure, &self.contact, self.step.addition],
+            |[weight, closing], [gap, _], [pressure, contact, addition]| {
+                let gap = gap - shift * closing;
                 let violation = measure.violation(pressure, gap, addition);
-                let sums = [violation * violation, pressure * pressure, overlap * correction];
-                ([gap, overlap, correction], sums.map(|sum| weight * sum))
+                let square = weight * (violation * violation);
+                let stays = belongs(pressure, gap, own + addition) == contact;
+                let [staying, changing] = if stays { [square, 0.0] } else { [0.0, square] };
+                ([gap, contact * gap], [staying, changing, weight * (pressure * pressure)])
             },
         );
-        self.product = product;
-        Measure::relative(violations, pressures)
+        Violations { staying, changing, pressures }
     }
 
-    /// Takes the pairs under pressure and those that overlap as the contact.
-    fn find_contact(&mut self) {
-        let approach = self.approach;
-        let [touching, changed] = sweep_with(
-            [self.step.measure.closing],
-            [&mut self.gap, &mut self.contact, &mut self.overlap],
-            [self.step.gap, &self.displacement, &self.pressure, self.step.addition],
-            |[closing], [_, before, _], [undeformed, displacement, pressure, addition]| {
-                let gap = undeformed + displacement + addition * pressure - closing * approach;
-                let contact = f64::from(pressure > 0.0 || gap < 0.0);
-                ([gap, contact, contact * gap], [contact, f64::from(contact != before)])
+    /// Takes the pairs that belong to the contact as the set and cuts off the pressures of others; returns whether it is
+    /// another set, and one that bears a load.
+    fn change_set(&mut self) -> bool {
+        let own = self.step.compliance.normal_self_term();
+        let fields = [&self.pressure, &self.gap, self.step.addition, &self.contact];
+        let [load, changed] = sum_with(
+            self.beside(),
+            fields,
+            |[weight, closing], [pressure, gap, addition, before]| {
+                let contact = belongs(pressure, gap, own + addition);
+                [weight * closing * contact * pressure, f64::from(contact != before)]
             },
         );
-        self.touching = touching as usize;
-        self.same_contact &= changed == 0.0;
-    }
-
-    /// The change of the approach (m) that lets the correction keep the load.
-    fn approach_change(&mut self) -> f64 {
-        let load = |beside: [f64; 2], [contact, pressure]: [f64; 2]| {
-            let [weight, closing] = beside;
-            [weight * closing * contact * pressure]
-        };
-        if !self.same_contact {
-            match self.step.measure.closing {
-                Values::All(_) => self.preconditioner.apply(&self.contact, &mut self.uniform),
-                Values::Each(closing) => {
-                    let closed =
-                        map([&self.contact, closing], |[contact, closing]| contact * closing);
-                    self.preconditioner.apply(&closed, &mut self.uniform);
-                }
-            }
-            [self.uniform_sum] = sum_with(self.beside(), [&self.contact, &self.uniform], load);
+        if changed == 0.0 || self.load().is_some() && load <= 0.0 {
+            return false;
         }
-        let [total] = sum_with(self.beside(), [&self.contact, &self.correction], load);
-        total / self.uniform_sum
+        let [cut] = sweep(
+            [&mut self.pressure, &mut self.contact],
+            [&self.gap, self.step.addition],
+            |[pressure, _], [gap, addition]| {
+                let contact = belongs(pressure, gap, own + addition);
+                let kept = contact * pressure;
+                ([kept, contact], [f64::from(kept != pressure)])
+            },
+        );
+        if cut > 0.0 {
+            self.meet_load();
+            self.refresh();
+        }
+        self.begin_set();
+        true
     }
 
-    /// Goes along a new direction to its lowest energy, and cuts off what became negative.
+    /// Cuts off what is left of negative pressures, and the pairs under them from the set; returns whether there were any.
+    fn cut_tensions(&mut self) -> bool {
+        let [cut] =
+            sweep([&mut self.pressure, &mut self.contact], [], |[pressure, contact], []| {
+                let tension = f64::from(pressure < 0.0);
+                ([pressure.max(0.0), contact * (1.0 - tension)], [tension])
+            });
+        if cut > 0.0 {
+            self.meet_load();
+            self.refresh();
+            self.begin_set();
+        }
+        cut > 0.0
+    }
+
+    /// Prepares the iteration on another set.
+    fn begin_set(&mut self) {
+        self.last_product = 0.0;
+        self.preconditioner.keep_to(&self.contact);
+        if self.load().is_none() {
+            return;
+        }
+        match self.step.measure.closing {
+            Values::All(_) => self.preconditioner.apply(&self.contact, &mut self.uniform),
+            Values::Each(closing) => {
+                let closed = map([&self.contact, closing], |[contact, closing]| contact * closing);
+                self.preconditioner.apply(&closed, &mut self.uniform);
+            }
+        }
+        [self.uniform_load] = sweep_with(
+            self.beside(),
+            [&mut self.uniform],
+            [&self.contact],
+            |[weight, closing], [uniform], [contact]| {
+                let uniform = contact * uniform;
+                ([uniform], [weight * closing * uniform])
+            },
+        );
+    }
+
+    /// Goes along a new direction to its lowest energy.
     fn advance(&mut self) {
         self.count += 1;
-        let conjugates = self.same_contact && self.last_product > 0.0;
-        let conjugation = if conjugates { self.product / self.last_product } else { 0.0 };
-        self.last_product = self.product;
-        update(&mut self.direction, [&self.correction], |direction, [correction]| {
-            conjugation * direction - correction
-        });
+        self.turn();
         self.applications += 1;
         self.step.compliance.apply_normal(&self.direction, &mut self.response);
         let [slope, curvature] = sum_with(
@@ -262,24 +308,42 @@ impl<'a> Iteration<'a> {
         );
         // A pair alone under a load has no direction to go: those that overlap beside it join it next.
         let length = if curvature > 0.0 { slope / curvature } else { 0.0 };
-        let [cut] = sweep(
+        let [] = sweep(
             [&mut self.pressure, &mut self.displacement],
             [&self.direction, &self.response],
             |[pressure, displacement], [direction, response]| {
-                let pressure = pressure + length * direction;
-                ([pressure.max(0.0), displacement + length * response], [f64::from(pressure < 0.0)])
+                ([pressure + length * direction, displacement + length * response], [])
             },
         );
-        self.same_contact = true;
-        if cut > 0.0 {
-            self.meet_load();
-            self.refresh();
-        }
+    }
+
+    /// Finds the next direction: the preconditioned overlap that leaves the load as it is, conjugate to the direction
+    /// before.
+    fn turn(&mut self) {
+        self.preconditioner.apply(&self.overlap, &mut self.correction);
+        let [product, load] = sum_with(
+            self.beside(),
+            [&self.overlap, &self.correction, &self.contact],
+            |[weight, closing], [overlap, correction, contact]| {
+                [weight * (overlap * correction), weight * closing * contact * correction]
+            },
+        );
+        let shift = if self.load().is_some() { load / self.uniform_load } else { 0.0 };
+        let conjugation = if self.last_product > 0.0 { product / self.last_product } else { 0.0 };
+        self.last_product = product;
+        update(
+            &mut self.direction,
+            [&self.correction, &self.uniform, &self.contact],
+            |direction, [correction, uniform, contact]| {
+                conjugation * direction - (contact * correction - shift * uniform)
+            },
+        );
     }
 
     /// A solution, unless the frame cuts it off.
     fn converged(&self) -> Status {
-        let full = self.touching == self.pressure.len() && !self.step.measure.closed;
+        let [touching] = sum([&self.contact], |[contact]| [contact]);
+        let full = touching as usize == self.contact.len() && !self.step.measure.closed;
         if full { Status::FrameFull } else { Status::Converged }
     }
 

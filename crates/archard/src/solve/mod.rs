@@ -13,6 +13,7 @@
 
 mod accept;
 mod conjugate_gradient;
+mod contact_set;
 pub mod monolithic;
 mod part;
 mod residual;

@@ -200,6 +200,17 @@ fn longer_steps_take_hardly_more_iterations() {
     assert!(long < 1.5 * short, "{short} and {long} iterations a solve");
 }
 
+/// Over ten thousand revolutions each pair that joins the contact or leaves it shifts the gap of its whole line. The sets
+/// of pairs in contact settle all the same.
+#[test]
+fn the_contact_settles_over_ten_thousand_revolutions() {
+    let motion = "creepage = 0.005\nrevolutions = 30000\nstep = 10000";
+    let few = ["solver.conjugate_gradient.max_iterations=60"];
+    let ended = states(&case(&twin_discs([0.52, 6.4], [21, 101], motion), &few));
+    let (_, effort, _) = ended.expect("it converges").pop().expect("a last state");
+    assert_eq!(effort.steps, 3);
+}
+
 /// Where everything slips and the creepage follows the worn radii, a plane wears by its load times its own
 /// creepage, xi - w1/R1 + w2/R2.
 #[test]

@@ -153,7 +153,8 @@ impl ResultFolder {
     /// Keeps the run, if it is time to, or in any case.
     fn keep(&mut self, report: &Report<'_>, anyway: bool) -> Result<(), Error> {
         let ended = report.state.progress >= report.extent;
-        if ended || !anyway && !self.clock.is_due(report.output) {
+        let pairs = report.state.pressure.len();
+        if ended || !anyway && !self.clock.is_due(report.output, pairs) {
             return Ok(());
         }
         let begun = Instant::now();
