@@ -93,7 +93,7 @@ fn a_resume_that_is_refused_changes_nothing() {
     fs::remove_dir_all(&out).unwrap();
     stop(start("motion.sliding.step=0.002 mm"));
     let (text, kept) = (fs::read_to_string(&case).unwrap(), fs::read(&checkpoint).unwrap());
-    let edited = text.replacen("coefficient = ", "coefficient = 2", 1);
+    let edited = text.replacen("coefficient = \"", "coefficient = \"2", 1);
     assert_ne!(edited, text);
     let pipe = || {
         fs::remove_file(&checkpoint).unwrap();

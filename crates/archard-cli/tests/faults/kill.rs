@@ -259,12 +259,12 @@ fn what_cannot_go_on_is_refused_in_words() {
 fn the_next_run_clears_up_after_a_killed_one() {
     let dir = tempfile::tempdir().unwrap();
     let small = ["frame.elements=[12, 12]", "motion.sliding.step=50 mm"];
-    let fields = dir.path().join("out/fields");
-    std::fs::create_dir_all(&fields).unwrap();
+    let run = || command(dir.path(), "pin_on_disc", &small).output().unwrap();
+    assert!(run().status.success());
     for part in ["out/summary.json.999999.0.part", "out/fields/0001.vti.999999.1.part"] {
         std::fs::write(dir.path().join(part), "half").unwrap();
     }
-    let ran = command(dir.path(), "pin_on_disc", &small).output().unwrap();
+    let ran = run();
     assert!(ran.status.success(), "{}", super::said(&ran));
     assert_no_parts(dir.path());
     assert!(assert_whole(dir.path()) > 5);

@@ -156,6 +156,16 @@ impl Manifest {
         Ok(())
     }
 
+    /// Writes the list of a run that is done in order, so that it does not tell how often that was interrupted.
+    ///
+    /// # Errors
+    /// If it cannot be read or written.
+    pub(super) fn settle(&mut self) -> Result<(), Error> {
+        // Others may have added to it.
+        *self = Self::read(&self.dir)?;
+        file::write_whole(&self.dir.join(NAME), self.text().as_bytes())
+    }
+
     /// Removes parts of files that are listed, if whoever wrote them is gone.
     pub(super) fn remove_parts(&self, gone: impl Fn(u32) -> bool) {
         for folder in self.folders().into_iter().chain([""]) {

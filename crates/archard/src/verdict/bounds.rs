@@ -172,11 +172,12 @@ pub fn radius(share: f64, body: &str) -> Line {
     Line::new("half-space", share, Bound::AtMost([1.0 / 3.0, f64::INFINITY]), text)
 }
 
-/// Length of a line of contact that is cut off with its frame over the width of the contact: a chosen bound.
+/// Length of a line of contact over its width: a chosen bound.
 ///
-/// At a cut the line bears less than in its middle, over about a width from either end: of four widths half is left.
+/// Plane strain, and a line that is cut off with its frame, know nothing of ends. Their effect reaches about a width into the
+/// line from either end: of four widths half is left.
 pub fn length(widths: f64) -> Line {
-    let text = "widths of the contact is the length of the line: its ends reach its middle; take a longer frame, or `frame.plane_strain = true`";
+    let text = "widths of the contact is the length of the line: its ends reach its middle; a longer frame, or meshes with ends, say more";
     Line::new("line", widths, Bound::AtLeast([4.0, 0.0]), text)
 }
 
@@ -193,7 +194,8 @@ pub fn temperature(kelvin: f64) -> Line {
 /// The creepage, regardless of its direction.
 ///
 /// Rolling is computed for velocities that differ little (J. J. Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*,
-/// 1990, section 1.2): at 0.1 the bodies pass each other by a tenth of the contact, and its square is 1 %.
+/// 1990, section 1.2). Particles pass the contact at 1 + c/2 and 1 - c/2 of the mean speed c is relative to, so that what they slip
+/// on a passage is off by c/2: 5 % at 0.1.
 pub fn creepage(creepage: f64) -> Line {
     let text = "is the creepage: the theory of rolling is one of small creepages; such bodies slide, `motion.sliding`";
     Line::new("creepage", creepage, Bound::AtMost([0.1, f64::INFINITY]), text)

@@ -22,7 +22,7 @@ pub(super) struct Limits {
     modulus: Option<(f64, String)>,
     /// How far the contact reaches from its middle, over the smallest radius of a body.
     radius: Option<(f64, String)>,
-    /// Length of a line that is cut off with the frame over the width of the contact: the smallest.
+    /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
     /// The warmest place (K).
     temperature: Option<f64>,
@@ -73,9 +73,7 @@ impl Limits {
                 worst_of(&mut self.radius, x.max(y) * sharpest, body);
             }
         }
-        if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis])
-            && !frame.is_line()
-        {
+        if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
             let length = frame.rectangle().size[axis] / size[1 - axis];
             self.length = Some(self.length.map_or(length, |known| known.min(length)));
         }

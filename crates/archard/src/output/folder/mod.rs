@@ -221,7 +221,10 @@ impl ResultFolder {
         file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(()),
-            None => self.manifest.remove(checkpoint::NAME),
+            None => {
+                self.manifest.remove(checkpoint::NAME)?;
+                self.manifest.settle()
+            }
         }
     }
 
