@@ -69,9 +69,23 @@ gallery:
         done
     done
 
-# time whole solves, in padded round trips
-bench:
+# time whole solves in padded round trips, and whole cases against the last release
+bench: && bench-cases
     cargo bench -p archard
+
+# compare whole cases with an earlier version on its own case files, into the book: just bench-cases 848cb14
+bench-cases earlier="$(git describe --tags --abbrev=0)":
+    #!/usr/bin/env bash
+    set -euo pipefail
+    rm -rf target/earlier && mkdir -p target/earlier
+    git archive {{earlier}} | tar -x -C target/earlier
+    CARGO_TARGET_DIR=target/of-earlier cargo build --release --manifest-path target/earlier/Cargo.toml -p archard-cli
+    cargo build --release -p archard-cli
+    page=book/src/performance.md
+    sed '/^## Whole cases/,$d' $page > target/page.md
+    python3 crates/archard-cli/benches/cases.py target/of-earlier/release/archard target/release/archard \
+        target/earlier/cases | tee -a target/page.md
+    mv target/page.md $page
 
 # all that has to pass before a merge
 ci:

@@ -28,7 +28,8 @@ const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
 const SPARE: u32 = 50;
-/// Time to keep a run for the first time, a pair: measured on 1024 x 1024 elements.
+/// Time to keep a run for the first time, a pair: 43 bytes took 40 ns to make on 256 x 256 elements, and as much again to
+/// write.
 const PAIR: Duration = Duration::from_nanos(100);
 
 /// What the results of a run amount to, beside what is in their files.
