@@ -19,6 +19,9 @@ use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
 
+/// How a number (SI) is written.
+type Shown = fn(f64) -> String;
+
 /// What came of a run.
 pub struct Outcome<'a> {
     pub simulation: &'a Simulation,
@@ -96,7 +99,7 @@ impl Outcome<'_> {
             let depth = format!("{} um", four(self.last(&column) * 1e6));
             lines.add(format!("wear depth ({name})"), depth, self.error(&[&column]));
         }
-        let shown: [(&str, &str, fn(f64) -> String); 4] = [
+        let shown: [(&str, &str, Shown); 4] = [
             ("worn volume", WORN_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("worn section", WORN_SECTION, |section| format!("{} mm^2", four(section * 1e6))),
             ("mass loss", MASS_LOSS, mass),

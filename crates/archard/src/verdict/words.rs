@@ -68,11 +68,11 @@ fn two(value: f64) -> String {
 
 /// A pure number: whole if it is or is large.
 fn plain(value: f64) -> String {
-    match value.abs() {
-        none if none == 0.0 => "0".to_owned(),
-        odd if !(1e-3..1e6).contains(&odd) => format!("{value:.1e}"),
-        large if large >= 100.0 || value == value.round() => format!("{value:.0}"),
-        _ => two(value),
+    let whole = value == value.round() || value.abs() >= 100.0;
+    match value != 0.0 && !(1e-3..1e6).contains(&value.abs()) {
+        true => format!("{value:.1e}"),
+        false if whole => format!("{value:.0}"),
+        false => two(value),
     }
 }
 
