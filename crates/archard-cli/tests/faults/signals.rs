@@ -122,9 +122,7 @@ fn interrupted(options: &[&str], what: &str, there: impl Fn(&Path) -> bool) -> (
     run.signal("TERM");
     let asked = Instant::now();
     let ended = run.end();
-    let took = asked.elapsed();
-    assert_no_parts(dir.path());
-    (ended, took)
+    (ended, asked.elapsed())
 }
 
 /// Rows that one run tells are written one after the other, and what is not written is left.
