@@ -23,14 +23,9 @@ pub struct Solution {
     pub weights: Vec<f64>,
 }
 
-/// Solves until the residual is that small beside the right-hand side (2-norms), or until the given
-/// number of iterations is done; then the vector is the best of those tried.
-pub fn solve(
-    system: &mut impl System,
-    right: &[f64],
-    tolerance: f64,
-    max_iterations: usize,
-) -> Solution {
+/// Solves until the residual (2-norm) is no larger than the one aimed at, or until the given number of iterations is done;
+/// then the vector is the best of those tried.
+pub fn solve(system: &mut impl System, right: &[f64], aim: f64, max_iterations: usize) -> Solution {
     let norm = dot(right, right).sqrt();
     let mut space = Space::default();
     let mut residual = norm;
@@ -38,7 +33,7 @@ pub fn solve(
         space.basis.push(scaled(right, 1.0 / norm));
         space.projected.push(norm);
     }
-    while residual > tolerance * norm && space.directions.len() < max_iterations {
+    while residual > aim && space.directions.len() < max_iterations {
         let last = &space.basis[space.directions.len()];
         let direction = system.precondition(last);
         let image = system.apply(&direction);

@@ -11,7 +11,7 @@ const CONSISTENT: f64 = 1e-8;
 /// Turns between them.
 const TURNS: usize = 50;
 
-/// Residual to which friction is solved that only says how the slip turns: relative to that of a solution, and at most.
+/// Residual to which friction is solved that only says which pairs slip at first: relative to that of a solution, and at most.
 const ESTIMATE: (f64, f64) = (1e3, 1e-3);
 
 /// A way to solve a step of friction.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::evolution::{Evolution, Increment};
 use super::passing::distance_of_work;
-use super::second_order::{self, Turned, to_mean_passages, to_own_passages};
+use super::second_order::{self, to_mean_passages, to_own_passages};
 use super::{Effort, Error, Simulation, friction};
 use crate::compliance::{Compliance, SlipMap};
 use crate::frame::{Flow, VectorField};
@@ -12,7 +12,7 @@ use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Drive, Rolling};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::solve::tangential::{self, Admissible, PrescribedForce};
+use crate::solve::tangential::{self, Admissible, PrescribedForce, Turning};
 
 /// Change of the grip below which friction and what it goes by agree, turns between them, and the change beside the last
 /// one from which on a turn goes only half as far as the one before; the second is that of a rough solve.
@@ -32,7 +32,7 @@ struct Rubbed<'a> {
     map: &'a dyn SlipMap,
     rigid: [&'a [f64]; 2],
     prescribed: &'a [PrescribedForce],
-    turned: Option<&'a Turned>,
+    turning: Option<&'a [Turning]>,
     /// Pressures (Pa) that say where particles come under friction, the present ones if not given.
     entries: Option<&'a [f64]>,
 }
@@ -48,29 +48,16 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
-        let flow = problem.frame.flow(rolling.direction)?;
-        let turns = problem.friction.is_some() && second_order::turns(rolling, flow);
-        // Drives that grow turn the slip by more than they did.
-        let known = turns && !rolling.swept;
-        let mut turned = if known { self.turned(problem, flow) } else { None };
         let (mut count, mut largest) = (0, vec![0.0; self.state.pressure.len()]);
         let mut solve = |state: &mut Self, gap: &[f64]| {
-            let mut before = state.state.pressure.clone();
+            let before = state.state.pressure.clone();
             state.solve_normal(simulation, increment, gap, addition, compliance, effort)?;
             if AROUND.contains(&count) {
                 vector::update(&mut largest, [&state.state.pressure], |most, [one]| most.max(one));
             }
             let entries = (count >= AROUND.end).then_some(&largest[..]);
             count += 1;
-            if turns && turned.is_none() {
-                let nearly = (friction::estimate as friction::Solve, None, None);
-                state.rub(simulation, increment, &before, nearly, effort)?;
-                turned = state.turned(problem, flow);
-                before.clone_from(&state.state.pressure);
-            }
-            let turned = turned.as_ref();
-            state.rub(simulation, increment, &before, (friction::solve, turned, entries), effort)
+            state.rub_turning(simulation, increment, before, entries, effort)
         };
         let couples = problem.friction.is_some() && problem.compliance.couples();
         if !couples {
@@ -92,13 +79,53 @@ impl Evolution {
         displacement.n.iter().map(|n| -n).collect()
     }
 
+    /// Finds the friction under the present pressures, from that under earlier ones (Pa), and which pairs slip and turn
+    /// meanwhile: first nearly, then until they are those that the solution was found with.
+    fn rub_turning(
+        &mut self,
+        simulation: &Simulation,
+        increment: Increment,
+        mut before_pressure: Vec<f64>,
+        entries: Option<&[f64]>,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        let problem = &simulation.problem;
+        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
+        let flow = problem.frame.flow(rolling.direction)?;
+        if problem.friction.is_none() || !second_order::turns(rolling, flow) {
+            let plain = (friction::solve as friction::Solve, Some(&[][..]), entries);
+            return self.rub(simulation, increment, &before_pressure, plain, effort);
+        }
+        let nearly = (friction::estimate as friction::Solve, None, None);
+        self.rub(simulation, increment, &before_pressure, nearly, effort)?;
+        let mut turning = self.turning(problem, flow);
+        before_pressure.clone_from(&self.state.pressure);
+        for turn in 0..TURNS {
+            let found = (friction::solve as friction::Solve, Some(&turning[..]), entries);
+            self.rub(simulation, increment, &before_pressure, found, effort)?;
+            let mut next = self.turning(problem, flow);
+            if turn >= AROUND.start {
+                // Pairs that slip and stick in turn count as slipping.
+                next.extend(&turning);
+                next.sort_unstable_by_key(|one| one.pair);
+                next.dedup();
+            }
+            if next == turning {
+                return Ok(());
+            }
+            turning = next;
+            before_pressure.clone_from(&self.state.pressure);
+        }
+        Err(not_consistent(simulation, increment))
+    }
+
     /// Finds the friction under the present pressures, from that under earlier ones (Pa).
     fn rub(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
         before_pressure: &[f64],
-        (solve, turned, entries): (friction::Solve, Option<&Turned>, Option<&[f64]>),
+        (solve, turning, entries): (friction::Solve, Option<&[Turning]>, Option<&[f64]>),
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
@@ -128,24 +155,19 @@ impl Evolution {
         let prescribed: Vec<PrescribedForce> =
             units.into_iter().zip(drives).filter_map(prescribed).collect();
         rigid.iter_mut().for_each(|slip| to_mean_passages(flow, slip));
-        let plain = rigid.clone();
-        for (slip, turned) in rigid.iter_mut().zip(turned.into_iter().flatten()) {
-            vector::update(slip, [turned], |slip, [turned]| slip + turned);
-        }
         let step = Rubbed {
             rolling,
             law: &**law,
             map: &*problem.compliance.rolling(flow),
             rigid: [&rigid[0], &rigid[1]],
             prescribed: &prescribed,
-            turned,
+            turning,
             entries,
         };
         let grip = |state: &ContactState| {
-            problem.grip_of_rolling(&**law, state, (rolling, flow), [&plain[0], &plain[1]])
+            problem.grip_of_rolling(&**law, state, (rolling, flow), [&rigid[0], &rigid[1]])
         };
-        let rough = turned.is_none() && second_order::turns(rolling, flow);
-        let settled = if rough { ROUGHLY } else { SETTLED };
+        let settled = if turning.is_none() { ROUGHLY } else { SETTLED };
         let (mut now, mut share, mut apart) = (grip(&self.state), 1.0, f64::INFINITY);
         let mut before = before_pressure.to_vec();
         for _ in 0..TURNS {
@@ -162,11 +184,7 @@ impl Evolution {
             now = now.towards(&next, share);
             before.clone_from(&self.state.pressure);
         }
-        Err(Error::NotConsistent {
-            measure: problem.motion.progress(),
-            progress: increment.progress,
-            passes: TURNS,
-        })
+        Err(not_consistent(simulation, increment))
     }
 
     /// Finds the friction under the present pressures with a grip, from that under earlier ones (Pa).
@@ -179,7 +197,7 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let frame = &simulation.problem.frame;
-        let Rubbed { rolling, law, map, rigid, prescribed, turned, entries } = *rubbed;
+        let Rubbed { rolling, law, map, rigid, prescribed, turning, entries } = *rubbed;
         let flow = frame.flow(rolling.direction)?;
         let advance = flow.advance();
         let pressure = &self.state.pressure;
@@ -189,7 +207,8 @@ impl Evolution {
         let allowed = entries.map(|entered| limits.all(entered));
         let entered = (entries.unwrap_or(pressure), allowed.as_ref().unwrap_or(&limit).as_slice());
         let ties = second_order::entries(flow, entered, &limit);
-        let admissible = Admissible { map: law.map(), ties: &ties };
+        let turning = turning.unwrap_or_default();
+        let admissible = Admissible { map: law.map(), ties: &ties, turning };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };
         let before = self.state.tangential.take();
@@ -217,9 +236,6 @@ impl Evolution {
             Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
-        for (slip, turned) in slip.iter_mut().zip(turned.into_iter().flatten()) {
-            vector::update(slip, [turned], |slip, [turned]| slip - turned);
-        }
         slip.iter_mut().for_each(|slip| to_own_passages(flow, slip));
         self.state.tangential =
             Some(Tangential { traction, slip, creepage, shift: [0.0; 2], grip });
@@ -282,5 +298,13 @@ impl Evolution {
         }
         let distance = distance_of_work(&self.state, &**friction, problem, flow);
         tangential.creep_power(problem, rolling) / coefficient * distance
+    }
+}
+
+fn not_consistent(simulation: &Simulation, increment: Increment) -> Error {
+    Error::NotConsistent {
+        measure: simulation.problem.motion.progress(),
+        progress: increment.progress,
+        passes: TURNS,
     }
 }

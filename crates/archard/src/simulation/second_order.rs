@@ -6,22 +6,18 @@
 //!   pair is wrong by where. Its traction is a share of that of the pair behind instead, the ratio of their limits:
 //!   beside the edge both grow with the root of the distance. Its slip is not asked for.
 //! - Friction points along the slip at a pair, the difference gives the slip half a passage ahead. Where spin turns the
-//!   slip on the way, pairs that slip go by their slip and half of its change until the next passage. The change is
-//!   that of an earlier solution.
+//!   slip on the way, pairs that slip go by the mean of the passage to them and that to the pair behind.
 
 use super::evolution::Evolution;
 use crate::frame::Flow;
 use crate::motion::Rolling;
 use crate::numerics::vector;
 use crate::problem::ContactProblem;
-use crate::solve::tangential::Tie;
+use crate::solve::tangential::{Tie, Turning};
 
 /// Largest share of the limit behind at which both still grow with the root of the distance from an edge: 0.71 where the edge
 /// is at most an element away, and pressures at the edge are computed to a tenth.
 pub(crate) const GROWS: f64 = 0.8;
-
-/// A change of the slip (m) along t1 and t2, one value a pair, as if each passage were of the mean length.
-pub(super) type Turned = [Vec<f64>; 2];
 
 /// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that they
 /// allow grows from the edge on, by shares of what the pairs bear at most (Pa). Scattered pairs have none.
@@ -54,26 +50,18 @@ pub(super) fn turns(rolling: &Rolling, flow: Flow<'_>) -> bool {
 }
 
 impl Evolution {
-    /// Half of what the slip changes by from the passage to each pair that slips to the passage to the pair behind;
-    /// `None` where no friction is known.
-    pub(super) fn turned(&self, problem: &ContactProblem, flow: Flow<'_>) -> Option<Turned> {
-        let (tangential, friction) = (self.state.tangential.as_ref()?, problem.friction.as_ref()?);
+    /// The pairs that slip, each with the one behind.
+    pub(super) fn turning(&self, problem: &ContactProblem, flow: Flow<'_>) -> Vec<Turning> {
+        let known = self.state.tangential.as_ref().zip(problem.friction.as_ref());
+        let Some((tangential, friction)) = known else { return vec![] };
         let pressure = &self.state.pressure;
-        let slips = |pair: usize| {
-            let limit = tangential.grip.at(pair) * friction.limit(pressure[pair]);
-            limit > 0.0 && !tangential.sticks(problem, pressure, pair)
+        let slips = |pair: &usize| {
+            let limit = tangential.grip.at(*pair) * friction.limit(pressure[*pair]);
+            limit > 0.0 && !tangential.sticks(problem, pressure, *pair)
         };
         let (back, elements) = (flow.direction().back(), flow.frame().elements());
-        let turned = tangential.slip.each_ref().map(|slip| {
-            let mut slip = slip.clone();
-            to_mean_passages(flow, &mut slip);
-            let change = |pair: usize| match back.ahead(pair, elements) {
-                Some(behind) if slips(pair) => 0.5 * (slip[behind] - slip[pair]),
-                _ => 0.0,
-            };
-            (0..slip.len()).map(change).collect()
-        });
-        Some(turned)
+        let turning = |pair| Some(Turning { pair, behind: back.ahead(pair, elements)? });
+        (0..pressure.len()).filter(slips).filter_map(turning).collect()
     }
 }
 

@@ -43,7 +43,7 @@ fn tied_pairs_bear_their_share() {
             };
             let ties: Vec<Tie> = lines.filter_map(tie).collect();
             assert!(ties.len() > 5);
-            let admissible = Admissible { map: Map::IDENTITY, ties: &ties };
+            let admissible = Admissible { ties: &ties, ..Map::IDENTITY.into() };
             let unit = map.own() * 0.6 * hertz.peak_pressure;
             let rigid = [0.2, -0.1].map(|slip| vec![slip * unit; frame.len()]);
             for forces in
@@ -121,7 +121,7 @@ fn ties_cost_no_applications() {
         prescribed: &[],
     };
     let [free, tied] = [&[][..], &ties].map(|ties| {
-        let admissible = Admissible { map: Map::IDENTITY, ties };
+        let admissible = Admissible { ties, ..Map::IDENTITY.into() };
         let outcome = tangential::solve(&Newton::default(), &step, admissible, None);
         assert_eq!(outcome.status, Status::Converged);
         outcome.applications as f64

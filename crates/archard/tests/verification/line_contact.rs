@@ -250,3 +250,39 @@ fn depths_change_the_approach_alone() {
         assert_relative_eq!(*one, *other, epsilon = 1e-6 * 1e9);
     }
 }
+
+/// A cylinder of 10 mm, pressed on with 10 N/mm and shifted to and fro by a share of what friction bears.
+fn fretting_by_force(friction: f64, share: f64, elements: usize) -> String {
+    let half_width = (4.0 * 10e3 * 10e-3 / (PI * 210e9 / (2.0 * 0.91))).sqrt();
+    format!(
+        "body.roll = {{ material = {0}, profile.cylinder = {{ radius = \"10 mm\", axis = \"y\" }} }}
+         body.plate = {{ material = {0}, profile.flat = {{}} }}
+         frame = {{ size = \"{1} m\", elements = {elements}, plane_strain = true }}
+         friction.coulomb.coefficient = {friction}
+         motion.fretting = {{ load = \"10 N/mm\", force_amplitude = [\"{2} N/mm\", \"0 N/mm\"], cycles = 1 }}",
+        STEELS[0],
+        2.3 * half_width,
+        10.0 * share * friction,
+    )
+}
+
+/// Cattaneo's line sticks in sqrt(1 - Q / mu P) of the contact, whatever the friction, the force and the elements, which
+/// follow a sequence that fills their ranges (M. Roberts, 2018).
+#[test]
+fn lines_fret_by_a_given_force_on_any_elements() {
+    for number in 1..=12 {
+        let at = |step: f64| (f64::from(number) * step).fract();
+        let (friction, share) = (0.1 + 0.8 * at(0.618_034), 0.3 + 0.65 * at(0.754_878));
+        let elements = 200 + (600.0 * at(0.569_84)) as usize;
+        let rows = rows(&fretting_by_force(friction, share, elements));
+        let last = |name: &str| *rows.column(name).last().expect("a row");
+        let turning =
+            rows.column("force_x_N").iter().fold(0.0, |most: f64, force| most.max(*force));
+        assert_relative_eq!(turning, 10e3 * share * friction, max_relative = 1e-5);
+        let sticks = rows.column("stick_area_m2").into_iter();
+        let (area, stick) = (last("contact_area_m2"), sticks.skip(1).fold(f64::INFINITY, f64::min));
+        // Counted in whole elements, one at either edge.
+        let within = 2.0 * 2.3 / elements as f64 + 1e-3;
+        assert!((stick / area - (1.0 - share).sqrt()).abs() < within, "{number}: {}", stick / area);
+    }
+}

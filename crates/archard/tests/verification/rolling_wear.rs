@@ -232,3 +232,36 @@ fn creepage_follows_the_worn_radii() {
     assert_relative_eq!(worn, WEAR * follows, max_relative = 1e-3);
     assert!(follows < 0.99 * sum(&|_| 0.005), "the radii hardly changed");
 }
+
+/// Steps without wear change nothing, forces across least of all: how spin turns the slip on its way belongs to the solution,
+/// whatever is known when a step begins.
+#[test]
+fn forces_stay_where_nothing_wears() {
+    let unlike = r#"
+        [body.wheel]
+        material = { young = "96 GPa", poisson = 0.3 }
+        profile.paraboloid = { radius_x = "340 mm", radius_y = "38 mm" }
+        [body.rail]
+        material = { young = "27 GPa", poisson = 0.3 }
+        profile.flat = {}
+        [friction.coulomb]
+        coefficient = 0.28
+        [frame]
+        size = ["1.3 mm", "0.31 mm"]
+        elements = [24, 24]
+        [motion.rolling]
+        load = "3.12 N"
+        force = "-0.75 N"
+        spin = "-0.0042 1/mm"
+        revolutions = 3
+        step = 1
+    "#;
+    let mut rows = Rows::default();
+    case(unlike, &[]).run(&mut [&mut rows]).unwrap();
+    let across = rows.column("force_y_N");
+    assert_eq!(across.len(), 4);
+    for force in &across {
+        // Ten times the tolerance of friction.
+        assert_relative_eq!(*force, across[0], max_relative = 1e-5);
+    }
+}

@@ -22,6 +22,7 @@ use crate::compliance::{PairStatus, Preconditioner, SlipMap};
 use crate::frame::VectorField;
 use crate::numerics::gmres::{self, System};
 use crate::numerics::vector::{map, update};
+use crate::solve::residual::norm;
 use crate::solve::semismooth::Tolerance;
 
 /// How well to solve, by the share of the pairs in contact that change what they do.
@@ -92,7 +93,8 @@ impl<'s> Linear<'s> {
     pub fn solve(&mut self, tolerance: f64) -> Solution {
         let pairs = self.regime.pairs.len();
         let right = [&self.regime.right[..], &self.border.right].concat();
-        let gmres::Solution { vector, weights } = gmres::solve(self, &right, tolerance, KRYLOV);
+        let aim = tolerance * norm(&right);
+        let gmres::Solution { vector, weights } = gmres::solve(self, &right, aim, KRYLOV);
         let mut traction = self.regime.tractions(&self.regime.unknown(&vector[..3 * pairs]));
         traction.add(&self.regime.fixed, 1.0);
         let known = self.fixed_displacement.take();

@@ -1,6 +1,6 @@
 //! Friction solved on the part of the frame that is in contact.
 
-use super::{FrictionSolver, Outcome, Start, Step, Tie, tied};
+use super::{FrictionSolver, Outcome, Start, Step, Tie, Turning, turning};
 use crate::frame::{Part, extent};
 
 /// Elements kept free around the contact: material is still rubbed on its way past the trailing edge.
@@ -11,7 +11,7 @@ const MARGIN: usize = 1;
 pub(super) fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
-    ties: &[Tie],
+    (ties, turns): (&[Tie], &[Turning]),
     start: Option<Start<'_>>,
 ) -> Outcome {
     let contact = extent(step.elements, |pair| step.limit[pair] > 0.0);
@@ -20,7 +20,7 @@ pub(super) fn solve(
         let map = step.map.within(part.size())?;
         Some((part, map))
     });
-    let Some((part, map)) = part else { return tied::solve(solver, step, ties, start) };
+    let Some((part, map)) = part else { return turning::solve(solver, step, (ties, turns), start) };
     let limit = part.cut(step.limit);
     let rigid = step.rigid.map(|rigid| part.cut(rigid));
     let step = Step {
@@ -41,7 +41,11 @@ pub(super) fn solve(
     let place =
         |tie: &Tie| Some(Tie { pair: part.place(tie.pair)?, to: part.place(tie.to)?, ..*tie });
     let ties: Vec<Tie> = ties.iter().filter_map(place).collect();
-    let outcome = tied::solve(solver, &step, &ties, start);
+    let place = |turns: &Turning| {
+        Some(Turning { pair: part.place(turns.pair)?, behind: part.place(turns.behind)? })
+    };
+    let turns: Vec<Turning> = turns.iter().filter_map(place).collect();
+    let outcome = turning::solve(solver, &step, (&ties, &turns), start);
     let [traction, slip] =
         [&outcome.traction, &outcome.slip].map(|both| both.each_ref().map(|field| part.put(field)));
     Outcome { traction, slip, ..outcome }

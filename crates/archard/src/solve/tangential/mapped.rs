@@ -7,11 +7,11 @@ use crate::compliance::Mapped;
 pub fn solve(
     solver: &dyn FrictionSolver,
     step: &Step<'_>,
-    Admissible { map, ties }: Admissible<'_>,
+    Admissible { map, ties, turning }: Admissible<'_>,
     start: Option<Start<'_>>,
 ) -> Outcome {
     if map.is_identity() {
-        return crop::solve(solver, step, ties, start);
+        return crop::solve(solver, step, (ties, turning), start);
     }
     let inverse = map.inverse();
     let slips = Mapped::new(step.map, map);
@@ -27,7 +27,7 @@ pub fn solve(
     let start = start
         .zip(traction.as_ref())
         .map(|(start, [one, two])| Start { traction: [one, two], ..start });
-    let mut outcome = crop::solve(solver, &step, ties, start);
+    let mut outcome = crop::solve(solver, &step, (ties, turning), start);
     let ([t1, t2], [s1, s2]) = (&mut outcome.traction, &mut outcome.slip);
     map.apply_to([t1, t2]);
     inverse.apply_to([s1, s2]);

@@ -3,7 +3,8 @@
 //! The problem: on every pair the traction t is bounded, |t| <= limit, and where the slip s is not
 //! zero t has that length and the direction of s. The slip is that of the rigid bodies less what
 //! the tractions take away, s = rigid - B t. Instead of a rigid slip along some direction the force
-//! along it may be given; the slip follows. Pairs that are [tied](Tie) to others, and the ellipse of
+//! along it may be given; the slip follows. Pairs that are [tied](Tie) to others or go by [means](Turning)
+//! of slips, and the ellipse of
 //! admissible tractions that a friction law makes of the disc |t| <= limit by its [map](crate::friction::Map), are seen by
 //! [`solve`] alone.
 //!
@@ -17,6 +18,7 @@ mod mapped;
 mod newton;
 mod pairs;
 mod tied;
+mod turning;
 mod uzawa;
 
 use std::fmt::Debug;
@@ -24,6 +26,7 @@ use std::fmt::Debug;
 pub use mapped::solve;
 pub use newton::Newton;
 pub use tied::Tie;
+pub use turning::Turning;
 pub use uzawa::Uzawa;
 
 use super::{Settings, Status, monolithic};
@@ -56,11 +59,13 @@ pub struct Admissible<'a> {
     pub map: Map,
     /// Pairs whose tractions are shares of those of others.
     pub ties: &'a [Tie],
+    /// Pairs whose friction goes by the mean of two slips.
+    pub turning: &'a [Turning],
 }
 
 impl From<Map> for Admissible<'_> {
     fn from(map: Map) -> Self {
-        Self { map, ties: &[] }
+        Self { map, ties: &[], turning: &[] }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::compliance::Coarser;
 use crate::frame::Measure;
 use crate::numerics::vector::in_pool;
 use crate::parameters::Choice;
-use crate::solve::semismooth::shorten;
+use crate::solve::semismooth::{Forcing, shorten};
 use crate::solve::{PARAMETERS, Settings, Status, monolithic};
 
 pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
@@ -118,14 +118,13 @@ impl Newton {
         let mut pairs = Pairs::of(step);
         let mut state = pairs.start(start);
         let mut residual = pairs.residual(&state);
-        let mut last = vec![];
+        let mut forcing = Forcing::default();
         let mut count = 0;
         while residual > self.settings.tolerance && count < self.settings.max_iterations {
             count += 1;
             let mut linear = Linear::about(&state, &mut pairs);
-            let tolerance = linear.tolerance(&last, residual, self.settings.tolerance);
-            let change = linear.solve(tolerance);
-            last = linear.stick_slip.status;
+            let left = forcing.next(residual, self.settings.tolerance);
+            let change = linear.solve(left * residual);
             let moved = |length: f64| {
                 let next = state.moved(&change, length);
                 let residual = pairs.residual(&next);

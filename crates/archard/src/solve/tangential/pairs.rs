@@ -216,6 +216,11 @@ impl<'a> Pairs<'a> {
         worse(relative(squares.sqrt(), self.norm), relative(missing, self.force))
     }
 
+    /// Slip (m, 2-norm over the area) of pairs that stick that amounts to a residual.
+    pub fn slip_of(&self, residual: f64) -> f64 {
+        residual * self.own * self.norm
+    }
+
     /// The solution on the whole frame.
     pub fn finish(
         mut self,
