@@ -342,7 +342,9 @@ fn results_stay_until_others_begin() {
     let before = fs::read(dir.path().join("history.csv")).unwrap();
     let [part, other] = ["fields/0001.vti", "fields/mine.vti"]
         .map(|name| dir.path().join(format!("{name}.4194305.3.part")));
-    [&part, &other].map(|part| fs::write(part, "half").unwrap());
+    for part in [&part, &other] {
+        fs::write(part, "half").unwrap();
+    }
     let claim = Claim::take(dir.path()).unwrap();
     assert_eq!(fs::read(dir.path().join("history.csv")).unwrap(), before);
     assert!(dir.path().join("summary.json").exists() && part.exists());
