@@ -3,7 +3,7 @@
 //! A primal-dual active set method (M. Hintermüller, K. Ito and K. Kunisch, *SIAM J. Optim.* 13 (2003) 865): in contact are
 //! the pairs with p > g / c, c the compliance of a pair to its own pressure. Conjugate gradients close the gap on that set
 //! without cutting off any pressure, so that directions stay conjugate; then the set is chosen anew. A set is kept until
-//! the violations of the pairs that are about to change sides outweigh those of the others: the proportioning of Z.
+//! the violations of the pairs that are about to change sides outweigh the gaps left on it: the proportioning of Z.
 //! Dostál and J. Schöberl, *Comput. Optim. Appl.* 30 (2005) 23, with their factor of one. Sets that are solved exactly
 //! shrink until they are right where the inverse of the compliance is an M-matrix, which it nearly is. Where a new set
 //! has not brought the residual down, the next are therefore solved more exactly.
@@ -203,20 +203,23 @@ impl<'a> Iteration<'a> {
         self.approach += shift;
         let measure = Measure::of(self.step);
         let own = self.step.compliance.normal_self_term();
-        let [staying, changing, pressures] = sweep_with(
+        let [gaps, changing, all, pressures] = sweep_with(
             self.beside(),
             [&mut self.gap, &mut self.overlap],
             [&self.pressure, &self.contact, self.step.addition],
             |[weight, closing], [gap, _], [pressure, contact, addition]| {
                 let gap = gap - shift * closing;
+                let overlap = contact * gap;
+                let left = overlap / (own + addition);
                 let violation = measure.violation(pressure, gap, addition);
-                let square = weight * (violation * violation);
-                let stays = belongs(pressure, gap, own + addition) == contact;
-                let [staying, changing] = if stays { [square, 0.0] } else { [0.0, square] };
-                ([gap, contact * gap], [staying, changing, weight * (pressure * pressure)])
+                let square = violation * violation;
+                let changes = belongs(pressure, gap, own + addition) != contact;
+                let changing = if changes { square } else { 0.0 };
+                let sums = [left * left, changing, square, pressure * pressure];
+                ([gap, overlap], sums.map(|sum| weight * sum))
             },
         );
-        Violations { staying, changing, pressures }
+        Violations { gaps, changing, all, pressures }
     }
 
     /// Takes the pairs that belong to the contact as the set and cuts off the pressures of others; returns whether it is

@@ -1,28 +1,29 @@
 //! Which pairs are in contact, and when that is asked again.
 //!
-//! A set of pairs is kept until the violations of those that are about to change sides outweigh those of the others
+//! A set of pairs is kept until the violations of those that are about to change sides outweigh the gaps left on the set
 //! (proportioning with a factor of one: Z. Dostál and J. Schöberl, *Comput. Optim. Appl.* 30 (2005) 23). Where a set was
 //! left at no lower residual than one before it, the next are solved more exactly.
 
 use super::residual::Measure;
 
-/// Sums of squares (Pa^2): the violations of the pairs that stay in contact or out of it, those of the pairs about to
-/// change sides, and the pressures.
+/// Sums of squares (Pa^2): the gaps left on the set by the pairs' own compliance, the violations of the pairs about to
+/// change sides and of all pairs, and the pressures.
 pub(super) struct Violations {
-    pub staying: f64,
+    pub gaps: f64,
     pub changing: f64,
+    pub all: f64,
     pub pressures: f64,
 }
 
 impl Violations {
     pub fn residual(&self) -> f64 {
-        Measure::relative(self.staying + self.changing, self.pressures)
+        Measure::relative(self.all, self.pressures)
     }
 }
 
 /// How exactly a set is solved before the next is chosen.
 pub(super) struct Proportioning {
-    /// How many times the violations of the other pairs those of the pairs about to change sides may reach.
+    /// How many times the gaps left on the set the violations of the pairs about to change sides may reach.
     factor: f64,
     /// The lowest residual at which a set was left.
     lowest: f64,
@@ -36,7 +37,7 @@ impl Default for Proportioning {
 
 impl Proportioning {
     pub fn asks_for_another_set(&self, violations: &Violations) -> bool {
-        violations.changing > self.factor * self.factor * violations.staying
+        violations.changing > self.factor * self.factor * violations.gaps
     }
 
     /// The set was left at this residual.
@@ -57,11 +58,11 @@ pub(super) fn belongs(pressure: f64, gap: f64, own: f64) -> f64 {
 mod tests {
     use super::{Proportioning, Violations};
 
-    /// Pairs that change sides have to outweigh the others, by twice as much where the last sets brought nothing.
+    /// Pairs that change sides have to outweigh the gaps left, by twice as much where the last sets brought nothing.
     #[test]
     fn sets_are_solved_more_exactly_where_that_did_not_suffice() {
         let mut proportioning = Proportioning::default();
-        let at = |staying: f64, changing: f64| Violations { staying, changing, pressures: 1.0 };
+        let at = |gaps: f64, changing: f64| Violations { gaps, changing, all: 1.0, pressures: 1.0 };
         assert!(!proportioning.asks_for_another_set(&at(1.0, 1.0)));
         assert!(proportioning.asks_for_another_set(&at(1.0, 1.1)));
         proportioning.changed(0.5);
