@@ -161,8 +161,11 @@ fn parts_that_are_none_are_named() {
     named(rolling.swept(0, load).err(), "increments");
     named(Indentation::new(0).under(load).err(), "increments");
     named(Indentation::new(1).cycles(Cycles::new(2).jump(0)).under(load).err(), "jump");
-    named(Fretting::shifted([-1.0, 0.0]).under(load).err(), "amplitude");
-    named(Fretting::pushed([1.0, 0.0]).varying_load(-1.0, 0.0).under(load).err(), "load_amplitude");
+    named(Fretting::shifted([f64::NAN, 0.0]).under(load).err(), "amplitude");
+    named(
+        Fretting::pushed([1.0, 0.0]).varying_load(f64::NAN, 0.0).under(load).err(),
+        "load_amplitude",
+    );
 }
 
 #[test]

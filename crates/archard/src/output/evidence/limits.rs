@@ -55,8 +55,8 @@ impl Limits {
             flash.bulk.unwrap_or_default() + rise
         });
         worst(&mut self.temperature, warmest);
-        let creepage = state.tangential.as_ref().filter(|_| problem.motion.rolling().is_some());
-        worst(&mut self.creepage, creepage.map(|own| own.creepage[0].hypot(own.creepage[1])));
+        let creepage = state.tangential.as_ref().map(|own| own.creepage[0].hypot(own.creepage[1]));
+        worst(&mut self.creepage, creepage.filter(|creepage| *creepage > 0.0));
         let limit = problem.friction.as_ref().filter(|_| peak > 0.0);
         worst(&mut self.friction, limit.map(|law| law.limit(peak) / peak));
     }
