@@ -107,7 +107,8 @@ impl Unit {
 
     /// What a column of results holds, in words, and its unit, with values up to `largest`.
     pub(crate) fn of_result(column: &str, largest: f64) -> (String, Self) {
-        let units: [(&str, fn(f64) -> Self); 7] = [
+        type Chosen = fn(f64) -> Unit;
+        let units: [(&str, Chosen); 7] = [
             ("_m2", Self::section),
             ("_m3", Self::volume),
             ("_m", Self::depth),

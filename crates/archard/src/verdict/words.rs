@@ -14,7 +14,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`.
-const GOOD: [(&str, &str, Number); 16] = [
+const GOOD: [(&str, &str, Number); 24] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("beyond", "overlap beyond the frame {} of the approach", Number::Share),
@@ -31,6 +31,14 @@ const GOOD: [(&str, &str, Number); 16] = [
     ("forces", "forces balance to {}", Number::Residual),
     ("moments", "moments balance to {}", Number::Residual),
     ("bending", "longest element {} of the thickness that bends", Number::Share),
+    ("hardness", "largest pressure {} times the hardness", Number::Plain),
+    ("strain", "largest pressure {} of Young's modulus", Number::Share),
+    ("half-space", "contact reaches {} of the smallest radius", Number::Share),
+    ("line", "line {} times as long as wide", Number::Plain),
+    ("temperature", "warmest place at {} K", Number::Plain),
+    ("creepage", "creepage {}", Number::Share),
+    ("friction", "coefficient of friction {}", Number::Plain),
+    ("complete", "complete to {}", Number::Share),
 ];
 
 /// A residual that is nothing but rounding.
@@ -182,6 +190,13 @@ mod tests {
             forces,
             moments,
             verdict::slenderness(0.5),
+            verdict::hardness(0.5, "pin"),
+            verdict::modulus(0.01, "pin"),
+            verdict::radius(0.1, "pin"),
+            verdict::length(20.0),
+            verdict::temperature(400.0),
+            verdict::creepage(0.01),
+            verdict::friction(0.3),
         ];
         for line in all {
             assert!(!line.finding().contains("good"), "{line}");
