@@ -76,7 +76,8 @@ pub fn study(dir: &TempDir, name: &str) -> PathBuf {
     let head = format!("row,{name},status,verdict,wear_depth_m,{depth},error\n");
     write("sweep.csv", &format!("{head}{rows}{name}\n"));
     for row in 1..=3 {
-        write(&format!("rows/{row:04}/history.csv"), "distance_m,wear_depth_m\n0,0\n1,1e-6\n");
+        let history = format!("distance_m,wear_depth_m,{depth}\n0,0,0\n1,1e-6,1e-6\n");
+        write(&format!("rows/{row:04}/history.csv"), &history);
     }
     folder
 }

@@ -24,7 +24,7 @@ fn a_contact_pressed_against_its_frame_is_doubtful() {
     let options = ["run", hertz.to_str().unwrap(), "--set", narrow, "-o", "narrow"];
     let ran = printed(&archard(&dir, &options).success());
     let ran = squeezed(&ran);
-    assert!(ran.contains("verdict doubtful (1 of 5 checks)"), "{ran}");
+    assert!(ran.contains("verdict doubtful (1 of 7 checks)"), "{ran}");
     assert!(ran.contains("edges doubtful: ") && ran.contains("(good up to 0 %)"), "{ran}");
     assert!(!ran.contains("load met to"), "{ran}");
     assert_eq!(word(&dir, "narrow", "edges"), "doubtful");
@@ -45,7 +45,7 @@ fn a_good_verdict_is_one_line() {
     };
     let brief = run(&[]);
     let verdict = brief.lines().position(|line| line.starts_with("verdict")).unwrap();
-    assert_eq!(squeezed(brief.lines().nth(verdict).unwrap()), "verdict good (5 checks)");
+    assert_eq!(squeezed(brief.lines().nth(verdict).unwrap()), "verdict good (7 checks)");
     assert_eq!(brief.lines().count(), verdict + 1, "{brief}");
     let whole = run(&["--verbose"]);
     for line in ["load met to", "elements across the contact", "0 % of the load at the edge"] {
