@@ -362,7 +362,8 @@ class _Folder(Mapping[str, bytes]):
             raise KeyError(name) from None
 
     def __iter__(self) -> Iterator[str]:
-        tops = ["*.json", "*.toml", "*.csv", "*.pvd", "*.vtu", "checkpoint", "fields/*.vt?"]
+        # The list of what was written comes first: it makes the rest replaceable.
+        tops = ["manifest.txt", "*.json", "*.toml", "*.csv", "*.pvd", "*.vtu", "checkpoint", "fields/*.vt?"]
         for top in tops:
             for path in sorted(self._folder.glob(top)):
                 yield path.relative_to(self._folder).as_posix()

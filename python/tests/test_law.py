@@ -209,10 +209,10 @@ def test_friction_that_is_none_is_refused(case):
 
 
 def test_coarse_numbers_are_told_and_cost_little():
-    """Lists are converted once; float32 is warned of, its slopes follow from differences that its rounding allows."""
+    """Lists are converted once; float32 is warned of, its slopes follow from differences its rounding allows."""
     case = archard.Case("pin_on_disc")
     del case["accuracy"]
-    case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [16, 16]}
+    case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24]}
     case["motion.sliding"] = {"load": "10.2 N", "distance": "20 mm", "step": "5 mm"}
     calls = {}
 
