@@ -1,15 +1,13 @@
 //! A wear law as a function in Python, which takes whole columns.
 
-use std::ffi::CString;
 use std::fmt;
 use std::panic::resume_unwind;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use archard::problem::ContactProblem;
 use archard::wear::{Columns, Input, Per, Rubbing, WearLaw};
 use numpy::{PyArray1, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
-use pyo3::exceptions::{PyTypeError, PyUserWarning, PyValueError};
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 
@@ -49,16 +47,12 @@ pub struct Law {
     inputs: Vec<Input>,
     per: Per,
     failed: Failed,
-    /// Whether it was said that its numbers are too coarse.
-    told: AtomicBool,
 }
 
 /// What a function makes of columns.
 struct Returned {
     depth: Vec<f64>,
     slope: Option<Vec<f64>>,
-    /// The rounding of the depths, relative.
-    rounding: f64,
 }
 
 impl Law {
@@ -94,16 +88,7 @@ impl Law {
             }
         }
         let per = if cycle { Per::Cycle } else { Per::Increment };
-        Ok(Self {
-            body,
-            function,
-            name,
-            columns,
-            inputs,
-            per,
-            failed: failed.clone(),
-            told: AtomicBool::new(false),
-        })
+        Ok(Self { body, function, name, columns, inputs, per, failed: failed.clone() })
     }
 
     /// Does something in Python; what is raised there ends the run.
@@ -143,32 +128,30 @@ impl Law {
         let values = |own: &Bound<'_, PyAny>, what| self.values(py, own, what, points.len());
         match returned.cast::<PyTuple>() {
             Ok(both) if both.len() == 2 => {
-                let (depth, rounding) = values(&both.get_item(0)?, "depth")?;
-                let (slope, _) = values(&both.get_item(1)?, "slope")?;
-                Ok(Returned { depth, slope: Some(slope), rounding })
+                let depth = values(&both.get_item(0)?, "depth")?;
+                let slope = Some(values(&both.get_item(1)?, "slope")?);
+                Ok(Returned { depth, slope })
             }
             Ok(other) => Err(PyValueError::new_err(format!(
                 "{self} returned {} values; return the depth (m), or the depth and its slope (m/Pa)",
                 other.len()
             ))),
-            Err(_) => {
-                let (depth, rounding) = values(&returned, "depth")?;
-                Ok(Returned { depth, slope: None, rounding })
-            }
+            Err(_) => Ok(Returned { depth: values(&returned, "depth")?, slope: None }),
         }
     }
 
-    /// The numbers of an array, one a point, and their rounding.
+    /// The numbers of an array, one a point.
     fn values(
         &self,
         py: Python<'_>,
         returned: &Bound<'_, PyAny>,
         what: &str,
         points: usize,
-    ) -> PyResult<(Vec<f64>, f64)> {
+    ) -> PyResult<Vec<f64>> {
         let numpy = py.import("numpy")?;
         // A list is gone through once.
         let plain = numpy.call_method1("asarray", (returned,))?;
+        self.refuse_coarse(&plain.getattr("dtype")?)?;
         let array = numpy.call_method1("asarray", (&plain, "float64"))?;
         let array = array.extract::<PyReadonlyArray1<'_, f64>>().ok();
         let Some(array) = array.filter(|array| array.len() == points) else {
@@ -177,24 +160,17 @@ impl Law {
                 "{self} returned a {what} of shape {shape}; one value a point has shape ({points},)"
             )));
         };
-        Ok((array.as_array().to_vec(), self.rounding(py, &plain.getattr("dtype")?)?))
+        Ok(array.as_array().to_vec())
     }
 
-    /// The rounding of numbers of a kind; those that are coarser than doubles are warned of once.
-    fn rounding(&self, py: Python<'_>, kind: &Bound<'_, PyAny>) -> PyResult<f64> {
-        let coarse = kind.getattr("kind")?.eq("f")? && kind.getattr("itemsize")?.lt(8)?;
-        if !coarse {
-            return Ok(f64::EPSILON);
+    /// Refuses numbers that round more coarsely than steps of wear have to agree.
+    fn refuse_coarse(&self, kind: &Bound<'_, PyAny>) -> PyResult<()> {
+        if kind.getattr("kind")?.eq("f")? && kind.getattr("itemsize")?.lt(size_of::<f64>())? {
+            return Err(PyTypeError::new_err(format!(
+                "{self} returned {kind}: steps of wear agree to 1e-9, finer than that rounds; compute and return float64"
+            )));
         }
-        if !self.told.swap(true, Ordering::Relaxed) {
-            let text = format!(
-                "{self} returns {kind}: steps of wear agree to 1e-9, finer than that rounds, and take many times as long; \
-                 return float64"
-            );
-            let text = CString::new(text).unwrap_or_default();
-            PyErr::warn(py, &py.get_type::<PyUserWarning>(), &text, 1)?;
-        }
-        py.import("numpy")?.call_method1("finfo", (kind,))?.getattr("eps")?.extract()
+        Ok(())
     }
 
     /// Depths, and slopes where they are asked for.
@@ -205,13 +181,13 @@ impl Law {
         depths: &mut [f64],
         slopes: Option<&mut [f64]>,
     ) -> PyResult<()> {
-        let Returned { depth, slope, rounding } = self.call(py, points)?;
+        let Returned { depth, slope } = self.call(py, points)?;
         depths.copy_from_slice(&depth);
         self.hold(points, "depth", depths, |_| 0.0)?;
         let Some(slopes) = slopes else { return Ok(()) };
         slopes.copy_from_slice(&match slope {
             Some(slope) => slope,
-            None => self.difference(py, points, rounding)?,
+            None => self.difference(py, points)?,
         });
         let least = |point: usize| match points.pressure[point] {
             pressure if pressure > 0.0 => ROUNDING * depths[point] / pressure,
@@ -224,8 +200,8 @@ impl Law {
 
     /// Slopes by a central difference, as of any law that does not tell its own: over the cube root of the rounding, where the
     /// errors by rounding and by the length are alike.
-    fn difference(&self, py: Python<'_>, points: &Columns, rounding: f64) -> PyResult<Vec<f64>> {
-        let change = |point: usize| rounding.cbrt() * points.pressure[point].max(1.0);
+    fn difference(&self, py: Python<'_>, points: &Columns) -> PyResult<Vec<f64>> {
+        let change = |point: usize| f64::EPSILON.cbrt() * points.pressure[point].max(1.0);
         let moved = |sign: f64| {
             let all = 0..points.len();
             let at = all.map(|point| {

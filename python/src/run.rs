@@ -111,7 +111,12 @@ impl Run {
             }
         };
         let (results, stage) = if resume {
-            let (results, kept) = claim.resume(&simulation).map_err(unwritten)?;
+            let (results, kept) = claim.resume(&simulation).map_err(|error| match error {
+                archard::output::Error::NotResumed { .. } => {
+                    PyValueError::new_err(error.to_string())
+                }
+                error => unwritten(error),
+            })?;
             (results, Stage::Kept(simulation, kept))
         } else {
             (claim.begin(&case_toml).map_err(unwritten)?, Stage::Built(simulation))

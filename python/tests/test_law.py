@@ -208,8 +208,8 @@ def test_friction_that_is_none_is_refused(case):
         case.run(friction=lambda p: 0.3 * p)
 
 
-def test_coarse_numbers_are_told_and_cost_little():
-    """Lists are converted once; float32 is warned of, its slopes follow from differences its rounding allows."""
+def test_lists_cost_little_and_coarse_numbers_are_refused():
+    """Lists are converted once; float32 rounds more coarsely than steps agree."""
     case = archard.Case("pin_on_disc")
     del case["accuracy"]
     case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24]}
@@ -227,5 +227,5 @@ def test_coarse_numbers_are_told_and_cost_little():
     close(case.run(laws={"pin": counted("array", np.asarray)}), native, 1e-7)
     close(case.run(laws={"pin": counted("list", np.ndarray.tolist)}), native, 1e-7)
     assert calls["list"] == calls["array"]
-    with pytest.warns(UserWarning, match="returns float32.*return float64"):
-        close(case.run(laws={"pin": counted("float32", np.float32)}), native, 1e-5)
+    with pytest.raises(TypeError, match="returned float32.*return float64"):
+        case.run(laws={"pin": counted("float32", np.float32)})

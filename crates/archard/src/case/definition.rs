@@ -125,7 +125,9 @@ pub enum BuildError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// More elements than the memory that is free holds.
-    #[error("the run would take about {needed} of memory, {free} are free: take fewer `frame.elements`")]
+    #[error(
+        "the run would take about {needed} of memory, {free} are free: take fewer `frame.elements`"
+    )]
     Memory {
         /// The memory it takes, in words.
         needed: String,
