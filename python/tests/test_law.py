@@ -227,5 +227,5 @@ def test_lists_cost_little_and_coarse_numbers_are_refused():
     close(case.run(laws={"pin": counted("array", np.asarray)}), native, 1e-7)
     close(case.run(laws={"pin": counted("list", np.ndarray.tolist)}), native, 1e-7)
     assert calls["list"] == calls["array"]
-    with pytest.raises(TypeError, match="returned float32.*return float64"):
+    with pytest.raises(TypeError, match=r"returned float32.*return float64"):
         case.run(laws={"pin": counted("float32", np.float32)})
