@@ -49,7 +49,7 @@ def row(programs, case):
     earlier, present = [min(turn[side][0] for turn in turns) for side in (0, 1)]
     summaries = [result[1] for result in turns[0]]
     counts = [
-        f"{summaries[0][key]} / {summaries[1][key]}"
+        " / ".join(str(summary.get(key, "-")) for summary in summaries)
         for key in ("solves", "iterations", "applications")
     ]
     return f"| {case.name} | {earlier:.2f} | {present / earlier:.2f} | " + " | ".join(counts) + " |"
