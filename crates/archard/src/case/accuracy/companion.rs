@@ -141,8 +141,8 @@ enum Judged {
     By(Box<Companion>, [f64; 2]),
     /// The contact left the frame at these sides.
     Outgrown(Sides),
-    /// On so few elements there is no solution to be found.
-    TooCoarse,
+    /// On so few elements no solution is found, and why.
+    TooCoarse(Unsettled),
 }
 
 impl Resolved {
@@ -172,10 +172,11 @@ impl Resolved {
                     self.settle_again()?;
                     continue;
                 }
-                Judged::TooCoarse => {
-                    self.refine([FINER[1], 1.0])?;
-                    continue;
-                }
+                Judged::TooCoarse(cause) => match self.refine([FINER[1], 1.0]) {
+                    Ok(true) => continue,
+                    // Finer elements than the memory holds tell no more of a solver that does not converge.
+                    Ok(false) | Err(_) => return Err(cause),
+                },
             };
             let worst = |part: Part| {
                 let at = |&place: &f64| (companion.worst(&companion.row(place), part), place);
@@ -274,10 +275,10 @@ impl Resolved {
                     reach = [0, 1].map(|axis| run.reach[axis].max(reach[axis]));
                     rows.push(run.rows);
                 }
-                Err(Unsettled::Run { cause, .. })
+                Err(Unsettled::Run { elements, cause })
                     if cause.is_of_convergence() && self.chose.elements =>
                 {
-                    return Ok(Judged::TooCoarse);
+                    return Ok(Judged::TooCoarse(Unsettled::Run { elements, cause }));
                 }
                 Err(error) => return Err(error),
             }
