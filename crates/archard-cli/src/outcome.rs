@@ -14,7 +14,7 @@ use archard::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
-use crate::number::{count, energy, four, length, mass, percent};
+use crate::number::{ROUNDING, count, energy, four, length, mass, percent};
 use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
@@ -153,8 +153,7 @@ impl Outcome<'_> {
             return;
         }
         // Where nothing is passed on, what is left of a force is rounding, and so is its error.
-        const NONE: f64 = 1e-9;
-        let nothing = NONE * self.last(history::LOAD);
+        let nothing = ROUNDING * self.last(history::LOAD);
         let force = FORCE.map(|column| self.last(column));
         let [x, y] = force.map(|force| if force.abs() > nothing { force } else { 0.0 });
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
@@ -196,7 +195,6 @@ impl Outcome<'_> {
     /// What is stated of a quantity with these components, relative to it; nothing where no accuracy is asked for or there is
     /// nothing but rounding.
     fn error(&self, columns: &[&str]) -> String {
-        const ROUNDING: f64 = 1e-9;
         let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
         let stated = |column: &&str| {
             let of = ERRORS.iter().filter_map(|of| self.follower.number(&format!("{of}{column}")));
@@ -214,10 +212,10 @@ impl Outcome<'_> {
 /// Two components by the direction of rolling; one that is nothing but rounding beside the other is
 /// left out.
 fn along_and_across([along, across]: [f64; 2], unit: &str) -> String {
-    const ROUNDING: f64 = 1e-6;
-    if across.abs() <= ROUNDING * along.abs() {
+    const NEGLIGIBLE: f64 = 1e-6;
+    if across.abs() <= NEGLIGIBLE * along.abs() {
         format!("{}{unit} along", four(along))
-    } else if along.abs() <= ROUNDING * across.abs() {
+    } else if along.abs() <= NEGLIGIBLE * across.abs() {
         format!("{}{unit} across", four(across))
     } else {
         format!("{}{unit} along, {}{unit} across", four(along), four(across))

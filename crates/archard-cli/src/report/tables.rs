@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::page::{Table, capital};
 use super::words::{plain, quantity};
-use crate::number::{count, percent};
+use crate::number::{ROUNDING, count, percent};
 use crate::plot::results::Results;
 use crate::plot::scale::phrase;
 use crate::plot::tables::size;
@@ -69,9 +69,6 @@ pub(super) fn results(results: &Results) -> Table {
 fn states_errors(results: &Results) -> bool {
     results.history.names().any(|name| ERRORS.iter().any(|of| name.starts_with(of)))
 }
-
-/// Share of the load below which a force (N) or moment (N m) is rounding, and of a number below which its error is.
-const ROUNDING: f64 = 1e-9;
 
 /// Units of forces and moments.
 const FORCES: [&str; 2] = ["N", "Nm"];

@@ -161,15 +161,18 @@ pub fn modulus(over: f64, body: &str) -> Line {
     Line::new("strain", over, Bound::AtMost([0.05, f64::INFINITY]), text)
 }
 
-/// How far the contact reaches from its middle, over the smallest radius of a body, and its name.
+/// Share of a body's radius that a contact may reach from its middle while a half-space stands for the body.
 ///
 /// At a third a circle lies 3 % lower than the paraboloid and the half-space that stand for it, and Hertz's pressure over the
 /// contact modulus, 2 a/(pi R), is 0.21: a large strain.
+pub const HALF_SPACE: f64 = 1.0 / 3.0;
+
+/// How far the contact reaches from its middle, over the smallest radius of a body, and its name.
 pub fn radius(share: f64, body: &str) -> Line {
     let text = format!(
         "of the smallest radius of `{body}` is how far the contact reaches: a half-space does not stand for it; give it a mesh"
     );
-    Line::new("half-space", share, Bound::AtMost([1.0 / 3.0, f64::INFINITY]), text)
+    Line::new("half-space", share, Bound::AtMost([HALF_SPACE, f64::INFINITY]), text)
 }
 
 /// Length of a line of contact over its width: a chosen bound.

@@ -9,7 +9,7 @@ mod line;
 mod words;
 
 pub use bounds::{
-    ELASTOMERS, accuracy, balance, beyond, complete, contact, creepage, edges, energy,
+    ELASTOMERS, HALF_SPACE, accuracy, balance, beyond, complete, contact, creepage, edges, energy,
     first_contact, friction, hardness, heat, length, load, modulus, radius, roughness, slenderness,
     stick_zone, temperature, time, touch, volume,
 };

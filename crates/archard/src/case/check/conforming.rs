@@ -2,13 +2,13 @@
 //! shape. What the zone holds is judged by the gaps of its mesh.
 
 use super::Parts;
-use super::judge::WIDE;
 use super::words::{both, three};
 use crate::body::Elasticity;
 use crate::case::problem::Problem;
 use crate::compliance::bem::contact::Meeting;
 use crate::estimate::{Contact, Estimate};
 use crate::frame::Pairs;
+use crate::verdict;
 
 /// The meshed body whose radius Hertz's contact is wide beside, and how wide relative to it.
 pub(super) fn conforms<'a>(parts: &'a Parts<'_>, contact: &Contact) -> Option<(&'a str, f64)> {
@@ -21,7 +21,7 @@ pub(super) fn conforms<'a>(parts: &'a Parts<'_>, contact: &Contact) -> Option<(&
         let share = |axis: usize| contact.semi_axes[axis] * curvatures[axis].abs();
         let share =
             [0, 1].map(share).into_iter().filter(|share| share.is_finite()).fold(0.0, f64::max);
-        (share > WIDE).then_some((body.name.as_str(), share))
+        (share > verdict::HALF_SPACE).then_some((body.name.as_str(), share))
     });
     wide.max_by(|one, other| one.1.total_cmp(&other.1))
 }

@@ -21,8 +21,6 @@ const PRESSURE: f64 = 1e8;
 const FEW_CELLS: f64 = 8.0;
 /// Contact solves beyond which a run is worth a warning.
 const MANY_SOLVES: u64 = 1_000_000;
-/// Share of the radius of curvature beyond which a body is no half-space under its contact.
-pub(super) const WIDE: f64 = 0.3;
 /// Size of a comfortable frame in contact radii: the elastic fields need some room around.
 const ROOM: f64 = 2.4;
 /// Smallest eigenvalue of the half-space compliance on square cells, in h/E* (measured; twice it
@@ -322,7 +320,7 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         }
         for (axis, name) in ["x", "y"].into_iter().enumerate() {
             let share = reach[axis] * curvatures[axis].abs();
-            if reach[axis].is_finite() && share > WIDE {
+            if reach[axis].is_finite() && share > verdict::HALF_SPACE {
                 let message = format!(
                     "the contact reaches {} along {name}, {} of this body's radius: a half-space hardly stands for it",
                     length(reach[axis]),
