@@ -60,8 +60,8 @@ fn zone(frame: &ContactFrame, worn: &[f64], axis: usize) -> [f64; 2] {
     [axis, 1 - axis].map(|axis| shape * gyration(axis))
 }
 
-/// Radius of gyration (m) of the worn zone along an axis: of chords, one a row of elements along it, which end where the flanks
-/// of what is worn do, between elements. Zero where nothing is worn.
+/// Radius of gyration (m) of the worn zone along an axis: of chords, one a row of elements along it, from its first flank to its
+/// last. What sticks in the middle of a scar belongs to it. Zero where nothing is worn.
 fn gyration_of_rows(frame: &ContactFrame, worn: &[f64], along: usize) -> f64 {
     let (elements, least) = (frame.elements(), EDGE * deepest(worn));
     let half = 0.5 * frame.spacing()[along];
@@ -74,7 +74,7 @@ fn gyration_of_rows(frame: &ContactFrame, worn: &[f64], along: usize) -> f64 {
         let pairs = (0..elements[along]).map(|one| pair(one, row));
         let section: Vec<[f64; 2]> =
             pairs.map(|pair| [frame.place(pair)[along], worn[pair]]).collect();
-        for [low, high] in chords(&section, (least, half)) {
+        if let Some([low, high]) = chord(&section, (least, half)) {
             length += high - low;
             first += (high * high - low * low) / 2.0;
             second += (high.powi(3) - low.powi(3)) / 3.0;
@@ -88,26 +88,21 @@ fn gyration_of_rows(frame: &ContactFrame, worn: &[f64], along: usize) -> f64 {
     (second / length - middle * middle).max(0.0).sqrt()
 }
 
-/// Where a section of places and depths (m) is worn deeper than that: the ends of each part, between elements where a flank says
-/// so, else half an element beyond the last.
-fn chords(section: &[[f64; 2]], (least, half): (f64, f64)) -> Vec<[f64; 2]> {
-    let deep = |index: usize| section[index][1] > least;
+/// Where a section of places and depths (m) is worn deeper than that: from its first place to its last, between elements where
+/// a flank says so, else half an element beyond. `None` where it is not.
+fn chord(section: &[[f64; 2]], (least, half): (f64, f64)) -> Option<[f64; 2]> {
+    let deep = |&index: &usize| section[index][1] > least;
+    let first = (0..section.len()).find(deep)?;
+    let last = (0..section.len()).rev().find(deep)?;
+    let inside = |index: usize| Some(index).filter(|index| *index < section.len()).filter(deep);
     let end = |outside: Option<usize>, own: usize, inner: [Option<usize>; 2]| {
-        let flank = inner.map(|index| index.filter(|index| deep(*index)));
-        let (Some(outside), [Some(one), Some(two)]) = (outside, flank) else { return None };
+        let (outside, [one, two]) = (outside?, [inner[0]?, inner[1]?]);
         Some(flank_end(section[outside][0], [own, one, two].map(|index| section[index])))
     };
-    let inside = |index: usize| (index < section.len()).then_some(index);
-    let (mut found, mut from) = (vec![], 0);
-    while let Some(first) = (from..section.len()).find(|index| deep(*index)) {
-        let last = (first..section.len()).take_while(|index| deep(*index)).last().unwrap_or(first);
-        let low = end(first.checked_sub(1), first, [1, 2].map(|n| inside(first + n)));
-        let high = end(inside(last + 1), last, [1, 2].map(|n| last.checked_sub(n)));
-        let [first, next] = [section[first][0] - half, section[last][0] + half];
-        found.push([low.unwrap_or(first), high.unwrap_or(next)]);
-        from = last + 1;
-    }
-    found
+    let low = end(first.checked_sub(1), first, [1, 2].map(|n| inside(first + n)));
+    let beyond = Some(last + 1).filter(|index| *index < section.len());
+    let high = end(beyond, last, [1, 2].map(|n| last.checked_sub(n).and_then(inside)));
+    Some([low.unwrap_or(section[first][0] - half), high.unwrap_or(section[last][0] + half)])
 }
 
 /// Radius of gyration (m) of the worn pairs along an axis, where they form no rows. Zero where nothing is worn.
@@ -124,8 +119,7 @@ fn gyration_of_pairs(frame: &ContactFrame, worn: &[f64], axis: usize) -> f64 {
     };
     let middle = if frame.mirrored()[axis] { 0.0 } else { mean(1, 0.0) };
     // What an element spreads over belongs to it.
-    let own = frame.elements()[axis].max(1) as f64;
-    let element = frame.size()[axis] / own / if frame.mirrored()[axis] { 2.0 } else { 1.0 };
+    let element = frame.spacing()[axis];
     (mean(2, middle) + element * element / 12.0).sqrt()
 }
 
@@ -186,9 +180,9 @@ fn deepest(worn: &[f64]) -> f64 {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{chords, edge, zone};
+    use super::{chord, edge, zone};
     use crate::body::profile::Flat;
-    use crate::frame::ContactFrame;
+    use crate::frame::{ContactFrame, Pairs};
 
     /// A groove between two places, whatever the lines it is seen on: straight flanks are found exactly, those of a
     /// parabola to a fiftieth of an element each.
@@ -230,23 +224,64 @@ mod tests {
         }
     }
 
-    /// A ring is worn within two edges on each side; what is worn up to the rim of the frame ends there.
+    /// Pairs of meshes lie in no rows: a scar that is round comes out as round.
     #[test]
-    fn every_part_of_a_section_has_its_ends() {
+    fn a_round_scar_of_scattered_pairs_is_round() {
+        let number = 60;
+        let side = 2.0 / f64::from(number);
+        let place = |index: i32| {
+            let [x, y] =
+                [index % number, index / number].map(|at| side * (f64::from(at) + 0.5) - 1.0);
+            [x, y, 0.0]
+        };
+        let places: Vec<_> = (0..number * number).map(place).collect();
+        let pairs = places.len();
+        let (areas, gap) = (vec![side * side; pairs], vec![0.0; pairs]);
+        let corners = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
+        let outline =
+            |[x, y, _]: &[f64; 3]| corners.map(|[u, v]| [x + side * u, y + side * v, 0.0]).to_vec();
+        let outlines = places.iter().map(outline).collect();
+        let frame = Pairs { places, areas, gap, outlines, ..Pairs::default() };
+        let frame = ContactFrame::described(frame).unwrap();
+        let depth = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            (0.5 - x * x - y * y).max(0.0)
+        };
+        let worn: Vec<f64> = (0..pairs).map(depth).collect();
+        for extent in zone(&frame, &worn, 0) {
+            assert_relative_eq!(extent, 2.0 * 0.5f64.sqrt(), max_relative = 0.01);
+        }
+    }
+
+    /// What sticks in the middle of a scar belongs to it; what is worn up to the rim of the frame ends there.
+    #[test]
+    fn a_section_ends_at_its_outermost_flanks() {
         let section = |depth: &dyn Fn(f64) -> f64| -> Vec<[f64; 2]> {
             let places = (0..40).map(|index| -1.0 + 0.05 * (f64::from(index) + 0.5));
             places.map(|place| [place, depth(place).max(0.0)]).collect()
         };
-        let ring = section(&|x| 0.23 - (x.abs() - 0.5).abs());
-        let found = chords(&ring, (1e-3, 0.025));
-        let expected = [[-0.73, -0.27], [0.27, 0.73]];
-        for (found, expected) in found.iter().flatten().zip(expected.iter().flatten()) {
-            assert_relative_eq!(found, expected, epsilon = 1e-12);
+        let ends = |depth: &dyn Fn(f64) -> f64| chord(&section(depth), (1e-3, 0.025));
+        let ring = ends(&|x| 0.23 - (x.abs() - 0.5).abs()).unwrap();
+        let whole = ends(&|_| 1.0).unwrap();
+        for (found, expected) in [(ring, [-0.73, 0.73]), (whole, [-1.0, 1.0])] {
+            assert_relative_eq!(found[0], expected[0], epsilon = 1e-12);
+            assert_relative_eq!(found[1], expected[1], epsilon = 1e-12);
         }
-        assert_eq!(found.len(), 2);
-        let [whole] = chords(&section(&|_| 1.0), (1e-3, 0.025))[..] else { panic!() };
-        assert_relative_eq!(whole[0], -1.0, epsilon = 1e-12);
-        assert_relative_eq!(whole[1], 1.0, epsilon = 1e-12);
-        assert_eq!(chords(&section(&|_| 0.0), (0.0, 0.025)), Vec::<[f64; 2]>::new());
+        assert_eq!(ends(&|_| 0.0), None);
+    }
+
+    /// Partial slip wears a ring, and the scar is as wide as it is.
+    #[test]
+    fn a_ring_is_as_wide_as_its_outer_edge() {
+        let frame = ContactFrame::uniform([2.0, 2.0], [60, 60], [&Flat, &Flat]).unwrap();
+        let depth = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            let r = x.hypot(y);
+            ((r - 0.4) * (0.7 - r)).max(0.0)
+        };
+        let worn: Vec<f64> = (0..frame.len()).map(depth).collect();
+        for extent in zone(&frame, &worn, 0) {
+            assert_relative_eq!(extent, 1.4, max_relative = 0.01);
+        }
     }
 }
