@@ -10,6 +10,7 @@ mod verification {
     mod cattaneo_mindlin;
     mod chosen_frames;
     mod compliance;
+    mod edges;
     mod elastic_bodies;
     mod flash_temperature;
     mod fretting_wear;

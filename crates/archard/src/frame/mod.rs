@@ -26,6 +26,7 @@ mod measure;
 mod pairs;
 mod part;
 mod rectangle;
+mod region;
 
 pub use crate::numerics::upwind::DegenerateCloud;
 pub use crate::numerics::vector::Values;

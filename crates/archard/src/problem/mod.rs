@@ -1,6 +1,7 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
 mod beyond;
+mod edge;
 mod gap;
 mod grip;
 mod heat;

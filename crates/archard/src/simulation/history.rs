@@ -114,8 +114,8 @@ pub const COLUMNS: &[Column] = &[
     column(CENTRE_PRESSURE, "Pa", "pressure at the centre of the frame", |r, _| {
         Some(r.problem.frame.at_centre(&r.state.pressure) - r.effort.centre_lag)
     }),
-    column(CONTACT_AREA, "m2", "area of the elements under pressure", |r, _| {
-        Some(r.problem.frame.area_where(|pair| r.state.pressure[pair] > 0.0))
+    column(CONTACT_AREA, "m2", "area in contact, up to the edge between elements", |r, _| {
+        Some(r.state.contact_area(r.problem))
     }),
     column(
         WORN_VOLUME,

@@ -1,0 +1,120 @@
+//! The edge of the contact, between the pairs of a uniform grid.
+//!
+//! The pressures that a grid computes next to a smooth edge depend on where the edge lies between two pairs, linearly: with
+//! pressures K s^(1/2) at a distance s from the edge, the last pair under pressure bears
+//! [`PRESSED`] K h^(1/2) (t + [`FIRST`]) and the gap of the first open one is [`OPEN`] K h^(3/2) (1 - [`FIRST`] - t) / E*, t the
+//! distance of the edge from the centre of the former over that h of the centres. Both together say what t is. The constants are
+//! of the lattice alone: `tests/verification/edges.rs` finds them on a long line of contact.
+//!
+//! An edge that wears grows into surfaces that are worn behind it and not before it. There pressures rise by another power:
+//! K s^n with cot(pi n) = E* w' / (2 p), where w' is the slope of the wear behind the edge and p the pressure there, so that the
+//! gap opens by the power 1 + n. It is continued from two open pairs.
+
+use std::borrow::Cow;
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use super::{ContactProblem, ContactState};
+use crate::body::contact_modulus;
+use crate::frame::{ContactFrame, extent};
+
+/// Pressure of the last pair under pressure, gap of the first open one, and how far behind the centre of a pair the edge lies
+/// where it bears nothing.
+pub const PRESSED: f64 = 0.9542;
+/// See [`PRESSED`].
+pub const OPEN: f64 = 1.646;
+/// See [`PRESSED`].
+pub const FIRST: f64 = 0.1747;
+/// Steepness of the wear, cot(pi n), up to which an edge counts as smooth: n is within 0.016 of a half.
+const SMOOTH: f64 = 0.05;
+/// The least cosine of the angle between an axis and the normal of the edge that crosses it: pairs next to each other on an edge
+/// along the axis are a crossing each.
+const LEAST_COSINE: f64 = 0.2;
+/// How far (in distances of pairs) an edge that wears may lie from where its pairs put it: it is continued.
+const CONTINUED: [f64; 2] = [-0.25, 1.05];
+/// Open pairs next to the contact whose gaps say where its edge lies.
+const OPEN_PAIRS: usize = 2;
+/// Pairs to each side over which the direction of the edge is averaged, by the weights of a Gaussian with a variance of two.
+const AROUND: i64 = 2;
+
+impl ContactState {
+    /// Area (m^2) in contact: on uniform frames up to the edge between pairs, otherwise that of all pairs under pressure.
+    pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
+        let frame = &problem.frame;
+        let modulus = contact_modulus(problem.bodies.each_ref().map(|body| body.material.as_ref()));
+        let touches = |pair: usize| self.pressure[pair] > 0.0;
+        if !frame.is_uniform() || !modulus.is_finite() {
+            return frame.area_where(touches);
+        }
+        let Some(contact) = extent(frame.elements(), touches) else { return 0.0 };
+        let around = [0, 1].map(|axis| {
+            let Range { start, end } = contact[axis];
+            start.saturating_sub(OPEN_PAIRS)..(end + OPEN_PAIRS).min(frame.elements()[axis])
+        });
+        let known = self.gap.part.is_none_or(|part| part.holds(&around));
+        let gap = if known { Cow::Borrowed(&self.gap.values[..]) } else { self.gap_of(problem) };
+        let edge = Edge { frame, state: self, gap: &gap, modulus };
+        frame.area_up_to(touches, |inside, outside| edge.between(inside, outside))
+    }
+}
+
+/// The edge of a contact.
+struct Edge<'a> {
+    frame: &'a ContactFrame,
+    state: &'a ContactState,
+    /// Gap (m), one value a pair.
+    gap: &'a [f64],
+    modulus: f64,
+}
+
+impl Edge<'_> {
+    /// Where the edge lies between a pair under pressure and an open neighbour: the distance from the former over that of both.
+    fn between(&self, inside: usize, outside: usize) -> f64 {
+        let axis = usize::from(inside.abs_diff(outside) != 1 || self.frame.elements()[0] == 1);
+        let spacing = self.frame.spacing()[axis];
+        let gap = |pair: usize| self.gap[pair].max(0.0);
+        let pressed = self.state.pressure[inside] / PRESSED;
+        let open = gap(outside) * self.modulus / (OPEN * spacing * self.turned(inside, axis));
+        let smooth = pressed / (pressed + open) - FIRST;
+        let worn = self.power(inside, outside, spacing).and_then(|power| {
+            let step = outside as i64 - inside as i64;
+            let beyond = usize::try_from(outside as i64 + step).ok()?;
+            let far = self.gap.get(beyond)?.max(0.0);
+            let [near, far] = [gap(outside), far].map(|gap| gap.powf(1.0 / (1.0 + power)));
+            (far > near).then(|| (1.0 - near / (far - near)).clamp(CONTINUED[0], CONTINUED[1]))
+        });
+        worn.unwrap_or(smooth)
+    }
+
+    /// Power of the distance by which pressures rise behind an edge that wears; `None` where it is that of smooth edges.
+    fn power(&self, inside: usize, outside: usize, spacing: f64) -> Option<f64> {
+        let behind = (2 * inside).checked_sub(outside).filter(|&pair| pair < self.frame.len())?;
+        let worn = |pair: usize| self.state.worn[0][pair] + self.state.worn[1][pair];
+        let slope = (worn(behind) - worn(inside)).max(0.0) / spacing;
+        let pressure = self.state.pressure[behind];
+        let steepness = 0.5 * self.modulus * slope / pressure;
+        (steepness > SMOOTH).then(|| f64::atan2(1.0, steepness) / PI)
+    }
+
+    /// Cosine of the angle between an axis and the normal of the edge at a pair.
+    fn turned(&self, pair: usize, axis: usize) -> f64 {
+        let elements = self.frame.elements();
+        let spacing = self.frame.spacing();
+        let middle = [pair % elements[0], pair / elements[0]].map(|index| index as i64);
+        let mut normal = [0.0; 2];
+        for y in -AROUND..=AROUND {
+            for x in -AROUND..=AROUND {
+                let at = [0, 1].map(|axis| {
+                    (middle[axis] + [x, y][axis]).clamp(0, elements[axis] as i64 - 1) as usize
+                });
+                if self.state.pressure[at[0] + elements[0] * at[1]] > 0.0 {
+                    let weight = (-0.25 * (x * x + y * y) as f64).exp();
+                    normal[0] += weight * x as f64 / spacing[0];
+                    normal[1] += weight * y as f64 / spacing[1];
+                }
+            }
+        }
+        let length = normal[0].hypot(normal[1]);
+        if length > 0.0 { (normal[axis] / length).abs().max(LEAST_COSINE) } else { 1.0 }
+    }
+}
