@@ -6,6 +6,9 @@
 
 use crate::numerics::vector::sweep;
 
+/// How far below its limit a traction is where pairs stick, relative to it.
+const STICKS: f64 = 1e-6;
+
 /// A symmetric positive definite matrix A on vectors in the tangent plane of a pair, along its t1 and t2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Map {
@@ -67,6 +70,11 @@ impl Map {
     pub fn length(self, traction: [f64; 2]) -> f64 {
         let [x, y] = self.inverse().apply(traction);
         x.hypot(y)
+    }
+
+    /// Whether a pair with a limit of friction (Pa) bears a traction (Pa) without slipping: it is less than the limit.
+    pub fn sticks(self, traction: [f64; 2], limit: f64) -> bool {
+        limit > 0.0 && self.length(traction) < (1.0 - STICKS) * limit
     }
 
     /// Friction against slip in a direction, relative to the limit; so also the largest admissible force along that

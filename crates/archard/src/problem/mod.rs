@@ -25,8 +25,6 @@ use crate::motion::{Motion, Rolling};
 use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
-/// How far below its limit a traction is where pairs stick, relative to it.
-const STICKS: f64 = 1e-6;
 /// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
 const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
 const PROBE: f64 = 1e-6;
@@ -289,7 +287,7 @@ impl Tangential {
         let Some(friction) = &problem.friction else { return false };
         let [t1, t2] = &self.traction;
         let limit = Limits::new(&**friction, &self.grip).at(pair, pressure[pair]);
-        limit > 0.0 && friction.map().length([t1[pair], t2[pair]]) < (1.0 - STICKS) * limit
+        friction.map().sticks([t1[pair], t2[pair]], limit)
     }
 
     /// Area (m^2) of the pairs in contact that stick.

@@ -208,7 +208,7 @@ impl Evolution {
         let entered = (entries.unwrap_or(pressure), allowed.as_ref().unwrap_or(&limit).as_slice());
         let ties = second_order::entries(flow, entered, &limit);
         let turning = turning.unwrap_or_default();
-        let admissible = Admissible { map: law.map(), ties: &ties, turning };
+        let admissible = |ties| Admissible { map: law.map(), ties, turning };
         let (elements, measure) = (frame.elements(), frame.measure());
         let step = tangential::Step { map, elements, measure, limit: &limit, rigid, prescribed };
         let before = self.state.tangential.take();
@@ -229,7 +229,19 @@ impl Evolution {
             limit: &before_limit,
             rigid_slip: &rigid_slip,
         });
-        let outcome = solve(simulation, increment, admissible, (&step, start), effort)?;
+        // Spin turns tractions behind the edge, and between unlike bodies ties would change pressures that change ties.
+        let plain = second_order::turns(rolling, flow) || simulation.problem.compliance.couples();
+        let outcome = if plain || ties.is_empty() {
+            solve(simulation, increment, admissible(&ties), (&step, start), effort)?
+        } else {
+            let (equal, from) = (admissible(&ties), (&step, start));
+            let nearly = friction::estimate(simulation, increment, equal, from, effort)?;
+            let traction = [&nearly.traction[0][..], &nearly.traction[1]];
+            let ties = second_order::continued(&ties, flow, law.map(), (&limit, traction));
+            let rigid_slip = &nearly.rigid_slip;
+            let start = Some(tangential::Start { traction, limit: &limit, rigid_slip });
+            solve(simulation, increment, admissible(&ties), (&step, start), effort)?
+        };
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
         let creepage = drives.map(|drive| match drive {
             Drive::Creepage(creepage) => creepage,

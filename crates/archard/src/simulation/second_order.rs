@@ -8,8 +8,11 @@
 //! - Friction points along the slip at a pair, the difference gives the slip half a passage ahead. Where spin turns the
 //!   slip on the way, pairs that slip go by the mean of the passage to them and that to the pair behind.
 
+use std::iter::successors;
+
 use super::evolution::Evolution;
 use crate::frame::Flow;
+use crate::friction::Map;
 use crate::motion::Rolling;
 use crate::numerics::vector;
 use crate::problem::ContactProblem;
@@ -18,6 +21,12 @@ use crate::solve::tangential::{Tie, Turning};
 /// Largest share of the limit behind at which both still grow with the root of the distance from an edge: 0.71 where the edge
 /// is at most an element away, and pressures at the edge are computed to a tenth.
 pub(crate) const GROWS: f64 = 0.8;
+
+/// Pairs behind the one at the edge that stick at least where the trend of the first two goes on to it: the third keeps the edge
+/// of slip, beside which tractions bend, away from them.
+const STICKING: usize = 3;
+/// The least and the most that the share of a pair becomes over that of equal shares of the limits.
+const CONTINUED: (f64, f64) = (0.5, 1.0);
 
 /// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that they
 /// allow grows from the edge on, by shares of what the pairs bear at most (Pa). Scattered pairs have none.
@@ -42,6 +51,31 @@ pub(super) fn entries(
         })
     };
     (0..limit.len()).filter_map(tie).collect()
+}
+
+/// The same where the share of its limit that a pair bears goes on to the edge as it does from pair to pair behind: it is smooth
+/// there. It follows from tractions (Pa) that were found, at least nearly, where it is the same at both. Rows in which no more
+/// than [`STICKING`] pairs stick have no trend to go on.
+pub(super) fn continued(
+    ties: &[Tie],
+    flow: Flow<'_>,
+    map: Map,
+    (limit, [t1, t2]): (&[f64], [&[f64]; 2]),
+) -> Vec<Tie> {
+    let (back, elements) = (flow.direction().back(), flow.frame().elements());
+    let sticks = |pair: usize| map.sticks([t1[pair], t2[pair]], limit[pair]);
+    let continued = |tie: &Tie| {
+        let row = successors(Some(tie.to), |pair| back.ahead(*pair, elements));
+        let sticking: Vec<usize> = row.take(STICKING).take_while(|pair| sticks(*pair)).collect();
+        let [near, far, _] = sticking[..] else { return *tie };
+        let along = |pair: usize| (t1[near] * t1[pair] + t2[near] * t2[pair]) / limit[pair];
+        if along(near) <= 0.0 {
+            return *tie;
+        }
+        let trend = 2.0 - along(far) / along(near);
+        Tie { share: tie.share * trend.clamp(CONTINUED.0, CONTINUED.1), ..*tie }
+    };
+    ties.iter().map(continued).collect()
 }
 
 /// Whether the slip turns on the way through the contact.
