@@ -10,7 +10,7 @@ use archard::measured::surface::Surface;
 use archard::output::{Store, write_whole};
 use archard::simulation::{Observer, Report};
 
-use crate::arguments::{Case, Fit as Arguments};
+use crate::arguments::Fit as Arguments;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::folder;
@@ -22,7 +22,6 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    let Case { case, set } = &arguments.case;
     if let Task::Elastic(_) = diagnose::resolve(&arguments.case, arguments.quiet)? {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
@@ -33,7 +32,8 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         names.into_iter().partition(|(name, _)| Surface::has_column(name));
     let table = table::read(&arguments.data, &of_table).map_err(Failure::wrong)?;
     let dir = arguments.output.clone().unwrap_or_else(|| {
-        let mut name = folder::default(case, set).into_os_string();
+        let mut name =
+            folder::default(&arguments.case.case, &arguments.case.settings()).into_os_string();
         name.push("_fit");
         name.into()
     });

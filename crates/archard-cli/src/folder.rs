@@ -17,9 +17,10 @@ pub fn claim(arguments: &Run, task: &Task) -> Result<Claim, Failure> {
     if let Some(dir) = &arguments.resume {
         return Ok(Claim::take(dir).map_err(wrong)?.adding(task.files()));
     }
-    let Case { case, set } = arguments.case();
-    let dir = arguments.output.clone().unwrap_or_else(|| default(&case, &set));
-    keep_the_case(&case, &dir)?;
+    let given = arguments.case();
+    let Case { case, .. } = &given;
+    let dir = arguments.output.clone().unwrap_or_else(|| default(case, &given.settings()));
+    keep_the_case(case, &dir)?;
     let claim = Claim::take(&dir).map_err(wrong)?.adding(task.files());
     let claim = if arguments.force { claim.adopting() } else { claim };
     if let Err(error) = claim.admit() {

@@ -7,7 +7,7 @@ use archard::files::{self, Contents};
 use serde_json::Value;
 
 use crate::arguments::Sweep;
-use crate::builtin;
+use crate::diagnose;
 use crate::failure::Failure;
 
 /// The arguments with the coefficients of `--from` the first samples.
@@ -31,8 +31,7 @@ pub fn with(arguments: &Sweep) -> Result<Sweep, Failure> {
 
 /// Refuses a prediction by coefficients that nobody has told: the case may have any number for a body that was not fitted.
 fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), Failure> {
-    let file = builtin::read(&arguments.case)?;
-    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    let file = diagnose::read(&arguments.case())?;
     // What is wrong with the case is shown where its rows are checked.
     let Ok(resolved) = file.resolve() else { return Ok(()) };
     let fitted = fit["coefficients"].as_array().into_iter().flatten();

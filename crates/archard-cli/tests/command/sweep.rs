@@ -514,8 +514,8 @@ fn rows_to_an_accuracy_find_their_grids() {
         "frame=",
         "--set",
         "motion.sliding.step=",
-        "--set",
-        "accuracy=0.05",
+        "--accuracy",
+        "5%",
         "--over",
         "motion.sliding.load=5 N, 50 N",
         "--over",
@@ -540,9 +540,7 @@ fn rows_to_an_accuracy_find_their_grids() {
     archard(&dir, &arguments).success();
     assert_eq!(before, written(dir.path()));
     // Another accuracy is another study.
-    let other: Vec<&str> = arguments
-        .iter()
-        .map(|&one| if one == "accuracy=0.05" { "accuracy=0.04" } else { one })
-        .collect();
+    let other: Vec<&str> =
+        arguments.iter().map(|&one| if one == "5%" { "4%" } else { one }).collect();
     archard(&dir, &other).code(2);
 }
