@@ -203,7 +203,9 @@ fn check_takes_an_accuracy() {
     assert_ne!(of(&["--accuracy", "2%"]), of(&[]));
     let flat = ["check", "hertz", "--accuracy", "1%", "--set", "body.ball.profile={ flat = {} }"];
     let refused = archard(&dir, &flat).code(2);
-    assert!(said(&refused).contains("--> --set:1:10"), "{}", said(&refused));
+    assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
+    let refused = archard(&dir, &["fit", "hertz", "--data", "none", "--accuracy", "1"]).code(2);
+    assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
 }
 
 #[test]
