@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use archard::case::Forecast;
-use archard::motion::{Rolling, Shift};
+use archard::motion::{Control, Rolling, Shift};
 use archard::output::Totals;
 use archard::simulation::history::{
     self, BODY_DEPTH, CREEPAGE, ERRORS, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA,
@@ -50,8 +50,15 @@ impl Outcome<'_> {
             ("approach", history::APPROACH, 1e6, "um"),
             ("contact area", history::CONTACT_AREA, 1e6, "mm^2"),
         ] {
-            let value = four(self.last(column) * factor);
-            lines.add(what, format!("{value} {unit}"), self.error(&[column]));
+            let value = format!("{} {unit}", four(self.last(column) * factor));
+            match simulation.schedule.control {
+                Control::Approach(_) if column == history::APPROACH => {
+                    lines.add(what, value, "prescribed".to_owned());
+                    let load = format!("{} N", four(self.last(history::LOAD)));
+                    lines.add("load", load, self.error(&[history::LOAD]));
+                }
+                _ => lines.add(what, value, self.error(&[column])),
+            }
         }
         if let Some(rolling) = simulation.problem.motion.rolling() {
             self.rolled(rolling, &mut lines);

@@ -1,6 +1,7 @@
 //! What a run came to, in tables: its numbers, its verdict, and closed forms beside both.
 
 use archard::closed_form::Hertz;
+use archard::motion::Control;
 use archard::simulation::history::{
     APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERRORS,
     FLASH_TEMPERATURE, FORCE, LOAD, MASS_LOSS, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, SHIFT,
@@ -90,6 +91,9 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
     if [progress, "turns", "time_s", CYCLE].contains(&name) {
         return "prescribed".to_owned();
     }
+    if name == APPROACH && is_pressed_by_approach(results) {
+        return "prescribed".to_owned();
+    }
     match stated(results, name) {
         // What symmetry makes nothing.
         Some(error) if value == 0.0 && FORCES.contains(&unit) && error <= rounding(results) => {
@@ -101,6 +105,12 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
         Some(error) => format!("± {}", quantity(error, unit)),
         None => reason(name).to_owned(),
     }
+}
+
+/// Whether the case gives the approach, and the load is what came of it.
+fn is_pressed_by_approach(results: &Results) -> bool {
+    let planned = results.case.as_ref().and_then(|case| case.motion.build().ok());
+    planned.is_some_and(|(_, schedule)| matches!(schedule.control, Control::Approach(_)))
 }
 
 /// The error that is stated of a column, or of the worn volume that it is a multiple of.

@@ -209,6 +209,26 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
 }
 
+/// The approach that a case gives is no result, and its load is one.
+#[test]
+fn under_a_given_approach_the_load_is_told() {
+    let dir = TempDir::new().unwrap();
+    let options = ["frame.elements=[16, 16]", "motion.indentation.increments=8", "accuracy=0.2"];
+    let mut arguments = vec!["run", "spence", "-o", "out", "--report"];
+    arguments.extend(options.iter().flat_map(|option| ["--set", option]));
+    let printed = squeezed(&printed(&archard(&dir, &arguments).success()));
+    for text in ["approach 2.500 um prescribed", " N +- "] {
+        assert!(printed.contains(text), "{text} is not in\n{printed}");
+    }
+    let page = fs::read_to_string(dir.path().join("out/report.html")).unwrap();
+    let row = |name: &str| {
+        let row = page.split("<tr>").find(|row| row.contains(name) && row.contains("</td>"));
+        row.unwrap_or_default().to_owned()
+    };
+    assert!(row(">Approach<").contains("prescribed"), "{}", row(">Approach<"));
+    assert!(row(">Load<").contains("±"), "{}", row(">Load<"));
+}
+
 #[test]
 fn twin_discs_on_hardly_any_elements_do_not_panic() {
     for elements in ["[3, 3]", "[2, 5]"] {
