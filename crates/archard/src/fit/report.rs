@@ -43,7 +43,7 @@ impl Coefficient {
 
     fn json(&self, quantities: &[(String, f64, &'static str)]) -> Value {
         let own = &self.estimate;
-        let exponent = |found: &Exponent| json!({ "exponent": found.value, "interval_95": found.interval, "p": found.p, "rejected": found.rejects() });
+        let exponent = |found: &Exponent| json!({ "exponent": found.value, "interval_95": found.interval, "p": found.p, "rejected": found.rejects(), "words": found.in_words() });
         let readings = own.readings.as_ref().map(|all| {
             let named =
                 quantities.iter().zip(all).map(|((name, _, _), own)| (name.clone(), json!(own)));
@@ -256,16 +256,11 @@ fn explain(
             two(*correlation)
         )?;
     }
-    let judged = |found: &Exponent| {
-        let word = if found.rejects() { "rejected" } else { "accepted" };
-        let [low, high] = found.interval.map(two);
-        format!("{} ({low} .. {high}), p = {}: {word}", two(found.value), probability(found.p))
-    };
     match distance {
         Some(found) => writeln!(
             text,
             "  law's shape     exponent of the distance, 1 by the law: {}",
-            judged(found)
+            found.in_words()
         )?,
         None => writeln!(
             text,
@@ -276,7 +271,7 @@ fn explain(
         writeln!(
             text,
             "  constant k      exponent of the load that k goes by, 0 by the law: {}",
-            judged(found)
+            found.in_words()
         )?;
     }
     let mut parts: Vec<_> = budget.iter().collect();
@@ -299,8 +294,4 @@ fn percent(share: f64) -> String {
 
 fn two(number: f64) -> String {
     if number.abs() < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
-}
-
-fn probability(p: f64) -> String {
-    if p < 1e-3 { format!("{p:.0e}") } else { format!("{p:.2}") }
 }
