@@ -103,7 +103,8 @@ impl Fit {
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
             "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
-            "remarks": self.remarks,
+            "remarks": self.remarks.iter().chain(&self.doubts).collect::<Vec<_>>(),
+            "doubtful": self.doubts,
             "unsettled": self.not_settled(),
         })
     }
@@ -152,7 +153,7 @@ impl fmt::Display for Fit {
         for surface in &self.surfaces {
             writeln!(f, "surface           {surface}")?;
         }
-        for remark in self.not_settled().iter().chain(&self.remarks) {
+        for remark in self.not_settled().iter().chain(&self.remarks).chain(&self.doubts) {
             writeln!(f, "note              {remark}")?;
         }
         Ok(())
