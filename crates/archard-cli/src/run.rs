@@ -34,16 +34,26 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
-    let mut follower = Follower::new(arguments.quiet);
-    let (task, companion) = companions::settle(task, (&watch, &mut follower), arguments)?;
-    let case_toml = task.case_toml();
+    // The folder next: runs on fewer elements may take long, and are for nothing where it is refused.
     let claim = folder::claim(arguments, &task)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
-    let outcome = match &task {
+    let outcome = in_folder(&dir, task, &watch, arguments);
+    // A folder that is still held has nothing of this run in it.
+    if let Some(claim) = watch.release() {
+        claim.give_up();
+    }
+    outcome
+}
+
+/// Runs a case in the folder that is held.
+fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(), Failure> {
+    let mut follower = Follower::new(arguments.quiet);
+    let (task, companion) = companions::settle(task, (watch, &mut follower), arguments)?;
+    match &task {
         Task::Contact(resolved) => {
-            let companion = (companion, follower);
-            let contact = || contact(resolved, companion, &case_toml, &watch, (arguments, &dir));
+            let (companion, case_toml) = ((companion, follower), task.case_toml());
+            let contact = || contact(resolved, companion, &case_toml, watch, (arguments, dir));
             match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
                 false => contact(),
@@ -53,14 +63,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
             Err(Failure::wrong("a body by itself is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => {
-            elastic::run(resolved, &watch, [arguments.quiet, arguments.verbose])
+            elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
-    };
-    // A folder that is still held has nothing of this run in it.
-    if let Some(claim) = watch.release() {
-        claim.give_up();
     }
-    outcome
 }
 
 /// Runs a case of two bodies in contact in the folder that is held.
