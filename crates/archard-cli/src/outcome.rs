@@ -167,7 +167,9 @@ impl Outcome<'_> {
         let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
         let error = if [x, y] == [0.0; 2] { String::new() } else { self.error(&FORCE) };
         lines.add(format!("creep force ({})", problem.bodies[0].name), force, error);
-        let intensity = self.last(FRICTIONAL_POWER) / self.last(history::CONTACT_AREA);
+        let power = self.last(FRICTIONAL_POWER);
+        let power = if power.abs() > nothing { power } else { 0.0 };
+        let intensity = power / self.last(history::CONTACT_AREA);
         let intensity = format!("{} N/mm^2, over the contact", four(intensity * 1e-6));
         lines.add("T gamma / A", intensity, String::new());
         self.stuck(lines);

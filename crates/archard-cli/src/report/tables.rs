@@ -45,9 +45,7 @@ pub(super) fn results(results: &Results) -> Table {
             (label, unit) if name == WEAR_DEPTH => (format!("{label} of both"), unit),
             named => named,
         };
-        // Components that are nothing but rounding beside the load.
-        let nothing = FORCES.contains(&unit) && value.abs() < rounding(results);
-        let value = if nothing { 0.0 } else { value };
+        let value = but_rounding(results, name, (value, unit));
         let whole = unit.is_empty() && value == value.round();
         let shown = if whole { count(value) } else { quantity(value, unit) };
         rows.push(vec![label, shown, error(results, name, value, unit)]);
@@ -74,10 +72,19 @@ fn states_errors(results: &Results) -> bool {
 /// Units of forces and moments.
 const FORCES: [&str; 2] = ["N", "Nm"];
 
-/// The force (N) or moment (N m) that is nothing but rounding under the load.
-fn rounding(results: &Results) -> f64 {
-    let load = results.history.column(LOAD).ok().and_then(|loads| loads.last().copied());
-    ROUNDING * load.unwrap_or_default()
+/// What is nothing but rounding in a column: a force (N) or moment (N m) under the load, a component beside the other.
+fn rounding(results: &Results, name: &str, unit: &str) -> f64 {
+    let column = |name: &str| results.history.column(name).unwrap_or_default();
+    if FORCES.contains(&unit) {
+        return ROUNDING * column(LOAD).last().copied().unwrap_or_default();
+    }
+    let pair = [SHIFT, CREEPAGE].into_iter().find(|pair| pair.contains(&name));
+    ROUNDING * pair.into_iter().flatten().map(|name| size(column(name))).fold(0.0, f64::max)
+}
+
+/// A value of a column, zero where it is nothing but rounding.
+fn but_rounding(results: &Results, name: &str, (value, unit): (f64, &str)) -> f64 {
+    if value.abs() < rounding(results, name, unit) { 0.0 } else { value }
 }
 
 /// What a case may prescribe, besides how far the motion goes.
@@ -96,9 +103,7 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
     }
     match stated(results, name) {
         // What symmetry makes nothing.
-        Some(error) if value == 0.0 && FORCES.contains(&unit) && error <= rounding(results) => {
-            "exact".to_owned()
-        }
+        Some(error) if value == 0.0 && error <= rounding(results, name, unit) => "exact".to_owned(),
         Some(error) if error <= ROUNDING * value.abs() && prescribed => "prescribed".to_owned(),
         Some(error) if error <= ROUNDING * value.abs() => "exact".to_owned(),
         Some(error) if value != 0.0 => format!("± {}", percent(error / value.abs())),
@@ -180,8 +185,11 @@ pub(super) fn first(results: &Results) -> Vec<[String; 3]> {
     names.extend([PEAK_PRESSURE, FLASH_TEMPERATURE].map(str::to_owned));
     let errors = states_errors(results);
     let shown = |name: String| {
-        let value = last(&name)?;
         let (label, unit) = label(&results.bodies, &name);
+        let value = but_rounding(results, &name, (last(&name)?, unit));
+        if value == 0.0 {
+            return None;
+        }
         let error = if errors { error(results, &name, value, unit) } else { String::new() };
         let error = if error.starts_with("not") { String::new() } else { error };
         Some([label, quantity(value, unit), error])

@@ -185,6 +185,11 @@ fn rolling_says_what_to_expect_and_what_came_out() {
     let force = force.split_whitespace().next().unwrap();
     assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
     assert!(printed.contains("N along"), "{printed}");
+    // Where no force is passed on, no work of it is either.
+    let free = ["--set", "frame.elements=40", "--set", "accuracy=0.2"];
+    let free = [&["run", "free_rolling_unlike", "-o", "free"], &free[..]].concat();
+    let printed = squeezed(&super::printed(&archard(&dir, &free).success()));
+    assert!(printed.contains("T gamma / A 0 N/mm^2"), "{printed}");
 }
 
 #[test]
@@ -207,6 +212,10 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     assert_eq!(loops.lines().count(), 1 + 2 * (1 + 8), "{loops}");
     archard(&dir, &["plot", "out"]).success();
     assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
+    archard(&dir, &["report", "out"]).success();
+    let page = fs::read_to_string(dir.path().join("out/report.html")).unwrap();
+    let across = page.split("<tr>").find(|row| row.contains(">Shift y<")).unwrap();
+    assert!(across.contains("<td>0 mm</td>"), "{}", &across[..across.len().min(300)]);
 }
 
 /// The approach that a case gives is no result, and its load is one.
