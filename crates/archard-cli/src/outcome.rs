@@ -14,7 +14,7 @@ use archard::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
-use crate::number::{ROUNDING, count, energy, four, length, mass, percent};
+use crate::number::{ROUNDING, count, energy, four, length, mass, of_a_line, percent};
 use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
@@ -59,6 +59,10 @@ impl Outcome<'_> {
                 }
                 _ => lines.add(what, value, self.error(&[column])),
             }
+        }
+        let frame = &simulation.problem.frame;
+        if frame.is_line() {
+            lines.add("line of contact", of_a_line(frame.size()[1]), String::new());
         }
         if let Some(rolling) = simulation.problem.motion.rolling() {
             self.rolled(rolling, &mut lines);

@@ -190,6 +190,10 @@ fn rolling_says_what_to_expect_and_what_came_out() {
     let free = [&["run", "free_rolling_unlike", "-o", "free"], &free[..]].concat();
     let printed = squeezed(&super::printed(&archard(&dir, &free).success()));
     assert!(printed.contains("T gamma / A 0 N/mm^2"), "{printed}");
+    assert!(printed.contains("areas and volumes are those of 20.00 mm"), "{printed}");
+    archard(&dir, &["report", "free"]).success();
+    let page = fs::read_to_string(dir.path().join("free/report.html")).unwrap();
+    assert!(page.contains("areas and volumes are those of 20.00 mm"));
 }
 
 #[test]
