@@ -59,7 +59,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let found = fit::fit(&file, &table, request);
     follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
     let found = found.map_err(|error| failed(&error))?;
-    write(&dir, &found).map_err(Failure::wrong)?;
+    write(&dir, &found)?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
         say(&format!("runs              {}", found.runs))?;
@@ -122,14 +122,14 @@ fn relative(option: &str) -> Result<(String, f64), String> {
     Ok((key.trim().to_owned(), percent / 100.0))
 }
 
-fn write(dir: &Path, found: &Fit) -> Result<(), String> {
+fn write(dir: &Path, found: &Fit) -> Result<(), Failure> {
     let text = |name: &str, text: String| {
         let path = dir.join(name);
-        write_whole(&path, text.as_bytes()).map_err(|error| error.to_string())
+        write_whole(&path, text.as_bytes()).map_err(|error| Failure::wrong(error.to_string()))
     };
     text("fit.csv", found.csv())?;
     text("fit.json", format!("{:#}\n", found.json()))?;
-    plot::draw_fit(dir, found).map(|_| ()).map_err(|error| format!("{error:#}"))
+    plot::draw_fit(dir, found).map(|_| ()).map_err(|error| Failure::because(&error))
 }
 
 fn failed(error: &Error) -> Failure {

@@ -123,7 +123,7 @@ fn contact(
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
         false => None,
     };
-    let page = page.transpose().map_err(|error| Failure::wrong(format!("{error:#}")))?;
+    let page = page.transpose().map_err(|error| Failure::because(&error))?;
     if !arguments.quiet {
         let outcome = Outcome {
             simulation: &simulation,

@@ -389,7 +389,7 @@ fn wrong_studies_are_refused() {
         (vec!["--over", "motion.sliding.laod=5 N,6 N"], "did you mean `load`"),
         (vec!["--over", "motion.sliding.load=5,6"], "needs a unit"),
         (vec!["--over", "motion.sliding.load=5 N,6 mm"], "row 2 of the study cannot be run"),
-        (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "an empty range"),
+        (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "two values at least"),
         (vec!["--over", "motion.sliding.load=5 N,-6 N"], "greater than zero"),
         (vec!["--over", "motion.sliding.load=5 N:20 N:1000000000"], "100000 at most can be run"),
         (
