@@ -43,6 +43,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         .map(|option| relative(option))
         .collect::<Result<_, _>>()
         .map_err(Failure::wrong)?;
+    let made = !dir.exists();
     fs::create_dir_all(&dir)
         .map_err(|error| Failure::wrong(format!("cannot make `{}`: {error}", dir.display())))?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
@@ -58,7 +59,13 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     };
     let found = fit::fit(&file, &table, request);
     follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
-    let found = found.map_err(|error| failed(&error))?;
+    let found = found.map_err(|error| {
+        if made {
+            // Where runs were made for it, it is not empty and stays.
+            let _ = fs::remove_dir(&dir);
+        }
+        failed(&error)
+    })?;
     write(&dir, &found)?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;

@@ -87,6 +87,11 @@ impl Results {
             dir.display()
         );
         ensure!(
+            history.exists() || !dir.join("fit.json").is_file(),
+            "`{0}` holds a fit: its picture is `{0}/fit.png`, and `archard report {0}` makes a page of it",
+            dir.display()
+        );
+        ensure!(
             history.exists(),
             "`{}` is not a result folder: it has no history.csv",
             dir.display()

@@ -47,6 +47,8 @@ fn a_table_becomes_a_coefficient_and_a_prediction() {
     for name in ["fit.json", "fit.csv", "fit.svg", "fit.png", "run/history.csv"] {
         assert!(dir.path().join("fit").join(name).is_file(), "{name}");
     }
+    let pictured = said(&archard(&dir, &["plot", "fit"]).code(2));
+    assert!(pictured.contains("its picture is `fit/fit.png`"), "{pictured}");
     let predict = ["sweep", case, "--from", "fit/fit.json", "--samples", "6", "-o", "study"];
     let larger = ["--set", "frame.size=[\"2 mm\", \"2 mm\"]", "--set", "frame.elements=[50, 50]"];
     archard(&dir, &[&predict[..], &larger].concat()).success();
@@ -72,6 +74,10 @@ fn tests_that_are_not_of_the_law_give_no_coefficient() {
     let wrong = [&arguments[..], &["--column", "depth=Tiefe"]].concat();
     let wrong = said(&archard(&dir, &wrong).code(2));
     assert!(wrong.contains("there are `Versuch`, `Weg [mm]`, `Volumen [mm^3]`"), "{wrong}");
+    // What cannot be fitted leaves no folder.
+    let wrong = ["fit", case, "--data", "tests.csv", "-o", "none"];
+    archard(&dir, &wrong).code(2);
+    assert!(!dir.path().join("none").exists());
 }
 
 /// Coefficients of two bodies that go together are drawn together.
