@@ -22,7 +22,7 @@ use crate::outcome::Outcome;
 use crate::progress::Follower;
 use crate::report;
 use crate::say::tell;
-use crate::underway::Underway;
+use crate::underway::{self, Underway};
 use crate::verdict;
 
 /// Threads a processor may be given at most.
@@ -94,15 +94,17 @@ fn contact(
     let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
     let mut kept = None;
     let begin = |claim: output::Claim| {
-        let folder = match arguments.resume {
-            None => claim.begin(case_toml)?,
+        let (folder, command) = match arguments.resume {
+            None => (claim.begin(case_toml)?, underway::command()),
             Some(_) => {
+                // Going on removes the summary.
+                let commands = underway::commands(dir);
                 let (folder, run) = claim.resume(&simulation)?;
                 kept = Some(run);
-                folder
+                (folder, commands)
             }
         };
-        Ok(Underway { folder, begun, warnings, bar: follower.bar() })
+        Ok(Underway { folder, begun, command, warnings, bar: follower.bar() })
     };
     watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
     let mut inside =
