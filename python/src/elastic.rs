@@ -34,7 +34,7 @@ pub fn solve_elastic(
         let task = Task::Elastic(resolved.clone());
         let claim = Claim::take(&folder).map_err(Unsolved::Output)?.adding(task.files());
         let mut claim = if force { claim.adopting() } else { claim };
-        if !force && claim.holds_another(&case_toml) {
+        if !force && claim.holds_another(|known| known == case_toml) {
             return Err(Unsolved::Taken(folder));
         }
         let begun = Instant::now();

@@ -96,7 +96,7 @@ impl Run {
         let files = inside.files(case.bodies.each_ref().map(|body| body.name.as_str()));
         let claim = Claim::take(&folder).map_err(unwritten)?.adding(files);
         let claim = if force { claim.adopting() } else { claim };
-        if !resume && !force && claim.holds_another(&case_toml) {
+        if !resume && !force && claim.holds_another(|known| known == case_toml) {
             return Err(taken(&folder));
         }
         let kept = cache.clone().map(Store::new).or_else(Store::of_user);

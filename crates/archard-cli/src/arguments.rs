@@ -78,14 +78,21 @@ pub struct Case {
     /// out, a table replaces the table that is there, and KEY= removes the key
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// The relative error that is asked for, 0.01 or 1%: what the case does not say of frame, elements and tolerance
+    /// follows from it
+    #[arg(long, value_name = "ERROR")]
+    pub accuracy: Option<String>,
 }
 
 impl Case {
-    /// The same to an accuracy, if one is given.
-    fn to(&self, accuracy: Option<&str>) -> Self {
-        let accuracy = accuracy.map(|error| format!("accuracy={}", share(error)));
-        let set = self.set.iter().cloned().chain(accuracy).collect();
-        Self { case: self.case.clone(), set }
+    /// The accuracy that is asked for, as a setting of its key.
+    pub fn accuracy(&self) -> Option<String> {
+        self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)))
+    }
+
+    /// All settings, the last of which may be the accuracy.
+    pub fn settings(&self) -> Vec<String> {
+        self.set.iter().cloned().chain(self.accuracy()).collect()
     }
 }
 
@@ -111,20 +118,10 @@ Examples:
 #[derive(Debug, Args)]
 pub struct Check {
     #[command(flatten)]
-    case: Case,
-    /// The relative error that is asked for, 0.01 or 1%: takes the place of frame, elements and tolerance
-    #[arg(long, value_name = "ERROR")]
-    accuracy: Option<String>,
+    pub case: Case,
     /// Print JSON: problems with their places, the case in SI, what to expect
     #[arg(long)]
     pub json: bool,
-}
-
-impl Check {
-    /// The case, to the accuracy that is asked for.
-    pub fn case(&self) -> Case {
-        self.case.to(self.accuracy.as_deref())
-    }
 }
 
 /// The arguments of `run`.
@@ -137,7 +134,8 @@ pub struct Run {
     /// out, a table replaces the table that is there, and KEY= removes the key
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
-    /// The relative error that is asked for, 0.01 or 1%: takes the place of frame, elements and tolerance
+    /// The relative error that is asked for, 0.01 or 1%: what the case does not say of frame, elements and tolerance
+    /// follows from it
     #[arg(long, value_name = "ERROR", conflicts_with = "resume")]
     pub accuracy: Option<String>,
     /// Go on with the run in this folder where it was interrupted, to the same results as without
@@ -172,8 +170,8 @@ impl Run {
     /// The case, of a run that goes on the one in its folder.
     pub fn case(&self) -> Case {
         let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        let case = Case { case: case.unwrap_or_default(), set: self.set.clone() };
-        case.to(self.accuracy.as_deref())
+        let (set, accuracy) = (self.set.clone(), self.accuracy.clone());
+        Case { case: case.unwrap_or_default(), set, accuracy }
     }
 
     /// The folder of compliances, if there is any place for one.
@@ -315,6 +313,10 @@ pub struct Sweep {
     /// Put a value at a key of the case in all rows
     #[arg(long, value_name = "KEY=VALUE")]
     pub set: Vec<String>,
+    /// The relative error that is asked for in all rows, 0.01 or 1%: what the case does not say of frame,
+    /// elements and tolerance follows from it
+    #[arg(long, value_name = "ERROR")]
+    pub accuracy: Option<String>,
     /// Go over values of a key: "5 N,10 N,20 N", lists or tables likewise, or a range "5 N:20 N:4" of four; each with each
     /// value of other keys
     #[arg(long, value_name = "KEY=VALUES")]
@@ -364,6 +366,14 @@ pub struct Sweep {
     /// Print errors only
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+impl Sweep {
+    /// The case of all rows.
+    pub fn case(&self) -> Case {
+        let Self { case, set, accuracy, .. } = self.clone();
+        Case { case, set, accuracy }
+    }
 }
 
 const FIT_EXAMPLES: &str = "\

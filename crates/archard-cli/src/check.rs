@@ -8,11 +8,11 @@ use crate::say::say;
 /// Checks a case.
 pub fn check(arguments: &Check) -> Result<(), Failure> {
     if arguments.json {
-        let checked = diagnose::read(&arguments.case())?.checked_json();
+        let checked = diagnose::read(&arguments.case)?.checked_json();
         say(&format!("{checked:#}"))?;
         return if checked["valid"] == true { Ok(()) } else { Err(Failure::Shown) };
     }
-    let task = diagnose::resolve(&arguments.case(), false)?;
+    let task = diagnose::resolve(&arguments.case, false)?;
     say(&format!("# The case in SI\n\n{}", task.case_toml()))?;
     say(&task.expectations())?;
     match task.warnings().len() {

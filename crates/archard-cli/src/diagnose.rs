@@ -14,7 +14,11 @@ use crate::say::{in_colour, tell};
 /// The case of the arguments, with its options.
 pub fn read(arguments: &Case) -> Result<CaseFile, Failure> {
     let file = builtin::read(&arguments.case)?;
-    Ok(arguments.set.iter().fold(file, |file, option| file.set(option)))
+    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    Ok(arguments
+        .accuracy()
+        .into_iter()
+        .fold(file, |file, option| file.set_by("--accuracy", option)))
 }
 
 /// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.

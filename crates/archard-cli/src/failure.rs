@@ -24,6 +24,19 @@ impl Failure {
         Self::Wrong(message.into())
     }
 
+    /// Something wrong with its causes, as far as the words before have not told them.
+    pub fn because(error: &anyhow::Error) -> Self {
+        let mut message = String::new();
+        for cause in error.chain().map(ToString::to_string) {
+            match (message.is_empty(), message.contains(&cause)) {
+                (true, _) => message = cause,
+                (false, true) => {}
+                (false, false) => message += &format!(": {cause}"),
+            }
+        }
+        Self::Wrong(message)
+    }
+
     /// Why, in one line.
     pub fn cause(&self) -> String {
         match self {
@@ -68,5 +81,27 @@ impl Failure {
             | Failure::Interrupted(message) => tell(&format!("error: {message}")),
             Failure::Shown => {}
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io;
+
+    use super::Failure;
+
+    /// An error that tells its cause.
+    #[derive(Debug, thiserror::Error)]
+    #[error("cannot read `file`: {0}")]
+    struct Told(#[source] io::Error);
+
+    #[test]
+    fn a_cause_is_told_once() {
+        let told = Told(io::Error::other("it is a pipe"));
+        let outer = anyhow::Error::new(told).context("no picture");
+        assert_eq!(
+            Failure::because(&outer).cause(),
+            "no picture: cannot read `file`: it is a pipe"
+        );
     }
 }

@@ -10,7 +10,7 @@ use archard::measured::surface::Surface;
 use archard::output::{Store, write_whole};
 use archard::simulation::{Observer, Report};
 
-use crate::arguments::{Case, Fit as Arguments};
+use crate::arguments::Fit as Arguments;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::folder;
@@ -22,7 +22,6 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    let Case { case, set } = &arguments.case;
     if let Task::Elastic(_) = diagnose::resolve(&arguments.case, arguments.quiet)? {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
@@ -33,7 +32,8 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         names.into_iter().partition(|(name, _)| Surface::has_column(name));
     let table = table::read(&arguments.data, &of_table).map_err(Failure::wrong)?;
     let dir = arguments.output.clone().unwrap_or_else(|| {
-        let mut name = folder::default(case, set).into_os_string();
+        let mut name =
+            folder::default(&arguments.case.case, &arguments.case.settings()).into_os_string();
         name.push("_fit");
         name.into()
     });
@@ -43,6 +43,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         .map(|option| relative(option))
         .collect::<Result<_, _>>()
         .map_err(Failure::wrong)?;
+    let made = !dir.exists();
     fs::create_dir_all(&dir)
         .map_err(|error| Failure::wrong(format!("cannot make `{}`: {error}", dir.display())))?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
@@ -58,8 +59,14 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     };
     let found = fit::fit(&file, &table, request);
     follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
-    let found = found.map_err(|error| failed(&error))?;
-    write(&dir, &found).map_err(Failure::wrong)?;
+    let found = found.map_err(|error| {
+        if made {
+            // Where runs were made for it, it is not empty and stays.
+            let _ = fs::remove_dir(&dir);
+        }
+        failed(&error)
+    })?;
+    write(&dir, &found)?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
         say(&format!("runs              {}", found.runs))?;
@@ -122,14 +129,14 @@ fn relative(option: &str) -> Result<(String, f64), String> {
     Ok((key.trim().to_owned(), percent / 100.0))
 }
 
-fn write(dir: &Path, found: &Fit) -> Result<(), String> {
+fn write(dir: &Path, found: &Fit) -> Result<(), Failure> {
     let text = |name: &str, text: String| {
         let path = dir.join(name);
-        write_whole(&path, text.as_bytes()).map_err(|error| error.to_string())
+        write_whole(&path, text.as_bytes()).map_err(|error| Failure::wrong(error.to_string()))
     };
     text("fit.csv", found.csv())?;
     text("fit.json", format!("{:#}\n", found.json()))?;
-    plot::draw_fit(dir, found).map(|_| ()).map_err(|error| format!("{error:#}"))
+    plot::draw_fit(dir, found).map(|_| ()).map_err(|error| Failure::because(&error))
 }
 
 fn failed(error: &Error) -> Failure {

@@ -11,22 +11,35 @@ use crate::failure::Failure;
 /// Most letters that settings take in the name of a folder.
 const LONGEST: usize = 100;
 
-/// The folder of the arguments, held for a task.
+/// The folder of the arguments, held for a task as it was read: what is chosen for its accuracy need not be known yet.
 pub fn claim(arguments: &Run, task: &Task) -> Result<Claim, Failure> {
     let wrong = |error: Error| Failure::wrong(error.to_string());
     if let Some(dir) = &arguments.resume {
-        return Ok(Claim::take(dir).map_err(wrong)?.adding(task.files()));
+        let claim = Claim::take(dir).map_err(wrong)?.adding(task.files());
+        let found = if let Task::Contact(_) = task { claim.find_run() } else { Ok(()) };
+        return match found {
+            Ok(()) => Ok(claim),
+            Err(error) => {
+                claim.give_up();
+                Err(wrong(error))
+            }
+        };
     }
-    let Case { case, set } = arguments.case();
-    let dir = arguments.output.clone().unwrap_or_else(|| default(&case, &set));
-    keep_the_case(&case, &dir)?;
+    let given = arguments.case();
+    let Case { case, .. } = &given;
+    let dir = arguments.output.clone().unwrap_or_else(|| default(case, &given.settings()));
+    keep_the_case(case, &dir)?;
     let claim = Claim::take(&dir).map_err(wrong)?.adding(task.files());
     let claim = if arguments.force { claim.adopting() } else { claim };
     if let Err(error) = claim.admit() {
         claim.give_up();
         return Err(wrong(error));
     }
-    if arguments.force || !claim.holds_another(&task.case_toml()) {
+    let is_its = |known: &str| match task {
+        Task::Contact(resolved) => resolved.is_printed(known),
+        Task::Elastic(_) => known == task.case_toml(),
+    };
+    if arguments.force || !claim.holds_another(is_its) {
         return Ok(claim);
     }
     claim.give_up();

@@ -58,20 +58,20 @@ fn main() -> ExitCode {
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Fit(arguments) => fit::fit(&arguments),
         Command::Report(arguments) => report::run(&arguments)
-            .map_err(|error| Failure::wrong(format!("{error:#}")))
+            .map_err(|error| Failure::because(&error))
             .and_then(|file| say::say(&file.display().to_string())),
         Command::Compare(arguments) => {
             compare::run(&arguments.dir, &arguments.others, &arguments.options)
-                .map_err(|error| Failure::wrong(format!("{error:#}")))
+                .map_err(|error| Failure::because(&error))
                 .and_then(|(words, files)| {
                     words.iter().try_for_each(|line| say::say(line))?;
                     files.iter().try_for_each(|file| say::say(&file.display().to_string()))
                 })
         }
         Command::Plot(arguments) => {
-            drawn(&arguments).map_err(|error| Failure::wrong(format!("{error:#}"))).and_then(
-                |files| files.iter().try_for_each(|file| say::say(&file.display().to_string())),
-            )
+            drawn(&arguments).map_err(|error| Failure::because(&error)).and_then(|files| {
+                files.iter().try_for_each(|file| say::say(&file.display().to_string()))
+            })
         }
     };
     match outcome {

@@ -36,6 +36,12 @@ pub fn percent(relative: f64) -> String {
     format!("{percent:.decimals$} %")
 }
 
+/// What the numbers of a line of contact of that length (m) are of.
+pub fn of_a_line(extent: f64) -> String {
+    let extent = if extent == 1.0 { "1 m".to_owned() } else { length(extent) };
+    format!("forces, areas and volumes are those of {extent} of it")
+}
+
 /// A number of things, of which parts may be done: whole if it is, with four significant digits otherwise.
 pub fn count(value: f64) -> String {
     let whole = value.round();
@@ -63,7 +69,7 @@ mod tests {
     use archard::motion::Progress;
     use archard::parameters::Quantity;
 
-    use super::{energy, mass, percent, progress};
+    use super::{energy, mass, of_a_line, percent, progress};
 
     #[test]
     fn errors_have_two_digits() {
@@ -75,6 +81,15 @@ mod tests {
     fn energies_are_readable() {
         let shown = [-0.0, 13.85e-9, 7.757e-6, 13.4e-3, 2.0].map(energy);
         assert_eq!(shown, ["0 J", "13.85 nJ", "7.757 uJ", "13.40 mJ", "2.000 J"]);
+    }
+
+    #[test]
+    fn lines_say_what_their_numbers_are_of() {
+        let shown = [1.0, 20e-3].map(of_a_line);
+        let expected = ["1 m", "20.00 mm"];
+        let expected =
+            expected.map(|one| format!("forces, areas and volumes are those of {one} of it"));
+        assert_eq!(shown, expected);
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use archard::case::Forecast;
-use archard::motion::{Rolling, Shift};
+use archard::motion::{Control, Rolling, Shift};
 use archard::output::Totals;
 use archard::simulation::history::{
     self, BODY_DEPTH, CREEPAGE, ERRORS, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA,
@@ -14,7 +14,7 @@ use archard::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
-use crate::number::{ROUNDING, count, energy, four, length, mass, percent};
+use crate::number::{ROUNDING, count, energy, four, length, mass, of_a_line, percent};
 use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
@@ -50,8 +50,19 @@ impl Outcome<'_> {
             ("approach", history::APPROACH, 1e6, "um"),
             ("contact area", history::CONTACT_AREA, 1e6, "mm^2"),
         ] {
-            let value = four(self.last(column) * factor);
-            lines.add(what, format!("{value} {unit}"), self.error(&[column]));
+            let value = format!("{} {unit}", four(self.last(column) * factor));
+            match simulation.schedule.control {
+                Control::Approach(_) if column == history::APPROACH => {
+                    lines.add(what, value, "prescribed".to_owned());
+                    let load = format!("{} N", four(self.last(history::LOAD)));
+                    lines.add("load", load, self.error(&[history::LOAD]));
+                }
+                _ => lines.add(what, value, self.error(&[column])),
+            }
+        }
+        let frame = &simulation.problem.frame;
+        if frame.is_line() {
+            lines.add("line of contact", of_a_line(frame.size()[1]), String::new());
         }
         if let Some(rolling) = simulation.problem.motion.rolling() {
             self.rolled(rolling, &mut lines);
@@ -160,7 +171,9 @@ impl Outcome<'_> {
         let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
         let error = if [x, y] == [0.0; 2] { String::new() } else { self.error(&FORCE) };
         lines.add(format!("creep force ({})", problem.bodies[0].name), force, error);
-        let intensity = self.last(FRICTIONAL_POWER) / self.last(history::CONTACT_AREA);
+        let power = self.last(FRICTIONAL_POWER);
+        let power = if power.abs() > nothing { power } else { 0.0 };
+        let intensity = power / self.last(history::CONTACT_AREA);
         let intensity = format!("{} N/mm^2, over the contact", four(intensity * 1e-6));
         lines.add("T gamma / A", intensity, String::new());
         self.stuck(lines);

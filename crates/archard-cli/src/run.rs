@@ -22,7 +22,7 @@ use crate::outcome::Outcome;
 use crate::progress::Follower;
 use crate::report;
 use crate::say::tell;
-use crate::underway::Underway;
+use crate::underway::{self, Underway};
 use crate::verdict;
 
 /// Threads a processor may be given at most.
@@ -34,16 +34,26 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
-    let mut follower = Follower::new(arguments.quiet);
-    let (task, companion) = companions::settle(task, (&watch, &mut follower), arguments)?;
-    let case_toml = task.case_toml();
+    // The folder next: runs on fewer elements may take long, and are for nothing where it is refused.
     let claim = folder::claim(arguments, &task)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
-    let outcome = match &task {
+    let outcome = in_folder(&dir, task, &watch, arguments);
+    // A folder that is still held has nothing of this run in it.
+    if let Some(claim) = watch.release() {
+        claim.give_up();
+    }
+    outcome
+}
+
+/// Runs a case in the folder that is held.
+fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(), Failure> {
+    let mut follower = Follower::new(arguments.quiet);
+    let (task, companion) = companions::settle(task, (watch, &mut follower), arguments)?;
+    match &task {
         Task::Contact(resolved) => {
-            let companion = (companion, follower);
-            let contact = || contact(resolved, companion, &case_toml, &watch, (arguments, &dir));
+            let (companion, case_toml) = ((companion, follower), task.case_toml());
+            let contact = || contact(resolved, companion, &case_toml, watch, (arguments, dir));
             match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
                 false => contact(),
@@ -53,14 +63,9 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
             Err(Failure::wrong("a body by itself is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => {
-            elastic::run(resolved, &watch, [arguments.quiet, arguments.verbose])
+            elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
-    };
-    // A folder that is still held has nothing of this run in it.
-    if let Some(claim) = watch.release() {
-        claim.give_up();
     }
-    outcome
 }
 
 /// Runs a case of two bodies in contact in the folder that is held.
@@ -89,15 +94,17 @@ fn contact(
     let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
     let mut kept = None;
     let begin = |claim: output::Claim| {
-        let folder = match arguments.resume {
-            None => claim.begin(case_toml)?,
+        let (folder, command) = match arguments.resume {
+            None => (claim.begin(case_toml)?, underway::command()),
             Some(_) => {
+                // Going on removes the summary.
+                let commands = underway::commands(dir);
                 let (folder, run) = claim.resume(&simulation)?;
                 kept = Some(run);
-                folder
+                (folder, commands)
             }
         };
-        Ok(Underway { folder, begun, warnings, bar: follower.bar() })
+        Ok(Underway { folder, begun, command, warnings, bar: follower.bar() })
     };
     watch.begin(begin).map_err(|error| Failure::wrong(error.to_string()))?;
     let mut inside =
@@ -118,7 +125,7 @@ fn contact(
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
         false => None,
     };
-    let page = page.transpose().map_err(|error| Failure::wrong(format!("{error:#}")))?;
+    let page = page.transpose().map_err(|error| Failure::because(&error))?;
     if !arguments.quiet {
         let outcome = Outcome {
             simulation: &simulation,

@@ -3,9 +3,11 @@
 use std::path::Path;
 use std::time::Instant;
 
+use archard::files::{self, Contents};
 use archard::output::{Error, ResultFolder, Totals};
 use archard::verdict::Verdict;
 use indicatif::ProgressBar;
+use serde_json::Value;
 
 /// The command as it was typed, quoted where a shell needs it.
 pub fn command() -> String {
@@ -20,12 +22,22 @@ pub fn command() -> String {
     std::iter::once("archard".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 
+/// The commands of the run in a folder as far as its summary tells them, and the one that goes on with it.
+pub fn commands(dir: &Path) -> String {
+    let summary = files::read(&dir.join("summary.json"), Contents::Text).ok();
+    let summary: Option<Value> = summary.and_then(|text| serde_json::from_slice(&text).ok());
+    let before = summary.and_then(|summary| summary["command"].as_str().map(str::to_owned));
+    before.into_iter().chain([command()]).collect::<Vec<_>>().join("; ")
+}
+
 /// Results under way.
 pub struct Underway {
     /// Their folder.
     pub folder: ResultFolder,
     /// When the run began.
     pub begun: Instant,
+    /// What asked for them.
+    pub command: String,
     /// What the user was warned of.
     pub warnings: Vec<String>,
     /// The bar on the terminal, if there is one.
@@ -54,7 +66,7 @@ impl Underway {
             threads: rayon::current_num_threads(),
             warnings: self.warnings.into_iter().chain(doubts).collect(),
             failure,
-            command: Some(command()),
+            command: Some(self.command),
         };
         self.folder.finish(&totals)?;
         Ok((totals, verdict))

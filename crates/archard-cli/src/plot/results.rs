@@ -87,7 +87,12 @@ impl Results {
             dir.display()
         );
         ensure!(
-            history.is_file(),
+            history.exists() || !dir.join("fit.json").is_file(),
+            "`{0}` holds a fit: its picture is `{0}/fit.png`, and `archard report {0}` makes a page of it",
+            dir.display()
+        );
+        ensure!(
+            history.exists(),
             "`{}` is not a result folder: it has no history.csv",
             dir.display()
         );
@@ -99,22 +104,22 @@ impl Results {
         let worn_profiles = dir.join("worn_profiles.csv");
         let loops = dir.join("fretting_loop.csv");
         let summary = dir.join("summary.json");
-        let summary = if summary.is_file() { Some(read_summary(&summary)?) } else { None };
+        let summary = if summary.exists() { Some(read_summary(&summary)?) } else { None };
         let lengths = dir.join("length_profiles.csv");
         Ok(Self {
             bodies: history.bodies(),
-            profiles: if profiles.is_file() { read_profiles(&profiles)? } else { Vec::new() },
-            worn_profile: match worn_profiles.is_file() {
+            profiles: if profiles.exists() { read_profiles(&profiles)? } else { Vec::new() },
+            worn_profile: match worn_profiles.exists() {
                 // The one place of a line of contact shows no shape.
                 true => last_profile(&worn_profiles)?.filter(|profile| profile.table.rows() > 1),
                 false => None,
             },
-            loops: if loops.is_file() { read_loops(&loops)? } else { Vec::new() },
+            loops: if loops.exists() { read_loops(&loops)? } else { Vec::new() },
             case: CaseFile::read(dir).ok().and_then(|file| Some(file.resolve().ok()?.case)),
             image: last_image(dir)?,
             surface: last_surface(dir)?,
             mark: mark(summary.as_ref()),
-            lengths: if lengths.is_file() { last_profile(&lengths)? } else { None },
+            lengths: if lengths.exists() { last_profile(&lengths)? } else { None },
             closed_form: summary
                 .as_ref()
                 .and_then(|summary| summary.get("closed_form").cloned())
@@ -357,7 +362,7 @@ impl Results {
 /// The file of the last output that the collection lists.
 fn last_output(dir: &Path) -> anyhow::Result<Option<PathBuf>> {
     let path = dir.join("fields.pvd");
-    if !path.is_file() {
+    if !path.exists() {
         return Ok(None);
     }
     Ok(Collection::read(&path)?.outputs.last().map(|(_, file)| dir.join(file)))

@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use super::html::{Html, fill};
 use super::words::plain;
+use crate::number::ROUNDING;
 use crate::plot::draw::{Still, still};
 use crate::plot::figure::{Map, Mark, Panel, Parts, Pen, Points, Shape};
 
@@ -214,6 +215,13 @@ pub(super) fn rounded(value: f64) -> f64 {
 fn words(panel: &Panel) -> String {
     let [x, y] = &panel.labels;
     let mut parts = Vec::new();
+    let told = panel.marks.iter().flat_map(|mark| match &mark.shape {
+        Shape::Line(points, _) | Shape::Dots(points, _) => &points[..],
+        _ => &[],
+    });
+    let sizes = told.map(|point| point.1.abs()).filter(|size| size.is_finite());
+    let nothing = ROUNDING * sizes.fold(0.0, f64::max);
+    let plain = |value: f64| plain(if value.abs() > nothing { value } else { 0.0 });
     for Mark { shape, legend } in &panel.marks {
         let (Some(legend), Shape::Line(points, _) | Shape::Dots(points, _)) = (legend, shape)
         else {
@@ -235,4 +243,18 @@ fn words(panel: &Panel) -> String {
     }
     let curves = if parts.is_empty() { String::new() } else { format!(" {}.", parts.join("; ")) };
     format!("{y} over {x}.{curves}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+    use crate::plot::figure::{Curves, Pen};
+
+    #[test]
+    fn rounding_is_no_number_of_a_curve() {
+        let mut curves = Curves::new();
+        curves.add([(0.0, 0.0), (1.0, 2.5), (0.0, 4.2e-16)], Pen::line("red"), Some("cycle 1"));
+        let panel = curves.panel(["Loop", "Shift", "Force"], |view| view);
+        assert_eq!(words(&panel), "Force over Shift. cycle 1: from 0 to 0, at most 2.5.");
+    }
 }

@@ -45,13 +45,14 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         coefficients.iter().map(|own| own.tests().html() + own.budget().html()).collect();
     all.add("tests", "Test by test", &tests);
     let remarks = found["remarks"].as_array().into_iter().flatten();
+    let remarks = [&found["unsettled"]].into_iter().chain(remarks);
     let remarks: Vec<String> = remarks.filter_map(|one| one.as_str().map(str::to_owned)).collect();
     all.add("remarks", "Remarks", &list(&remarks));
     let header = Header {
         about: "a fit",
         version: found["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
-        verdict: verdict(&coefficients),
+        verdict: verdict(&found, &coefficients),
         mark: None,
         lead: coefficients.iter().flat_map(Coefficient::lead).collect(),
         tiles: coefficients.iter().map(Coefficient::tile).collect(),
@@ -75,15 +76,28 @@ fn picture(dir: &Path) -> Option<Figure> {
 }
 
 /// The colour of the verdict and its words.
-fn verdict(coefficients: &[Coefficient<'_>]) -> (&'static str, String) {
-    match coefficients.iter().find_map(Coefficient::rejected) {
-        Some(_) => ("wrong", "the tests are not those of one coefficient".to_owned()),
-        None if coefficients.iter().any(|own| own.range("next_test_95").is_none()) => {
-            ("doubtful", "too few tests to foresee the next".to_owned())
-        }
-        None => ("good", "the tests agree with the law".to_owned()),
+fn verdict(found: &Value, coefficients: &[Coefficient<'_>]) -> (&'static str, String) {
+    if found["unsettled"].is_string() {
+        return ("wrong", "the coefficients did not settle".to_owned());
+    }
+    if coefficients.iter().any(|own| own.rejected().is_some()) {
+        return ("wrong", "the tests are not those of one coefficient".to_owned());
+    }
+    let any = |lacks: &dyn Fn(&Coefficient<'_>) -> bool| coefficients.iter().any(lacks);
+    let doubts = [
+        (any(&|own| own.range("next_test_95").is_none()), "too few tests to foresee the next"),
+        (any(&|own| own.0["distance"].is_null()), UNTOLD),
+        (found["doubtful"].get(0).is_some(), "what came out is doubtful: see the remarks"),
+    ];
+    let doubts: Vec<&str> = doubts.into_iter().filter(|one| one.0).map(|one| one.1).collect();
+    match doubts.is_empty() {
+        true => ("good", "the tests agree with the law".to_owned()),
+        false => ("doubtful", doubts.join("; ")),
     }
 }
+
+/// What readings say of the law that tell no exponent.
+const UNTOLD: &str = "the readings cannot tell whether the law's shape fits";
 
 /// A coefficient as the file has it.
 struct Coefficient<'a>(&'a Value);
@@ -158,7 +172,10 @@ impl Coefficient<'_> {
             ("95 % interval of the next test", self.range("next_test_95")),
             ("Scatter between tests", number("scatter_between_tests").map(percent)),
             ("In the case", number("in_the_case").map(|value| self.shown(value))),
-            ("Exponent of the distance (1 by the law)", self.exponent("distance")),
+            (
+                "Exponent of the distance (1 by the law)",
+                self.exponent("distance").or_else(|| Some(UNTOLD.to_owned())),
+            ),
             ("Exponent of the load (0 by the law)", self.exponent("load")),
         ];
         let rows = rows.into_iter().filter_map(|(what, value)| Some(vec![what.to_owned(), value?]));
@@ -168,6 +185,10 @@ impl Coefficient<'_> {
 
     fn exponent(&self, key: &str) -> Option<String> {
         let found = &self.0[key];
+        if let Some(words) = found["words"].as_str() {
+            return Some(words.to_owned());
+        }
+        // Fits of earlier versions have no words of their own.
         let word = if found["rejected"] == true { "rejected" } else { "accepted" };
         Some(format!("{}, {word}", plain(found["exponent"].as_f64()?)))
     }
@@ -195,5 +216,36 @@ impl Coefficient<'_> {
         let rows = self.0["budget"].as_array().into_iter().flatten().map(row).collect();
         let caption = format!("What {} is uncertain by", self.key());
         Table { caption, heads: vec!["Source", "Relative"], rows }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::{Value, json};
+
+    use super::{Coefficient, verdict};
+
+    #[test]
+    fn the_page_says_what_the_terminal_says() {
+        let whole = json!({
+            "next_test_95": [1.0, 2.0], "distance": { "exponent": 1.0, "rejected": false },
+        });
+        let told = |found: Value, change: &[(&str, Value)]| {
+            let mut own = whole.clone();
+            change.iter().for_each(|(key, value)| own[key] = value.clone());
+            let (sign, words) = verdict(&found, &[Coefficient(&own)]);
+            format!("{sign}: {words}")
+        };
+        assert_eq!(told(json!({}), &[]), "good: the tests agree with the law");
+        let doubtful = json!({ "doubtful": ["the run of the model is doubtful: elements"] });
+        for (said, words) in [
+            (told(doubtful, &[]), "doubtful: what came out is doubtful"),
+            (told(json!({}), &[("distance", Value::Null)]), "doubtful: the readings cannot tell"),
+            (told(json!({}), &[("next_test_95", Value::Null)]), "doubtful: too few tests"),
+            (told(json!({ "unsettled": "why" }), &[]), "wrong: the coefficients did not settle"),
+            (told(json!({}), &[("rejected", json!("why"))]), "wrong: the tests are not those"),
+        ] {
+            assert!(said.starts_with(words), "{said}");
+        }
     }
 }

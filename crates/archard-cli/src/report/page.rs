@@ -168,22 +168,28 @@ impl Sections {
 }
 
 impl Table {
-    /// The table in HTML; cells are text. Nothing where it has no rows.
+    /// The table in HTML; cells are text. Nothing where it has no rows, and no column without any cell that says something.
     pub(super) fn html(&self) -> Html {
         debug_assert!(self.heads.len() <= COLUMNS, "{}", self.caption);
         if self.rows.is_empty() {
             return Html::default();
         }
+        let says = |place: usize| {
+            let mut cells = self.rows.iter().filter_map(|row| row.get(place));
+            place == 0 || cells.any(|cell| !cell.is_empty())
+        };
         let head = |head: &&'static str| fill("<th scope=\"col\">{}</th>", &[head]);
         let cell = |(place, cell): (usize, &String)| match place {
             0 => fill("<th scope=\"row\">{}</th>", &[cell]),
             _ => fill("<td>{}</td>", &[cell]),
         };
         let row = |row: &Vec<String>| {
-            let cells: Html = row.iter().enumerate().map(cell).collect();
+            let shown = row.iter().enumerate().filter(|(place, _)| says(*place));
+            let cells: Html = shown.map(cell).collect();
             fill("<tr>{}</tr>\n", &[&cells])
         };
-        let heads: Html = self.heads.iter().map(head).collect();
+        let shown = self.heads.iter().enumerate().filter(|(place, _)| says(*place));
+        let heads: Html = shown.map(|(_, name)| head(name)).collect();
         let rows: Html = self.rows.iter().map(row).collect();
         fill(
             "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><caption>{}</caption><thead><tr>{}</tr></thead>\
@@ -234,6 +240,16 @@ mod tests {
         assert!(html.contains("<caption>a &lt; b</caption>"), "{html}");
         assert!(html.contains("<th scope=\"row\">&lt;/td&gt;&lt;script&gt;</th>"), "{html}");
         assert_eq!(Table { rows: vec![], ..table }.html(), Html::default());
+    }
+
+    #[test]
+    fn columns_that_say_nothing_are_left_out() {
+        let rows = [["A", "1", ""], ["B", "2", ""]].map(|row| row.map(str::to_owned).to_vec());
+        let heads = vec!["Test", "Coefficient", "95 % interval"];
+        let html = Table { caption: "all".to_owned(), heads, rows: rows.to_vec() }.html();
+        let html = html.as_str();
+        assert!(html.contains("Coefficient") && !html.contains("interval"), "{html}");
+        assert!(!html.contains("<td></td>"), "{html}");
     }
 
     #[test]

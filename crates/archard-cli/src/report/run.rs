@@ -12,6 +12,7 @@ use super::maps::{self, Maps};
 use super::page::{Header, Page, Sections, Table, definitions, list};
 use super::{name_of, tables, words};
 use crate::compare::Comparison;
+use crate::number::of_a_line;
 use crate::plot;
 use crate::plot::figure::Panel;
 use crate::plot::results::Results;
@@ -104,7 +105,11 @@ impl Run<'_> {
             ),
             _ => Html::default(),
         };
-        all.add("results", "Results", &(numbers.html() + note));
+        let line = results.case.as_ref().map(|case| &case.frame).filter(|frame| frame.line);
+        let line = line.map_or_else(Html::default, |frame| {
+            fill("<p>The contact is a line: {}.</p>\n", &[&of_a_line(frame.size[1])])
+        });
+        all.add("results", "Results", &(numbers.html() + line + note));
         let judged = tables::verdict(&results.summary).html() + self.warnings();
         all.add("verdict", "Verdict", &judged);
         let mut number = 0;

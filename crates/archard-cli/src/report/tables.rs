@@ -1,6 +1,7 @@
 //! What a run came to, in tables: its numbers, its verdict, and closed forms beside both.
 
 use archard::closed_form::Hertz;
+use archard::motion::Control;
 use archard::simulation::history::{
     APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERRORS,
     FLASH_TEMPERATURE, FORCE, LOAD, MASS_LOSS, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, SHIFT,
@@ -44,9 +45,7 @@ pub(super) fn results(results: &Results) -> Table {
             (label, unit) if name == WEAR_DEPTH => (format!("{label} of both"), unit),
             named => named,
         };
-        // Components that are nothing but rounding beside the load.
-        let nothing = FORCES.contains(&unit) && value.abs() < rounding(results);
-        let value = if nothing { 0.0 } else { value };
+        let value = but_rounding(results, name, (value, unit));
         let whole = unit.is_empty() && value == value.round();
         let shown = if whole { count(value) } else { quantity(value, unit) };
         rows.push(vec![label, shown, error(results, name, value, unit)]);
@@ -73,10 +72,19 @@ fn states_errors(results: &Results) -> bool {
 /// Units of forces and moments.
 const FORCES: [&str; 2] = ["N", "Nm"];
 
-/// The force (N) or moment (N m) that is nothing but rounding under the load.
-fn rounding(results: &Results) -> f64 {
-    let load = results.history.column(LOAD).ok().and_then(|loads| loads.last().copied());
-    ROUNDING * load.unwrap_or_default()
+/// What is nothing but rounding in a column: a force (N) or moment (N m) under the load, a component beside the other.
+fn rounding(results: &Results, name: &str, unit: &str) -> f64 {
+    let column = |name: &str| results.history.column(name).unwrap_or_default();
+    if FORCES.contains(&unit) {
+        return ROUNDING * column(LOAD).last().copied().unwrap_or_default();
+    }
+    let pair = [SHIFT, CREEPAGE].into_iter().find(|pair| pair.contains(&name));
+    ROUNDING * pair.into_iter().flatten().map(|name| size(column(name))).fold(0.0, f64::max)
+}
+
+/// A value of a column, zero where it is nothing but rounding.
+fn but_rounding(results: &Results, name: &str, (value, unit): (f64, &str)) -> f64 {
+    if value.abs() < rounding(results, name, unit) { 0.0 } else { value }
 }
 
 /// What a case may prescribe, besides how far the motion goes.
@@ -90,17 +98,24 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
     if [progress, "turns", "time_s", CYCLE].contains(&name) {
         return "prescribed".to_owned();
     }
+    if name == APPROACH && is_pressed_by_approach(results) {
+        return "prescribed".to_owned();
+    }
     match stated(results, name) {
         // What symmetry makes nothing.
-        Some(error) if value == 0.0 && FORCES.contains(&unit) && error <= rounding(results) => {
-            "exact".to_owned()
-        }
+        Some(error) if value == 0.0 && error <= rounding(results, name, unit) => "exact".to_owned(),
         Some(error) if error <= ROUNDING * value.abs() && prescribed => "prescribed".to_owned(),
         Some(error) if error <= ROUNDING * value.abs() => "exact".to_owned(),
         Some(error) if value != 0.0 => format!("± {}", percent(error / value.abs())),
         Some(error) => format!("± {}", quantity(error, unit)),
         None => reason(name).to_owned(),
     }
+}
+
+/// Whether the case gives the approach, and the load is what came of it.
+fn is_pressed_by_approach(results: &Results) -> bool {
+    let planned = results.case.as_ref().and_then(|case| case.motion.build().ok());
+    planned.is_some_and(|(_, schedule)| matches!(schedule.control, Control::Approach(_)))
 }
 
 /// The error that is stated of a column, or of the worn volume that it is a multiple of.
@@ -170,8 +185,11 @@ pub(super) fn first(results: &Results) -> Vec<[String; 3]> {
     names.extend([PEAK_PRESSURE, FLASH_TEMPERATURE].map(str::to_owned));
     let errors = states_errors(results);
     let shown = |name: String| {
-        let value = last(&name)?;
         let (label, unit) = label(&results.bodies, &name);
+        let value = but_rounding(results, &name, (last(&name)?, unit));
+        if value == 0.0 {
+            return None;
+        }
         let error = if errors { error(results, &name, value, unit) } else { String::new() };
         let error = if error.starts_with("not") { String::new() } else { error };
         Some([label, quantity(value, unit), error])

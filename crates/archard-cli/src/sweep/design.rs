@@ -6,7 +6,6 @@ use serde_json::json;
 use super::points::{MOST, points, together};
 use super::values::{Distribution, distribution, few, list};
 use crate::arguments::{Design as Laid, Layout, Sweep};
-use crate::builtin;
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::say::tell;
@@ -46,8 +45,7 @@ pub struct Row {
 /// If an option or the case of a row is wrong.
 pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
     let (keys, settings) = settings(arguments).map_err(Failure::wrong)?;
-    let file = builtin::read(&arguments.case)?;
-    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    let file = diagnose::read(&arguments.case())?;
     let mut warned: Vec<(String, usize)> = vec![];
     let mut values: Vec<Vec<Option<ValueAt>>> = vec![];
     let mut rows = vec![];

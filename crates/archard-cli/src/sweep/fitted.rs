@@ -2,34 +2,36 @@
 
 use std::path::Path;
 
-use archard::case::{Case, CaseFile};
+use archard::case::Case;
 use archard::files::{self, Contents};
 use serde_json::Value;
 
 use crate::arguments::Sweep;
+use crate::diagnose;
+use crate::failure::Failure;
 
 /// The arguments with the coefficients of `--from` the first samples.
-pub fn with(arguments: &Sweep) -> Result<Sweep, String> {
+pub fn with(arguments: &Sweep) -> Result<Sweep, Failure> {
     let mut all = arguments.clone();
     if let Some(path) = &arguments.from {
-        let fit = read(path)?;
-        let mut samples = samples(path, &fit)?;
+        let fit = read(path).map_err(Failure::wrong)?;
+        let mut samples = samples(path, &fit).map_err(Failure::wrong)?;
         all_known(arguments, &fit)?;
         samples.append(&mut all.sample);
         all.sample = samples;
         all.together = fit["correlation_of_coefficients"]["value"].as_f64();
     }
     if all.sample.is_empty() && all.samples.is_some() {
-        return Err("--samples counts samples: give --sample KEY=DISTRIBUTION or --from fit.json"
-            .to_owned());
+        return Err(Failure::wrong(
+            "--samples counts samples: give --sample KEY=DISTRIBUTION or --from fit.json",
+        ));
     }
     Ok(all)
 }
 
 /// Refuses a prediction by coefficients that nobody has told: the case may have any number for a body that was not fitted.
-fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), String> {
-    let file = CaseFile::read(&arguments.case).map_err(|error| error.to_string())?;
-    let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), Failure> {
+    let file = diagnose::read(&arguments.case())?;
     // What is wrong with the case is shown where its rows are checked.
     let Ok(resolved) = file.resolve() else { return Ok(()) };
     let fitted = fit["coefficients"].as_array().into_iter().flatten();
@@ -44,13 +46,13 @@ fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), String> {
     let values: Vec<String> =
         missing.iter().map(|(key, value)| format!("`{key}`{value}")).collect();
     let options: Vec<String> = missing.iter().map(|(key, _)| format!("--assume {key}")).collect();
-    Err(format!(
+    Err(Failure::wrong(format!(
         "`{}` has no {}: wear of that body, and what is worn off both together, would be that of a number which no test has \
          told; add {} to take it from the case, put another one there by --set, --over or --sample, or fit both bodies",
         arguments.from.as_deref().unwrap_or(Path::new("fit.json")).display(),
         values.join(" and no "),
         options.join(" ")
-    ))
+    )))
 }
 
 /// The wear laws of a case of which none of these keys tells anything: their keys, and what the case has there, in words.

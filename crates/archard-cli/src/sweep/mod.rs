@@ -39,7 +39,7 @@ use table::{Known, Status};
 /// Runs a study, or goes on with it.
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let requests = Requests::set();
-    let arguments = &fitted::with(arguments).map_err(Failure::wrong)?;
+    let arguments = &fitted::with(arguments)?;
     let mut design = design::design(arguments)?;
     let study = &arguments.output;
     begin(study, &design)?;

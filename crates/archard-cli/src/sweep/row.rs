@@ -10,7 +10,7 @@ use archard::output::{Claim, Error, Inside, ResultFolder, Store};
 use archard::simulation::{Observer, Report, Simulation};
 
 use crate::interrupt::{Interrupted, Requests};
-use crate::underway::Underway;
+use crate::underway::{self, Underway};
 
 /// What came of a row.
 #[derive(Debug)]
@@ -152,7 +152,8 @@ pub fn finish(
     failure: Option<String>,
 ) -> Result<(), Error> {
     let warnings = resolved.warnings.iter().map(|warning| warning.title()).collect();
-    Underway { folder, begun, warnings, bar: None }.finish(failure).map(|_| ())
+    let command = underway::command();
+    Underway { folder, begun, command, warnings, bar: None }.finish(failure).map(|_| ())
 }
 
 /// Ends the runs on fewer elements where a stop is asked for.

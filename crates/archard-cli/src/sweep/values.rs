@@ -75,8 +75,11 @@ fn range(first: &str, last: &str, count: &str) -> Result<Vec<String>, String> {
         .parse()
         .map_err(|_| format!("`{count}` is not a number of values, like the 4 of 5 N:20 N:4"))?;
     few(count)?;
-    if count < 2 || from == to {
-        return Err(format!("{count} values from {first} to {last}: an empty range"));
+    if count < 2 {
+        return Err(format!("{count}: a range has two values at least, {first} and {last}"));
+    }
+    if from == to {
+        return Err(format!("a range from {first} to {last} has one value: write {first} alone"));
     }
     let step = (to - from) / (count - 1) as f64;
     Ok((0..count).map(|i| written(from + i as f64 * step, unit)).collect())
@@ -227,8 +230,8 @@ mod tests {
     #[test]
     fn what_is_wrong_is_named() {
         for (text, said) in [
-            ("5 N:20 N:1", "an empty range"),
-            ("5 N:5 N:3", "an empty range"),
+            ("5 N:20 N:1", "1: a range has two values at least, 5 N and 20 N"),
+            ("5 N:5 N:3", "from 5 N to 5 N has one value"),
             ("5 N:20 kN:3", "in one unit"),
             ("5 N:20 N:x", "`x` is not a number of values"),
             ("a:b:3", "`a` is not a number"),

@@ -52,6 +52,13 @@ fn one_number_takes_the_place_of_frame_and_steps() {
         assert_eq!(history, read(other, "history.csv"));
         assert_eq!(case, read(other, "case.toml"));
     }
+    // A folder is refused before elements are sought for the run, and the same case may run there again.
+    let elsewhere = ["run", "pin.toml", "--accuracy", "4%", "-o", "one"];
+    let refused = said(&archard(&dir, &elsewhere).code(2));
+    assert!(refused.contains("another case") && !refused.contains("estimating"), "{refused}");
+    let refused = said(&archard(&dir, &["run", "--resume", "one"]).code(2));
+    assert!(refused.contains("no run to go on") && !refused.contains("estimating"), "{refused}");
+    archard(&dir, &["run", "pin.toml", "--accuracy", "5%", "-o", "one", "-q"]).success();
 }
 
 /// Without the number there has to be a frame.

@@ -47,6 +47,8 @@ fn a_table_becomes_a_coefficient_and_a_prediction() {
     for name in ["fit.json", "fit.csv", "fit.svg", "fit.png", "run/history.csv"] {
         assert!(dir.path().join("fit").join(name).is_file(), "{name}");
     }
+    let pictured = said(&archard(&dir, &["plot", "fit"]).code(2));
+    assert!(pictured.contains("its picture is `fit/fit.png`"), "{pictured}");
     let predict = ["sweep", case, "--from", "fit/fit.json", "--samples", "6", "-o", "study"];
     let larger = ["--set", "frame.size=[\"2 mm\", \"2 mm\"]", "--set", "frame.elements=[50, 50]"];
     archard(&dir, &[&predict[..], &larger].concat()).success();
@@ -72,6 +74,10 @@ fn tests_that_are_not_of_the_law_give_no_coefficient() {
     let wrong = [&arguments[..], &["--column", "depth=Tiefe"]].concat();
     let wrong = said(&archard(&dir, &wrong).code(2));
     assert!(wrong.contains("there are `Versuch`, `Weg [mm]`, `Volumen [mm^3]`"), "{wrong}");
+    // What cannot be fitted leaves no folder.
+    let wrong = ["fit", case, "--data", "tests.csv", "-o", "none"];
+    archard(&dir, &wrong).code(2);
+    assert!(!dir.path().join("none").exists());
 }
 
 /// Coefficients of two bodies that go together are drawn together.
@@ -129,8 +135,10 @@ fn a_prediction_says_what_no_test_has_told() {
     fs::write(dir.path().join("fit.json"), fit).unwrap();
     let coarse = ["--set", "frame.elements=[16, 16]", "--set", "motion.sliding.step=50 mm"];
     let predict = ["sweep", case, "--from", "fit.json", "--samples", "3", "-o", "study"];
+    // The built-in case of that name wears alike.
+    let by_name = [&["sweep", "pin_on_disc_both"], &predict[2..]].concat();
     let predict = [&predict[..], &coarse].concat();
-    let refused = said(&archard(&dir, &predict).code(2));
+    let refused = said(&archard(&dir, &by_name).code(2));
     let disc = "body.disc.wear.archard.coefficient";
     assert!(refused.contains(&format!("has no `{disc}`, which is 6.650e-14 1/Pa")), "{refused}");
     assert!(refused.contains(&format!("--assume {disc}")), "{refused}");

@@ -183,6 +183,7 @@ fn what_was_mistyped_is_answered_with_the_nearest() {
         (&["check", "mine/mondya.toml"], "did you mean `mine/monday.toml`?"),
         (&["new", "twin_dics"], "did you mean `twin_disc`?"),
         (&["run", "xylophone"], "`archard new --list` shows the built-in cases"),
+        (&["check", "hertz", "--set", "body.bal.density=1"], "did you mean `ball`?"),
         (&["rnu", "hertz"], "a similar subcommand exists: 'run'"),
         (&["chekc"], "a similar subcommand exists: 'check'"),
     ] {
@@ -203,7 +204,9 @@ fn check_takes_an_accuracy() {
     assert_ne!(of(&["--accuracy", "2%"]), of(&[]));
     let flat = ["check", "hertz", "--accuracy", "1%", "--set", "body.ball.profile={ flat = {} }"];
     let refused = archard(&dir, &flat).code(2);
-    assert!(said(&refused).contains("--> --set:1:10"), "{}", said(&refused));
+    assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
+    let refused = archard(&dir, &["fit", "hertz", "--data", "none", "--accuracy", "1"]).code(2);
+    assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
 }
 
 #[test]
@@ -355,6 +358,23 @@ fn what_is_no_file_is_refused_by_its_kind() {
             let said = said(&refused);
             assert!(said.contains(kind) && said.contains(name), "{arguments:?}: {said}");
         }
+    }
+    let settings = ["frame.elements=[24, 24]", "motion.sliding.step=50 mm"];
+    let set = settings.iter().flat_map(|one| ["--set", one]);
+    archard(&dir, &["run", case, "-o", "out", "-q"].into_iter().chain(set).collect::<Vec<_>>())
+        .success();
+    let fields = fs::read_dir(dir.path().join("out/fields")).unwrap();
+    let last = fields.map(|entry| entry.unwrap().file_name().into_string().unwrap()).max();
+    let last = format!("fields/{}", last.unwrap());
+    for name in ["history.csv", "profiles.csv", "summary.json", "fields.pvd", &last] {
+        let path = dir.path().join("out").join(name);
+        let kept = fs::read(&path).unwrap();
+        fs::remove_file(&path).unwrap();
+        assert!(std::process::Command::new("mkfifo").arg(&path).status().unwrap().success());
+        let said = said(&archard(&dir, &["plot", "out"]).code(2));
+        assert!(said.contains(name) && said.matches("a named pipe").count() == 1, "{said}");
+        fs::remove_file(&path).unwrap();
+        fs::write(&path, kept).unwrap();
     }
 }
 

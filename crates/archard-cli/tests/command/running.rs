@@ -185,6 +185,15 @@ fn rolling_says_what_to_expect_and_what_came_out() {
     let force = force.split_whitespace().next().unwrap();
     assert!((force.parse::<f64>().unwrap() / (0.895 * 180.0) - 1.0).abs() < 0.01, "{printed}");
     assert!(printed.contains("N along"), "{printed}");
+    // Where no force is passed on, no work of it is either.
+    let free = ["--set", "frame.elements=40", "--set", "accuracy=0.2"];
+    let free = [&["run", "free_rolling_unlike", "-o", "free"], &free[..]].concat();
+    let printed = squeezed(&super::printed(&archard(&dir, &free).success()));
+    assert!(printed.contains("T gamma / A 0 N/mm^2"), "{printed}");
+    assert!(printed.contains("areas and volumes are those of 20.00 mm"), "{printed}");
+    archard(&dir, &["report", "free"]).success();
+    let page = fs::read_to_string(dir.path().join("free/report.html")).unwrap();
+    assert!(page.contains("areas and volumes are those of 20.00 mm"));
 }
 
 #[test]
@@ -207,6 +216,30 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
     assert_eq!(loops.lines().count(), 1 + 2 * (1 + 8), "{loops}");
     archard(&dir, &["plot", "out"]).success();
     assert!(dir.path().join("out/plots/fretting_loop.svg").is_file());
+    archard(&dir, &["report", "out"]).success();
+    let page = fs::read_to_string(dir.path().join("out/report.html")).unwrap();
+    let across = page.split("<tr>").find(|row| row.contains(">Shift y<")).unwrap();
+    assert!(across.contains("<td>0 mm</td>"), "{}", &across[..across.len().min(300)]);
+}
+
+/// The approach that a case gives is no result, and its load is one.
+#[test]
+fn under_a_given_approach_the_load_is_told() {
+    let dir = TempDir::new().unwrap();
+    let options = ["frame.elements=[16, 16]", "motion.indentation.increments=8", "accuracy=0.2"];
+    let mut arguments = vec!["run", "spence", "-o", "out", "--report"];
+    arguments.extend(options.iter().flat_map(|option| ["--set", option]));
+    let printed = squeezed(&printed(&archard(&dir, &arguments).success()));
+    for text in ["approach 2.500 um prescribed", " N +- "] {
+        assert!(printed.contains(text), "{text} is not in\n{printed}");
+    }
+    let page = fs::read_to_string(dir.path().join("out/report.html")).unwrap();
+    let row = |name: &str| {
+        let row = page.split("<tr>").find(|row| row.contains(name) && row.contains("</td>"));
+        row.unwrap_or_default().to_owned()
+    };
+    assert!(row(">Approach<").contains("prescribed"), "{}", row(">Approach<"));
+    assert!(row(">Load<").contains("±"), "{}", row(">Load<"));
 }
 
 #[test]

@@ -389,7 +389,7 @@ fn wrong_studies_are_refused() {
         (vec!["--over", "motion.sliding.laod=5 N,6 N"], "did you mean `load`"),
         (vec!["--over", "motion.sliding.load=5,6"], "needs a unit"),
         (vec!["--over", "motion.sliding.load=5 N,6 mm"], "row 2 of the study cannot be run"),
-        (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "an empty range"),
+        (vec!["--over", "motion.sliding.load=5 N:6 N:1"], "two values at least"),
         (vec!["--over", "motion.sliding.load=5 N,-6 N"], "greater than zero"),
         (vec!["--over", "motion.sliding.load=5 N:20 N:1000000000"], "100000 at most can be run"),
         (
@@ -514,8 +514,8 @@ fn rows_to_an_accuracy_find_their_grids() {
         "frame=",
         "--set",
         "motion.sliding.step=",
-        "--set",
-        "accuracy=0.05",
+        "--accuracy",
+        "5%",
         "--over",
         "motion.sliding.load=5 N, 50 N",
         "--over",
@@ -540,9 +540,7 @@ fn rows_to_an_accuracy_find_their_grids() {
     archard(&dir, &arguments).success();
     assert_eq!(before, written(dir.path()));
     // Another accuracy is another study.
-    let other: Vec<&str> = arguments
-        .iter()
-        .map(|&one| if one == "accuracy=0.05" { "accuracy=0.04" } else { one })
-        .collect();
+    let other: Vec<&str> =
+        arguments.iter().map(|&one| if one == "5%" { "4%" } else { one }).collect();
     archard(&dir, &other).code(2);
 }

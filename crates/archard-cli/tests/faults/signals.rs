@@ -29,8 +29,19 @@ fn every_signal_ends_a_run_with_its_results() {
             (&summary["complete"], &summary["failure"]),
             (&false.into(), &"interrupted".into())
         );
-        assert_eq!(summary["steps"], assert_whole(dir.path()) - 1);
+        let rows = assert_whole(dir.path());
+        assert_eq!(summary["steps"], rows - 1);
         assert_no_parts(dir.path());
+        // How it began is still told where it goes on, and is interrupted again.
+        let began = summary["command"].as_str().unwrap().to_owned();
+        let mut resume = super::program();
+        let again =
+            Run::start(resume.current_dir(dir.path()).args(["run", "-q", "--resume", "out"]));
+        wait_until("ten more rows", || lines(dir.path()) > rows + 10);
+        again.signal(name);
+        assert_eq!(again.end().status.code(), Some(3));
+        let told = super::summary(dir.path())["command"].as_str().unwrap().to_owned();
+        assert_eq!(told, format!("{began}; archard run -q --resume out"));
     }
 }
 

@@ -26,7 +26,8 @@ pub struct CaseFile {
     name: String,
     folder: PathBuf,
     text: String,
-    options: Vec<String>,
+    /// What was laid over it, and what messages call each.
+    options: Vec<(&'static str, String)>,
 }
 
 /// A case file that cannot be read.
@@ -165,8 +166,14 @@ impl CaseFile {
 
     /// Lays an option `KEY=VALUE` over the case; later ones over earlier ones.
     #[must_use]
-    pub fn set(mut self, option: impl Into<String>) -> Self {
-        self.options.push(option.into());
+    pub fn set(self, option: impl Into<String>) -> Self {
+        self.set_by("--set", option)
+    }
+
+    /// The same where the user gave it by an option of another name, which messages call it by.
+    #[must_use]
+    pub fn set_by(mut self, name: &'static str, option: impl Into<String>) -> Self {
+        self.options.push((name, option.into()));
         self
     }
 
@@ -174,7 +181,7 @@ impl CaseFile {
     pub fn name(&self, source: Source) -> &str {
         match source {
             Source::File => &self.name,
-            Source::Option(_) => "--set",
+            Source::Option(index) => self.options.get(index).map_or("--set", |(name, _)| name),
         }
     }
 
@@ -182,7 +189,7 @@ impl CaseFile {
     pub fn text(&self, source: Source) -> &str {
         match source {
             Source::File => &self.text,
-            Source::Option(index) => self.options.get(index).map_or("", String::as_str),
+            Source::Option(index) => self.options.get(index).map_or("", |(_, text)| text),
         }
     }
 
@@ -199,7 +206,7 @@ impl CaseFile {
             None => self.name.clone(),
             Some(at) => match at.source {
                 Source::File => format!("{}:{}", self.name, self.line(at)),
-                Source::Option(_) => format!("--set {}", self.text(at.source)),
+                source => format!("{} {}", self.name(source), self.text(source)),
             },
         };
         format!("{place}: {}: {}", problem.severity, problem.title())
@@ -242,7 +249,7 @@ impl CaseFile {
         let (mut table, syntax) = self.parse();
         let options = self.options.iter().enumerate();
         let problems = options
-            .filter_map(|(index, option)| overlay::apply(&mut table, index, option).err())
+            .filter_map(|(index, (_, option))| overlay::apply(&mut table, index, option).err())
             .collect();
         accuracy::imply(&mut table);
         Laid { table, syntax, problems }

@@ -44,6 +44,8 @@ pub struct Fit {
     pub surfaces: Vec<Measured>,
     /// What has to be said.
     pub remarks: Vec<String>,
+    /// What is doubtful about the runs, and about what came out.
+    pub doubts: Vec<String>,
     /// Number of runs.
     pub runs: usize,
     /// Whether one run told all k.

@@ -43,7 +43,7 @@ impl Coefficient {
 
     fn json(&self, quantities: &[(String, f64, &'static str)]) -> Value {
         let own = &self.estimate;
-        let exponent = |found: &Exponent| json!({ "exponent": found.value, "interval_95": found.interval, "p": found.p, "rejected": found.rejects() });
+        let exponent = |found: &Exponent| json!({ "exponent": found.value, "interval_95": found.interval, "p": found.p, "rejected": found.rejects(), "words": found.in_words() });
         let readings = own.readings.as_ref().map(|all| {
             let named =
                 quantities.iter().zip(all).map(|((name, _, _), own)| (name.clone(), json!(own)));
@@ -103,7 +103,8 @@ impl Fit {
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
             "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
-            "remarks": self.remarks,
+            "remarks": self.remarks.iter().chain(&self.doubts).collect::<Vec<_>>(),
+            "doubtful": self.doubts,
             "unsettled": self.not_settled(),
         })
     }
@@ -152,7 +153,7 @@ impl fmt::Display for Fit {
         for surface in &self.surfaces {
             writeln!(f, "surface           {surface}")?;
         }
-        for remark in self.not_settled().iter().chain(&self.remarks) {
+        for remark in self.not_settled().iter().chain(&self.remarks).chain(&self.doubts) {
             writeln!(f, "note              {remark}")?;
         }
         Ok(())
@@ -256,16 +257,11 @@ fn explain(
             two(*correlation)
         )?;
     }
-    let judged = |found: &Exponent| {
-        let word = if found.rejects() { "rejected" } else { "accepted" };
-        let [low, high] = found.interval.map(two);
-        format!("{} ({low} .. {high}), p = {}: {word}", two(found.value), probability(found.p))
-    };
     match distance {
         Some(found) => writeln!(
             text,
             "  law's shape     exponent of the distance, 1 by the law: {}",
-            judged(found)
+            found.in_words()
         )?,
         None => writeln!(
             text,
@@ -276,7 +272,7 @@ fn explain(
         writeln!(
             text,
             "  constant k      exponent of the load that k goes by, 0 by the law: {}",
-            judged(found)
+            found.in_words()
         )?;
     }
     let mut parts: Vec<_> = budget.iter().collect();
@@ -299,8 +295,4 @@ fn percent(share: f64) -> String {
 
 fn two(number: f64) -> String {
     if number.abs() < 10.0 { format!("{number:.2}") } else { format!("{number:.0}") }
-}
-
-fn probability(p: f64) -> String {
-    if p < 1e-3 { format!("{p:.0e}") } else { format!("{p:.2}") }
 }

@@ -99,7 +99,6 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let mut remarks = std::mem::take(&mut measured.remarks);
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
-    remarks.extend(search.doubts());
     kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
@@ -113,6 +112,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         coefficients,
         surfaces,
         remarks,
+        doubts: search.doubts(),
         by_k_s,
         unsettled,
     })

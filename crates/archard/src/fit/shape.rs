@@ -27,6 +27,31 @@ impl Exponent {
         self.p < REJECTED && (self.value - self.law).abs() > NEGLIGIBLE
     }
 
+    /// The exponent, its interval, how probable it is, and what follows from both.
+    pub fn in_words(&self) -> String {
+        let off = (self.value - self.law).abs();
+        let is_chance = self.p >= REJECTED;
+        // What is no chance and negligible has the digits that tell it from the law.
+        let decimals = match is_chance || self.rejects() {
+            true => 2,
+            false => (1.0 - off.log10().floor()).max(2.0) as usize,
+        };
+        let number = |value: f64| format!("{value:.decimals$}");
+        let (p, word) = match (is_chance, self.rejects()) {
+            (true, _) => (format!("p = {:.2}", self.p), "accepted".to_owned()),
+            (false, true) => (format!("p < {REJECTED}"), "rejected".to_owned()),
+            (false, false) => (
+                format!("p < {REJECTED}"),
+                format!(
+                    "accepted, though it is no chance: off by {}, and less than {NEGLIGIBLE} is negligible",
+                    number(off)
+                ),
+            ),
+        };
+        let [low, high] = self.interval.map(number);
+        format!("{} ({low} .. {high}), {p}: {word}", number(self.value))
+    }
+
     fn of(law: f64, difference: f64, deviation: f64, degrees: f64) -> Self {
         let half = factor(degrees) * deviation;
         let value = law + difference;
@@ -159,4 +184,22 @@ pub fn by_load(
         (load, own.len(), mean, Effects::of(&values, &variances))
     };
     loads.into_iter().map(group).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Exponent;
+
+    #[test]
+    fn what_is_accepted_has_its_reason() {
+        let words = |value: f64, half: f64, p: f64| {
+            Exponent { value, law: 1.0, interval: [value - half, value + half], p }.in_words()
+        };
+        assert_eq!(words(0.98, 0.06, 0.43), "0.98 (0.92 .. 1.04), p = 0.43: accepted");
+        assert_eq!(
+            words(0.9862, 0.0051, 1e-4),
+            "0.986 (0.981 .. 0.991), p < 0.01: accepted, though it is no chance: off by 0.014, and less than 0.05 is negligible"
+        );
+        assert_eq!(words(0.5, 0.1, 1e-5), "0.50 (0.40 .. 0.60), p < 0.01: rejected");
+    }
 }

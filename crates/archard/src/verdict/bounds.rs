@@ -213,9 +213,10 @@ pub fn friction(coefficient: f64) -> Line {
     Line::new("friction", coefficient, Bound::AtMost([1.5, f64::INFINITY]), text)
 }
 
-/// Whether a run came to its end.
+/// Whether a run came to its end: 0 of one that did not.
 pub fn complete(failure: &str) -> Line {
-    let text = format!("of the run is complete: {}", failure.lines().next().unwrap_or_default());
+    let text =
+        format!("the run stopped before its end: {}", failure.lines().next().unwrap_or_default());
     Line::new("complete", 0.0, Bound::AtLeast([1.0, 1.0]), text)
 }
 

@@ -11,6 +11,8 @@ enum Number {
     Residual,
     /// A pure number.
     Plain,
+    /// Yes or no, which words say.
+    Unsaid,
 }
 
 /// What a good line says, by its subject; its number stands at `{}`.
@@ -38,7 +40,7 @@ const GOOD: [(&str, &str, Number); 24] = [
     ("temperature", "warmest place at {} K", Number::Plain),
     ("creepage", "creepage {}", Number::Share),
     ("friction", "coefficient of friction {}", Number::Plain),
-    ("complete", "complete to {}", Number::Share),
+    ("complete", "the run came to its end", Number::Unsaid),
 ];
 
 /// A residual that is nothing but rounding.
@@ -49,6 +51,7 @@ const LEAST: f64 = 1e-4;
 impl Number {
     fn write(self, value: f64) -> String {
         match self {
+            Number::Unsaid => String::new(),
             _ if !value.is_finite() => value.to_string(),
             Number::Residual if value.abs() < ROUNDING => "rounding".to_owned(),
             Number::Plain => plain(value),
@@ -100,6 +103,7 @@ impl Line {
         };
         let value = number.write(self.value);
         match known {
+            Some((_, _, Number::Unsaid)) if self.word() != Word::Good => self.text.clone(),
             _ if self.word() != Word::Good => {
                 format!("{value} {} (good {side} {bound})", self.text)
             }
@@ -161,6 +165,8 @@ mod tests {
         assert_eq!(line.finding(), finding);
         assert_eq!(line.in_words(), format!("edges           doubtful: {finding}"));
         assert_eq!(line.to_string(), format!("edges: {finding}"));
+        let stopped = verdict::complete("interrupted").finding();
+        assert_eq!(stopped, "the run stopped before its end: interrupted");
         let few = verdict::contact(4.0).finding();
         assert!(few.starts_with("4 elements across the contact") && few.ends_with("(good from 6)"));
         let other = Line::new("other", 3.0, Bound::AtMost([5.0, 9.0]), "of something");

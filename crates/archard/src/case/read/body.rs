@@ -4,6 +4,7 @@ use crate::body::{Body, Elasticity, Material, Thermal, profile::PROFILES};
 use crate::case::chosen::Chosen;
 use crate::case::definition::BodyCase;
 use crate::case::key::Key;
+use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::Entry;
@@ -54,8 +55,11 @@ impl Reader<'_> {
             let message = format!("a second body beside `{}` is missing", last.name);
             self.push(Problem::missing(section.key.child(&last.name), message));
         }
-        for surplus in entries.iter().skip(2) {
-            let message = "a third body: a contact has two".to_owned();
+        for (place, surplus) in entries.iter().enumerate().skip(2) {
+            let others: Vec<&str> = entries[..place].iter().map(|other| &*other.name).collect();
+            let meant = nearest(&surplus.name, &others);
+            let meant = meant.map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+            let message = format!("a third body: a contact has two{meant}");
             self.push(Problem::error(section.key.child(&surplus.name), message).at_name());
         }
         if entries.is_empty() {

@@ -118,6 +118,15 @@ pub(super) fn find(claim: &Claim, simulation: &Simulation) -> Result<(Kept, Vec<
     Ok((kept, run))
 }
 
+/// Says whether what was kept in a folder, of whichever simulation, is whole.
+///
+/// # Errors
+/// As [`find`], but for the simulation.
+pub(super) fn find_any(claim: &Claim) -> Result<(), Error> {
+    let (kept, _) = read(&claim.dir)?;
+    kept.find(claim)
+}
+
 /// What was kept in a folder: the results so far, and the run.
 fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
     let path = dir.join(NAME);
@@ -141,8 +150,8 @@ fn read(dir: &Path) -> Result<(Kept, Vec<u8>), Error> {
 /// Why there is no checkpoint.
 fn missing(dir: &Path) -> &'static str {
     if dir.join("summary.json").is_file() {
-        "it has none: the run came to its end, or ended before there was any"
+        "the run came to its end, or ended before there was a checkpoint"
     } else {
-        "it has none"
+        "there is no checkpoint in it"
     }
 }

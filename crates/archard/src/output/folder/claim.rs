@@ -56,10 +56,10 @@ impl Claim {
         &self.dir
     }
 
-    /// Whether the folder holds results of another case than the one that prints like this, or a case by itself.
-    pub fn holds_another(&self, case_toml: &str) -> bool {
+    /// Whether the folder holds results of another case than the one whose printed form that is, or a case by itself.
+    pub fn holds_another(&self, is_its: impl Fn(&str) -> bool) -> bool {
         match files::read(&self.dir.join(CASE), Contents::Text) {
-            Ok(known) => known != case_toml.as_bytes(),
+            Ok(known) => !std::str::from_utf8(&known).is_ok_and(is_its),
             Err(_) => [SUMMARY, HISTORY].iter().any(|name| self.dir.join(name).exists()),
         }
     }
@@ -118,6 +118,14 @@ impl Claim {
                 Err(error)
             }
         }
+    }
+
+    /// Says whether there is a whole run to go on with, before there is a simulation to compare it with.
+    ///
+    /// # Errors
+    /// If there is no checkpoint of this version, it is damaged, or files of the results are.
+    pub fn find_run(&self) -> Result<(), Error> {
+        checkpoint::find_any(self)
     }
 
     /// Goes on with the results of a simulation's run that was interrupted; the run itself comes with them, for
