@@ -230,10 +230,10 @@ fn hold(cases: Range<u64>, [outside, far]: [f64; 2]) {
 }
 
 /// The shares of values that may be outside of their errors and beyond three times of them: one in a hundred and none are wanted.
-/// Measured: 0.04 and 0.03, all where bodies slide at an approach, whose load fades while its error is taken from the depth. Few cases
-/// may have twice as much by chance.
+/// Measured: 0.037 and 0.030 of 56 cases, 0.030 and 0.022 of 200, nearly all where bodies slide at an approach. Their load fades,
+/// while its error is taken from the depth. Few cases of another version may have twice as much by chance.
 const OF_FEW: [f64; 2] = [0.08, 0.06];
-const OF_MANY: [f64; 2] = [0.06, 0.045];
+const OF_MANY: [f64; 2] = [0.045, 0.035];
 
 #[test]
 fn stated_errors_hold() {
