@@ -16,9 +16,10 @@ test:
 faults:
     cargo test -p archard-cli --test faults -- --include-ignored
 
-# two thousand random cases, ten minutes of each kind of damaged file, a hundred runs killed; about an hour
+# two thousand random cases, the errors stated by two hundred, ten minutes of each kind of damaged file, a hundred runs killed; about an hour
 soak:
     cargo test -p archard --test soak -- --ignored --nocapture
+    cargo test -p archard --test honesty -- --ignored --nocapture
     cargo test -p archard --test damaged -- --ignored --nocapture --test-threads 1
     cargo test -p archard-cli --bin archard -- damaged_folders --ignored --nocapture
     cargo test -p archard-cli --test faults -- --ignored
