@@ -6,6 +6,9 @@
 //! distance of the edge from the centre of the former over that h of the centres. Both together say what t is. The constants are
 //! of the lattice alone: `tests/verification/edges.rs` finds them on a long line of contact.
 //!
+//! Where the last pair bears nearly as much as the one behind and is worn no less, the edge is that of a body. It is taken to lie
+//! half way.
+//!
 //! An edge that wears grows into surfaces that are worn behind it and not before it. There pressures rise by another power:
 //! K s^n with cot(pi n) = E* w' / (2 p), where w' is the slope of the wear behind the edge and p the pressure there, so that the
 //! gap opens by the power 1 + n. It is continued from two open pairs.
@@ -25,6 +28,9 @@ pub const PRESSED: f64 = 0.9542;
 pub const OPEN: f64 = 1.646;
 /// See [`PRESSED`].
 pub const FIRST: f64 = 0.1747;
+/// Largest share of the pressure behind that the last pair bears where pressures grow with the root of the distance from an edge:
+/// 0.71 where the edge is at most an element away, and pressures at the edge are computed to a tenth.
+pub(crate) const GROWS: f64 = 0.8;
 /// Steepness of the wear, cot(pi n), up to which an edge counts as smooth: n is within 0.016 of a half.
 const SMOOTH: f64 = 0.05;
 /// The least cosine of the angle between an axis and the normal of the edge that crosses it: pairs next to each other on an edge
@@ -32,13 +38,17 @@ const SMOOTH: f64 = 0.05;
 const LEAST_COSINE: f64 = 0.2;
 /// How far (in distances of pairs) an edge that wears may lie from where its pairs put it: it is continued.
 const CONTINUED: [f64; 2] = [-0.25, 1.05];
+/// Pairs across a contact whose edges are so far from each other that each is an edge by itself: three pairs on either side, of
+/// which the outer two say where it lies.
+const FEWEST: usize = 6;
 /// Open pairs next to the contact whose gaps say where its edge lies.
 const OPEN_PAIRS: usize = 2;
 /// Pairs to each side over which the direction of the edge is averaged, by the weights of a Gaussian with a variance of two.
 const AROUND: i64 = 2;
 
 impl ContactState {
-    /// Area (m^2) in contact: on uniform frames up to the edge between pairs, otherwise that of all pairs under pressure.
+    /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than [`FEWEST`]
+    /// pairs wide, that of all pairs under pressure.
     pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
         let frame = &problem.frame;
         let modulus = contact_modulus(problem.bodies.each_ref().map(|body| body.material.as_ref()));
@@ -47,6 +57,10 @@ impl ContactState {
             return frame.area_where(touches);
         }
         let Some(contact) = extent(frame.elements(), touches) else { return 0.0 };
+        let few = |axis: usize| frame.elements()[axis] > 1 && contact[axis].len() < FEWEST;
+        if few(0) || few(1) {
+            return frame.area_where(touches);
+        }
         let around = [0, 1].map(|axis| {
             let Range { start, end } = contact[axis];
             start.saturating_sub(OPEN_PAIRS)..(end + OPEN_PAIRS).min(frame.elements()[axis])
@@ -73,27 +87,44 @@ impl Edge<'_> {
         let axis = usize::from(inside.abs_diff(outside) != 1 || self.frame.elements()[0] == 1);
         let spacing = self.frame.spacing()[axis];
         let gap = |pair: usize| self.gap[pair].max(0.0);
-        let pressed = self.state.pressure[inside] / PRESSED;
-        let open = gap(outside) * self.modulus / (OPEN * spacing * self.turned(inside, axis));
-        let smooth = pressed / (pressed + open) - FIRST;
-        let worn = self.power(inside, outside, spacing).and_then(|power| {
-            let step = outside as i64 - inside as i64;
-            let beyond = usize::try_from(outside as i64 + step).ok()?;
-            let far = self.gap.get(beyond)?.max(0.0);
+        let behind = self.after(outside, inside, axis);
+        let behind = behind.filter(|&pair| self.state.pressure[pair] > 0.0);
+        let steepness = behind.map_or(0.0, |behind| self.steepness(inside, behind, spacing));
+        if steepness > SMOOTH {
+            let power = f64::atan2(1.0, steepness) / PI;
+            let far = self.after(inside, outside, axis).map_or(0.0, gap);
             let [near, far] = [gap(outside), far].map(|gap| gap.powf(1.0 / (1.0 + power)));
-            (far > near).then(|| (1.0 - near / (far - near)).clamp(CONTINUED[0], CONTINUED[1]))
-        });
-        worn.unwrap_or(smooth)
+            if far > near {
+                return (1.0 - near / (far - near)).clamp(CONTINUED[0], CONTINUED[1]);
+            }
+        }
+        let (pressure, cosine) = (&self.state.pressure, self.turned(inside, axis));
+        // Along an axis that the edge hardly turns from, both may lie at the edge.
+        let grows = GROWS * (2.0 / (1.0 + cosine)).sqrt();
+        let falls = |behind: usize| pressure[inside] <= grows * pressure[behind];
+        if steepness == 0.0 && behind.is_some_and(|behind| !falls(behind)) {
+            // The edge of a body.
+            return 0.5;
+        }
+        let pressed = pressure[inside] / PRESSED;
+        let open = gap(outside) * self.modulus / (OPEN * spacing * cosine);
+        pressed / (pressed + open) - FIRST
     }
 
-    /// Power of the distance by which pressures rise behind an edge that wears; `None` where it is that of smooth edges.
-    fn power(&self, inside: usize, outside: usize, spacing: f64) -> Option<f64> {
-        let behind = (2 * inside).checked_sub(outside).filter(|&pair| pair < self.frame.len())?;
+    /// The pair on the line from one to its neighbour along an axis that follows; `None` beyond the frame.
+    fn after(&self, from: usize, to: usize, axis: usize) -> Option<usize> {
+        let [columns, rows] = self.frame.elements();
+        let along = |pair: usize| [pair % columns, pair / columns][axis];
+        let next = (2 * along(to)).checked_sub(along(from))?;
+        (next < [columns, rows][axis]).then_some((2 * to).wrapping_sub(from))
+    }
+
+    /// How much less an edge is worn than the pair behind, over what pressures rise by from there: cot(pi n), with n the power of
+    /// the distance by which they do. Zero where wear does not fall to the edge.
+    fn steepness(&self, inside: usize, behind: usize, spacing: f64) -> f64 {
         let worn = |pair: usize| self.state.worn[0][pair] + self.state.worn[1][pair];
         let slope = (worn(behind) - worn(inside)).max(0.0) / spacing;
-        let pressure = self.state.pressure[behind];
-        let steepness = 0.5 * self.modulus * slope / pressure;
-        (steepness > SMOOTH).then(|| f64::atan2(1.0, steepness) / PI)
+        0.5 * self.modulus * slope / self.state.pressure[behind]
     }
 
     /// Cosine of the angle between an axis and the normal of the edge at a pair.

@@ -8,6 +8,7 @@ mod heat;
 mod swung;
 
 pub use beyond::{Beyond, Overlap};
+pub(crate) use edge::GROWS;
 pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
 pub use swung::{Long, Swung};

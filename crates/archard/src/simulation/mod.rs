@@ -38,7 +38,6 @@ pub use history::row;
 pub use march::March;
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
-pub(crate) use second_order::GROWS;
 pub(crate) use swing::solves_of_a_step;
 pub use wider::Wider;
 pub(crate) use wider::can_widen;

@@ -234,11 +234,10 @@ impl Evolution {
         let outcome = if plain || ties.is_empty() {
             solve(simulation, increment, admissible(&ties), (&step, start), effort)?
         } else {
-            let (equal, from) = (admissible(&ties), (&step, start));
-            let nearly = friction::estimate(simulation, increment, equal, from, effort)?;
-            let traction = [&nearly.traction[0][..], &nearly.traction[1]];
+            let even = solve(simulation, increment, admissible(&ties), (&step, start), effort)?;
+            let traction = [&even.traction[0][..], &even.traction[1]];
             let ties = second_order::continued(&ties, flow, law.map(), (&limit, traction));
-            let rigid_slip = &nearly.rigid_slip;
+            let rigid_slip = &even.rigid_slip;
             let start = Some(tangential::Start { traction, limit: &limit, rigid_slip });
             solve(simulation, increment, admissible(&ties), (&step, start), effort)?
         };

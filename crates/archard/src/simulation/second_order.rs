@@ -15,12 +15,8 @@ use crate::frame::Flow;
 use crate::friction::Map;
 use crate::motion::Rolling;
 use crate::numerics::vector;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, GROWS};
 use crate::solve::tangential::{Tie, Turning};
-
-/// Largest share of the limit behind at which both still grow with the root of the distance from an edge: 0.71 where the edge
-/// is at most an element away, and pressures at the edge are computed to a tenth.
-pub(crate) const GROWS: f64 = 0.8;
 
 /// Pairs behind the one at the edge that stick at least where the trend of the first two goes on to it: the third keeps the edge
 /// of slip, beside which tractions bend, away from them.
@@ -54,7 +50,7 @@ pub(super) fn entries(
 }
 
 /// The same where the share of its limit that a pair bears goes on to the edge as it does from pair to pair behind: it is smooth
-/// there. It follows from tractions (Pa) that were found, at least nearly, where it is the same at both. Rows in which no more
+/// there. It follows from tractions (Pa) that were found where it is the same at both. Rows in which no more
 /// than [`STICKING`] pairs stick have no trend to go on.
 pub(super) fn continued(
     ties: &[Tie],

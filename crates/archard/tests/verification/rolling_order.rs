@@ -31,7 +31,7 @@ fn carters(across: f64, beyond: usize, relative: f64, options: &str) -> Rows {
 /// Carter's cylinders, wherever the edge of the contact falls inside an element.
 #[test]
 fn carters_cylinders_on_few_elements() {
-    for (across, within) in [(20.0, 7e-3), (40.0, 1.5e-3), (80.0, 5e-4)] {
+    for (across, within) in [(16.0, 2e-3), (20.0, 1.5e-3), (40.0, 4e-4), (80.0, 1.5e-4)] {
         for offset in [0.0, 0.25, 0.5, 0.75] {
             for relative in [0.25, 0.5, 0.75] {
                 let rows = carters(across + offset, 8, relative, "");
@@ -42,7 +42,44 @@ fn carters_cylinders_on_few_elements() {
     }
 }
 
-/// What passes on the force that a creepage makes is that creepage: tied pairs count in the sum.
+/// Force over mu P of balls without Poisson's ratio that roll with a quarter and a half of the creepage mu a/R, from a program of
+/// another author on 56 elements across.
+const BALLS: [(f64, f64); 2] = [(0.25, 0.51941), (0.5, 0.82879)];
+
+/// A force a few elements tell, wherever the edges of contact and stick fall inside one.
+#[test]
+fn balls_on_few_elements() {
+    for (across, within) in [(16.0, 2.5e-3), (24.0, 1e-3), (40.0, 3e-4)] {
+        for (share, limit) in BALLS {
+            for offset in [[0.1, 0.3], [0.45, 0.8], [0.7, 0.0]] {
+                let [x, y] = offset.map(|offset| offset * 0.2 / across);
+                let size = 0.2 * (across + 6.0) / across;
+                let rows = row(&format!(
+                    r#"
+                    body.ball = {{ material = {{ young = "210 GPa", poisson = 0 }}, profile.sphere.radius = "20 mm" }}
+                    body.other = {{ material = {{ young = "210 GPa", poisson = 0 }}, profile.sphere.radius = "20 mm" }}
+                    friction.coulomb.coefficient = 0.3
+                    [frame]
+                    size = ["{size} mm", "{size} mm"]
+                    centre = ["{x} mm", "{y} mm"]
+                    elements = [{0}, {0}]
+                    [motion.rolling]
+                    load = "14 N"
+                    creepage = {1}
+                    revolutions = 0
+                    "#,
+                    across as usize + 6,
+                    0.003 * share,
+                ));
+                let force = rows.last("force_x_N") / (0.3 * rows.last("load_N"));
+                assert_relative_eq!(force, limit, max_relative = within);
+            }
+        }
+    }
+}
+
+/// What passes on the force that a creepage makes is that creepage: tied pairs count in the sum. Their trend is taken from
+/// solutions with plain ties, which for the force have a creepage 0.7 % off.
 #[test]
 fn a_force_given_is_that_of_the_creepage() {
     for direction in ["x", "-x"] {
@@ -50,7 +87,7 @@ fn a_force_given_is_that_of_the_creepage() {
         let given = carters(20.3, 8, 0.5, &format!("creepage = 0.0015\n{turned}"));
         let force = given.last("force_x_N").abs();
         let found = carters(20.3, 8, 0.5, &format!("force = \"{force} N\"\n{turned}"));
-        assert_relative_eq!(found.last("creepage"), 0.0015, max_relative = 1e-5);
+        assert_relative_eq!(found.last("creepage"), 0.0015, max_relative = 5e-5);
         assert_relative_eq!(found.last("force_x_N").abs(), force, max_relative = 1e-6);
     }
 }
@@ -73,15 +110,13 @@ fn discs(across: usize) -> [f64; 3] {
     [depth / WEAR, rows.last("force_x_N"), section / (WEAR * work)]
 }
 
-/// Halves of the elements leave less than a third of what is off; the work of the creepage is what is worn to the
-/// tolerance of the solver.
+/// What few elements tell; the work of the creepage is what is worn to the tolerance of the solver.
 #[test]
 fn twin_discs_on_few_elements() {
     let [coarse, fine] = [20, 40].map(discs);
     for (which, limit) in LIMITS.into_iter().enumerate() {
-        assert_relative_eq!(coarse[which], limit, max_relative = 4e-3);
-        assert_relative_eq!(fine[which], limit, max_relative = 1e-3);
-        assert!(3.0 * (fine[which] - limit).abs() < (coarse[which] - limit).abs());
+        assert_relative_eq!(coarse[which], limit, max_relative = 2e-3);
+        assert_relative_eq!(fine[which], limit, max_relative = 7e-4);
     }
     for found in [coarse, fine] {
         assert_relative_eq!(found[2], 1.0, max_relative = 1e-6);

@@ -5,9 +5,10 @@ use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case, FrameCase};
 use crate::friction::Friction;
 use crate::motion::Motion;
+use crate::problem::GROWS;
 use crate::problem::steepness;
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
-use crate::simulation::{GROWS, Kind, Tip};
+use crate::simulation::{Kind, Tip};
 
 /// Elements over which a tip has to be worn before it counts as blunt.
 const BLUNT: f64 = 2.0;
