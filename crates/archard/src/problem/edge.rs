@@ -38,9 +38,8 @@ const SMOOTH: f64 = 0.05;
 const LEAST_COSINE: f64 = 0.2;
 /// How far (in distances of pairs) an edge that wears may lie from where its pairs put it: it is continued.
 const CONTINUED: [f64; 2] = [-0.25, 1.05];
-/// Pairs across a contact whose edges are so far from each other that each is an edge by itself: three pairs on either side, of
-/// which the outer two say where it lies.
-const FEWEST: usize = 6;
+/// Pairs across a contact, at least, whose edges are told from each other: two of them say where an edge lies.
+const FEWEST: usize = 4;
 /// Open pairs next to the contact whose gaps say where its edge lies.
 const OPEN_PAIRS: usize = 2;
 /// Pairs to each side over which the direction of the edge is averaged, by the weights of a Gaussian with a variance of two.

@@ -113,8 +113,9 @@ struct Trial {
     depth: f64,
     truncation: f64,
     ripple: f64,
-    /// Relative lag of the pressure where the wear is deepest.
+    /// Relative lag of the pressure where the wear is deepest, as steps are chosen by it and as it is stated.
     lag: f64,
+    stated_lag: f64,
 }
 
 /// What a step began with and came through, as far as its error asks for it.
@@ -191,7 +192,13 @@ impl Trial {
         };
         let truncation = resolved * everywhere.max(there);
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, truncation, ripple, lag }
+        Self { coarse, fine, worn, depth, truncation, ripple, lag, stated_lag: lag }
+    }
+
+    /// By how much the load of both histories differs, relative to that of the fine one.
+    fn fading(&self) -> f64 {
+        let [coarse, fine] = [&self.coarse, &self.fine].map(|one| one.state.load);
+        if fine > 0.0 { (coarse / fine - 1.0).abs() } else { 0.0 }
     }
 
     /// Error relative to what the tolerance allows; of second order in the step.
@@ -371,8 +378,10 @@ impl Adaptive {
         };
         let mut trial = Trial::of(coarse, fine, &way);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
-            // Pressures fade to nothing as the bodies part: what they lag by is no measure then.
+            // Pressures fade to nothing as the bodies part. Steps are not chosen by what they lag by, but it is stated: where
+            // they fade as exp(-s), the fine history is off by less than both differ, relative to it.
             trial.lag = 0.0;
+            trial.stated_lag = trial.fading();
         }
         Ok(trial)
     }
@@ -399,7 +408,7 @@ impl Adaptive {
             let faded = self.fine.state.progress / trial.fine.state.progress;
             trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt())
         } else {
-            trial.lag
+            trial.stated_lag
         };
         effort.pressure_error = Some(self.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {

@@ -38,7 +38,8 @@ pub(super) fn errors(report: &Report<'_>, companion: &Companion, row: &Row) -> R
         |(name, _): &&(String, f64)| counts(name, true) || counts(name, false) || estimated(name);
     let mut errors = vec![];
     for (name, value) in row.iter().filter(has) {
-        let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa"));
+        // A load that is found goes by the pressures.
+        let of_pressure = pressure_error.filter(|_| name.ends_with("_Pa") || name == LOAD);
         let relative = of_pressure.map(|lag| OF_LAG * lag).or(depth).unwrap_or_default();
         let space = companion.error(name, report.state.progress, *value);
         // What no grid changes no step does.

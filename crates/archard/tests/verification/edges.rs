@@ -130,10 +130,10 @@ fn pressures_and_gaps_at_an_edge_say_where_it_lies() {
     }
 }
 
-/// Edges that wear, against grids of 157 elements across; counted elements are 5.3 % and 1.2 % off.
+/// Edges that wear, 7 and 20 elements across, against grids of 192; counted elements are 5.3 % and 1.2 % off.
 #[test]
 fn edges_that_wear_grow_by_their_own_power() {
-    for (distance, elements, bound) in [(5, 24, 1.2e-2), (200, 32, 8e-3)] {
+    for (distance, elements, bound) in [(5, 24, 2e-2), (200, 32, 8e-3)] {
         let body = format!(
             "body.pin.profile.sphere.radius = \"50 mm\"\nbody.pin.wear.archard.coefficient = \"1.33e-13 1/Pa\"\n\
              motion.sliding = {{ load = \"10.2 N\", distance = \"{distance} mm\", tolerance = 1e-4 }}"
