@@ -46,7 +46,7 @@ const OPEN_PAIRS: usize = 2;
 const AROUND: i64 = 2;
 
 impl ContactState {
-    /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than [`FEWEST`]
+    /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than four
     /// pairs wide, that of all pairs under pressure.
     pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
         let frame = &problem.frame;
