@@ -123,7 +123,7 @@ impl Claim {
     /// Says whether there is a whole run to go on with, before there is a simulation to compare it with.
     ///
     /// # Errors
-    /// If there is no checkpoint of this version, it is damaged, or files of the results are.
+    /// If there is no checkpoint of this version, or it is damaged.
     pub fn find_run(&self) -> Result<(), Error> {
         checkpoint::find_any(self)
     }
