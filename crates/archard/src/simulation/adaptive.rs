@@ -113,9 +113,8 @@ struct Trial {
     depth: f64,
     truncation: f64,
     ripple: f64,
-    /// Relative lag of the pressure where the wear is deepest, as steps are chosen by it and as it is stated.
+    /// Relative lag of the pressure where the wear is deepest.
     lag: f64,
-    stated_lag: f64,
 }
 
 /// What a step began with and came through, as far as its error asks for it.
@@ -192,10 +191,11 @@ impl Trial {
         };
         let truncation = resolved * everywhere.max(there);
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, truncation, ripple, lag, stated_lag: lag }
+        Self { coarse, fine, worn, depth, truncation, ripple, lag }
     }
 
-    /// By how much the load of both histories differs, relative to that of the fine one.
+    /// By how much the load of both histories differs, relative to that of the fine one: where it is given, by nothing. Where it
+    /// fades as exp(-s), the fine history is off by less.
     fn fading(&self) -> f64 {
         let [coarse, fine] = [&self.coarse, &self.fine].map(|one| one.state.load);
         if fine > 0.0 { (coarse / fine - 1.0).abs() } else { 0.0 }
@@ -378,10 +378,8 @@ impl Adaptive {
         };
         let mut trial = Trial::of(coarse, fine, &way);
         if matches!(simulation.schedule.control, Control::Approach(_)) {
-            // Pressures fade to nothing as the bodies part. Steps are not chosen by what they lag by, but it is stated: where
-            // they fade as exp(-s), the fine history is off by less than both differ, relative to it.
+            // Pressures fade to nothing as the bodies part: steps are not chosen by what they lag by.
             trial.lag = 0.0;
-            trial.stated_lag = trial.fading();
         }
         Ok(trial)
     }
@@ -408,7 +406,7 @@ impl Adaptive {
             let faded = self.fine.state.progress / trial.fine.state.progress;
             trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt())
         } else {
-            trial.stated_lag
+            trial.lag.max(trial.fading())
         };
         effort.pressure_error = Some(self.lag);
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {

@@ -21,8 +21,6 @@ use crate::solve::tangential::{Tie, Turning};
 /// Pairs behind the one at the edge that stick at least where the trend of the first two goes on to it: the third keeps the edge
 /// of slip, beside which tractions bend, away from them.
 const STICKING: usize = 3;
-/// The least and the most that the share of a pair becomes over that of equal shares of the limits.
-const CONTINUED: (f64, f64) = (0.5, 1.0);
 
 /// Ties of the pairs at which particles come under these pressures (Pa) to the pairs behind, where the friction (Pa) that they
 /// allow grows from the edge on, by shares of what the pairs bear at most (Pa). Scattered pairs have none.
@@ -50,7 +48,7 @@ pub(super) fn entries(
 }
 
 /// The same where the share of its limit that a pair bears goes on to the edge as it does from pair to pair behind: it is smooth
-/// there. It follows from tractions (Pa) that were found where it is the same at both. Rows in which no more
+/// there. It follows from tractions (Pa) that were found where it is the same at both, keeps their sign and their limits. Rows in which no more
 /// than [`STICKING`] pairs stick have no trend to go on.
 pub(super) fn continued(
     ties: &[Tie],
@@ -69,7 +67,7 @@ pub(super) fn continued(
             return *tie;
         }
         let trend = 2.0 - along(far) / along(near);
-        Tie { share: tie.share * trend.clamp(CONTINUED.0, CONTINUED.1), ..*tie }
+        Tie { share: tie.share * trend.clamp(0.0, 1.0), ..*tie }
     };
     ties.iter().map(continued).collect()
 }

@@ -79,7 +79,7 @@ fn balls_on_few_elements() {
 }
 
 /// What passes on the force that a creepage makes is that creepage: tied pairs count in the sum. Their trend is taken from
-/// solutions with plain ties, which for the force have a creepage 0.7 % off.
+/// solutions with plain ties, which take another creepage for the force, and another force for the creepage.
 #[test]
 fn a_force_given_is_that_of_the_creepage() {
     for direction in ["x", "-x"] {

@@ -5,8 +5,7 @@ use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case, FrameCase};
 use crate::friction::Friction;
 use crate::motion::Motion;
-use crate::problem::GROWS;
-use crate::problem::steepness;
+use crate::problem::{GROWS, steepness};
 use crate::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 use crate::simulation::{Kind, Tip};
 
