@@ -48,8 +48,8 @@ pub(super) fn entries(
 }
 
 /// The same where the share of its limit that a pair bears goes on to the edge as it does from pair to pair behind: it is smooth
-/// there. It follows from tractions (Pa) that were found where it is the same at both, keeps their sign and their limits. Rows in which no more
-/// than [`STICKING`] pairs stick have no trend to go on.
+/// there. It follows from tractions (Pa) that were found where it is the same at both, and keeps their sign and their limits. Rows
+/// in which no more than [`STICKING`] pairs stick have no trend to go on.
 pub(super) fn continued(
     ties: &[Tie],
     flow: Flow<'_>,
