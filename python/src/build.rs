@@ -7,7 +7,7 @@ use std::sync::Arc;
 use archard::case::{Case, Following, Resolved, Unsettled};
 use archard::output::Store;
 use archard::problem::ContactProblem;
-use archard::simulation::{Companion, Observer, Report, Simulation};
+use archard::simulation::{Companions, Observer, Report, Simulation};
 use archard::wear::try_out;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -99,11 +99,11 @@ pub fn companion(
     resolved: Resolved,
     cache: Option<PathBuf>,
     mut laws: Laws,
-) -> PyResult<(Resolved, Option<Companion>, Laws)> {
+) -> PyResult<(Resolved, Option<Companions>, Laws)> {
     let failed = laws.failed.clone();
     let work = move || {
         let store = cache.map(Store::new).or_else(Store::of_user);
-        let settled = guarded(|| Ok(resolved.with_companion(store.as_ref(), &mut laws)));
+        let settled = guarded(|| Ok(resolved.with_companions(store.as_ref(), &mut laws)));
         (settled, laws)
     };
     let (settled, laws) = away(py, pool, work).unless_interrupted()?;

@@ -102,7 +102,7 @@ impl Run {
         let kept = cache.clone().map(Store::new).or_else(Store::of_user);
         let (simulation, doubts) = match build(py, &pool, &case, cache, laws) {
             Ok((mut simulation, doubts)) => {
-                simulation.companion = companion;
+                simulation.companions = companion;
                 (simulation, doubts)
             }
             Err(error) => {

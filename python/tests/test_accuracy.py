@@ -27,13 +27,13 @@ def test_errors_stand_beside_the_results() -> None:
     """The history has them in the unit of each column; they are what was asked for."""
     history = archard.Case(PIN).run().history
     depth = history["wear_depth_m"][-1]
-    error = sum(history[f"{kind}_error_of_wear_depth_m"][-1] for kind in ("time", "space"))
+    error = history["error_of_wear_depth_m"][-1]
     assert 0 < error < 0.05 * depth
-    assert 0 < history["space_error"][-1] < 0.05
+    assert 0 < history["relative_error"][-1] < 0.05
 
 
 def test_laws_in_python_are_judged_too() -> None:
-    """The runs on fewer elements have them: the errors are those of the same law in the case."""
+    """The runs on coarser grids have them. No closed form foresees what they wear, so their elements are others."""
     native = archard.Case(PIN).run().history
     seen = set()
 
@@ -43,8 +43,8 @@ def test_laws_in_python_are_judged_too() -> None:
 
     own = archard.Case(PIN).run(laws={"pin": law}).history
     assert own["wear_depth_m"][-1] == pytest.approx(native["wear_depth_m"][-1], rel=1e-2)
-    assert own["space_error"][-1] == pytest.approx(native["space_error"][-1], rel=0.5)
-    assert 0 < own["space_error"][-1] < 0.05
+    assert own["relative_error"][-1] == pytest.approx(native["relative_error"][-1], rel=1.0)
+    assert 0 < own["relative_error"][-1] < 0.05
     assert len(seen) > 1
     with pytest.raises(ZeroDivisionError):
         archard.Case(PIN).run(laws={"pin": lambda p, s: 1 / 0})
@@ -57,7 +57,7 @@ def test_studies_have_a_grid_a_row(tmp_path: Path) -> None:
     over = {"motion.sliding.load": ["5 N", "50 N"]}
     study = archard.sweep(PIN, over, out=tmp_path)
     assert all(row.error is None for row in study.rows)
-    assert all(0 < error < 0.05 for error in study.table["space_error"])
+    assert all(0 < error < 0.05 for error in study.table["relative_error"])
     cases = [(tmp_path / "rows" / row / "case.toml").read_text() for row in ("0001", "0002")]
     sizes = [line for case in cases for line in case.splitlines() if line.startswith("frame.size")]
     assert len(set(sizes)) == 2

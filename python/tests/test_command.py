@@ -12,7 +12,7 @@ MOTIONS = {
     "pin_on_disc": {"motion.sliding.distance": "50 mm"},
     "pin_on_disc_track": {"accuracy": 0.1},
     "cattaneo_mindlin": {"frame.elements": [30, 30]},
-    "twin_disc": {"frame.elements": [21, 41], "motion.rolling.revolutions": 300},
+    "twin_disc": {"accuracy": 0.1, "motion.rolling.revolutions": 300},
     "punch_indentation": {"frame.elements": [24, 24]},
     "custom_expression": {"motion.sliding.distance": "50 mm"},
 }

@@ -1,9 +1,11 @@
 //! The runs on fewer elements that come before one with an `accuracy`.
 
 use std::error::Error as StdError;
+use std::time::{Duration, Instant};
 
 use archard::case::{Following, Resolved, Task, Unsettled};
-use archard::simulation::{Companion, Error, Observer, Report};
+use archard::simulation::{Companions, Error, Observer, Report};
+use archard::units::{self, Measure};
 
 use crate::arguments::Run;
 use crate::failure::Failure;
@@ -15,6 +17,8 @@ use crate::run::one_thread;
 struct Follow<'a> {
     watch: Watch,
     follower: &'a mut Follower,
+    begun: Instant,
+    budget: Option<Duration>,
 }
 
 impl Following for Follow<'_> {
@@ -30,6 +34,14 @@ impl Following for Follow<'_> {
     fn observer(&mut self) -> &mut dyn Observer {
         self
     }
+
+    fn goes_on(&mut self) -> bool {
+        self.budget.is_none_or(|budget| self.begun.elapsed() < budget)
+    }
+
+    fn falls_short(&mut self, why: &Unsettled) {
+        self.follower.tell(&format!("{why}; the run goes on with that"));
+    }
 }
 
 impl Observer for Follow<'_> {
@@ -44,18 +56,31 @@ pub fn settle(
     task: Task,
     (watch, follower): (&Watch, &mut Follower),
     arguments: &Run,
-) -> Result<(Task, Option<Companion>), Failure> {
+) -> Result<(Task, Option<Companions>), Failure> {
     let Task::Contact(resolved) = task else { return Ok((task, None)) };
     let store = arguments.store();
     let small = arguments.threads.is_none() && resolved.case.is_small();
-    let mut follow = Follow { watch: watch.clone(), follower };
-    let settle = || resolved.with_companion(store.as_ref(), &mut follow);
+    let budget = arguments.budget.as_deref().map(budget).transpose()?;
+    let mut follow = Follow { watch: watch.clone(), follower, begun: Instant::now(), budget };
+    let settle = || resolved.with_companions(store.as_ref(), &mut follow);
     let settled = if small { one_thread()?.install(settle) } else { settle() };
     let (resolved, companion) = settled.map_err(failure)?;
     if companion.is_some() {
         follower.tell(&grid(&resolved));
     }
     Ok((Task::Contact(Box::new(resolved)), companion))
+}
+
+/// A time that is given for the search.
+fn budget(text: &str) -> Result<Duration, Failure> {
+    let wrong = |why: String| Failure::Wrong(format!("--budget {text}: {why}"));
+    let seconds = units::read(text, &Measure::TIME).map_err(|error| wrong(error.to_string()))?;
+    let budget = Duration::try_from_secs_f64(seconds).map_err(|error| wrong(error.to_string()))?;
+    if budget.is_zero() {
+        Err(wrong("no grid is judged in no time".to_owned()))
+    } else {
+        Ok(budget)
+    }
 }
 
 /// "the run takes 64 x 64 elements on 1.2 mm x 1.2 mm".

@@ -6,8 +6,8 @@ use archard::case::Forecast;
 use archard::motion::{Control, Rolling, Shift};
 use archard::output::Totals;
 use archard::simulation::history::{
-    self, BODY_DEPTH, CREEPAGE, ERRORS, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA,
-    TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body,
+    self, BODY_DEPTH, CREEPAGE, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH,
+    WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body, stated,
 };
 use archard::simulation::{Effort, Simulation};
 use archard::verdict::Verdict;
@@ -205,16 +205,17 @@ impl Outcome<'_> {
         }
     }
 
-    /// What is stated of a quantity with these components, relative to it; nothing where no accuracy is asked for or there is
-    /// nothing but rounding.
+    /// What is stated of a quantity with these components, relative to it, or that nothing is; nothing where no accuracy is asked
+    /// for or there is nothing but rounding.
     fn error(&self, columns: &[&str]) -> String {
         let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
-        let stated = |column: &&str| {
-            let of = ERRORS.iter().filter_map(|of| self.follower.number(&format!("{of}{column}")));
-            of.sum::<f64>()
+        let of = |column: &&str| stated(column, |name| self.follower.number(name));
+        let Some(errors) = columns.iter().map(of).collect::<Option<Vec<_>>>() else {
+            let estimates = self.simulation.companions.is_some();
+            return if estimates { "error not known".to_owned() } else { String::new() };
         };
         let value = size(columns.iter().map(|column| self.last(column)).collect());
-        let relative = size(columns.iter().map(stated).collect()) / value;
+        let relative = size(errors) / value;
         match relative.is_normal() && relative > ROUNDING {
             true => format!("+- {}", percent(relative)),
             false => String::new(),

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use archard::case::{Resolved, Task};
 use archard::output::{self, Inside, Totals};
-use archard::simulation::{Companion, Effort, Error, Observer};
+use archard::simulation::{Companions, Effort, Error, Observer};
 use archard::verdict::Verdict;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
@@ -71,7 +71,7 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
     Resolved { case, forecast, warnings, .. }: &Resolved,
-    (companion, mut follower): (Option<Companion>, Follower),
+    (companion, mut follower): (Option<Companions>, Follower),
     case_toml: &str,
     watch: &Watch,
     (arguments, dir): (&Run, &Path),
@@ -83,7 +83,7 @@ fn contact(
     let built = case.build_telling(store.as_ref(), &|making| equations.are(making));
     equations.done();
     let mut simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
-    simulation.companion = companion;
+    simulation.companions = companion;
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));

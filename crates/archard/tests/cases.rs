@@ -156,12 +156,12 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             return Ok(Results { points, rows });
         }
     };
-    let settled = resolved.with_companion(Some(store), &mut Rows::default());
+    let settled = resolved.with_companions(Some(store), &mut Rows::default());
     let (resolved, companion) = settled.map_err(|error| error.to_string())?;
     // Cases of the same body share its compliance.
     let built = resolved.case.build_keeping(store);
     let mut simulation = built.map_err(|error| error.to_string())?;
-    simulation.companion = companion;
+    simulation.companions = companion;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(Results { points: vec![], rows })

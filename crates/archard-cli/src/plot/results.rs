@@ -11,7 +11,7 @@ use archard::files;
 use archard::motion::{Progress, Rolling};
 use archard::output::{Collection, Image, Surface};
 use archard::simulation::history::{
-    BODY_DEPTH, CREEPAGE, ERRORS, FORCE, SHIFT, WEAR_DEPTH, of_body,
+    BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body, stated,
 };
 use serde_json::{Map, Value};
 
@@ -134,14 +134,12 @@ impl Results {
         self.history.column(WEAR_DEPTH).is_ok_and(|depths| largest(depths) > 0.0)
     }
 
-    /// The error that a run states for a column, by its elements and steps together, in the unit of the column; `None` where
-    /// it states none.
+    /// The error that a run states for a column, in the unit of the column; `None` where it states none.
     pub(crate) fn error(&self, column: &str) -> Option<Vec<f64>> {
-        let stated =
-            ERRORS.iter().filter_map(|of| self.history.column(&format!("{of}{column}")).ok());
-        stated
-            .map(<[f64]>::to_vec)
-            .reduce(|one, other| one.iter().zip(&other).map(|(a, b)| a + b).collect())
+        let rows = 0..self.history.first().1.len();
+        let number =
+            |row: usize| move |name: &str| self.history.column(name).ok().map(|column| column[row]);
+        rows.map(|row| stated(column, number(row))).collect()
     }
 
     /// The column that measures how far the motion has gone.

@@ -121,7 +121,7 @@ fn write(
             extent: states[last].progress,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
-            companion: None,
+            companions: None,
             again: false,
             march: None,
         };

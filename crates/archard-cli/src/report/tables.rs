@@ -3,9 +3,9 @@
 use archard::closed_form::Hertz;
 use archard::motion::Control;
 use archard::simulation::history::{
-    APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERRORS,
+    APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERROR,
     FLASH_TEMPERATURE, FORCE, LOAD, MASS_LOSS, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, SHIFT,
-    TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, body_of, of_body,
+    TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, body_of, is_error, of_body,
 };
 use serde_json::Value;
 
@@ -17,8 +17,16 @@ use crate::plot::scale::phrase;
 use crate::plot::tables::size;
 
 /// Columns that say how a run was computed, not what came of it.
-const WORK: [&str; 7] =
-    ["iterations", "residual", "solves", "rejected", "true_cycles", "time_error", "space_error"];
+const WORK: [&str; 8] = [
+    "iterations",
+    "residual",
+    "solves",
+    "rejected",
+    "true_cycles",
+    "time_error",
+    "space_error",
+    ERROR,
+];
 
 /// The last row of the history, each number with the error that is stated for it.
 pub(super) fn results(results: &Results) -> Table {
@@ -34,7 +42,7 @@ pub(super) fn results(results: &Results) -> Table {
     let worn = (0..results.bodies.len()).filter(|&body| results.has_worn(body)).count();
     let mut rows = Vec::new();
     for name in history.names() {
-        let errors = ERRORS.iter().any(|of| name.starts_with(of));
+        let errors = is_error(name);
         let Some(value) = last(name).filter(|value| value.is_finite() && !errors) else { continue };
         // What does not wear has nothing to say, and of one body the depth is that of both.
         let twice = name == WEAR_DEPTH && worn < 2;
@@ -66,7 +74,7 @@ pub(super) fn results(results: &Results) -> Table {
 
 /// Whether a run states errors at all.
 fn states_errors(results: &Results) -> bool {
-    results.history.names().any(|name| ERRORS.iter().any(|of| name.starts_with(of)))
+    results.history.names().any(is_error)
 }
 
 /// Units of forces and moments.

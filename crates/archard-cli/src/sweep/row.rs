@@ -74,7 +74,7 @@ fn attempt(
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
     let claim = Claim::take(dir)?.adopting();
-    let settled = resolved.clone().with_companion(store, &mut Stop(requests));
+    let settled = resolved.clone().with_companions(store, &mut Stop(requests));
     if requests.any() {
         claim.give_up();
         return Ok(Outcome::Interrupted);
@@ -86,7 +86,7 @@ fn attempt(
     let resolved = &resolved;
     let built = settled.and_then(|companion| {
         let mut simulation = build(resolved, store)?;
-        simulation.companion = companion;
+        simulation.companions = companion;
         Ok(simulation)
     });
     let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;

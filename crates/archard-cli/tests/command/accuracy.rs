@@ -4,7 +4,7 @@ use std::fs;
 
 use tempfile::TempDir;
 
-use super::{archard, printed, said};
+use super::{archard, case, printed, said};
 
 const PIN: &str = r#"
 [body.pin]
@@ -40,7 +40,7 @@ fn one_number_takes_the_place_of_frame_and_steps() {
     let read =
         |folder: &str, file: &str| fs::read_to_string(dir.path().join(folder).join(file)).unwrap();
     let history = read("one", "history.csv");
-    for column in ["space_error", "time_error_of_wear_depth_m", "space_error_of_wear_depth_m"] {
+    for column in ["relative_error", "error_of_wear_depth_m"] {
         let titles = history.lines().next().unwrap();
         assert!(titles.split(',').any(|title| title == column), "{titles}");
     }
@@ -70,4 +70,24 @@ fn a_frame_that_is_missing_is_asked_for() {
     assert!(said(&run).contains("frame"), "{}", said(&run));
     let run = archard(&dir, &["run", "pin.toml", "--accuracy", "much"]).code(2);
     assert!(said(&run).contains("accuracy"), "{}", said(&run));
+}
+
+/// A budget ends the search on the first grid that is judged, not the run, which says how far off it is.
+#[test]
+fn a_budget_ends_the_search() {
+    let dir = TempDir::new().unwrap();
+    let punch = case("running_in_flat_punch").display().to_string();
+    let run = |budget| {
+        let budget = format!("--budget={budget}");
+        archard(&dir, &["run", &punch, "-o", "one", "--force", &budget])
+    };
+    for nothing in ["0 s", "-1 s", "1 mm", "soon"] {
+        let refused = said(&run(nothing).code(2));
+        assert!(refused.contains(&format!("--budget {nothing}: ")), "{refused}");
+    }
+    let told = said(&run("1e-9 s"));
+    let stays = "0.05 was asked for: ask for less; the run goes on with that";
+    assert!(told.contains(stays) && told.contains("the run takes 56 x 56 elements"), "{told}");
+    let history = fs::read_to_string(dir.path().join("one/history.csv")).unwrap();
+    assert!(history.contains("error_of_wear_depth_m"), "{history}");
 }

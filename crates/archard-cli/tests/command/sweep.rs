@@ -527,7 +527,7 @@ fn rows_to_an_accuracy_find_their_grids() {
     assert_eq!(rows.len(), 4);
     for row in &rows {
         assert_eq!(row["status"], "done", "{row:?}");
-        let error = number(row, "space_error");
+        let error = number(row, "relative_error");
         assert!(error > 0.0 && error < 0.05, "{error}");
     }
     let size = |row: usize| {

@@ -235,9 +235,10 @@ impl CaseFile {
     }
 
     fn resolve_contact(&self, laid: Laid) -> Result<Resolved, Vec<Problem>> {
+        let implied = laid.implied;
         let read = |reader: &mut Reader<'_>, root: &Section<'_>| {
             let case = check::settle(reader.case(root)?);
-            accuracy::choose(case).map_err(|problem| reader.push(problem)).ok()
+            accuracy::choose(case, implied).map_err(|problem| reader.push(problem)).ok()
         };
         let ((case, chose), forecast, warnings) =
             self.examine(laid, read, |(case, _)| check::check(case))?;
@@ -251,14 +252,14 @@ impl CaseFile {
         let problems = options
             .filter_map(|(index, (_, option))| overlay::apply(&mut table, index, option).err())
             .collect();
-        accuracy::imply(&mut table);
-        Laid { table, syntax, problems }
+        let implied = accuracy::imply(&mut table);
+        Laid { table, syntax, problems, implied }
     }
 
     /// Reads a case and checks it, if it could be read.
     fn examine<C, F>(
         &self,
-        Laid { table, syntax, problems }: Laid,
+        Laid { table, syntax, problems, .. }: Laid,
         read: impl FnOnce(&mut Reader<'_>, &Section<'_>) -> Option<C>,
         check: impl FnOnce(&C) -> (F, Vec<Problem>),
     ) -> Result<(C, F, Vec<Problem>), Vec<Problem>> {
@@ -374,6 +375,8 @@ fn beginning(written: &str) -> Option<usize> {
 struct Laid {
     table: Table,
     syntax: Syntax,
+    /// Whether the tolerance of the steps follows from the accuracy.
+    implied: bool,
     /// What is wrong with the options.
     problems: Vec<Problem>,
 }

@@ -129,7 +129,7 @@ fn settled(
     if resolved.case.accuracy.is_none() {
         return Ok((file.clone(), resolved.case));
     }
-    let settled = resolved.with_companion(store, &mut Companions(following));
+    let settled = resolved.with_companions(store, &mut Companions(following));
     let (settled, _) = settled.map_err(|error| match error {
         Unsettled::Run { elements, cause } => match *cause {
             simulation::Error::Observer(cause) => Error::Stopped { cause, runs: 0 },

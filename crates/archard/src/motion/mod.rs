@@ -153,6 +153,13 @@ impl Motion {
         self.rolling().map_or(0, |rolling| rolling.direction.axis)
     }
 
+    /// What drives bodies that roll along x and along y.
+    pub fn drives(&self) -> Option<[Drive; 2]> {
+        let Rolling { direction, longitudinal, lateral, .. } = *self.rolling()?;
+        let along_x = direction.axis == 0;
+        Some(if along_x { [longitudinal, lateral] } else { [lateral, longitudinal] })
+    }
+
     /// How the bodies are shifted against each other, if they are.
     pub fn shift(&self) -> Option<&Shift> {
         if let Self::Shift(shift) = self { Some(shift) } else { None }

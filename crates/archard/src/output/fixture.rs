@@ -307,7 +307,7 @@ impl Run {
                 extent: places.last().copied().unwrap_or_default(),
                 prescribed: Control::Load(state.load),
                 stepping: Stepping::Implicit(1.0),
-                companion: None,
+                companions: None,
                 again: false,
                 march: None,
             };

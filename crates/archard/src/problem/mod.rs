@@ -27,12 +27,10 @@ use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 /// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
-const PRESSURES: [f64; 4] = [1e6, 1e7, 1e8, 1e9];
 const PROBE: f64 = 1e-6;
 const SAME: f64 = 1e-6;
 /// Shares of a pressure under which they are tried beside it: far from it, and next to it.
 const HALF: f64 = 0.5;
-const NEAR: f64 = 0.99;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
 #[non_exhaustive]
@@ -132,23 +130,6 @@ impl ContactProblem {
         wear.slip = slip;
         wear
     }
-}
-
-/// The powers of the pressure by which what a law wears grows: the least there is, and that at some pressure (Pa); 1 where it does
-/// so in proportion, or nothing wears.
-pub(crate) fn steepness(
-    law: &dyn WearLaw,
-    (friction, speed): (Option<&dyn Friction>, f64),
-    pressure: Option<f64>,
-) -> [f64; 2] {
-    let at = |pressure: f64| rubbing(friction, pressure, PROBE, [1.0, 0.0]).at_speed(speed);
-    let power = |pressure: f64, share: f64| {
-        let [less, whole] = under(law, at, pressure, share);
-        (less > 0.0).then(|| (whole / less).ln() / -share.ln())
-    };
-    let least = PRESSURES.iter().filter_map(|&pressure| power(pressure, HALF)).reduce(f64::min);
-    let least = least.unwrap_or(1.0);
-    [least, pressure.and_then(|pressure| power(pressure, NEAR)).unwrap_or(least)]
 }
 
 /// What a law wears (m) under a share of a pressure (Pa) and under all of it.

@@ -31,7 +31,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::error_bars::{OF_STEPS, OF_SWINGS};
 use super::evolution::{Evolution, Increment};
 use super::wider::widened;
 use super::{Effort, Error, Simulation};
@@ -65,8 +64,6 @@ const EARLY: f64 = 0.1;
 const LAG: f64 = 1.4;
 /// Lag of the pressure at the centre, relative, from which on an edge is thought to pass there.
 const EDGE: f64 = 0.1;
-/// Least lag on a surface that swings, where pressures ripple, relative to the root of the tolerance.
-const RIPPLING: f64 = 0.25;
 /// Bounds on the change of the step from one to the next.
 const CHANGE: (f64, f64) = (0.2, 2.0);
 /// Bounds on what of it follows the trend of the steps before.
@@ -99,8 +96,6 @@ pub(super) struct Adaptive {
     /// Errors of the deepest wear by truncation and by ripples (m), the largest estimates so far.
     truncation: f64,
     ripple: f64,
-    /// What the pressure lags by, relative; where a surface swings the largest so far, lowered to its share of the progress.
-    lag: f64,
 }
 
 /// A step of both histories, before it is accepted.
@@ -194,13 +189,6 @@ impl Trial {
         Self { coarse, fine, worn, depth, truncation, ripple, lag }
     }
 
-    /// By how much the load of both histories differs, relative to that of the fine one: where it is given, by nothing. Where it
-    /// fades as exp(-s), the fine history is off by less.
-    fn fading(&self) -> f64 {
-        let [coarse, fine] = [&self.coarse, &self.fine].map(|one| one.state.load);
-        if fine > 0.0 { (coarse / fine - 1.0).abs() } else { 0.0 }
-    }
-
     /// Error relative to what the tolerance allows; of second order in the step.
     fn excess(&self, tolerance: f64) -> f64 {
         self.excess_of_depth(tolerance).max(self.lag * self.lag / (LAG * LAG * tolerance))
@@ -245,7 +233,6 @@ impl Adaptive {
             last: None,
             truncation: 0.0,
             ripple: 0.0,
-            lag: 0.0,
         })
     }
 
@@ -395,20 +382,9 @@ impl Adaptive {
     ) -> Evolution {
         self.truncation = self.truncation.max(trial.truncation);
         self.ripple = self.ripple.max(trial.ripple);
-        let relative = |error: f64| if trial.depth > 0.0 { error / trial.depth } else { 0.0 };
-        let stated = |factor: f64| Some(relative(self.ripple.max(factor * self.truncation)));
-        effort.time_error = stated(if slides { STATED } else { 1.0 });
-        let swings = self.swung.is_some();
-        let enclosing = if swings { OF_SWINGS } else { OF_STEPS };
-        effort.enclosing = stated(if slides { STATED } else { enclosing });
-        self.lag = if swings {
-            // Pressures ripple with the positions: both histories may agree at a step.
-            let faded = self.fine.state.progress / trial.fine.state.progress;
-            trial.lag.max(faded * self.lag).max(RIPPLING * self.tolerance.sqrt())
-        } else {
-            trial.lag.max(trial.fading())
-        };
-        effort.pressure_error = Some(self.lag);
+        let factor = if slides { STATED } else { 1.0 };
+        let error = self.ripple.max(factor * self.truncation);
+        effort.time_error = Some(if trial.depth > 0.0 { error / trial.depth } else { 0.0 });
         for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
             raise(shown, worn, weight);
         }

@@ -190,7 +190,7 @@ impl Builder {
             solver,
             friction_solver,
             schedule,
-            companion: None,
+            companions: None,
             beside: f64::INFINITY,
             wider: None,
         })

@@ -4,8 +4,7 @@
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
 use super::Report;
-use super::companion::Part;
-use super::error_bars::errors;
+use super::companion::Companions;
 use super::scar::{scar, track_width};
 use crate::body::Body;
 use crate::frame::{Line, VectorField};
@@ -68,10 +67,26 @@ pub const MEAN_FLASH_TEMPERATURE: &str = "mean_flash_temperature_K";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
 pub const TIME_ERROR: &str = "time_error";
 
-/// Relative error, by the elements, of the worst of the quantities that count.
-pub const SPACE_ERROR: &str = "space_error";
-/// What the columns of errors by the steps and by the elements begin with; the column follows.
-pub const ERRORS: [&str; 2] = ["time_error_of_", "space_error_of_"];
+/// Relative error of the worst of the quantities that count.
+pub const ERROR: &str = "relative_error";
+/// What the column of an error begins with; that of the quantity follows.
+pub const ERROR_OF: &str = "error_of_";
+/// The same in results of earlier versions, for the errors by the steps and by the elements, whose sum it is.
+const EARLIER: [&str; 2] = ["time_error_of_", "space_error_of_"];
+
+/// The error stated of a column, by what finds the number in a column.
+pub fn stated(column: &str, number: impl Fn(&str) -> Option<f64>) -> Option<f64> {
+    let earlier = || {
+        let of = EARLIER.map(|prefix| number(&format!("{prefix}{column}")));
+        of.into_iter().flatten().reduce(|one, other| one + other)
+    };
+    number(&format!("{ERROR_OF}{column}")).or_else(earlier)
+}
+
+/// Whether a column is the error of another one.
+pub fn is_error(column: &str) -> bool {
+    column.starts_with(ERROR_OF) || EARLIER.iter().any(|prefix| column.starts_with(prefix))
+}
 
 /// The numbers of a step, by column.
 pub type Row = Vec<(String, f64)>;
@@ -91,7 +106,43 @@ pub struct Column {
     pub unit: &'static str,
     /// What it is.
     pub meaning: &'static str,
+    /// How it converges.
+    pub class: Class,
     value: Value,
+}
+
+/// How quantities converge in the size of elements and steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// The normal force.
+    Load,
+    /// Tangential forces, moments and the work that they do.
+    Force,
+    /// Creepages and shifts.
+    Shift,
+    /// The approach.
+    Approach,
+    /// A pressure or a temperature at a place, or a mean.
+    Pressure,
+    /// The largest of them.
+    Peak,
+    /// An area up to an edge between elements.
+    Area,
+    /// An area of whole elements.
+    Count,
+    /// What is worn in all.
+    Volume,
+    /// Depths of wear.
+    Depth,
+    /// What has no error, or one that is not known.
+    Uncertain,
+}
+
+impl Class {
+    /// Whether its errors grow with it as a run goes on; those of others may be as large where it is small.
+    pub(super) fn grows(self) -> bool {
+        !matches!(self, Self::Force | Self::Shift)
+    }
 }
 
 /// The number in a report, of a body where there is a column for each; `None` in all reports of a run
@@ -100,111 +151,197 @@ type Value = fn(&Report<'_>, usize) -> Option<f64>;
 type Text = &'static str;
 
 /// An entry of the table.
-const fn column(name: Text, unit: Text, meaning: Text, value: Value) -> Column {
-    Column { name, unit, meaning, value }
+const fn column(name: Text, unit: Text, class: Class, meaning: Text, value: Value) -> Column {
+    Column { name, unit, meaning, class, value }
 }
 
 /// The columns that follow the progress of the motion, in the order of the files.
 pub const COLUMNS: &[Column] = &[
-    column(LOAD, "N", "normal force", |r, _| Some(r.state.load)),
-    column(APPROACH, "m", "approach from first touch", |r, _| Some(r.state.approach)),
-    column(PEAK_PRESSURE, "Pa", "pressure of the highest element", |r, _| {
+    column(LOAD, "N", Class::Load, "normal force", |r, _| Some(r.state.load)),
+    column(APPROACH, "m", Class::Approach, "approach from first touch", |r, _| {
+        Some(r.state.approach)
+    }),
+    column(PEAK_PRESSURE, "Pa", Class::Peak, "pressure of the highest element", |r, _| {
         Some(maximum(&r.state.pressure))
     }),
-    column(CENTRE_PRESSURE, "Pa", "pressure at the centre of the frame", |r, _| {
-        Some(r.problem.frame.at_centre(&r.state.pressure) - r.effort.centre_lag)
-    }),
-    column(CONTACT_AREA, "m2", "area in contact, up to the edge between elements", |r, _| {
-        Some(r.state.contact_area(r.problem))
-    }),
+    column(
+        CENTRE_PRESSURE,
+        "Pa",
+        Class::Pressure,
+        "pressure at the centre of the frame",
+        |r, _| Some(r.problem.frame.at_centre(&r.state.pressure) - r.effort.centre_lag),
+    ),
+    column(
+        CONTACT_AREA,
+        "m2",
+        Class::Area,
+        "area in contact, up to the edge between elements",
+        |r, _| Some(r.state.contact_area(r.problem)),
+    ),
     column(
         WORN_VOLUME,
         "m3",
+        Class::Volume,
         "worn off each body, off the whole track; not in rolling",
         worn_volume,
     ),
-    column(WORN_SECTION, "m2", "worn off the profile of each body that passes", worn_section),
+    column(
+        WORN_SECTION,
+        "m2",
+        Class::Volume,
+        "worn off the profile of each body that passes",
+        worn_section,
+    ),
     column(
         MASS_LOSS,
         "kg",
+        Class::Volume,
         "mass worn off each body whose density is given; not in rolling",
         mass_loss,
     ),
-    column(BODY_DEPTH, "m", "deepest wear of each body", |r, i| {
+    column(BODY_DEPTH, "m", Class::Depth, "deepest wear of each body", |r, i| {
         Some(match &r.state.swung {
             Some(swung) if swung.body == i => maximum(&swung.worn),
             _ => maximum(&r.state.worn[i]),
         })
     }),
-    column(WEAR_DEPTH, "m", "deepest total wear", |r, _| Some(deepest(r.state))),
-    column(WEAR_RATE, "m3_per_Nm", "its volume over load and distance", wear_rate),
-    column(SCAR[0], "m", "length of the scar on the body that stays, along the track", |r, _| {
-        scar(r).map(|[along, _]| along)
-    }),
-    column(SCAR[1], "m", "width of that scar, across the track", |r, _| {
+    column(WEAR_DEPTH, "m", Class::Depth, "deepest total wear", |r, _| Some(deepest(r.state))),
+    column(WEAR_RATE, "m3_per_Nm", Class::Volume, "its volume over load and distance", wear_rate),
+    column(
+        SCAR[0],
+        "m",
+        Class::Uncertain,
+        "length of the scar on the body that stays, along the track",
+        |r, _| scar(r).map(|[along, _]| along),
+    ),
+    column(SCAR[1], "m", Class::Uncertain, "width of that scar, across the track", |r, _| {
         scar(r).map(|[_, across]| across)
     }),
-    column(TRACK_WIDTH, "m", "width of the track on the body that passes", |r, _| track_width(r)),
-    column(TURNS, "", "turns, or strokes to and fro, so far", |r, _| {
+    column(
+        TRACK_WIDTH,
+        "m",
+        Class::Uncertain,
+        "width of the track on the body that passes",
+        |r, _| track_width(r),
+    ),
+    column(TURNS, "", Class::Uncertain, "turns, or strokes to and fro, so far", |r, _| {
         Some(r.state.progress / r.problem.motion.sliding()?.track?.cycle())
     }),
-    column(TIME, "s", "time so far, where a speed is known", |r, _| {
+    column(TIME, "s", Class::Uncertain, "time so far, where a speed is known", |r, _| {
         Some(r.state.progress / r.problem.motion.sliding()?.speed?)
     }),
-    column(CREEPAGE[0], "", "creepage in rolling, positive where body 1 is faster", |r, _| {
-        rolling(r, |own, _| own.creepage[0])
-    }),
-    column(CREEPAGE[1], "", "creepage across the direction of rolling, signed likewise", |r, _| {
-        rolling(r, |own, _| own.creepage[1])
-    }),
-    column(CYCLE, "", "cycles gone through by bodies that are shifted, in parts", cycle),
-    column(SHIFT[0], "m", "displacement of body 2 over body 1 along x", |r, _| {
+    column(
+        CREEPAGE[0],
+        "",
+        Class::Shift,
+        "creepage in rolling, positive where body 1 is faster",
+        |r, _| rolling(r, |own, _| own.creepage[0]),
+    ),
+    column(
+        CREEPAGE[1],
+        "",
+        Class::Shift,
+        "creepage across the direction of rolling, signed likewise",
+        |r, _| rolling(r, |own, _| own.creepage[1]),
+    ),
+    column(
+        CYCLE,
+        "",
+        Class::Uncertain,
+        "cycles gone through by bodies that are shifted, in parts",
+        cycle,
+    ),
+    column(SHIFT[0], "m", Class::Shift, "displacement of body 2 over body 1 along x", |r, _| {
         shifted(r).and(friction(r, |own| own.shift[0]))
     }),
-    column(SHIFT[1], "m", "displacement of body 2 over body 1 along y", |r, _| {
+    column(SHIFT[1], "m", Class::Shift, "displacement of body 2 over body 1 along y", |r, _| {
         shifted(r).and(friction(r, |own| own.shift[1]))
     }),
-    column(FORCE[0], "N", "force on body 1 along x", |r, _| friction(r, |own| force(r, own)[0])),
-    column(FORCE[1], "N", "force on body 1 along y", |r, _| friction(r, |own| force(r, own)[1])),
-    column(MOMENT, "Nm", "in rolling: moment on body 1, positive from x to y", |r, _| {
-        rolling(r, |own, _| own.moment(&r.problem.frame))
+    column(FORCE[0], "N", Class::Force, "force on body 1 along x", |r, _| {
+        friction(r, |own| force(r, own)[0])
     }),
-    column(STICK_AREA, "m2", "area of the elements under pressure that stick", |r, _| {
-        friction(r, |own| own.stick_area(r.problem, &r.state.pressure))
+    column(FORCE[1], "N", Class::Force, "force on body 1 along y", |r, _| {
+        friction(r, |own| force(r, own)[1])
     }),
-    column(FRICTIONAL_POWER, "N", "power of friction over rolling speed", |r, _| {
+    column(
+        MOMENT,
+        "Nm",
+        Class::Force,
+        "in rolling: moment on body 1, positive from x to y",
+        |r, _| rolling(r, |own, _| own.moment(&r.problem.frame)),
+    ),
+    column(
+        STICK_AREA,
+        "m2",
+        Class::Count,
+        "area of the elements under pressure that stick",
+        |r, _| friction(r, |own| own.stick_area(r.problem, &r.state.pressure)),
+    ),
+    column(FRICTIONAL_POWER, "N", Class::Force, "power of friction over rolling speed", |r, _| {
         rolling(r, |own, rolling| own.creep_power(r.problem, rolling))
     }),
     column(
         FLASH_TEMPERATURE,
         "K",
+        Class::Peak,
         "largest rise of the surfaces' temperature by friction, where the bodies have `thermal` data",
         |r, _| Some(maximum(&r.problem.flash(r.state)?.rise)),
     ),
-    column(MEAN_FLASH_TEMPERATURE, "K", "mean of that rise over the contact", |r, _| {
-        let rise = r.problem.flash(r.state)?.rise;
-        let touching = |pair: &usize| r.state.pressure[*pair] > 0.0;
-        let area = |pair: usize| r.problem.frame.area(pair);
-        let whole: f64 = (0..rise.len()).filter(touching).map(area).sum();
-        let sum: f64 = (0..rise.len()).filter(touching).map(|pair| area(pair) * rise[pair]).sum();
-        Some(if whole > 0.0 { sum / whole } else { 0.0 })
+    column(
+        MEAN_FLASH_TEMPERATURE,
+        "K",
+        Class::Pressure,
+        "mean of that rise over the contact",
+        |r, _| {
+            let rise = r.problem.flash(r.state)?.rise;
+            let touching = |pair: &usize| r.state.pressure[*pair] > 0.0;
+            let area = |pair: usize| r.problem.frame.area(pair);
+            let whole: f64 = (0..rise.len()).filter(touching).map(area).sum();
+            let sum: f64 =
+                (0..rise.len()).filter(touching).map(|pair| area(pair) * rise[pair]).sum();
+            Some(if whole > 0.0 { sum / whole } else { 0.0 })
+        },
+    ),
+    column(
+        DISSIPATED,
+        "J",
+        Class::Force,
+        "energy that friction dissipated in the cycle so far",
+        |r, _| {
+            let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();
+            (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
+        },
+    ),
+    column(
+        "true_cycles",
+        "",
+        Class::Uncertain,
+        "cycles computed so far, rejected ones included",
+        |r, _| shifted(r).map(|_| r.effort.true_cycles as f64),
+    ),
+    column(
+        "iterations",
+        "",
+        Class::Uncertain,
+        "of the step's contact and friction solves",
+        |r, _| Some(r.effort.iterations as f64),
+    ),
+    column("residual", "", Class::Uncertain, "of the step's last solve", |r, _| {
+        Some(r.effort.residual)
     }),
-    column(DISSIPATED, "J", "energy that friction dissipated in the cycle so far", |r, _| {
-        let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();
-        (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
+    column("solves", "", Class::Uncertain, "contact solves so far", |r, _| {
+        Some(r.effort.solves as f64)
     }),
-    column("true_cycles", "", "cycles computed so far, rejected ones included", |r, _| {
-        shifted(r).map(|_| r.effort.true_cycles as f64)
+    column("rejected", "", Class::Uncertain, "rejected steps so far", |r, _| {
+        Some(r.effort.rejected as f64)
     }),
-    column("iterations", "", "of the step's contact and friction solves", |r, _| {
-        Some(r.effort.iterations as f64)
-    }),
-    column("residual", "", "of the step's last solve", |r, _| Some(r.effort.residual)),
-    column("solves", "", "contact solves so far", |r, _| Some(r.effort.solves as f64)),
-    column("rejected", "", "rejected steps so far", |r, _| Some(r.effort.rejected as f64)),
-    column(TIME_ERROR, "", "relative error of the depth from the division into steps", |r, _| {
-        Some(r.effort.time_error.unwrap_or(f64::NAN))
-    }),
+    column(
+        TIME_ERROR,
+        "",
+        Class::Uncertain,
+        "relative error of the depth from the division into steps",
+        |r, _| Some(r.effort.time_error.unwrap_or(f64::NAN)),
+    ),
 ];
 
 /// Whether a column is one that a run is judged by.
@@ -213,14 +350,10 @@ pub(crate) fn counts(name: &str, wears: bool) -> bool {
     of(&ALWAYS) || if wears { of(&OF_WEAR) } else { of(&UNWORN) }
 }
 
-/// Whether a column is a depth of wear.
-pub(super) fn is_depth(name: &str) -> bool {
-    name == WEAR_DEPTH || is_of(BODY_DEPTH, name)
-}
-
-/// Whether a column says how much has worn.
-pub(super) fn is_worn(name: &str) -> bool {
-    OF_WEAR.iter().any(|column| is_of(column, name))
+/// How the quantity in a column converges.
+pub(super) fn class(name: &str) -> Class {
+    let known = COLUMNS.iter().find(|column| is_of(column.name, name));
+    known.map_or(Class::Uncertain, |column| column.class)
 }
 
 /// Whether a column, or that of some body, has the name.
@@ -240,12 +373,20 @@ pub fn row(report: &Report<'_>) -> Row {
         let cell = |(i, body): (usize, &Body)| Some((of_body(name, &body.name), value(report, i)?));
         row.extend(bodies.iter().enumerate().filter_map(cell));
     }
-    if let Some(companion) = report.companion {
-        let errors = errors(report, companion, &row);
-        row.push((SPACE_ERROR.to_owned(), companion.worst(&row, Part::Elements)));
-        row.extend(errors);
+    if let Some(companions) = report.companions {
+        row.extend(errors(companions, &row));
     }
     row
+}
+
+/// The error of the worst quantity in a row, and of each that has one.
+fn errors(companions: &Companions, row: &Row) -> Row {
+    let progress = row.first().map_or(0.0, |first| first.1);
+    let of = |(name, value): &(String, f64)| {
+        Some((format!("{ERROR_OF}{name}"), companions.error(name, progress, *value)?))
+    };
+    let worst = (ERROR.to_owned(), companions.worst(row));
+    [worst].into_iter().chain(row.iter().filter_map(of)).collect()
 }
 
 /// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn alike:

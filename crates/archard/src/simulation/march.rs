@@ -154,7 +154,7 @@ impl March {
             extent: schedule.extent,
             prescribed,
             stepping: schedule.stepping,
-            companion: simulation.companion.as_ref(),
+            companions: simulation.companions.as_ref(),
             again: false,
             march: Some(self),
         }

@@ -7,7 +7,6 @@ mod collector;
 mod companion;
 mod compatibility;
 mod cycles;
-mod error_bars;
 mod evolution;
 mod friction;
 pub mod history;
@@ -31,9 +30,8 @@ pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub(crate) use checkpoint::digest;
-pub use companion::{Companion, Kind, Part, Tip};
+pub use companion::{Companion, Companions, Regularity};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
-use error_bars::OF_STEPS;
 pub use history::row;
 pub use march::March;
 pub use run::Run;
@@ -62,7 +60,7 @@ pub struct Simulation {
     /// What the problem is put through.
     pub schedule: Schedule,
     /// The same on fewer elements, where the error by the elements is asked for.
-    pub companion: Option<Companion>,
+    pub companions: Option<Companions>,
     /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
     /// [window](window::Window).
     pub(crate) beside: f64,
@@ -88,7 +86,7 @@ pub struct Report<'a> {
     /// How the motion is divided into steps.
     pub stepping: Stepping,
     /// The same run on fewer elements, where there is one.
-    pub companion: Option<&'a Companion>,
+    pub companions: Option<&'a Companions>,
     /// Whether it is shown for the second time, by a run that goes on after an interruption.
     pub again: bool,
     /// The run, where it can be kept.
@@ -120,10 +118,6 @@ pub struct Effort {
     /// Estimate of the relative error of the wear depth that the division into steps has caused;
     /// `None` where no estimate is made.
     pub time_error: Option<f64>,
-    /// The same with its margin, where that is not the common one: it encloses the true error.
-    pub enclosing: Option<f64>,
-    /// The same of the pressures, relative.
-    pub pressure_error: Option<f64>,
     /// What the pressure at the centre of the frame lags by (Pa): less this it is of second order in the steps; 0 where
     /// that is not known.
     pub centre_lag: f64,
@@ -137,13 +131,6 @@ pub struct Effort {
     /// the work of the creepages a revolution over the coefficient of friction (N), to compare worn
     /// sections with.
     pub load_distance: f64,
-}
-
-impl Effort {
-    /// [`time_error`](Self::time_error) with the margin by which it encloses the true one.
-    pub(crate) fn enclosing_time_error(&self) -> Option<f64> {
-        self.enclosing.or(self.time_error.map(|time| OF_STEPS * time))
-    }
 }
 
 /// Someone who follows a run: writes files, draws a bar.

@@ -74,7 +74,7 @@ impl Window {
             solver: Arc::clone(solver),
             friction_solver: Arc::clone(friction_solver),
             schedule: schedule.clone(),
-            companion: None,
+            companions: None,
             wider: None,
             beside: beside.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min),
         }))

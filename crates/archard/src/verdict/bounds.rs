@@ -74,11 +74,10 @@ pub fn time(error: f64, tolerance: f64) -> Line {
     Line::new("time", error, Bound::AtMost([2.0 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
-/// The estimated error of the worst quantity by the steps and by the elements at the end, against the accuracy asked for,
-/// and its largest at an output. The run has elements that half of it was foreseen for at the end; what it shows may be more.
+/// The estimated error of the worst quantity at the end, against the accuracy asked for, and its largest at an output. The
+/// companions of the run foresaw no more than that; with the run itself it may be more.
 pub fn accuracy(error: f64, largest: f64, asked: f64) -> Line {
-    let mut text =
-        format!("estimated error by steps and elements at the end, {} asked", share(asked));
+    let mut text = format!("estimated error at the end, {} asked", share(asked));
     if largest > error {
         text += &format!("; up to {} at outputs before it", share(largest));
     }

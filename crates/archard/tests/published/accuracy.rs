@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use std::time::Instant;
 
 use archard::case::CaseFile;
-use archard::simulation::history::{ERRORS, Row, number};
+use archard::simulation::history::{Row, number, stated};
 use toml::de::{DeTable, DeValue};
 
 use crate::common::Rows;
@@ -15,25 +15,29 @@ use crate::{Expected, expected, folders, read};
 
 /// What all cases are asked for.
 const ASKED: &str = "0.01";
-/// What some are asked for besides. A thousandth of the last five takes a quarter of an hour or more.
-const ASKED_MORE: [(&str, &[&str]); 13] = [
+/// What some are asked for besides. A thousandth of the others takes a quarter of an hour or more.
+const ASKED_MORE: [(&str, &[&str]); 11] = [
     ("carter", &["0.1", "0.001"]),
     ("hertz", &["0.1", "0.001"]),
     ("mccoll_fretting", &["0.1", "0.001"]),
     ("pin_on_disc", &["0.1", "0.001"]),
     ("pin_on_disc_track", &["0.1", "0.001"]),
-    ("twin_disc", &["0.1", "0.001"]),
+    ("twin_disc", &["0.1"]),
     ("warm_twin_disc", &["0.1", "0.001"]),
     ("wheel_steel_twin_disc", &["0.1", "0.001"]),
     ("running_in_flat_punch", &["0.1"]),
     ("spence", &["0.1"]),
-    ("fretting_sphere", &["0.1"]),
-    ("orthotropic_fretting", &["0.1"]),
     ("running_in_law", &["0.1"]),
 ];
 
-/// Cases that are asked for less: a hundredth of the depth under the edge of a punch takes more than ten minutes of a processor.
-const LESS: [(&str, &str); 2] = [("running_in_flat_punch", "0.03"), ("running_in_law", "0.03")];
+/// Cases that are asked for less: a hundredth of the depth under the edge of a punch, or of a ball that frets for 200,000 cycles, takes
+/// more than ten minutes of a processor.
+const LESS: [(&str, &str); 4] = [
+    ("running_in_flat_punch", "0.03"),
+    ("running_in_law", "0.03"),
+    ("fretting_sphere", "0.1"),
+    ("orthotropic_fretting", "0.1"),
+];
 
 /// Keys of a motion that an accuracy takes the place of.
 const OF_STEPS: [&str; 4] = ["step", "tolerance", "jump", "increments"];
@@ -90,10 +94,10 @@ fn answer(folder: &Path, accuracy: &str) -> Result<(Vec<Row>, [usize; 2], f64), 
         problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join(" ")
     };
     let resolved = file.resolve().map_err(wrong)?;
-    let companion = resolved.with_companion(None, &mut Rows::default());
+    let companion = resolved.with_companions(None, &mut Rows::default());
     let (resolved, companion) = companion.map_err(|error| error.to_string())?;
     let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
-    simulation.companion = companion;
+    simulation.companions = companion;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok((rows.0, resolved.case.frame.elements, worked() - start))
@@ -111,15 +115,11 @@ fn line(rows: &[Row], one: &Expected) -> (String, bool) {
     let Expected { column, at, value, known_to, .. } = one;
     let Some(row) = row_of(rows, at.as_ref()) else { return (format!("no row at {at:?}"), true) };
     let found = number(row, column).expect("a column");
-    let stated = ERRORS.map(|prefix| number(row, &format!("{prefix}{column}")));
     let truth = read(value, column);
     let off = (found / truth - 1.0).abs();
     let known_to = known_to.expect("known");
     let place = at.as_ref().map_or(String::new(), |at| format!(" at {at}"));
-    let error = match stated {
-        [None, None] => None,
-        some => Some(some.into_iter().flatten().sum::<f64>() / truth.abs()),
-    };
+    let error = stated(column, |name| number(row, name)).map(|error| error / truth.abs());
     let bar = error.map_or("-".to_owned(), |error| format!("{:.2} %", 100.0 * error));
     let text = format!(
         "`{column}`{place} | {found:.4e} | {bar} | {:+.3} % | {:.1e}",

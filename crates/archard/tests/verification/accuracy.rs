@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use approx::assert_relative_eq;
 use archard::case::{CaseFile, Resolved};
 use archard::closed_form::Hertz;
-use archard::simulation::Companion;
-use archard::simulation::history::{ERRORS, Row, SPACE_ERROR, TIME_ERROR, number};
+use archard::simulation::Companions;
+use archard::simulation::history::{ERROR, Row, number, stated};
 
 use crate::common::Rows;
 
@@ -35,14 +35,14 @@ pub(super) fn run(resolved: Resolved) -> Row {
 /// The rows of a case.
 fn run_through(resolved: Resolved) -> Vec<Row> {
     let (resolved, companion) =
-        resolved.with_companion(None, &mut Rows::default()).expect("a grid");
+        resolved.with_companions(None, &mut Rows::default()).expect("a grid");
     on_its_elements(resolved, companion)
 }
 
 /// The rows of a case on its elements.
-fn on_its_elements(resolved: Resolved, companion: Option<Companion>) -> Vec<Row> {
+fn on_its_elements(resolved: Resolved, companion: Option<Companions>) -> Vec<Row> {
     let mut simulation = resolved.case.build().expect("a simulation");
-    simulation.companion = companion;
+    simulation.companions = companion;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).expect("a run");
     rows.0
@@ -50,9 +50,8 @@ fn on_its_elements(resolved: Resolved, companion: Option<Companion>) -> Vec<Row>
 
 /// The value in a column and the error stated, by steps and elements.
 pub(super) fn with_error(row: &Row, column: &str) -> (f64, f64) {
-    let of = |prefix: &str| number(row, &format!("{prefix}{column}"));
-    let errors = ERRORS.map(|prefix| of(prefix).unwrap_or_default());
-    (number(row, column).expect(column), errors[0] + errors[1])
+    let error = stated(column, |name| number(row, name)).unwrap_or_default();
+    (number(row, column).expect(column), error)
 }
 
 /// Asserts that a value lies within the error stated and what the truth leaves.
@@ -61,6 +60,15 @@ pub(super) fn assert_within(row: &Row, column: &str, (truth, leaves): (f64, f64)
     let off = (found - truth).abs();
     println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
     assert!(off <= error + leaves, "{what} {column}: {off:e} of {error:e}");
+}
+
+/// Asserts that a value is not far outside of the error stated. An error is a bound that holds for 99 of 100 values, none of which is
+/// beyond three times (`honesty.rs`); cases that are picked from many as the worst are among the hundredth.
+pub(super) fn assert_near(row: &Row, column: &str, (truth, leaves): (f64, f64), what: &str) {
+    let (found, error) = with_error(row, column);
+    let off = (found - truth).abs();
+    println!("{what} {column}: off {:.2e} of {:.2e}", off / truth.abs(), error / truth.abs());
+    assert!(off <= 3.0 * error + leaves, "{what} {column}: {off:e} of {error:e}");
 }
 
 /// The integral of a function over half a turn, in its argument's middle of many parts.
@@ -77,7 +85,6 @@ type Judged = (&'static str, &'static [&'static str], &'static [&'static str], &
 
 pub(super) const PIN: &str = include_str!("../framed/pin_on_disc/case.toml");
 pub(super) const TRACK: &str = include_str!("../framed/pin_on_disc_track/case.toml");
-const SPHERE: &str = include_str!("../../../../cases/fretting_sphere/case.toml");
 pub(super) const DISCS: &str = include_str!("../framed/twin_disc/case.toml");
 const FRETTING: &str = include_str!("../framed/mccoll_fretting/case.toml");
 const CATTANEO: &str = include_str!("../framed/cattaneo_mindlin/case.toml");
@@ -130,20 +137,17 @@ fn stated_errors_enclose_the_true_ones() {
         for accuracy in SIZES {
             let asked: f64 = accuracy.trim_start_matches("accuracy=").parse().unwrap();
             let row = at(accuracy);
-            // The steps are stated with a margin of three.
-            let stated =
-                number(&row, SPACE_ERROR).unwrap() + 3.0 * number(&row, TIME_ERROR).unwrap();
+            let stated = number(&row, ERROR).unwrap();
             assert!(stated <= asked, "{stated} of {asked}");
             for column in columns {
                 let ((found, error), (truth, rest)) =
                     (with_error(&row, column), with_error(&truth, column));
                 let off = (found - truth).abs();
                 println!(
-                    "{accuracy} {column} {:.2e} stated {:.2e} ratio {:.2} time {:.2e}",
+                    "{accuracy} {column} {:.2e} stated {:.2e} ratio {:.2}",
                     off / truth,
                     error / truth,
-                    error / off,
-                    number(&row, TIME_ERROR).unwrap()
+                    error / off
                 );
                 if off > error + rest {
                     lies.push(format!("{column} at {asked}: {off:e} of {error:e}"));
@@ -245,43 +249,15 @@ fn partial_slip_lies_within_the_errors_stated() {
     }
 }
 
-/// Fretting until hardly anything wears any more, against its closed form: runs on different elements jump over different
-/// cycles. The frame, of a wear that nothing foresees, closes in on a scar of 0.39 mm.
-#[test]
-fn fretting_that_jumps_lies_within_the_errors_stated() {
-    let options = [
-        "accuracy=0.2",
-        "frame=",
-        "motion.fretting.tolerance=",
-        "motion.fretting.increments=",
-        "motion.fretting.cycles=60000",
-        "output={}",
-    ];
-    let resolved = resolved(SPHERE, &options).unwrap();
-    let chosen = resolved.case.frame.size[0];
-    let (resolved, companion) = resolved.with_companion(None, &mut Rows::default()).unwrap();
-    let taken = resolved.case.frame.size[0];
-    assert!(chosen > 0.8e-3 && (0.42e-3..0.6e-3).contains(&taken), "{chosen} {taken}");
-    let row = on_its_elements(resolved, companion).pop().expect("a row");
-    for (column, truth, known_to) in
-        [("wear_depth_m", 0.631683e-6, 0.012), ("centre_pressure_Pa", 1391.294e6, 0.005)]
-    {
-        let (found, error) = with_error(&row, column);
-        let off = (found - truth).abs();
-        assert!(off <= error + known_to * truth, "{column}: {off:e} of {error:e}");
-        assert!(error <= 0.2 * truth, "{column}: {error:e}");
-    }
-}
-
 /// A frame that is given keeps its elements, and the error that they make is stated; what is chosen prints as a case that
 /// reads back to itself.
 #[test]
 fn what_is_given_is_kept() {
     let given = |elements: &'static str| ["accuracy=0.001", "motion.sliding.step=", elements];
-    let coarse = answer(PIN, &given("frame.elements=[30, 30]"));
-    assert!(number(&coarse, SPACE_ERROR).unwrap() > 1e-3);
+    let coarse = answer(PIN, &given("frame.elements=[42, 42]"));
+    assert!(number(&coarse, ERROR).unwrap() > 1e-3);
     let coarser = resolved(PIN, &given("frame.elements=[14, 14]")).unwrap();
-    let refused = coarser.with_companion(None, &mut Rows::default()).map(|_| ()).unwrap_err();
+    let refused = coarser.with_companions(None, &mut Rows::default()).map(|_| ()).unwrap_err();
     assert!(refused.to_string().starts_with("3.5 elements"), "{refused}");
     let chosen = resolved(PIN, &["accuracy=0.02", "motion.sliding.step=", "frame="]).unwrap();
     let again = resolved(&chosen.case.to_string(), &[]).unwrap();

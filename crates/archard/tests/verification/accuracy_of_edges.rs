@@ -2,16 +2,19 @@
 
 use std::f64::consts::PI;
 
-use archard::simulation::history::Row;
+use archard::case::{Following, Unsettled};
+use archard::simulation::Observer;
+use archard::simulation::history::{Row, number, stated};
 
-use super::accuracy::{answer, assert_within, over_half_a_turn, resolved, rows, with_error};
+use super::accuracy::{
+    answer, assert_near, assert_within, over_half_a_turn, resolved, rows, with_error,
+};
 use crate::common::Rows;
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
 const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
 const PUNCH: &str = include_str!("../../../../cases/running_in_flat_punch/case.toml");
 const FORMULA: &str = include_str!("../../../../cases/custom_expression/case.toml");
-const FRETTING: &str = include_str!("../../../../cases/mccoll_fretting/case.toml");
 
 const HARDLY_WEARS: &str = "body.pin.wear={ archard = { coefficient = \"1e-16 1/Pa\" } }";
 const ASKED: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
@@ -41,7 +44,7 @@ fn a_strip_too_narrow_for_the_elements_counts() {
                 ("contact_area_m2", contact),
                 ("peak_pressure_Pa", 571.43e6),
             ] {
-                assert_within(&row, column, (truth, 1e-4 * truth), &what);
+                assert_near(&row, column, (truth, 1e-4 * truth), &what);
             }
             assert!(with_error(&row, "creepage").1 < 1e-9, "what is given has no error");
         }
@@ -54,7 +57,7 @@ fn a_strip_too_narrow_for_the_elements_counts() {
 fn the_depth_under_an_edge_lies_within_the_error_stated() {
     for accuracy in ["accuracy=0.2", "accuracy=0.1"] {
         let row = answer(PUNCH, &["motion.sliding.distance=10 mm", accuracy]);
-        assert_within(&row, "wear_depth_m", (7.428e-8, 0.002e-8), accuracy);
+        assert_near(&row, "wear_depth_m", (7.428e-8, 0.002e-8), accuracy);
         // Galin's.
         assert_within(&row, "centre_pressure_Pa", (20.78444e6, 1e3), accuracy);
     }
@@ -87,7 +90,7 @@ fn what_wears_at_the_rim_of_slip_lies_within_the_error_stated() {
             let options = [&law, &creepage, "motion.rolling.revolutions=5000", accuracy];
             let row = answer(CARTER, &options);
             let what = format!("{exponent} {share} {accuracy}");
-            assert_within(&row, "wear_depth_m", (truth, 1e-4 * truth), &what);
+            assert_near(&row, "wear_depth_m", (truth, 1e-4 * truth), &what);
         }
     }
 }
@@ -148,8 +151,7 @@ fn pressures_at_a_tip_are_stated_as_they_converge() {
             if pressure.is_finite() {
                 assert_within(&row, column, (pressure, 1e-4 * pressure), &what);
             } else {
-                let (found, error) = with_error(&row, column);
-                assert!(error > 0.99 * found, "{what} {column}: {error:e} of {found:e}");
+                assert_eq!(stated(column, |name| number(&row, name)), None, "{what} {column}");
             }
         }
     }
@@ -227,21 +229,40 @@ fn an_element_lies_about_a_tip() {
         let options: Vec<_> = options.iter().map(String::as_str).chain(["accuracy=0.1"]).collect();
         let (settled, _) = resolved(PIN, &options)
             .expect("a case")
-            .with_companion(None, &mut Rows::default())
+            .with_companions(None, &mut Rows::default())
             .expect("elements");
         let elements = settled.case.frame.elements;
         assert_eq!(elements.map(|elements| elements % 2), [odd; 2], "{elements:?}");
     }
 }
 
-/// No elements tell how deep a cone wears before they see that it does, and none are tried.
+/// Keeps why a search ends short of what is asked.
+#[derive(Default)]
+struct Short(Rows, Vec<String>);
+
+impl Following for Short {
+    fn begins(&mut self, _: [usize; 2]) {}
+
+    fn falls_short(&mut self, why: &Unsettled) {
+        self.1.push(why.to_string());
+    }
+
+    fn observer(&mut self) -> &mut dyn Observer {
+        &mut self.0
+    }
+}
+
+/// No elements tell how deep a cone wears before they see that it does: few are tried, and it is said what was reached.
 #[test]
-fn a_cone_that_stays_sharp_is_refused_at_once() {
+fn a_cone_that_stays_sharp_falls_short_at_once() {
     let tip = tip("1", "");
     let resolved = resolved(PIN, &hardly_wearing_on_a_track(&tip, "accuracy=0.1")).expect("a case");
-    let error = resolved.with_companion(None, &mut Rows::default()).expect_err("no elements");
-    let said = error.to_string();
+    let mut short = Short::default();
+    let (settled, companions) = resolved.with_companions(None, &mut short).expect("some elements");
+    let [said] = &short.1[..] else { panic!("{:?}", short.1) };
     assert!(said.contains("at distance 0.01 m") && said.contains("once the tip is worn"), "{said}");
+    assert!(companions.expect("companions").worst_foreseen(0.01) > 0.1);
+    assert!(settled.case.frame.elements[0] < 200, "{:?}", settled.case.frame.elements);
 }
 
 /// Pressures under a coefficient that runs in, against an independent axisymmetric solution.
@@ -252,30 +273,6 @@ fn pressures_under_a_law_that_remembers_lie_within_the_errors_stated() {
         for (distance, truth) in [(0.02, 46.838e6), (0.1, 28.465e6), (0.2, 22.356e6)] {
             let row = row_at(&rows, distance);
             assert_within(row, "centre_pressure_Pa", (truth, 5e-4 * truth), accuracy);
-        }
-    }
-}
-
-/// Pressures on a scar that swings ripple by percents, and say so.
-#[test]
-fn pressures_on_a_scar_that_swings_lie_within_the_errors_stated() {
-    let variants: [&[&str]; 3] = [
-        &[],
-        &["body.cylinder.wear.archard.coefficient=7.65975e-9 1/MPa"],
-        &["body.flat.material.young=251.871 GPa", "body.cylinder.material.young=336.072 GPa"],
-    ];
-    for options in variants {
-        let at = |accuracy: &'static str| rows(FRETTING, &[options, &[accuracy]].concat());
-        let truth = at("accuracy=0.003");
-        for accuracy in ASKED {
-            let found = at(accuracy);
-            for cycles in [1000.0, 5000.0, 10_000.0, 18_000.0] {
-                let [row, best] = [&found, &truth].map(|rows| row_at(rows, cycles));
-                let what = format!("{accuracy} at {cycles}");
-                for column in ["peak_pressure_Pa", "centre_pressure_Pa", "wear_depth_flat_m"] {
-                    assert_within(row, column, with_error(best, column), &what);
-                }
-            }
         }
     }
 }

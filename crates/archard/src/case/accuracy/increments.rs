@@ -5,8 +5,6 @@ use crate::case::definition::Case;
 use crate::parameters::Value;
 
 const INCREMENTS: &str = "increments";
-/// How many there are at first.
-const FIRST: usize = 20;
 /// The most that are chosen.
 const MOST: usize = 400;
 /// Those of fretting are a multiple of this.
@@ -20,11 +18,13 @@ fn rubs(case: &Case) -> bool {
     takes && Parts::of(case).is_ok_and(rub)
 }
 
-/// Gives a number of increments to a case that says none; whether it did.
-pub(super) fn choose(case: &mut Case) -> bool {
+/// Gives a number of increments to a case that says none, as many from one turn of the motion to the next as there are elements
+/// across the contact; whether it did.
+pub(super) fn choose(case: &mut Case, across: impl FnOnce(&Parts<'_>) -> f64) -> bool {
     let chosen = rubs(case) && of(case).is_none();
-    if chosen {
-        set(case, FIRST);
+    let wanted = Parts::of(case).map(|parts| 2.0 * across(&parts));
+    if let Some(wanted) = wanted.ok().filter(|_| chosen) {
+        set(case, (((wanted / DIVISOR).ceil() * DIVISOR) as usize).min(MOST));
     }
     chosen
 }
@@ -46,9 +46,9 @@ pub(super) fn of_rubbing(case: &Case) -> Option<usize> {
     of(case).filter(|_| rubs(case))
 }
 
-/// About half of so many.
-pub(super) fn fewer(count: usize) -> usize {
-    ((0.5 * count as f64 / DIVISOR).round() * DIVISOR) as usize
+/// That many times fewer.
+pub(super) fn fewer(count: usize, ratio: f64) -> usize {
+    ((count as f64 / ratio / DIVISOR).floor().max(1.0) * DIVISOR) as usize
 }
 
 /// Takes that many times as many, as far as that is allowed.

@@ -1,17 +1,17 @@
 //! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
 //!
-//! Half of the error is left to the elements; the tolerance of the steps is three tenths of it, because what they err by is
-//! stated with a margin. How many elements the first output needs follows from the
-//! order of the error: of the second where all of the contact slides, where bodies roll or nothing resists, of the first where
-//! they are shifted with friction. The constants enclose what some 1,600 runs showed; [`companion`] measures what came of them.
+//! Elements, tolerance and increments are one resolution: finer by a ratio r, the tolerance is smaller by r^2. How many elements
+//! the first output needs follows from the order of the error: of the second where all of the contact slides, where bodies roll or
+//! nothing resists, of the first where they are shifted with friction. That is a first guess; [`companions`] measures what came of
+//! it, and refines it.
 
-mod companion;
+mod companions;
 mod increments;
-mod kind;
 mod locate;
+mod regularity;
 mod wider;
 
-pub use companion::{Following, Unsettled};
+pub use companions::{Following, Unsettled};
 
 use super::check::Parts;
 use super::definition::{Case, FrameCase};
@@ -21,22 +21,20 @@ use super::problem::Problem;
 use super::tree::{Entry, Item, Node, Table};
 use crate::estimate::{Estimate, Estimator};
 use crate::motion::MOTIONS;
-use kind::{has_tip, order, slips_partly};
 use locate::Lost;
+use regularity::{has_tip, order, slips_partly};
 
 /// The least accuracy that can be asked for.
 const COARSEST: f64 = 0.2;
-/// Tolerance of the steps, whose errors are stated with a margin, relative to the accuracy.
-const TOLERANCE: f64 = 0.3;
-/// Share of the error that is left to the elements.
-const OF_ELEMENTS: f64 = 0.5;
+/// Tolerance of the steps, relative to the accuracy: with four times as much, a companion differs by three times their error.
+const TOLERANCE: f64 = 1.0 / 3.0;
 /// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
 const BESIDE: f64 = 1.15;
 const BESIDE_UNFORESEEN: f64 = 3.0;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
-/// Elements across the unworn contact, at least: fewer are warned of.
-const UNWORN: f64 = 8.0;
+/// Elements across the unworn contact, at least: of those of the coarsest companion more than three are left.
+const UNWORN: f64 = 10.0;
 /// Elements along an axis, at most.
 const MOST: f64 = 4096.0;
 
@@ -51,6 +49,8 @@ pub struct Chose {
     pub elements: bool,
     /// The increments of a cycle.
     pub increments: bool,
+    /// The tolerance of the steps.
+    pub tolerance: bool,
 }
 
 impl Chose {
@@ -61,7 +61,11 @@ impl Chose {
             "frame.centre" => self.place,
             "frame.size" => self.size,
             "frame.elements" | "frame.doubles" => self.elements,
-            _ => self.increments && key.starts_with("motion.") && key.ends_with(".increments"),
+            key if key.starts_with("motion.") => {
+                self.increments && key.ends_with(".increments")
+                    || self.tolerance && key.ends_with(".tolerance")
+            }
+            _ => false,
         }
     }
 }
@@ -86,26 +90,28 @@ pub(super) fn refusal() -> String {
     format!("must be greater than 0 and at most {COARSEST}, a relative error")
 }
 
-/// Puts the tolerance of the steps into the table of the motion where it takes one and says nothing of its steps.
-pub(super) fn imply(table: &mut Table) {
-    let Some(accuracy) = table.get("accuracy").map(|entry| entry.node.clone()) else { return };
+/// Puts the tolerance of the steps into the table of the motion where it takes one and says nothing of its steps; whether it did.
+pub(super) fn imply(table: &mut Table) -> bool {
+    let Some(accuracy) = table.get("accuracy").map(|entry| entry.node.clone()) else {
+        return false;
+    };
     let Some(Item::Table(motion)) = table.get_mut("motion").map(|entry| &mut entry.node.item)
     else {
-        return;
+        return false;
     };
     let [Entry { name, node: Node { item: Item::Table(motion), .. }, .. }] = &mut motion.0[..]
     else {
-        return;
+        return false;
     };
-    let Some(choice) = MOTIONS.iter().find(|choice| choice.name == *name) else { return };
+    let Some(choice) = MOTIONS.iter().find(|choice| choice.name == *name) else { return false };
     let takes = |name: &str| choice.parameters.iter().any(|parameter| parameter.name == name);
     let says = |name: &str| motion.get(name).is_some();
     let jumps = !takes("cycles") || says("cycles");
     if !takes("tolerance") || !jumps {
-        return;
+        return false;
     }
     if ["tolerance", "step", "jump", "scheme"].into_iter().any(says) {
-        return;
+        return false;
     }
     // What is wrong with the accuracy is said once.
     let value = match accuracy.item {
@@ -115,16 +121,18 @@ pub(super) fn imply(table: &mut Table) {
     let item = Item::Number { text: value.to_string(), value, whole: false };
     let node = Node { item, at: accuracy.at.clone() };
     motion.0.push(Entry { name: "tolerance".to_owned(), at: accuracy.at, node });
+    true
 }
 
-/// The case with a frame where it has none, or has no size or no elements.
-pub(super) fn choose(mut case: Case) -> Result<(Case, Chose), Problem> {
+/// The case with a frame where it has none, or has no size or no elements; its tolerance may be chosen already.
+pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), Problem> {
     let Some(accuracy) = case.accuracy else { return Ok((case, Chose::default())) };
     let chose = Chose {
         size: case.frame.size[0] == 0.0,
         place: false,
         elements: case.frame.elements[0] == 0,
-        increments: increments::choose(&mut case),
+        increments: increments::choose(&mut case, |parts| across(accuracy, parts)),
+        tolerance,
     };
     if case.motion.values.number("step").is_some() {
         let key = Key::of(["motion", case.motion.choice.name, "step"]);
@@ -184,7 +192,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let known = last.cap.is_some() || last.track.is_some();
     let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
     let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
-    let across = across(accuracy, order(&parts), slips_partly(&parts));
+    let across = across(accuracy, &parts);
     let element = [0, 1].map(|axis| {
         let unworn = unworn.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
         2.0 * (first[axis] / across).min(unworn / UNWORN)
@@ -255,8 +263,8 @@ fn around(half: f64, element: f64) -> f64 {
 }
 
 /// Elements across the contact of the first output.
-fn across(accuracy: f64, order: f64, slips_partly: bool) -> f64 {
-    let least = if slips_partly { 24.0 } else { 8.0 };
-    let asked = if order == 2.0 { 2.4 / accuracy.sqrt() } else { 0.8 / accuracy };
+fn across(accuracy: f64, parts: &Parts<'_>) -> f64 {
+    let least = if slips_partly(parts) { 24.0 } else { UNWORN };
+    let asked = if order(parts) == 2.0 { 2.4 / accuracy.sqrt() } else { 0.8 / accuracy };
     asked.max(least)
 }

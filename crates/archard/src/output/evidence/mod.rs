@@ -13,8 +13,8 @@ use serde::{Deserialize, Serialize};
 use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
 use crate::problem::{Beyond, ContactProblem, Overlap};
-use crate::simulation::history::{SPACE_ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
-use crate::simulation::{Part, Report};
+use crate::simulation::Report;
+use crate::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::verdict::{self, Verdict};
 
 use edges::Edges;
@@ -54,7 +54,7 @@ pub(super) struct Evidence {
     volume: Option<f64>,
     /// Alternation and spikes of the pressures at outputs, relative to the largest.
     roughness: Option<f64>,
-    /// Estimated error by steps and elements at the end, the largest at an output before, and the accuracy asked for.
+    /// Estimated error at the end, the largest at an output before, and the accuracy asked for.
     accuracy: Option<[f64; 3]>,
     worst_output: Option<f64>,
     /// The smallest Peclet number of a contact that is warmed.
@@ -104,20 +104,17 @@ impl Evidence {
         });
         self.time = match (report.stepping, effort.time_error) {
             // An accuracy that is asked for has a line of its own.
-            (Stepping::Tolerance(tolerance), Some(error)) if report.companion.is_none() => {
+            (Stepping::Tolerance(tolerance), Some(error)) if report.companions.is_none() => {
                 Some([error, tolerance])
             }
             _ => None,
         };
-        self.accuracy = report.companion.map(|companion| {
-            let space = number(row, SPACE_ERROR).unwrap_or(f64::NAN);
-            let increments = companion.worst(row, Part::Increments);
-            let time = effort.enclosing_time_error().unwrap_or_default();
-            let error = space + time + increments;
+        self.accuracy = report.companions.map(|companions| {
+            let error = number(row, ERROR).unwrap_or(f64::NAN);
             if report.output {
                 worst(&mut self.worst_output, Some(error));
             }
-            [error, self.worst_output.unwrap_or_default(), companion.asked]
+            [error, self.worst_output.unwrap_or_default(), companions.asked]
         });
         self.touch =
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);

@@ -392,7 +392,7 @@ fn numbers_that_are_none_are_refused() {
             extent,
             prescribed: Control::Load(state.load),
             stepping: Stepping::Implicit(1.0),
-            companion: None,
+            companions: None,
             again: false,
             march: None,
         };

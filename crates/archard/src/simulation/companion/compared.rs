@@ -1,121 +1,135 @@
-//! Two runs of a case, compared wherever both have come to.
+//! A coarser run, and two of them compared wherever both have come to.
 
 use crate::simulation::history::Row;
 
-/// Two progresses are the same to this, relative.
-const SAME: f64 = 1e-9;
-/// Two places lie alike in their cycles to this part of a cycle.
-const ALIKE: f64 = 1e-6;
-/// The most by which a difference is scaled to where it is needed.
-const MOST_SCALED: f64 = 4.0;
+/// Two progresses are the same to this, relative; and two places in a cycle, to this part of it.
+const SAME: f64 = 1e-6;
+/// The largest ratio of the progress at which a difference counts to the present one, and of the sizes of both values.
+const WINDOW: f64 = 4.0;
 
-/// The rows of two runs, the finer one first. All have the same columns.
+/// A run made coarser.
+#[derive(Debug, Clone)]
+pub struct Companion {
+    /// How many times as large its elements are.
+    pub ratio: f64,
+    /// What it showed.
+    pub rows: Vec<Row>,
+}
+
+impl Companion {
+    /// A column at some progress. Runs jump over different cycles, in which forces turn: the rows between which it lies are at
+    /// the same place of their cycles where there are such.
+    pub(super) fn at(&self, column: usize, progress: f64, period: Option<f64>) -> f64 {
+        let [power, _] = between(self.around(progress, period), column, progress);
+        power
+    }
+
+    /// By how much a value at some progress differs from what this run shows there; `None` where it does not show that place of a
+    /// cycle. Between rows nothing is known of what lies between two interpolations.
+    pub(super) fn difference(
+        &self,
+        column: usize,
+        (progress, value): (f64, f64),
+        period: Option<f64>,
+    ) -> Option<f64> {
+        let around = match period {
+            Some(period) => self.in_cycle(progress, period)?,
+            None => self.beside(progress),
+        };
+        let [power, straight] = between(around, column, progress);
+        let (low, high) = (power.min(straight), power.max(straight));
+        Some((low - value).max(value - high).max(0.0))
+    }
+
+    fn around(&self, progress: f64, period: Option<f64>) -> [&Row; 2] {
+        let in_cycle = period.and_then(|period| self.in_cycle(progress, period));
+        in_cycle.unwrap_or_else(|| self.beside(progress))
+    }
+
+    /// The rows next to some progress at the same place of their cycles, or the only one there is.
+    fn in_cycle(&self, progress: f64, period: f64) -> Option<[&Row; 2]> {
+        let behind = self.rows.partition_point(|row| row[0].1 < progress);
+        let alike = |row: &&Row| {
+            let cycles = (row[0].1 - progress) / period;
+            (cycles - cycles.round()).abs() <= SAME
+        };
+        let before = self.rows[..behind].iter().rev().find(alike);
+        let after = self.rows[behind..].iter().find(alike);
+        before.or(after).zip(after.or(before)).map(<[&Row; 2]>::from)
+    }
+
+    /// The rows next to some progress.
+    fn beside(&self, progress: f64) -> [&Row; 2] {
+        let behind = self.rows.partition_point(|row| row[0].1 < progress);
+        [&self.rows[behind.saturating_sub(1)], &self.rows[behind.min(self.rows.len() - 1)]]
+    }
+}
+
+/// Two companions, the finer one first.
 #[derive(Debug, Clone)]
 pub(super) struct Compared {
-    pub(super) rows: [Vec<Row>; 2],
-    /// Where the coarser has rows, in their order.
+    pub(super) ratios: [f64; 2],
+    /// Where the coarser one has rows, in their order.
     apart: Vec<Apart>,
-    pub(super) period: Option<f64>,
-    /// Whether they have different increments in a cycle: within it forces turn, and only what both show can be compared.
-    within: bool,
+    period: Option<f64>,
 }
 
 /// How far two runs are apart at some progress.
 #[derive(Debug, Clone)]
 struct Apart {
     progress: f64,
-    /// The finer one's value in each column, and the difference.
+    /// The coarser one's value in each column, and the difference.
     columns: Vec<[f64; 2]>,
 }
 
 impl Compared {
-    pub(super) fn new(rows: [Vec<Row>; 2], period: Option<f64>, within: bool) -> Self {
-        let mut pair = Self { rows, apart: vec![], period, within };
-        let places = pair.rows[1].iter().map(|row| row[0].1);
-        let places = places.filter(|at| !within || pair.is_shown(*at));
-        let apart = |progress: f64| {
-            let [finer, coarser] = [0, 1].map(|which| pair.all_at(which, progress));
-            let columns = finer.zip(coarser).map(|(finer, coarser)| [finer, finer - coarser]);
-            Apart { progress, columns: columns.collect() }
+    pub(super) fn new(pair: [&Companion; 2], period: Option<f64>) -> Self {
+        let [finer, coarser] = pair;
+        let apart = coarser.rows.iter().filter_map(|row| {
+            let progress = row[0].1;
+            let value = |(place, cell): (usize, &(String, f64))| {
+                Some([cell.1, finer.difference(place, (progress, cell.1), period)?])
+            };
+            let columns = row.iter().enumerate().map(value).collect::<Option<_>>()?;
+            Some(Apart { progress, columns })
+        });
+        Self { ratios: pair.map(|run| run.ratio), apart: apart.collect(), period }
+    }
+
+    /// The largest difference of the two around some progress, at which the run has a value; relative to their values where they
+    /// grow.
+    pub(super) fn difference(
+        &self,
+        column: usize,
+        grows: bool,
+        (progress, here): (f64, f64),
+    ) -> Option<f64> {
+        let period = self.period.unwrap_or_default();
+        let first = (progress / WINDOW).min(progress - period);
+        let last = (WINDOW * progress).max(progress + period) * (1.0 + SAME);
+        let from = self.apart.partition_point(|apart| apart.progress < first * (1.0 - SAME));
+        let near = self.apart[from..].iter().take_while(|apart| apart.progress <= last);
+        let difference = |apart: &Apart| {
+            let [there, difference] = apart.columns[column];
+            let scales = grows && there != 0.0;
+            let scale = if scales { (here / there).abs().min(WINDOW) } else { 1.0 };
+            scale * difference
         };
-        pair.apart = places.map(apart).collect();
-        pair
-    }
-
-    /// The place of a column in the rows.
-    pub(super) fn column(&self, name: &str) -> Option<usize> {
-        self.rows[0].first()?.iter().position(|(known, _)| known == name)
-    }
-
-    /// The largest difference of the two around some progress.
-    pub(super) fn difference(&self, column: &str, progress: f64) -> Option<f64> {
-        let column = self.column(column)?;
-        let here = self.at(0, column, progress);
-        let last = (2.0 * progress).max(progress + self.period.unwrap_or_default());
-        let first = self.apart.partition_point(|apart| apart.progress < 0.5 * progress);
-        let near = self.apart[first..].iter().take_while(|apart| apart.progress <= last);
-        let itself = (!self.within).then(|| [here, here - self.at(1, column, progress)]);
-        let difference = |[finer, difference]: [f64; 2]| {
-            let scale = if finer == 0.0 { 1.0 } else { (here / finer).abs().min(MOST_SCALED) };
-            scale * difference.abs()
-        };
-        let differences = near.map(|apart| apart.columns[column]).chain(itself).map(difference);
-        Some(differences.fold(0.0, f64::max))
-    }
-
-    /// Whether the finer of both has a row there.
-    fn is_shown(&self, progress: f64) -> bool {
-        let [before, after] = self.beside(0, progress);
-        [before, after].iter().any(|row| (row[0].1 - progress).abs() <= SAME * progress.abs())
-    }
-
-    /// A column of one of them at some progress.
-    pub(super) fn at(&self, which: usize, column: usize, progress: f64) -> f64 {
-        between(self.around(which, progress), column, progress)
-    }
-
-    /// All columns of one of them at some progress.
-    pub(super) fn all_at(&self, which: usize, progress: f64) -> impl Iterator<Item = f64> {
-        let around = self.around(which, progress);
-        (0..around[0].len()).map(move |column| between(around, column, progress))
-    }
-
-    /// The rows of one of them before and behind some progress, or the only one there is. Runs jump over different cycles,
-    /// in which forces turn: rows lie alike in their cycles where there are such.
-    pub(super) fn around(&self, which: usize, progress: f64) -> [&Row; 2] {
-        let rows = &self.rows[which];
-        let Some(period) = self.period else { return self.beside(which, progress) };
-        let behind = rows.partition_point(|row| row[0].1 < progress);
-        let alike = |row: &&Row| {
-            let cycles = (row[0].1 - progress) / period;
-            (cycles - cycles.round()).abs() <= ALIKE
-        };
-        let before = rows[..behind].iter().rev().find(alike);
-        let after = rows[behind..].iter().find(alike);
-        match before.or(after).zip(after.or(before)) {
-            Some((before, after)) => [before, after],
-            None => self.beside(which, progress),
-        }
-    }
-
-    /// The rows of one of them next to some progress.
-    fn beside(&self, which: usize, progress: f64) -> [&Row; 2] {
-        let rows = &self.rows[which];
-        let behind = rows.partition_point(|row| row[0].1 < progress);
-        [&rows[behind.saturating_sub(1)], &rows[behind.min(rows.len() - 1)]]
+        near.map(difference).reduce(f64::max)
     }
 }
 
-/// A column at some progress between two rows: a power of it where all is positive, otherwise straight.
-fn between([before, after]: [&Row; 2], column: usize, progress: f64) -> f64 {
+/// A column at some progress between two rows, by a power of it where all is positive, and on a straight line.
+fn between([before, after]: [&Row; 2], column: usize, progress: f64) -> [f64; 2] {
     let (from, to) = (before[0].1, after[0].1);
     let (low, high) = (before[column].1, after[column].1);
     if to <= from {
-        return high;
+        return [high; 2];
     }
+    let straight = low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0);
     if [from, low, high].into_iter().all(|one| one > 0.0) {
         let share = (progress / from).ln() / (to / from).ln();
-        return low * (high / low).powf(share);
+        return [low * (high / low).powf(share.clamp(0.0, 1.0)), straight];
     }
-    low + (high - low) * ((progress - from) / (to - from)).clamp(0.0, 1.0)
+    [straight; 2]
 }

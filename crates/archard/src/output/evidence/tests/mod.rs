@@ -38,7 +38,7 @@ fn report<'a>(run: &'a Run, state: &'a ContactState) -> Report<'a> {
         extent: 1.0,
         prescribed,
         stepping,
-        companion: None,
+        companions: None,
         again: false,
         march: None,
     }
