@@ -199,6 +199,7 @@ impl Resolved {
                 }
                 Judged::TooCoarse(cause) => match self.refine(FINER[1], order) {
                     Ok(true) => continue,
+                    Ok(false) | Err(_) if reached.is_some() => break,
                     // Finer elements than the memory holds tell no more of a solver that does not converge.
                     Ok(false) | Err(_) => return Err(cause),
                 },
@@ -292,13 +293,14 @@ impl Resolved {
                 Err(error) => return Err(error),
             }
         }
+        let regularity = regularity(&self.case).map_err(Box::new)?;
+        let companions = Companions::new(runs, regularity, accuracy);
         match failed {
-            Some(cause) if runs.len() < 2 && self.chose.elements => Ok(Judged::TooCoarse(cause)),
-            Some(cause) if runs.len() < 2 => Err(cause),
-            _ => {
-                let regularity = regularity(&self.case).map_err(Box::new)?;
-                Ok(Judged::By(Box::new(Companions::new(runs, regularity, accuracy)), reach))
+            Some(cause) if !companions.foresee() && self.chose.elements => {
+                Ok(Judged::TooCoarse(cause))
             }
+            Some(cause) if !companions.foresee() => Err(cause),
+            _ => Ok(Judged::By(Box::new(companions), reach)),
         }
     }
 

@@ -99,6 +99,11 @@ impl Companions {
         Self { pairs: pairs.collect(), runs, regularity, asked }
     }
 
+    /// Whether two of them are on different grids, so that they foresee errors of the run.
+    pub fn foresee(&self) -> bool {
+        !self.pairs.is_empty()
+    }
+
     /// The error (in its unit) of a value in a column at some progress; `None` where none is known.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let period = self.regularity.period;
