@@ -93,7 +93,7 @@ impl Following for Laws {
 }
 
 /// The case on the elements that its accuracy takes, what says how far off they are, and the laws again.
-pub fn companion(
+pub fn companions(
     py: Python<'_>,
     pool: &ThreadPool,
     resolved: Resolved,
@@ -108,7 +108,7 @@ pub fn companion(
     };
     let (settled, laws) = away(py, pool, work).unless_interrupted()?;
     let settled = settled.map_err(|_: Broken| raised(&failed))?;
-    let (resolved, companion) = settled.map_err(|error| match error {
+    let (resolved, companions) = settled.map_err(|error| match error {
         Unsettled::Run { cause, .. } if cause.is_of_convergence() => {
             NotConverged::new_err(cause.to_string())
         }
@@ -118,7 +118,7 @@ pub fn companion(
         },
         error => RunError::new_err(error.to_string()),
     })?;
-    Ok((resolved, companion, laws))
+    Ok((resolved, companions, laws))
 }
 
 /// Builds a simulation with its laws; also what is doubtful about kept compliances.

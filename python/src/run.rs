@@ -14,7 +14,7 @@ use pyo3::prelude::*;
 use rayon::ThreadPool;
 
 use crate::away::{Outcome, away, pool};
-use crate::build::{Laws, Samples, build, companion};
+use crate::build::{Laws, Samples, build, companions};
 use crate::case::{CaseFile, refused, resolve};
 use crate::fields::{Fields, Snapshot};
 use crate::law::{Failed, Given, Stopped};
@@ -88,7 +88,7 @@ impl Run {
         };
         let failed = Failed::default();
         let laws = Laws { wear: laws, friction, failed: failed.clone() };
-        let (resolved, companion, laws) = companion(py, &wide, *resolved, cache.clone(), laws)?;
+        let (resolved, companions, laws) = companions(py, &wide, *resolved, cache.clone(), laws)?;
         let case = resolved.case;
         let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
         let case_toml = format!("{remark}{case}");
@@ -102,7 +102,7 @@ impl Run {
         let kept = cache.clone().map(Store::new).or_else(Store::of_user);
         let (simulation, doubts) = match build(py, &pool, &case, cache, laws) {
             Ok((mut simulation, doubts)) => {
-                simulation.companions = companion;
+                simulation.companions = companions;
                 (simulation, doubts)
             }
             Err(error) => {

@@ -138,8 +138,8 @@ pub struct Run {
     /// follows from it
     #[arg(long, value_name = "ERROR", conflicts_with = "resume")]
     pub accuracy: Option<String>,
-    /// How long to look for a grid that reaches the accuracy, for example 10min; then the run goes through on the
-    /// finest one that was judged, and its error is stated
+    /// How long to look for a grid that reaches the accuracy, for example 10min, asked after each grid; then the run
+    /// takes the finest one that was judged, and states its error
     #[arg(long, value_name = "TIME", conflicts_with = "resume")]
     pub budget: Option<String>,
     /// Go on with the run in this folder where it was interrupted, to the same results as without

@@ -1,4 +1,4 @@
-//! The runs on fewer elements that come before one with an `accuracy`.
+//! The runs on coarser grids that come before one with an `accuracy`.
 
 use std::error::Error as StdError;
 use std::time::{Duration, Instant};
@@ -64,11 +64,11 @@ pub fn settle(
     let mut follow = Follow { watch: watch.clone(), follower, begun: Instant::now(), budget };
     let settle = || resolved.with_companions(store.as_ref(), &mut follow);
     let settled = if small { one_thread()?.install(settle) } else { settle() };
-    let (resolved, companion) = settled.map_err(failure)?;
-    if companion.is_some() {
+    let (resolved, companions) = settled.map_err(failure)?;
+    if companions.is_some() {
         follower.tell(&grid(&resolved));
     }
-    Ok((Task::Contact(Box::new(resolved)), companion))
+    Ok((Task::Contact(Box::new(resolved)), companions))
 }
 
 /// A time that is given for the search.

@@ -1,4 +1,4 @@
-//! Shows how a run gets on, and those on fewer elements before it: a line on a terminal, one for each tenth elsewhere.
+//! Shows how a run gets on, and those on coarser grids before it: a line on a terminal, one for each tenth elsewhere.
 
 use std::error::Error;
 

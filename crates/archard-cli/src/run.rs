@@ -34,7 +34,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
-    // The folder next: runs on fewer elements may take long, and are for nothing where it is refused.
+    // The folder next: runs on coarser grids may take long, and are for nothing where it is refused.
     let claim = folder::claim(arguments, &task)?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
@@ -49,11 +49,11 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 /// Runs a case in the folder that is held.
 fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
-    let (task, companion) = companions::settle(task, (watch, &mut follower), arguments)?;
+    let (task, companions) = companions::settle(task, (watch, &mut follower), arguments)?;
     match &task {
         Task::Contact(resolved) => {
-            let (companion, case_toml) = ((companion, follower), task.case_toml());
-            let contact = || contact(resolved, companion, &case_toml, watch, (arguments, dir));
+            let (companions, case_toml) = ((companions, follower), task.case_toml());
+            let contact = || contact(resolved, companions, &case_toml, watch, (arguments, dir));
             match arguments.threads.is_none() && resolved.case.is_small() {
                 true => one_thread()?.install(contact),
                 false => contact(),
@@ -71,7 +71,7 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
     Resolved { case, forecast, warnings, .. }: &Resolved,
-    (companion, mut follower): (Option<Companions>, Follower),
+    (companions, mut follower): (Option<Companions>, Follower),
     case_toml: &str,
     watch: &Watch,
     (arguments, dir): (&Run, &Path),
@@ -83,7 +83,7 @@ fn contact(
     let built = case.build_telling(store.as_ref(), &|making| equations.are(making));
     equations.done();
     let mut simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
-    simulation.companions = companion;
+    simulation.companions = companions;
     let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));

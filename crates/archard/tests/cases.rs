@@ -157,11 +157,11 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
         }
     };
     let settled = resolved.with_companions(Some(store), &mut Rows::default());
-    let (resolved, companion) = settled.map_err(|error| error.to_string())?;
+    let (resolved, companions) = settled.map_err(|error| error.to_string())?;
     // Cases of the same body share its compliance.
     let built = resolved.case.build_keeping(store);
     let mut simulation = built.map_err(|error| error.to_string())?;
-    simulation.companions = companion;
+    simulation.companions = companions;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(Results { points: vec![], rows })

@@ -88,11 +88,11 @@ fn resolved(text: &str, option: Option<&str>) -> Result<Resolved, String> {
 
 /// The rows of a case, as a command makes them.
 fn rows(resolved: Resolved) -> Result<Vec<Row>, String> {
-    let (resolved, companion) = resolved
+    let (resolved, companions) = resolved
         .with_companions(None, &mut Outputs::default())
         .map_err(|error| format!("no grid: {error}"))?;
     let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
-    simulation.companions = companion;
+    simulation.companions = companions;
     let mut rows = Outputs::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(rows.0)

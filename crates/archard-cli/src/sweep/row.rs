@@ -80,13 +80,13 @@ fn attempt(
         return Ok(Outcome::Interrupted);
     }
     let (resolved, settled) = match settled {
-        Ok((settled, companion)) => (settled, Ok(companion)),
+        Ok((settled, companions)) => (settled, Ok(companions)),
         Err(error) => (resolved.clone(), Err(error.to_string())),
     };
     let resolved = &resolved;
-    let built = settled.and_then(|companion| {
+    let built = settled.and_then(|companions| {
         let mut simulation = build(resolved, store)?;
-        simulation.companions = companion;
+        simulation.companions = companions;
         Ok(simulation)
     });
     let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;
@@ -156,7 +156,7 @@ pub fn finish(
     Underway { folder, begun, command, warnings, bar: None }.finish(failure).map(|_| ())
 }
 
-/// Ends the runs on fewer elements where a stop is asked for.
+/// Ends the runs on coarser grids where a stop is asked for.
 struct Stop<'a>(&'a Requests);
 
 impl Observer for Stop<'_> {

@@ -87,7 +87,7 @@ impl Resolved {
         let pace = pace.map_or_else(String::new, |pace| pace.to_string());
         let mut text = format!("# What to expect\n\n{}{pace}{beside}", self.forecast);
         if self.chose != Chose::default() {
-            text += "\nThe frame was chosen; runs on fewer elements may ask for more of them.\n";
+            text += "\nThe frame was chosen; runs on coarser grids may ask for more elements.\n";
         }
         let lines = &self.forecast.verdict.lines;
         if !lines.is_empty() {

@@ -26,10 +26,10 @@ use crate::motion::{Motion, Rolling};
 use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
-/// Pressures (Pa) at which laws of wear are tried, the slip (m), and the rounding of what they give.
+/// The slip (m) with which laws of wear are tried, and the rounding of what they give.
 const PROBE: f64 = 1e-6;
 const SAME: f64 = 1e-6;
-/// Shares of a pressure under which they are tried beside it: far from it, and next to it.
+/// The share of a pressure under which they are tried besides.
 const HALF: f64 = 0.5;
 
 /// Two bodies, where they may touch, how they deform there and how they move.

@@ -59,7 +59,7 @@ pub struct Simulation {
     pub friction_solver: Arc<dyn FrictionSolver>,
     /// What the problem is put through.
     pub schedule: Schedule,
-    /// The same on fewer elements, where the error by the elements is asked for.
+    /// The same run on coarser grids, where an accuracy is asked for.
     pub companions: Option<Companions>,
     /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
     /// [window](window::Window).
@@ -85,7 +85,7 @@ pub struct Report<'a> {
     pub prescribed: Control,
     /// How the motion is divided into steps.
     pub stepping: Stepping,
-    /// The same run on fewer elements, where there is one.
+    /// The same run on coarser grids, where an accuracy is asked for.
     pub companions: Option<&'a Companions>,
     /// Whether it is shown for the second time, by a run that goes on after an interruption.
     pub again: bool,

@@ -74,8 +74,8 @@ pub fn time(error: f64, tolerance: f64) -> Line {
     Line::new("time", error, Bound::AtMost([2.0 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
-/// The estimated error of the worst quantity at the end, against the accuracy asked for, and its largest at an output. The
-/// companions of the run foresaw no more than that; with the run itself it may be more.
+/// The estimated error of the worst quantity at the end, against the accuracy asked for, and its largest at an output. Companions
+/// foresee that it is met where the search for a grid succeeds; the run itself may show more.
 pub fn accuracy(error: f64, largest: f64, asked: f64) -> Line {
     let mut text = format!("estimated error at the end, {} asked", share(asked));
     if largest > error {

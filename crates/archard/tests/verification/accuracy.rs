@@ -34,21 +34,21 @@ pub(super) fn run(resolved: Resolved) -> Row {
 
 /// The rows of a case.
 fn run_through(resolved: Resolved) -> Vec<Row> {
-    let (resolved, companion) =
+    let (resolved, companions) =
         resolved.with_companions(None, &mut Rows::default()).expect("a grid");
-    on_its_elements(resolved, companion)
+    on_its_elements(resolved, companions)
 }
 
 /// The rows of a case on its elements.
-fn on_its_elements(resolved: Resolved, companion: Option<Companions>) -> Vec<Row> {
+fn on_its_elements(resolved: Resolved, companions: Option<Companions>) -> Vec<Row> {
     let mut simulation = resolved.case.build().expect("a simulation");
-    simulation.companions = companion;
+    simulation.companions = companions;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).expect("a run");
     rows.0
 }
 
-/// The value in a column and the error stated, by steps and elements.
+/// The value in a column and the error stated.
 pub(super) fn with_error(row: &Row, column: &str) -> (f64, f64) {
     let error = stated(column, |name| number(row, name)).unwrap_or_default();
     (number(row, column).expect(column), error)

@@ -203,7 +203,7 @@ fn scars_that_outgrow_the_first_contact_take_wider_frames() {
             accuracy,
         ];
         let resolved = resolved(PIN, &options).expect("a case");
-        let (resolved, companion) =
+        let (resolved, companions) =
             resolved.with_companions(None, &mut Rows::default()).expect("a grid");
         let case = resolved.case;
         assert_eq!(case.doubles.len(), 3, "{:?}", case.doubles);
@@ -212,7 +212,7 @@ fn scars_that_outgrow_the_first_contact_take_wider_frames() {
         let printed = CaseFile::from_text("case.toml", case.to_string(), "").resolve().unwrap();
         assert_eq!(printed.case, case);
         let mut simulation = case.build().expect("a simulation");
-        simulation.companions = companion;
+        simulation.companions = companions;
         let mut rows = Rows::default();
         simulation.run(&mut [&mut rows]).expect("a run");
         rows.0

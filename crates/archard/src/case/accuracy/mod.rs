@@ -1,9 +1,8 @@
 //! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
 //!
-//! Elements, tolerance and increments are one resolution: finer by a ratio r, the tolerance is smaller by r^2. How many elements
-//! the first output needs follows from the order of the error: of the second where all of the contact slides, where bodies roll or
-//! nothing resists, of the first where they are shifted with friction. That is a first guess; [`companions`] measures what came of
-//! it, and refines it.
+//! Elements, tolerance and increments are one resolution: finer by a ratio r, the tolerance is smaller by the power of r that is
+//! the order of the error. That order also says how many elements the first output needs: one at an edge and where bodies are
+//! shifted with friction, two elsewhere. This is a first guess; [`companions`] measures what came of it, and refines it.
 
 mod companions;
 mod increments;
@@ -38,7 +37,7 @@ const UNWORN: f64 = 10.0;
 /// Elements along an axis, at most.
 const MOST: f64 = 4096.0;
 
-/// Whether the size of a frame and its elements were chosen.
+/// What of a case was chosen for its accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Chose {
     /// The size.
@@ -233,7 +232,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
 /// What to do where a contact is not found.
 fn lost(why: Lost) -> Problem {
     let frame = Key::of(["frame"]);
-    let help = "give `frame.size` and `frame.elements`: the elements are judged by half as many";
+    let help = "give `frame.size` and `frame.elements`: runs on coarser grids estimate their error";
     match why {
         Lost::AtTheEnd(axis) => {
             let message = format!(

@@ -8,13 +8,14 @@
 //! max |f_i - f_j| / (r_j^p - r_i^p)
 //! ```
 //!
-//! over all pairs of runs, the run itself (r = 1) among them, and over the outputs from a quarter of its progress to four times of
-//! it. The order p is that of the quantity's class. This is the grid convergence index (P. J. Roache, *J. Fluids Eng.* 116 (1994)
-//! 405; ASME V&V 20) for runs whose grids are moved besides. Of many differences the largest is taken, and no factor of safety: 99 of
-//! 100 errors of a random sample are within it (`tests/honesty.rs`).
+//! over all pairs of runs, the run itself (r = 1) among them. Two companions are compared from a quarter of the progress to four
+//! times of it, the run with each of them at its own progress. The order p is that of the quantity's class. This is the grid
+//! convergence index (P. J. Roache, *J. Fluids Eng.* 116 (1994) 405; ASME V&V 20) for runs whose grids are moved besides. It has no
+//! factor of safety, since it is the largest of many differences: 99 of 100 errors of a random sample are within it
+//! (`tests/honesty.rs`).
 //!
-//! A count of elements changes by single ones, which no pair of runs may show: of two runs it differs by what one element across
-//! the contact more or less makes.
+//! A count of elements changes by single ones, which no pair of runs may show. Two counts therefore differ by one row of elements
+//! across the contact at least.
 
 mod compared;
 
@@ -24,10 +25,10 @@ use super::history::{self, Class, Row, number};
 pub use compared::Companion;
 use compared::Compared;
 
-/// The least ratio of the elements of two companions that are compared: ratios are a root of two apart or alike but for the
-/// rounding of their numbers of elements.
+/// The least ratio of two companions that are compared, half way between one and a root of two: their ratios are one of these
+/// apart, but for the rounding of their numbers of elements.
 const APART: f64 = 1.19;
-/// Rows of elements that stick, below which grids may agree that all slips: one of a coarser grid is more.
+/// Rows of elements that stick; with fewer, all grids may show that everything slips, since one row of a coarser grid is wider.
 const UNSEEN: f64 = 2.0;
 /// The tangential force, relative to the load, and the creepage below which errors are not told by their sizes.
 const OF_LOAD: f64 = 0.01;
@@ -129,7 +130,7 @@ impl Companions {
         let class = history::class(column);
         let order = self.regularity.order(class)?;
         let place = self.column(column)?;
-        let grain = self.grain((column, class), at);
+        let grain = self.grain(class, at);
         let shown = self.runs.iter().filter_map(|run| {
             let difference = difference(run, place)?.max(grain * (run.ratio - 1.0));
             Some(difference / (run.ratio.powf(order) - 1.0))
@@ -146,9 +147,9 @@ impl Companions {
         self.pairs.iter().filter_map(of).reduce(f64::max)
     }
 
-    /// By how much a value at least changes with its elements, over what the ratio of these is above one: by an element across
-    /// where it is a count, and by half of one where less sticks than the elements show.
-    fn grain(&self, (column, class): (&str, Class), (progress, value): (f64, f64)) -> f64 {
+    /// The least difference between the run and a companion, over r - 1. An area in whole elements differs by a row of them across
+    /// the contact, or by as many as may stick unseen; what friction makes differs by half a row where so few stick.
+    fn grain(&self, class: Class, (progress, value): (f64, f64)) -> f64 {
         let at = |name: &str| {
             let first = self.runs.first()?;
             Some(first.at(self.column(name)?, progress, self.regularity.period))
@@ -159,14 +160,8 @@ impl Companions {
         let of_friction = matches!(class, Class::Force | Class::Volume | Class::Depth);
         match class {
             _ if contact == 0.0 => 0.0,
-            Class::Count if column == history::STICK_AREA => {
-                if sticks() {
-                    contact / across
-                } else {
-                    UNSEEN * contact / across
-                }
-            }
-            Class::Count => value.abs() / across,
+            Class::Count if sticks() => contact / across,
+            Class::Count => UNSEEN * contact / across,
             _ if self.regularity.may_stick && of_friction && !sticks() => {
                 0.5 * value.abs() / across
             }
