@@ -33,18 +33,19 @@ def test_errors_stand_beside_the_results() -> None:
 
 
 def test_laws_in_python_are_judged_too() -> None:
-    """The runs on coarser grids have them. No closed form foresees what they wear, so their elements are others."""
-    native = archard.Case(PIN).run().history
+    """The runs on coarser grids have them: on given elements, the errors are those of the same law in the case."""
+    given = {**PIN, "frame": {"size": ["0.8 mm", "0.8 mm"], "elements": [40, 40]}}
+    native = archard.Case(given).run().history
     seen = set()
 
     def law(p: Any, s: Any) -> Any:
         seen.add(len(p))
         return 1.33e-13 * p * s
 
-    own = archard.Case(PIN).run(laws={"pin": law}).history
+    own = archard.Case(given).run(laws={"pin": law}).history
     assert own["wear_depth_m"][-1] == pytest.approx(native["wear_depth_m"][-1], rel=1e-2)
-    assert own["relative_error"][-1] == pytest.approx(native["relative_error"][-1], rel=1.0)
-    assert 0 < own["relative_error"][-1] < 0.05
+    assert own["relative_error"][-1] == pytest.approx(native["relative_error"][-1], rel=0.1)
+    assert own["relative_error"][-1] > 0
     assert len(seen) > 1
     with pytest.raises(ZeroDivisionError):
         archard.Case(PIN).run(laws={"pin": lambda p, s: 1 / 0})

@@ -57,10 +57,17 @@ pub fn settle(
     (watch, follower): (&Watch, &mut Follower),
     arguments: &Run,
 ) -> Result<(Task, Option<Companions>), Failure> {
-    let Task::Contact(resolved) = task else { return Ok((task, None)) };
+    let budget = arguments.budget.as_deref().map(budget).transpose()?;
+    let resolved = match task {
+        Task::Contact(resolved) if resolved.case.accuracy.is_some() => resolved,
+        task if budget.is_none() => return Ok((task, None)),
+        _ => {
+            let message = "--budget: no `accuracy` is asked for that a grid is sought for";
+            return Err(Failure::Wrong(message.to_owned()));
+        }
+    };
     let store = arguments.store();
     let small = arguments.threads.is_none() && resolved.case.is_small();
-    let budget = arguments.budget.as_deref().map(budget).transpose()?;
     let mut follow = Follow { watch: watch.clone(), follower, begun: Instant::now(), budget };
     let settle = || resolved.with_companions(store.as_ref(), &mut follow);
     let settled = if small { one_thread()?.install(settle) } else { settle() };

@@ -215,10 +215,13 @@ impl Outcome<'_> {
             return if estimates { "error not known".to_owned() } else { String::new() };
         };
         let value = size(columns.iter().map(|column| self.last(column)).collect());
-        let relative = size(errors) / value;
-        match relative.is_normal() && relative > ROUNDING {
-            true => format!("+- {}", percent(relative)),
-            false => String::new(),
+        let error = size(errors);
+        match error / value {
+            _ if error > 0.0 && value == 0.0 => "below its error".to_owned(),
+            relative if relative.is_normal() && relative > ROUNDING => {
+                format!("+- {}", percent(relative))
+            }
+            _ => String::new(),
         }
     }
 }

@@ -86,8 +86,19 @@ fn a_budget_ends_the_search() {
         assert!(refused.contains(&format!("--budget {nothing}: ")), "{refused}");
     }
     let told = said(&run("1e-9 s"));
-    let stays = "0.05 was asked for: ask for less; the run goes on with that";
+    let stays = "0.05 was asked for; the run goes on with that";
     assert!(told.contains(stays) && told.contains("the run takes 56 x 56 elements"), "{told}");
     let history = fs::read_to_string(dir.path().join("one/history.csv")).unwrap();
     assert!(history.contains("error_of_wear_depth_m"), "{history}");
+    let run = [
+        "run",
+        "hertz",
+        "--set",
+        "accuracy=",
+        "--set",
+        "frame={ size = [\"0.4 mm\", \"0.4 mm\"], elements = [20, 20] }",
+        "--budget=1 s",
+    ];
+    let refused = said(&archard(&dir, &run).code(2));
+    assert!(refused.contains("no `accuracy` is asked for"), "{refused}");
 }

@@ -15,7 +15,7 @@ use crate::{Expected, expected, folders, read};
 
 /// What all cases are asked for.
 const ASKED: &str = "0.01";
-/// What some are asked for besides. A thousandth of the others takes a quarter of an hour or more.
+/// What some are asked for besides.
 const ASKED_MORE: [(&str, &[&str]); 11] = [
     ("carter", &["0.1", "0.001"]),
     ("hertz", &["0.1", "0.001"]),
@@ -30,8 +30,8 @@ const ASKED_MORE: [(&str, &[&str]); 11] = [
     ("running_in_law", &["0.1"]),
 ];
 
-/// Cases that are asked for less: a hundredth of the depth under the edge of a punch, or of a ball that frets for 200,000 cycles, takes
-/// more than ten minutes of a processor.
+/// Cases that are asked for less: a hundredth of the depth under the edge of a punch, or after so many cycles of fretting, takes more
+/// than ten minutes of a processor.
 const LESS: [(&str, &str); 4] = [
     ("running_in_flat_punch", "0.03"),
     ("running_in_law", "0.03"),

@@ -82,7 +82,7 @@ const CASES: [(&str, &[&str]); 17] = [
             "motion.sliding.stroke=1 mm",
             "motion.sliding.ends=true",
             "motion.sliding.distance=10 m",
-            "motion.sliding.tolerance=0.1",
+            "motion.sliding.tolerance=0.06",
         ],
     ),
     // Frames that become wider.

@@ -44,7 +44,12 @@ fn a_strip_too_narrow_for_the_elements_counts() {
                 ("contact_area_m2", contact),
                 ("peak_pressure_Pa", 571.43e6),
             ] {
-                assert_near(&row, column, (truth, 1e-4 * truth), &what);
+                let truth = (truth, 1e-4 * truth);
+                // Two elements stick at .917, and none is seen.
+                match column {
+                    "stick_area_m2" => assert_near(&row, column, truth, &what),
+                    _ => assert_within(&row, column, truth, &what),
+                }
             }
             assert!(with_error(&row, "creepage").1 < 1e-9, "what is given has no error");
         }

@@ -36,9 +36,8 @@ const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
 /// How much finer than the first grid one is whose error tells, with that of the first, what finer ones can reach.
 const TOLD: f64 = 2.0;
-/// The key of the tolerance of the steps, and the loosest.
-const TOLERANCE: &str = "tolerance";
-const LOOSEST: f64 = 0.5;
+/// The key of the tolerance of the steps.
+pub(super) const TOLERANCE: &str = "tolerance";
 /// Sizes agree to this, relative.
 const ROUNDING: f64 = 1e-9;
 
@@ -94,7 +93,7 @@ pub enum Unsettled {
     },
     /// A grid that does not become fine enough.
     #[error(
-        "the error stays at {error:.2e} on {} x {} elements at {place}, and {asked} was asked for: ask for less{hint}",
+        "the error stays at {error:.2e} on {} x {} elements at {place}, and {asked} was asked for{hint}",
         .elements[0], .elements[1]
     )]
     TooCoarse {
@@ -243,7 +242,7 @@ impl Resolved {
             error,
             place: parts.motion.progress().at(place),
             asked: accuracy,
-            hint: if has_tip(&parts) { ", or for outputs once the tip is worn" } else { "" },
+            hint: if has_tip(&parts) { "; outputs once the tip is worn take fewer" } else { "" },
         });
         Ok((own, Some(companions)))
     }
@@ -323,8 +322,7 @@ impl Resolved {
             }
         }
         if let Some(tolerance) = case.motion.values.number(TOLERANCE) {
-            let coarser = (tolerance * ratio * ratio).min(LOOSEST);
-            case.motion.values.insert(TOLERANCE, Value::Number(coarser));
+            case.motion.values.insert(TOLERANCE, Value::Number(tolerance * ratio * ratio));
         }
         if let Some(count) = increments::of_rubbing(&case) {
             increments::set(&mut case, increments::fewer(count, ratio));

@@ -133,10 +133,24 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
         increments: increments::choose(&mut case, |parts| across(accuracy, parts)),
         tolerance,
     };
-    if case.motion.values.number("step").is_some() {
-        let key = Key::of(["motion", case.motion.choice.name, "step"]);
-        let message = "what a fixed step errs by is not known, and an `accuracy` is asked for";
+    let given = |name: &str| case.motion.values.number(name);
+    // A jump of one cycle jumps over none.
+    let fixed = ["step", "jump"].into_iter().find(|name| match given(name) {
+        Some(jump) => *name == "step" || jump > 1.0,
+        None => false,
+    });
+    if let Some(name) = fixed {
+        let key = Key::of(["motion", case.motion.choice.name, name]);
+        let message =
+            format!("what a fixed {name} errs by is not known, and an `accuracy` is asked for");
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
+    }
+    if let Some(loose) = given(companions::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
+        let key = Key::of(["motion", case.motion.choice.name, companions::TOLERANCE]);
+        let message =
+            format!("coarser runs take 8 times {loose}, which is too much to estimate its error");
+        let help = format!("give {:.3} at most, or leave it out", TOLERANCE * COARSEST);
+        return Err(Problem::error(key, message).help(help));
     }
     if let Some(count) = increments::of_rubbing(&case).filter(|count| *count < increments::FEWEST) {
         let key = Key::of(["motion", case.motion.choice.name, "increments"]);

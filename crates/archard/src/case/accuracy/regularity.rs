@@ -5,7 +5,7 @@ use crate::case::definition::{BuildError, Case};
 use crate::estimate::Estimator;
 use crate::motion::{Control, Drive};
 use crate::simulation::Regularity;
-use crate::simulation::history::{APPROACH, FORCE, LOAD};
+use crate::simulation::history::{APPROACH, CREEPAGE, FORCE, LOAD};
 
 /// What says how fast the quantities of a case converge.
 pub(super) fn regularity(case: &Case) -> Result<Regularity, BuildError> {
@@ -28,9 +28,9 @@ fn given(parts: &Parts<'_>) -> Vec<&'static str> {
     };
     let drives =
         parts.motion.drives().into_iter().flat_map(|drives| drives.into_iter().enumerate());
-    let driven = drives.filter_map(|(axis, drive)| match drive {
-        Drive::Force(_) => Some(FORCE[axis]),
-        Drive::Creepage(_) => None,
+    let driven = drives.map(|(axis, drive)| match drive {
+        Drive::Force(_) => FORCE[axis],
+        Drive::Creepage(_) => CREEPAGE[axis],
     });
     [normal].into_iter().chain(driven).collect()
 }

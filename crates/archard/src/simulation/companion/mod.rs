@@ -25,7 +25,7 @@ use super::history::{self, Class, Row, number};
 pub use compared::Companion;
 use compared::Compared;
 
-/// The least ratio of two companions that are compared, half way between one and a root of two: their ratios are one of these
+/// The least ratio of two companions that are compared, the geometric mean of one and a root of two: their ratios are one of these
 /// apart, but for the rounding of their numbers of elements.
 const APART: f64 = 1.19;
 /// Rows of elements that stick; with fewer, all grids may show that everything slips, since one row of a coarser grid is wider.
@@ -157,7 +157,8 @@ impl Companions {
         let contact = at(history::CONTACT_AREA).unwrap_or_default();
         let across = self.regularity.across(contact, progress);
         let sticks = || at(history::STICK_AREA).is_none_or(|area| across * area > UNSEEN * contact);
-        let of_friction = matches!(class, Class::Force | Class::Volume | Class::Depth);
+        let of_friction =
+            matches!(class, Class::Force | Class::Shift | Class::Volume | Class::Depth);
         match class {
             _ if contact == 0.0 => 0.0,
             Class::Count if sticks() => contact / across,
