@@ -226,7 +226,7 @@ fn fretting_leaves_its_loop_and_says_what_it_dissipated() {
 #[test]
 fn under_a_given_approach_the_load_is_told() {
     let dir = TempDir::new().unwrap();
-    let options = ["frame.elements=[16, 16]", "motion.indentation.increments=8", "accuracy=0.2"];
+    let options = ["frame.elements=[16, 16]", "motion.indentation.increments=16", "accuracy=0.2"];
     let mut arguments = vec!["run", "spence", "-o", "out", "--report"];
     arguments.extend(options.iter().flat_map(|option| ["--set", option]));
     let printed = squeezed(&printed(&archard(&dir, &arguments).success()));

@@ -379,14 +379,16 @@ pub fn row(report: &Report<'_>) -> Row {
     row
 }
 
-/// The error of the worst quantity in a row, and of each that has one.
+/// The error of the worst quantity in a row, and of each of a class that has one; no number where no companion shows it.
 fn errors(companions: &Companions, row: &Row) -> Row {
     let progress = row.first().map_or(0.0, |first| first.1);
     let of = |(name, value): &(String, f64)| {
-        Some((format!("{ERROR_OF}{name}"), companions.error(name, progress, *value)?))
+        let error = companions.error(name, progress, *value).unwrap_or(f64::NAN);
+        (format!("{ERROR_OF}{name}"), error)
     };
+    let stated = row.iter().filter(|(name, _)| companions.states(name));
     let worst = (ERROR.to_owned(), companions.worst(row));
-    [worst].into_iter().chain(row.iter().filter_map(of)).collect()
+    [worst].into_iter().chain(stated.map(of)).collect()
 }
 
 /// The row of a run whose wear coefficients are that share of those of the run it is taken from, where both have worn alike:

@@ -116,6 +116,16 @@ pub enum Unsettled {
     Wrong(String),
 }
 
+impl Unsettled {
+    /// Whether whoever follows the runs stopped them.
+    fn stops(&self) -> bool {
+        match self {
+            Self::Run { cause, .. } => matches!(**cause, Error::Observer(_)),
+            cause => matches!(cause, Self::Unprepared(_)),
+        }
+    }
+}
+
 /// The rows of a run, which sides of the frame its contact came to, and how far (m) from the middle it reached.
 #[derive(Default)]
 struct Watched {
@@ -190,13 +200,18 @@ impl Resolved {
             if reached.is_some() && !following.goes_on() {
                 break;
             }
-            let (companions, reach) = match self.judged(accuracy, store, following)? {
+            let judged = match self.judged(accuracy, store, following) {
+                Err(cause) if reached.is_some() && !cause.stops() => break,
+                judged => judged?,
+            };
+            let (companions, reach) = match judged {
                 Judged::By(companions, reach) => (companions, reach),
-                Judged::Outgrown(sides) => {
-                    self.case = self.grown(sides)?;
-                    self.settle_again()?;
-                    continue;
-                }
+                Judged::Outgrown(sides) => match self.grown(sides).and_then(|case| self.take(case))
+                {
+                    Ok(()) => continue,
+                    Err(_) if reached.is_some() => break,
+                    Err(cause) => return Err(cause),
+                },
                 Judged::TooCoarse(cause) => match self.refine(FINER[1], order) {
                     Ok(true) => continue,
                     Ok(false) | Err(_) if reached.is_some() => break,
@@ -409,16 +424,16 @@ impl Resolved {
         Ok(case)
     }
 
-    /// Elements across the first contact; infinitely many where no closed form tells.
+    /// Elements across the first contact, or across the frame where no closed form tells it.
     fn across(&self) -> f64 {
+        let frame = self.case.frame;
         let contact = self.forecast.estimate.contact;
-        let spacing = self.case.frame.spacing();
-        contact.map_or(f64::INFINITY, |contact| {
-            [0, 1]
-                .map(|axis| 2.0 * contact.semi_axes[axis] / spacing[axis])
-                .into_iter()
-                .fold(f64::INFINITY, f64::min)
-        })
+        let axes = if frame.line { 1 } else { 2 };
+        let elements = (0..axes).map(|axis| {
+            let element = frame.spacing()[axis];
+            contact.map_or(frame.size[axis], |contact| 2.0 * contact.semi_axes[axis]) / element
+        });
+        elements.fold(f64::INFINITY, f64::min)
     }
 
     /// Runs a case on its elements.
@@ -444,6 +459,12 @@ impl Resolved {
             }
             Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
         }
+    }
+
+    /// This becomes the case.
+    fn take(&mut self, case: Case) -> Result<(), Unsettled> {
+        self.case = case;
+        self.settle_again()
     }
 
     /// Forecasts and checks the case anew.

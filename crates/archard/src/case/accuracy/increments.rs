@@ -38,8 +38,8 @@ pub(super) fn set(case: &mut Case, count: usize) {
     case.motion.values.insert(INCREMENTS, Value::Number(count as f64));
 }
 
-/// The fewest whose error can be told by fewer.
-pub(super) const FEWEST: usize = 8;
+/// The fewest whose error is told by fewer: companions then take eight and four.
+pub(super) const FEWEST: usize = 16;
 
 /// Those of a case whose bodies rub in increments.
 pub(super) fn of_rubbing(case: &Case) -> Option<usize> {

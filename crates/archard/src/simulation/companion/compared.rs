@@ -25,7 +25,7 @@ impl Companion {
     }
 
     /// By how much a value at some progress differs from what this run shows there; `None` where it does not show that place of a
-    /// cycle. Between rows nothing is known of what lies between two interpolations.
+    /// cycle, or no number. Between rows nothing is known of what lies between two interpolations.
     pub(super) fn difference(
         &self,
         column: usize,
@@ -38,7 +38,8 @@ impl Companion {
         };
         let [power, straight] = between(around, column, progress);
         let (low, high) = (power.min(straight), power.max(straight));
-        Some((low - value).max(value - high).max(0.0))
+        let numbers = ![low, high, value].into_iter().any(f64::is_nan);
+        numbers.then(|| (low - value).max(value - high).max(0.0))
     }
 
     fn around(&self, progress: f64, period: Option<f64>) -> [&Row; 2] {
@@ -78,20 +79,19 @@ pub(super) struct Compared {
 #[derive(Debug, Clone)]
 struct Apart {
     progress: f64,
-    /// The coarser one's value in each column, and the difference.
-    columns: Vec<[f64; 2]>,
+    /// The coarser one's value in each column, and the difference; `None` where one of them is no number.
+    columns: Vec<Option<[f64; 2]>>,
 }
 
 impl Compared {
     pub(super) fn new(pair: [&Companion; 2], period: Option<f64>) -> Self {
         let [finer, coarser] = pair;
-        let apart = coarser.rows.iter().filter_map(|row| {
+        let apart = coarser.rows.iter().map(|row| {
             let progress = row[0].1;
             let value = |(place, cell): (usize, &(String, f64))| {
                 Some([cell.1, finer.difference(place, (progress, cell.1), period)?])
             };
-            let columns = row.iter().enumerate().map(value).collect::<Option<_>>()?;
-            Some(Apart { progress, columns })
+            Apart { progress, columns: row.iter().enumerate().map(value).collect() }
         });
         Self { ratios: pair.map(|run| run.ratio), apart: apart.collect(), period }
     }
@@ -110,12 +110,12 @@ impl Compared {
         let from = self.apart.partition_point(|apart| apart.progress < first * (1.0 - SAME));
         let near = self.apart[from..].iter().take_while(|apart| apart.progress <= last);
         let difference = |apart: &Apart| {
-            let [there, difference] = apart.columns[column];
+            let [there, difference] = apart.columns[column]?;
             let scales = grows && there != 0.0;
             let scale = if scales { (here / there).abs().min(WINDOW) } else { 1.0 };
-            scale * difference
+            Some(scale * difference)
         };
-        near.map(difference).reduce(f64::max)
+        near.filter_map(difference).reduce(f64::max)
     }
 }
 

@@ -105,6 +105,12 @@ impl Companions {
         !self.pairs.is_empty()
     }
 
+    /// Whether errors of a column are known, as far as its class goes.
+    pub fn states(&self, column: &str) -> bool {
+        let known = || self.regularity.order(history::class(column)).and(self.column(column));
+        self.regularity.given.contains(&column) || known().is_some()
+    }
+
     /// The error (in its unit) of a value in a column at some progress; `None` where none is known.
     pub fn error(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
         let period = self.regularity.period;
