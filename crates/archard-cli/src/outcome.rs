@@ -6,8 +6,9 @@ use archard::case::Forecast;
 use archard::motion::{Control, Rolling, Shift};
 use archard::output::Totals;
 use archard::simulation::history::{
-    self, BODY_DEPTH, CREEPAGE, FORCE, FRICTIONAL_POWER, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH,
-    WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body, stated,
+    self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, LAYER_VOLUME, MASS_LOSS,
+    SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body,
+    stated,
 };
 use archard::simulation::{Effort, Simulation};
 use archard::verdict::Verdict;
@@ -110,16 +111,20 @@ impl Outcome<'_> {
             let depth = format!("{} um", four(self.last(&column) * 1e6));
             lines.add(format!("wear depth ({name})"), depth, self.error(&[&column]));
         }
-        let shown: [(&str, &str, Shown); 4] = [
+        let shown: [(&str, &str, Shown); 6] = [
             ("worn volume", WORN_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
+            ("off its layers", LAYER_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
+            ("worn through", EXPOSED_AREA, |area| format!("{} mm^2", four(area * 1e6))),
             ("worn section", WORN_SECTION, |section| format!("{} mm^2", four(section * 1e6))),
             ("mass loss", MASS_LOSS, mass),
             ("wear rate", WEAR_RATE, |rate| format!("{} mm^3/(N m)", four(rate * 1e9))),
         ];
         for (what, column, shown) in shown {
+            // Nothing is worn through, as a rule.
+            let told = |value: &f64| column != EXPOSED_AREA || *value > 0.0;
             for name in &wearing {
                 let column = of_body(column, name);
-                if let Some(value) = self.follower.number(&column) {
+                if let Some(value) = self.follower.number(&column).filter(told) {
                     lines.add(format!("{what} ({name})"), shown(value), self.error(&[&column]));
                 }
             }

@@ -18,6 +18,7 @@ mod verification {
     mod friction_laws;
     mod hertz;
     mod laws_that_remember;
+    mod layers;
     mod line_contact;
     mod loading_paths;
     mod meshed_contact;

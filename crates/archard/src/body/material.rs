@@ -2,9 +2,11 @@
 
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
 
-const YOUNG: Parameter = Parameter::required("young", Quantity::Pressure, "Young's modulus");
-const POISSON: Parameter = Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
-    .bound(Bound::UpTo(-1.0, 0.5));
+pub(super) const YOUNG: Parameter =
+    Parameter::required("young", Quantity::Pressure, "Young's modulus");
+pub(super) const POISSON: Parameter =
+    Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
+        .bound(Bound::UpTo(-1.0, 0.5));
 
 /// An isotropic linear elastic material.
 #[derive(Debug, Clone, Copy, PartialEq)]

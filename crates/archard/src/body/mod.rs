@@ -1,12 +1,14 @@
 //! A body: what it is made of, what shape it has, whether it wears.
 
 mod finite;
+mod layer;
 mod material;
 pub mod mesh;
 pub mod profile;
 mod thermal;
 
 pub use finite::{Elasticity, Finite, Interpolation, Support};
+pub use layer::Layer;
 pub use material::{Material, contact_modulus};
 pub use profile::Profile;
 pub use thermal::Thermal;
@@ -27,8 +29,10 @@ pub struct Body {
     pub name: String,
     /// The shape of its surface near the contact.
     pub profile: Arc<dyn Profile>,
-    /// What it is made of; `None` for a rigid body.
+    /// What it is made of, below its layers; `None` for a rigid body.
     pub material: Option<Material>,
+    /// Layers from its surface down.
+    pub layers: Vec<Layer>,
     /// Its surface where it is of finite shape; `None` for a half-space.
     pub finite: Option<Finite>,
     /// How it wears; `None` if it does not.
@@ -52,6 +56,7 @@ impl Body {
             name: name.into(),
             profile,
             material: None,
+            layers: vec![],
             finite: None,
             wear: None,
             depth: None,
@@ -80,6 +85,22 @@ impl Body {
     #[must_use]
     pub fn material(self, material: Material) -> Self {
         Self { material: Some(material), ..self }
+    }
+
+    /// The same body under these layers, from the surface down.
+    #[must_use]
+    pub fn layers(self, layers: impl Into<Vec<Layer>>) -> Self {
+        Self { layers: layers.into(), ..self }
+    }
+
+    /// How thick its layers are together (m).
+    pub fn coated(&self) -> f64 {
+        self.layers.iter().map(|layer| layer.thickness).sum()
+    }
+
+    /// What it is made of at its surface; `None` for a rigid body.
+    pub fn uppermost(&self) -> Option<&Material> {
+        self.layers.first().map(|layer| &layer.material).or(self.material.as_ref())
     }
 
     /// The same body, worn by that law.

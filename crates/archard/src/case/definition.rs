@@ -1,9 +1,13 @@
 //! A case that passed every check: what to compute, in SI.
 
+use std::sync::Arc;
+
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use crate::body::mesh::{MeshError, Meshed, Shape, Supported};
-use crate::body::{Body, Elasticity, Finite, Interpolation, Material, Profile, Support, Thermal};
+use crate::body::{
+    Body, Elasticity, Finite, Interpolation, Layer, Material, Profile, Support, Thermal,
+};
 use crate::compliance::bem::contact::{self, Condense, Job, condense};
 use crate::compliance::bem::{Making, Told};
 use crate::elastic::{Point, Section};
@@ -15,7 +19,7 @@ use crate::parameters::Invalid;
 use crate::simulation::{self, Simulation};
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
-use crate::wear::WearLaw;
+use crate::wear::{Layered, WearLaw};
 
 /// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
 /// takes far more of the processors' time.
@@ -57,8 +61,10 @@ pub struct Case {
 pub struct BodyCase {
     /// Its name.
     pub name: String,
-    /// What it is made of; `None` if it is rigid.
+    /// What it is made of, below its layers; `None` if that is rigid.
     pub material: Option<Material>,
+    /// Layers from its surface down.
+    pub layers: Vec<LayerCase>,
     /// Its shape; of a meshed body, what its surface lies below the mesh.
     pub profile: Chosen<Box<dyn Profile>>,
     /// Its mesh; `None` for a half-space.
@@ -71,6 +77,15 @@ pub struct BodyCase {
     pub density: Option<f64>,
     /// How it conducts heat; `None` where that is not given.
     pub thermal: Option<Thermal>,
+}
+
+/// A layer, its values in SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LayerCase {
+    /// What it is made of, and how thick it is.
+    pub layer: Layer,
+    /// How it wears; `None` if it wears as the body below it.
+    pub wear: Option<Chosen<Box<dyn WearLaw>>>,
 }
 
 /// The mesh of a body and how it is held.
@@ -222,14 +237,37 @@ impl FiniteCase {
 }
 
 impl BodyCase {
+    /// Whether it wears, or one of its layers does.
+    pub fn wears(&self) -> bool {
+        self.wear.is_some() || self.layers.iter().any(|layer| layer.wear.is_some())
+    }
+
+    /// How it wears: layers without a law of their own by that of the body.
+    pub(super) fn law(&self) -> Result<Option<Arc<dyn WearLaw>>, Invalid> {
+        let of = |wear: &Option<Chosen<Box<dyn WearLaw>>>| -> Result<_, Invalid> {
+            Ok(wear.as_ref().map(Chosen::build).transpose()?.map(Arc::from))
+        };
+        let below = of(&self.wear)?;
+        if self.layers.iter().all(|layer| layer.wear.is_none()) {
+            return Ok(below);
+        }
+        let layers = self.layers.iter().map(|one| {
+            let own = of(&one.wear)?;
+            Ok((one.layer.thickness, own.or_else(|| below.clone())))
+        });
+        let layers = layers.collect::<Result<Vec<_>, Invalid>>()?;
+        Ok(Some(Arc::new(Layered::new(layers, below)?)))
+    }
+
     /// Builds the body.
     pub(super) fn build(&self) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
             profile: self.profile.build()?.into(),
             material: self.material,
+            layers: self.layers.iter().map(|layer| layer.layer).collect(),
             finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
-            wear: self.wear.as_ref().map(Chosen::build).transpose()?.map(Into::into),
+            wear: self.law()?,
             depth: self.depth,
             density: self.density,
             thermal: self.thermal,

@@ -50,7 +50,7 @@ pub use check::{
     BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
 };
 pub use chosen::Chosen;
-pub use definition::{BodyCase, BuildError, Case, FrameCase, Output};
+pub use definition::{BodyCase, BuildError, Case, FrameCase, LayerCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};
 pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
 pub use key::Key;

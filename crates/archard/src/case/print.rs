@@ -6,7 +6,7 @@ use std::fmt::{self, Display, Formatter};
 use std::path::PathBuf;
 
 use super::chosen::Chosen;
-use super::definition::{BodyCase, Case, FiniteCase, FrameCase, Output};
+use super::definition::{BodyCase, Case, FiniteCase, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
 use crate::body::{Elasticity, Interpolation, Support, Thermal};
@@ -142,7 +142,23 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 }
 
 fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Result {
-    let Some(material) = &body.material else { return writeln!(f, "{key}.rigid = true") };
+    if !body.layers.is_empty() {
+        let layers = body.layers.iter().map(|LayerCase { layer, wear }| {
+            let [young, thickness] = [(layer.material.young, "Pa"), (layer.thickness, "m")]
+                .map(|(value, unit)| si(value, unit));
+            let poisson = number(layer.material.poisson);
+            let wear = wear.as_ref().map_or_else(String::new, |wear| {
+                let lines = Lines("wear", wear).to_string();
+                lines.lines().map(|line| format!(", {line}")).collect()
+            });
+            format!("{{ thickness = {thickness}, young = {young}, poisson = {poisson}{wear} }}")
+        });
+        writeln!(f, "{key}.layers = [{}]", layers.collect::<Vec<_>>().join(", "))?;
+    }
+    let Some(material) = &body.material else {
+        let rigid = if body.layers.is_empty() { "rigid = true" } else { "substrate = \"rigid\"" };
+        return writeln!(f, "{key}.{rigid}");
+    };
     writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
     writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
 }
@@ -188,6 +204,15 @@ fn print_finite(f: &mut Formatter<'_>, key: &str, finite: &FiniteCase) -> fmt::R
     };
     writeln!(f, "{key}.boundary_elements.interpolation = {}", quoted(interpolation))?;
     writeln!(f, "{key}.boundary_elements.tolerance = {}", number(finite.tolerance))
+}
+
+/// A choice printed below some key.
+struct Lines<'a, T: 'static>(&'a str, &'a Chosen<T>);
+
+impl<T> Display for Lines<'_, T> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        print_chosen(f, self.0, self.1)
+    }
 }
 
 pub(super) fn print_chosen<T>(f: &mut Formatter<'_>, key: &str, chosen: &Chosen<T>) -> fmt::Result {

@@ -155,12 +155,22 @@ impl Reader<'_> {
         section: &Section<'_>,
         parameters: &'static [Parameter],
     ) -> (Values, Vec<(&'static str, std::path::PathBuf)>) {
+        self.values_among(section, parameters, &[])
+    }
+
+    /// The same of a section that has other keys too.
+    pub fn values_among(
+        &mut self,
+        section: &Section<'_>,
+        parameters: &'static [Parameter],
+        others: &[&'static str],
+    ) -> (Values, Vec<(&'static str, std::path::PathBuf)>) {
         let open = |parameter: &&Parameter| parameter.quantity == Quantity::Constants;
         let declared = parameters.iter().filter(|parameter| !open(parameter));
         let names: Vec<&str> = declared.map(|parameter| parameter.name).collect();
         let constants = parameters.iter().find(open);
         if constants.is_none() {
-            self.unknown(section, "key", &names);
+            self.unknown(section, "key", &[&names[..], others].concat());
         }
         let (mut values, mut files) = (Values::default(), vec![]);
         // Factors of powers come last: their unit follows from an exponent read before.

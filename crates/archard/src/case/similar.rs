@@ -32,6 +32,9 @@ impl Case {
         let mut unworn = self.clone();
         let mut coefficients = [None; 2];
         for (body, coefficient) in unworn.bodies.iter_mut().zip(&mut coefficients) {
+            if body.layers.iter().any(|layer| layer.wear.is_some()) {
+                return None;
+            }
             let Some(wear) = body.wear.take() else { continue };
             let number = |name: &str| wear.values.number(name);
             if wear.choice.name != "archard" {

@@ -146,8 +146,12 @@ impl<'a> From<&'a ContactProblem> for Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// Curvatures of both bodies together along x and y (1/m), where both have them.
+    /// Curvatures of both bodies together along x and y (1/m), where both have them and closed forms know them: not under
+    /// layers.
     pub fn curvatures(&self) -> Option<[f64; 2]> {
+        if self.bodies.iter().any(|body| !body.layers.is_empty()) {
+            return None;
+        }
         let [Some(one), Some(other)] = self.bodies.each_ref().map(Body::curvatures) else {
             return None;
         };
@@ -226,7 +230,7 @@ impl Subject<'_> {
     }
 
     fn materials(&self) -> [Option<&Material>; 2] {
-        self.bodies.each_ref().map(|body| body.material.as_ref())
+        self.bodies.each_ref().map(Body::uppermost)
     }
 }
 

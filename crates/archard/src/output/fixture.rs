@@ -62,6 +62,7 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
         profile: profile.into(),
         finite: None,
         material: Some(Material { young: 210e9, poisson: 0.3 }),
+        layers: vec![],
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)]).into()),
         depth: None,
         density: None,

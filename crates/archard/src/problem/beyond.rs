@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::{ContactProblem, ContactState};
-use crate::body::contact_modulus;
+use crate::body::{Body, contact_modulus};
 use crate::frame::Rectangle;
 
 /// Places along an axis on which shapes given by formulas are looked at, beside the middle of the frame and relative to
@@ -81,7 +81,7 @@ impl Beyond {
         }
         let frame = &problem.frame;
         let rectangle = frame.rectangle();
-        let modulus = contact_modulus(problem.bodies.each_ref().map(|body| body.material.as_ref()));
+        let modulus = contact_modulus(problem.bodies.each_ref().map(Body::uppermost));
         let normal = state.gap_of(problem);
         let (elements, spacing) = (frame.elements(), frame.spacing());
         let nearest = |place: [f64; 2]| {

@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::{ContactProblem, ContactState};
-use crate::body::contact_modulus;
+use crate::body::{Body, contact_modulus};
 use crate::frame::{ContactFrame, extent};
 
 /// Pressure of the last pair under pressure, gap of the first open one, and how far behind the centre of a pair the edge lies
@@ -46,7 +46,7 @@ impl ContactState {
     /// pairs wide, that of all pairs under pressure.
     pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
         let frame = &problem.frame;
-        let modulus = contact_modulus(problem.bodies.each_ref().map(|body| body.material.as_ref()));
+        let modulus = contact_modulus(problem.bodies.each_ref().map(Body::uppermost));
         let touches = |pair: usize| self.pressure[pair] > 0.0;
         if !frame.is_uniform() || !modulus.is_finite() {
             return frame.area_where(touches);

@@ -173,14 +173,16 @@ impl Builder {
                 let frame = ContactFrame::line(rectangle, elements, profiles)?;
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
                 let depths = Body::depths(bodies.each_ref(), rectangle.size[0]);
-                let half_space = HalfSpace::plane_strain(materials, depths, &frame);
+                let layers = bodies.each_ref().map(|body| &body.layers[..]);
+                let half_space = HalfSpace::plane_strain(materials, layers, depths, &frame);
                 (frame, Arc::new(half_space))
             }
             Touch::Frame(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
                 let frame = ContactFrame::uniform(rectangle, elements, profiles)?;
                 let materials = bodies.each_ref().map(|body| body.material.as_ref());
-                let half_space = HalfSpace::new(materials, &frame);
+                let layers = bodies.each_ref().map(|body| &body.layers[..]);
+                let half_space = HalfSpace::layered(materials, layers, &frame);
                 (frame, Arc::new(half_space))
             }
         };
@@ -207,10 +209,22 @@ impl Builder {
         if one.name == two.name {
             return wrong("name", "the bodies have the same name");
         }
-        if one.material.is_none() && two.material.is_none() {
+        if one.uppermost().is_none() && two.uppermost().is_none() {
             return wrong("material", "both bodies are rigid: one has to be elastic");
         }
         for body in &self.bodies {
+            if body.finite.is_some() && !body.layers.is_empty() {
+                return wrong(
+                    "layers",
+                    "a body of finite shape has no layers: give its mesh alone",
+                );
+            }
+            if let Some(why) = HalfSpace::refuses(body.material.as_ref(), &body.layers) {
+                return Err(Invalid::new("layers", why));
+            }
+            if body.depth.is_some_and(|depth| depth <= body.coated()) {
+                return wrong("depth", "the layers are as thick as the body is deep");
+            }
             body.density.map(|density| Body::DENSITY.admit(density)).transpose()?;
             let Some(finite) = &body.finite else { continue };
             match body.material {

@@ -30,6 +30,10 @@ pub(super) const DISSIPATED: &str = "dissipated_J";
 pub const CONTACT_AREA: &str = "contact_area_m2";
 /// Worn volume of a body that does not roll (m^3).
 pub const WORN_VOLUME: &str = "worn_volume_BODY_m3";
+/// Worn volume of the layers of a body that does not roll (m^3).
+pub const LAYER_VOLUME: &str = "worn_layers_BODY_m3";
+/// Area where all layers of a body are worn off (m^2).
+pub const EXPOSED_AREA: &str = "exposed_area_BODY_m2";
 /// Mass worn off a body of known density (kg).
 pub const MASS_LOSS: &str = "mass_loss_BODY_kg";
 /// Worn section of a body that rolls, across the direction of rolling (m^2).
@@ -191,6 +195,26 @@ pub const COLUMNS: &[Column] = &[
         Class::Volume,
         "worn off the profile of each body that passes",
         worn_section,
+    ),
+    column(
+        LAYER_VOLUME,
+        "m3",
+        Class::Volume,
+        "the part of it that was worn off the layers of a body that has some",
+        |r, i| {
+            let coated = coated(r, i)?;
+            volume(r, i, |depth| depth.min(coated))
+        },
+    ),
+    column(
+        EXPOSED_AREA,
+        "m2",
+        Class::Count,
+        "area where the layers of a body are worn off, of the whole track; not in rolling",
+        |r, i| {
+            let coated = coated(r, i)?;
+            volume(r, i, |depth| f64::from(u8::from(depth >= THROUGH * coated)))
+        },
     ),
     column(
         MASS_LOSS,
@@ -422,18 +446,31 @@ pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
     name.strip_prefix(start)?.strip_suffix(end)
 }
 
+/// A layer is worn off where this part of it is: the rest is rounding.
+const THROUGH: f64 = 1.0 - 1e-9;
+
+/// Thickness (m) of all layers of a body that has some.
+fn coated(report: &Report<'_>, body: usize) -> Option<f64> {
+    Some(report.problem.bodies[body].coated()).filter(|thickness| *thickness > 0.0)
+}
+
 /// Worn volume (m^3) of a body, of the whole track of one that passes; `None` in rolling.
 fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
+    volume(report, body, |depth| depth)
+}
+
+/// What some function of the depth (m) of a body comes to over its surface, the whole track where it passes; `None` in rolling.
+fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
     let Report { problem, state, .. } = report;
     let passing = problem.motion.passing().filter(|passing| passing.bodies[body]);
     match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
-        (Some(length), _) => Some(length * worn_section(report, body)?),
+        (Some(length), _) => Some(length * section(report, body, of)?),
         (None, Some(_)) => None,
         (None, None) => Some(match &state.swung {
             Some(swung) if swung.body == body => {
-                problem.frame.area(0) * swung.worn.iter().sum::<f64>()
+                problem.frame.area(0) * swung.worn.iter().map(|&depth| of(depth)).sum::<f64>()
             }
-            _ => problem.frame.integrate(&state.worn[body]),
+            _ => problem.frame.integrate(&each(&state.worn[body], of)),
         }),
     }
 }
@@ -445,15 +482,26 @@ fn mass_loss(report: &Report<'_>, body: usize) -> Option<f64> {
     Some((*density)? * worn_volume(report, body)?)
 }
 
+/// A function of every depth.
+fn each(depths: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
+    depths.iter().map(|&depth| of(depth)).collect()
+}
+
 /// Worn section (m^2) of a body that passes, across the motion; `None` of others.
 fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
+    section(report, body, |depth| depth)
+}
+
+/// The same of some function of the depth.
+fn section(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
     let (frame, motion) = (&report.problem.frame, &report.problem.motion);
     let passes = motion.worn_along().filter(|(_, bodies)| bodies[body]);
     let rolling = motion.rolling().map(|rolling| rolling.direction);
     let direction = passes.map(|(direction, _)| direction).or(rolling)?;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
-    let section = |line: &Line| line.width * line.mean(&report.state.worn[body]);
+    let worn = each(&report.state.worn[body], of);
+    let section = |line: &Line| line.width * line.mean(&worn);
     Some(images * flow.lines().iter().map(section).sum::<f64>())
 }
 

@@ -148,6 +148,18 @@ pub fn hardness(over: f64, body: &str) -> Line {
 /// Mechanical Design*, chart of modulus over density).
 pub const ELASTOMERS: f64 = 0.1e9;
 
+/// How much stiffer or softer layers are than what is below them where their wear counts.
+pub const BY_HALF: f64 = 0.5;
+
+/// The part of a layer that is worn off where it is thinnest, and the name of its body. The elasticity stays that of the unworn
+/// layers, which is off in that proportion.
+pub fn layers(gone: f64, body: &str) -> Line {
+    let text = format!(
+        "of a layer of `{body}` is worn off where it is thinnest, and the computed one is as stiff as before"
+    );
+    Line::new("layers", gone, Bound::AtMost([0.1, f64::INFINITY]), text)
+}
+
 /// The largest pressure over Young's modulus of a body whose hardness is not given, and its name.
 ///
 /// The hardness of engineering solids ends at about E/20: bearing steel of 62 HRC has 7.5 GPa at 208 GPa (1/28), alumina 18 GPa

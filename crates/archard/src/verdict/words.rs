@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`.
-const GOOD: [(&str, &str, Number); 24] = [
+const GOOD: [(&str, &str, Number); 25] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("beyond", "overlap beyond the frame {} of the approach", Number::Share),
@@ -35,6 +35,7 @@ const GOOD: [(&str, &str, Number); 24] = [
     ("bending", "longest element {} of the thickness that bends", Number::Share),
     ("hardness", "largest pressure {} times the hardness", Number::Plain),
     ("strain", "largest pressure {} of Young's modulus", Number::Share),
+    ("layers", "{} of a layer worn off", Number::Share),
     ("half-space", "contact reaches {} of the smallest radius", Number::Share),
     ("line", "line {} times as long as wide", Number::Plain),
     ("temperature", "warmest place at {} K", Number::Plain),
@@ -198,6 +199,7 @@ mod tests {
             verdict::slenderness(0.5),
             verdict::hardness(0.5, "pin"),
             verdict::modulus(0.01, "pin"),
+            verdict::layers(0.05, "disc"),
             verdict::radius(0.1, "pin"),
             verdict::length(20.0),
             verdict::temperature(400.0),

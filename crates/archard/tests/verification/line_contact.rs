@@ -78,7 +78,7 @@ fn a_long_row_comes_to_the_same() {
     let materials = [Some(&STEEL), Some(&ALUMINIUM)];
     let line = ContactFrame::line([width, 1.0], 30, profiles).unwrap();
     let row = ContactFrame::uniform([width, 10.0], [30, 1], profiles).unwrap();
-    let strips = HalfSpace::plane_strain(materials, [1.0; 2], &line);
+    let strips = HalfSpace::plane_strain(materials, [&[]; 2], [1.0; 2], &line);
     let rectangles = HalfSpace::new(materials, &row);
     let wave = |k: f64| (0..30).map(|i| (0.7 * k + 0.4 * k * f64::from(i)).sin()).collect();
     let mut tractions = VectorField { t1: wave(1.0), t2: wave(1.3), n: wave(0.6) };

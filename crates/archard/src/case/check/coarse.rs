@@ -75,6 +75,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
     let body = BodyCase {
         name: body.name.clone(),
         material: body.material,
+        layers: vec![],
         profile: Chosen::named("flat", PROFILES)?,
         finite: Some(coarse),
         wear: None,
@@ -92,6 +93,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         name: String::new(),
         profile: profile.into(),
         material: None,
+        layers: vec![],
         finite: None,
         wear: None,
         depth: None,

@@ -10,10 +10,10 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let rolls = parts.motion.rolling().is_some();
     let weighed = parts.case.bodies.iter().filter(|body| body.density.is_some());
     let doubt = |body: &BodyCase| {
-        let message = match &body.wear {
-            None => "has no effect on a body that does not wear",
-            Some(_) if rolls => "has no effect in rolling: worn sections are known, not volumes",
-            Some(_) => return None,
+        let message = match body.wears() {
+            false => "has no effect on a body that does not wear",
+            true if rolls => "has no effect in rolling: worn sections are known, not volumes",
+            true => return None,
         };
         Some(Problem::warning(Key::of(["body", &body.name, "density"]), message).at_name())
     };

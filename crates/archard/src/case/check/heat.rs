@@ -16,7 +16,20 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         Err(reason) => useless(parts, reason),
     };
     problems.extend(slow(parts, forecast));
+    problems.extend(coated(parts));
     problems
+}
+
+/// Bodies with layers, whose heat flows as if there were none.
+fn coated(parts: &Parts<'_>) -> impl Iterator<Item = Problem> {
+    let warmed = |&body: &usize| {
+        let body = &parts.bodies[body];
+        body.thermal.is_some() && !body.layers.is_empty()
+    };
+    (0..2).filter(warmed).map(|body| {
+        let message = "flash temperatures are those of a body without its layers";
+        Problem::warning(thermal(parts, body), message).at_name()
+    })
 }
 
 /// The key of what a body says of heat.

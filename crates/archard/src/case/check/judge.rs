@@ -70,7 +70,7 @@ fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
         let message = "the bodies slide, but neither has a `wear` table: nothing will wear";
         return vec![Problem::warning(Key::of(["motion", motion]), message)];
     }
-    let worn = parts.case.bodies.iter().filter(|body| !slides && body.wear.is_some());
+    let worn = parts.case.bodies.iter().filter(|body| !slides && body.wears());
     worn.map(|body| {
         let message = format!("nothing slides in `motion.{motion}`: this body will not wear");
         Problem::warning(Key::of(["body", &body.name, "wear"]), message)

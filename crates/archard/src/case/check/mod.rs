@@ -93,9 +93,10 @@ impl<'a> Parts<'a> {
         self.subject().contact_modulus()
     }
 
-    /// Whether bodies of one elasticity touch.
+    /// Whether bodies of one elasticity touch, which layers are not part of.
     fn alike(&self) -> bool {
-        self.subject().dundurs_beta() == 0.0
+        let layered = self.bodies.iter().any(|body| !body.layers.is_empty());
+        !layered && self.subject().dundurs_beta() == 0.0
     }
 
     /// Whether any body wears.

@@ -31,7 +31,7 @@ fn motion(parts: &Parts<'_>) -> Key {
 /// Wear that cannot come about, or rolling on and on without any.
 fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
     let goes_on = parts.schedule.extent > 0.0 && !rolling.swept;
-    let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wear.is_some()).collect();
+    let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wears()).collect();
     let mut problems = vec![];
     if is_still(parts, rolling) {
         let end = if goes_on { ", and nothing will wear" } else { "" };

@@ -114,7 +114,7 @@ fn no_effect(parts: &Parts<'_>, shift: &Shift) -> Vec<Problem> {
         let message = format!("has no effect: {REASON}");
         problems.push(Problem::warning(Key::of(["friction"]), message).at_name());
     }
-    let worn = parts.case.bodies.iter().filter(|body| body.wear.is_some());
+    let worn = parts.case.bodies.iter().filter(|body| body.wears());
     problems.extend(worn.map(|body| {
         let message = format!("{REASON}: this body will not wear");
         Problem::warning(Key::of(["body", &body.name, "wear"]), message)

@@ -20,8 +20,11 @@
 
 use std::f64::consts::PI;
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
+use super::images::Image;
 use crate::body::Material;
 
 /// The elastic constants of two half-spaces, as the formulas need them (1/Pa).
@@ -62,45 +65,59 @@ pub(super) struct Influence {
     /// In plane strain, what the depths of the bodies add to the displacements n, x and y (1/Pa), over the width of
     /// an element.
     depths: Option<[f64; 3]>,
+    /// What layers add.
+    images: Arc<[Image]>,
 }
 
 impl Influence {
     pub(super) fn new(constants: Constants, elements: [usize; 2], spacing: [f64; 2]) -> Self {
-        Self { constants, elements, half: spacing.map(|h| 0.5 * h), depths: None }
+        let half = spacing.map(|h| 0.5 * h);
+        Self { constants, elements, half, depths: None, images: Arc::new([]) }
     }
 
-    /// Strips that long along x (m), without end along y, on bodies of these depths (m).
+    /// The same with images of the layers that these half-spaces are the uppermost of.
+    pub(super) fn layered(self, images: Vec<Image>) -> Self {
+        Self { images: images.into(), ..self }
+    }
+
+    /// Strips that long along x (m), without end along y, on bodies of these depths (m). Their displacements far away are those
+    /// of half-spaces of other materials, `bases`, where there are layers.
     pub(super) fn plane_strain(
-        materials: [Option<&Material>; 2],
+        constants: Constants,
+        bases: [Option<&Material>; 2],
         depths: [f64; 2],
         strips: usize,
         width: f64,
     ) -> Self {
         let mut added = [0.0; 3];
-        for (material, depth) in materials.into_iter().zip(depths) {
+        for (material, depth) in bases.into_iter().zip(depths) {
             let Some(Material { young, poisson, .. }) = material else { continue };
             let (normal, ln) = ((1.0 - poisson * poisson) / (PI * young), 2.0 * depth.ln());
             added[0] += normal * (ln - 1.0 / (1.0 - poisson));
             added[1] += normal * (ln + 1.0 / (1.0 - poisson));
             added[2] += (1.0 + poisson) / (PI * young) * ln;
         }
-        let strips = Self::new(Constants::of(materials), [strips, 1], [width; 2]);
+        let strips = Self::new(constants, [strips, 1], [width; 2]);
         Self { depths: Some(added), ..strips }
     }
 
     /// Square elements that wide on the same half-spaces: of the size of what the elements do to one another where
     /// they are strips, whose displacements under themselves grow with the depth of the bodies.
     fn square(&self) -> Self {
-        Self { elements: [1, 1], half: [self.half[0]; 2], depths: None, ..*self }
+        Self { elements: [1, 1], half: [self.half[0]; 2], depths: None, ..self.clone() }
     }
 
-    /// Displacements under a unit traction on a strip (m/Pa): `factor` times minus [F], and what the depth adds.
-    fn strips(&self, factor: f64, added: f64) -> Vec<f64> {
+    /// Displacements under a unit traction on a strip (m/Pa): `factor` times minus [F], what the depth adds, and images by one
+    /// of their scalars.
+    fn strips(&self, factor: f64, added: f64, scalar: usize) -> Vec<f64> {
         let a = self.half[0];
-        let antiderivative = |x: f64| x * x.abs().ln() - x;
+        let antiderivative = |x: f64| {
+            let images = self.images.iter().map(|image| image.scalars[scalar] * image.strip(x));
+            images.sum::<f64>() - factor * (x * x.abs().ln() - x)
+        };
         let strip = |i: usize| {
             let x = 2.0 * a * i as f64;
-            2.0 * a * added - factor * (antiderivative(x + a) - antiderivative(x - a))
+            2.0 * a * added + antiderivative(x + a) - antiderivative(x - a)
         };
         (0..self.elements[0]).map(strip).collect()
     }
@@ -117,12 +134,12 @@ impl Influence {
     /// The same on as few elements of twice the size as cover these.
     pub(super) fn coarser(&self) -> Self {
         let elements = self.elements.map(|n| n.div_ceil(2));
-        Self { elements, half: self.half.map(|half| 2.0 * half), ..*self }
+        Self { elements, half: self.half.map(|half| 2.0 * half), ..self.clone() }
     }
 
     /// Whether normal and tangential tractions act on one another.
     pub(super) fn couples(&self) -> bool {
-        self.constants.coupling != 0.0
+        self.constants.coupling != 0.0 || self.images.iter().any(|image| image.scalars[1] != 0.0)
     }
 
     /// The larger tangential displacement under a unit traction on the element itself, less that of
@@ -149,6 +166,10 @@ impl Influence {
 
     /// Normal displacement under a unit pressure on the element itself (m/Pa).
     pub(super) fn normal_self_term(&self) -> f64 {
+        if !self.images.is_empty() {
+            let itself = if self.depths.is_some() { self.square() } else { self.within([1, 1]) };
+            return itself.nn()[0];
+        }
         let [a, b] = self.depths.map_or(self.half, |_| [self.half[0]; 2]);
         4.0 * self.constants.normal * (b * (a / b).asinh() + a * (b / a).asinh())
     }
@@ -157,14 +178,21 @@ impl Influence {
     pub(super) fn nn(&self) -> Vec<f64> {
         let normal = self.constants.normal;
         if let Some([added, ..]) = self.depths {
-            return self.strips(2.0 * normal, added);
+            return self.strips(2.0 * normal, added, 2);
         }
-        self.differences([-1.0, -1.0], |corner| normal * (corner.fxx() + corner.fyy()))
+        self.differences([-1.0, -1.0], |corner| {
+            let images = self.images.iter().map(|image| image.scalars[2] * image.normal(corner));
+            normal * (corner.fxx() + corner.fyy()) + images.sum::<f64>()
+        })
     }
 
     /// A bound below the normal displacements under a unit pressure on an element (m/Pa) of the pairs at most so many
-    /// elements away: as if all of it stood at its farthest corner, or edge.
+    /// elements away: as if all of it stood at its farthest corner, or edge. Layers may rise beside what presses them: there is
+    /// none.
     pub(super) fn least_nn(&self, away: [usize; 2]) -> f64 {
+        if !self.images.is_empty() {
+            return f64::NEG_INFINITY;
+        }
         let normal = self.constants.normal;
         let [x, y] = [0, 1].map(|axis| self.half[axis] * (2 * away[axis] + 1) as f64);
         let [a, b] = self.half;
@@ -178,10 +206,11 @@ impl Influence {
     pub(super) fn xx(&self) -> Vec<f64> {
         let Constants { normal, tangential, .. } = self.constants;
         if let Some([_, added, _]) = self.depths {
-            return self.strips(2.0 * normal, added);
+            return self.strips(2.0 * normal, added, 0);
         }
         self.differences([-1.0, -1.0], |corner| {
-            (normal + tangential) * corner.fxx() + normal * corner.fyy()
+            let images = self.images.iter().map(|image| image.tangential(corner));
+            (normal + tangential) * corner.fxx() + normal * corner.fyy() + images.sum::<f64>()
         })
     }
 
@@ -189,10 +218,11 @@ impl Influence {
     pub(super) fn yy(&self) -> Vec<f64> {
         let Constants { normal, tangential, .. } = self.constants;
         if let Some([.., added]) = self.depths {
-            return self.strips(2.0 * (normal + tangential), added);
+            return self.strips(2.0 * (normal + tangential), added, 3);
         }
         self.differences([-1.0, -1.0], |corner| {
-            normal * corner.fxx() + (normal + tangential) * corner.fyy()
+            let images = self.images.iter().map(|image| image.tangential(&corner.turned()));
+            normal * corner.fxx() + (normal + tangential) * corner.fyy() + images.sum::<f64>()
         })
     }
 
@@ -202,7 +232,10 @@ impl Influence {
         if self.depths.is_some() {
             return vec![0.0; self.elements[0]];
         }
-        self.differences([1.0, 1.0], |corner| -tangential * corner.r)
+        self.differences([1.0, 1.0], |corner| {
+            let images = self.images.iter().map(|image| image.aslant(corner));
+            images.sum::<f64>() - tangential * corner.r
+        })
     }
 
     /// Displacement along x under a normal traction (m/Pa).
@@ -210,11 +243,20 @@ impl Influence {
         let coupling = self.constants.coupling;
         if self.depths.is_some() {
             let a = self.half[0];
-            // The strip itself is pulled neither way.
-            let sign = |i: usize| if i == 0 { 0.0 } else { 1.0 };
-            return (0..self.elements[0]).map(|i| 2.0 * PI * coupling * a * sign(i)).collect();
+            let antiderivative = |x: f64| {
+                let images = self.images.iter().map(|image| image.scalars[1] * image.pull(x));
+                PI * coupling * x.abs() + images.sum::<f64>()
+            };
+            let strip = |i: usize| {
+                let x = 2.0 * a * i as f64;
+                antiderivative(x + a) - antiderivative(x - a)
+            };
+            return (0..self.elements[0]).map(strip).collect();
         }
-        self.differences([1.0, -1.0], |c| coupling * (c.y * c.r.ln() + c.x * (c.y / c.x).atan()))
+        self.differences([1.0, -1.0], |c| {
+            let images = self.images.iter().map(|image| image.scalars[1] * image.coupling(c));
+            coupling * (c.y * c.r.ln() + c.x * (c.y / c.x).atan()) + images.sum::<f64>()
+        })
     }
 
     /// Displacement along y under a normal traction (m/Pa).
@@ -223,7 +265,11 @@ impl Influence {
         if self.depths.is_some() {
             return vec![0.0; self.elements[0]];
         }
-        self.differences([-1.0, 1.0], |c| coupling * (c.x * c.r.ln() + c.y * (c.x / c.y).atan()))
+        self.differences([-1.0, 1.0], |c| {
+            let images = self.images.iter();
+            let images = images.map(|image| image.scalars[1] * image.coupling(&c.turned()));
+            coupling * (c.x * c.r.ln() + c.y * (c.x / c.y).atan()) + images.sum::<f64>()
+        })
     }
 
     /// Differences over the corners of the elements of an antiderivative, which is even (1) or odd
@@ -231,7 +277,7 @@ impl Influence {
     fn differences(
         &self,
         parity: [f64; 2],
-        antiderivative: impl Fn(Corner) -> f64 + Sync,
+        antiderivative: impl Fn(&Corner) -> f64 + Sync,
     ) -> Vec<f64> {
         let [nx, ny] = self.elements;
         let place = |axis: usize, index: usize| self.half[axis] * (2 * index + 1) as f64;
@@ -245,7 +291,7 @@ impl Influence {
             .map(|index| {
                 let (i, j) = (index % nx, index / nx);
                 let (x, y) = (place(0, i), place(1, j));
-                antiderivative(Corner { x, y, r: x.hypot(y), ln_x: ln_x[i], ln_y: ln_y[j] })
+                antiderivative(&Corner { x, y, r: x.hypot(y), ln_x: ln_x[i], ln_y: ln_y[j] })
             })
             .collect();
         // Backwards, so that the corners still to be read are those not yet overwritten.
@@ -267,10 +313,10 @@ impl Influence {
 }
 
 /// A corner of an element, seen from a pair; x and y above zero (m).
-struct Corner {
-    x: f64,
-    y: f64,
-    r: f64,
+pub(super) struct Corner {
+    pub x: f64,
+    pub y: f64,
+    pub r: f64,
     ln_x: f64,
     ln_y: f64,
 }
@@ -284,6 +330,12 @@ impl Corner {
     /// x asinh(y/x).
     fn fyy(&self) -> f64 {
         self.x * ((self.y + self.r).ln() - self.ln_x)
+    }
+
+    /// With x and y exchanged.
+    fn turned(&self) -> Self {
+        let Self { x, y, r, ln_x, ln_y } = *self;
+        Self { x: y, y: x, r, ln_x: ln_y, ln_y: ln_x }
     }
 }
 

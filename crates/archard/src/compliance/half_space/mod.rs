@@ -1,23 +1,30 @@
 //! Two elastic half-spaces: the uniform tractions of rectangular elements (Boussinesq, Cerruti, Love), or of strips in
-//! plane strain (Flamant), summed by fast convolution.
+//! plane strain (Flamant), summed by fast convolution; with layers as images at depths below the surface.
 
+mod images;
 mod influence;
 mod rolling;
 mod shifting;
+mod stack;
 
 use std::fmt;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::body::Material;
+use crate::body::{Layer, Material};
 use crate::compliance::{Compliance, Preconditioner, SlipMap};
 use crate::frame::{ContactFrame, Flow, Part, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
+use images::Image;
 pub(in crate::compliance) use influence::Constants;
 use influence::Influence;
 use rolling::Rolling;
 use shifting::Shifting;
+use stack::Stack;
+
+/// By how much images may miss the compliance of layers, relative to that of the uppermost one: less than elements do.
+const MISSED: f64 = 1e-4;
 
 /// The sum of the compliances of two half-spaces on a uniform frame; a rigid body adds nothing.
 ///
@@ -52,15 +59,42 @@ impl HalfSpace {
         Self::on(Influence::new(Constants::of(materials), frame.elements(), frame.spacing()))
     }
 
+    /// The half-spaces of these materials, `None` for something rigid, under layers from the surface down.
+    pub fn layered(
+        materials: [Option<&Material>; 2],
+        layers: [&[Layer]; 2],
+        frame: &ContactFrame,
+    ) -> Self {
+        let constants = Constants::of(uppermost(materials, layers));
+        let influence = Influence::new(constants, frame.elements(), frame.spacing());
+        Self::on(influence.layered(images(materials, layers)))
+    }
+
     /// The half-spaces of these materials in plane strain, under the elements of a line of contact along y. Their
     /// displacements are measured from so far below the contact (m), which under a load changes approach and shift alone.
     pub fn plane_strain(
         materials: [Option<&Material>; 2],
+        layers: [&[Layer]; 2],
         depths: [f64; 2],
         frame: &ContactFrame,
     ) -> Self {
         let (strips, width) = (frame.elements()[0], frame.spacing()[0]);
-        Self::on(Influence::plane_strain(materials, depths, strips, width))
+        let constants = Constants::of(uppermost(materials, layers));
+        let influence = Influence::plane_strain(constants, materials, depths, strips, width);
+        Self::on(influence.layered(images(materials, layers)))
+    }
+
+    /// Why layers on a material are not computed, if they are not: their images miss the compliance.
+    pub fn refuses(material: Option<&Material>, layers: &[Layer]) -> Option<String> {
+        let missed = match layers {
+            [] => 0.0,
+            layers => images::images(&Stack { layers, base: material }).1,
+        };
+        (missed > MISSED || missed.is_nan()).then(|| {
+            format!(
+                "differ too much from each other or from what is below them: their compliance would be off by {missed:.0e} of that of the uppermost one, and {MISSED:.0e} is allowed"
+            )
+        })
     }
 
     fn on(influence: Influence) -> Self {
@@ -224,6 +258,28 @@ impl Compliance for HalfSpace {
     fn least_displacement(&self, away: [usize; 2]) -> f64 {
         self.influence.least_nn(away)
     }
+}
+
+/// What bodies are made of at their surfaces.
+fn uppermost<'a>(
+    materials: [Option<&'a Material>; 2],
+    layers: [&'a [Layer]; 2],
+) -> [Option<&'a Material>; 2] {
+    [0, 1].map(|body| layers[body].first().map(|layer| &layer.material).or(materials[body]))
+}
+
+/// The images of the layers of both bodies. What couples pressures and friction has the sign of body 1.
+fn images(materials: [Option<&Material>; 2], layers: [&[Layer]; 2]) -> Vec<Image> {
+    let of = |body: usize| {
+        let stack = Stack { layers: layers[body], base: materials[body] };
+        let images = if layers[body].is_empty() { vec![] } else { images::images(&stack).0 };
+        let sign = if body == 0 { 1.0 } else { -1.0 };
+        images.into_iter().map(move |image| Image {
+            scalars: [0, 1, 2, 3].map(|i| if i == 1 { sign } else { 1.0 } * image.scalars[i]),
+            ..image
+        })
+    };
+    of(0).chain(of(1)).collect()
 }
 
 /// Half-spaces of the whole frame, or of a part of it.

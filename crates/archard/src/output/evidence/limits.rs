@@ -20,6 +20,8 @@ pub(super) struct Limits {
     hardness: Option<(f64, String)>,
     /// The same over Young's modulus of a body without a hardness that can yield.
     modulus: Option<(f64, String)>,
+    /// Part of a layer, of another stiffness than what is below it, that is worn off where it is thinnest.
+    layers: Option<(f64, String)>,
     /// How far the contact reaches from its middle, over the smallest radius of a body.
     radius: Option<(f64, String)>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
@@ -37,9 +39,15 @@ impl Limits {
     pub fn take(&mut self, report: &Report<'_>, flash: Option<&Flash>) {
         let Report { problem, state, .. } = report;
         let peak = state.pressure.iter().copied().fold(0.0, f64::max);
-        for body in &problem.bodies {
+        for (i, body) in problem.bodies.iter().enumerate() {
+            let swung = state.swung.as_ref().filter(|swung| swung.body == i);
+            let worn = swung.map_or(&state.worn[i], |swung| &swung.worn);
+            let deepest = worn.iter().copied().fold(0.0, f64::max);
+            if let Some(gone) = gone(body, deepest) {
+                worst_of(&mut self.layers, gone, body);
+            }
             let hardness = body.wear.as_ref().and_then(|law| law.hardness());
-            let young = body.material.map(|material| material.young);
+            let young = body.uppermost().map(|material| material.young);
             let young = young.filter(|young| *young >= verdict::ELASTOMERS);
             match (hardness, young) {
                 (Some(hardness), _) => worst_of(&mut self.hardness, peak / hardness, body),
@@ -87,6 +95,7 @@ impl Limits {
         let lines = [
             of(&self.hardness, verdict::hardness),
             of(&self.modulus, verdict::modulus),
+            of(&self.layers, verdict::layers),
             of(&self.radius, verdict::radius),
             self.length.map(verdict::length),
             self.temperature.map(verdict::temperature),
@@ -95,6 +104,22 @@ impl Limits {
         ];
         lines.into_iter().flatten()
     }
+}
+
+/// The largest part of a layer that is worn off at some depth (m), of those that are stiffer or softer by half than what is below
+/// them; `None` where there are none.
+fn gone(body: &Body, depth: f64) -> Option<f64> {
+    let below = body.layers.iter().skip(1).map(|layer| Some(layer.material));
+    let below = below.chain([body.material]);
+    let mut top = 0.0;
+    let parts = body.layers.iter().zip(below).filter_map(|(layer, below)| {
+        let part = ((depth - top) / layer.thickness).clamp(0.0, 1.0);
+        top += layer.thickness;
+        let stiffer = below.map_or(0.0, |below| layer.material.young / below.young);
+        let alike = stiffer.max(stiffer.recip()) < 1.0 + verdict::BY_HALF;
+        (!alike).then_some(part)
+    });
+    parts.reduce(f64::max)
 }
 
 /// Whether a body is computed with the shape it has.
