@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use archard::body::{Material, contact_modulus};
+use archard::body::{Layer, Material, contact_modulus};
 use archard::closed_form::hertz;
 
 use crate::random::Random;
@@ -29,6 +29,8 @@ impl Truth {
 pub struct Contact {
     profile: String,
     materials: [Option<Material>; 2],
+    /// A layer on the second.
+    layer: Option<Layer>,
     /// Half of the extent along x (m), and radius there (m).
     pub half: f64,
     pub radius: f64,
@@ -77,6 +79,7 @@ fn rounded(random: &mut Random, materials: [Option<Material>; 2]) -> Contact {
     Contact {
         profile,
         materials,
+        layer: None,
         half: hertz.semi_axes[0],
         radius,
         load,
@@ -98,6 +101,7 @@ fn cylinders(random: &mut Random, materials: [Option<Material>; 2]) -> Contact {
     Contact {
         profile: format!("profile.cylinder = {{ radius = \"{radius:e} m\" }}"),
         materials,
+        layer: None,
         half: line.half_width,
         radius,
         load,
@@ -122,22 +126,36 @@ fn powered(random: &mut Random, materials: [Option<Material>; 2]) -> Contact {
     Contact { profile, known: false, ..ball }
 }
 
+/// The same with a layer on the second body at times, where bodies are unlike: up to three times as thick as the contact is wide.
+fn coated(random: &mut Random, contact: Contact) -> Contact {
+    let [one, Some(below)] = contact.materials else { return contact };
+    if one == Some(below) || random.chance(0.6) {
+        return contact;
+    }
+    let young = below.young * random.decade(0.3, 3.0);
+    let material = Material { young, poisson: random.between(0.2, 0.45) };
+    let layer = Layer { material, thickness: 2.0 * contact.half * random.decade(0.03, 3.0) };
+    Contact { layer: Some(layer), known: false, ..contact }
+}
+
 /// Any of these.
 pub fn any(random: &mut Random, unlike: f64) -> Contact {
     let unlike = random.chance(unlike);
     let materials = materials(random, unlike);
-    match random.below(5) {
+    let contact = match random.below(5) {
         0 | 1 => cylinders(random, materials),
         2 => powered(random, materials),
         _ => rounded(random, materials),
-    }
+    };
+    coated(random, contact)
 }
 
 /// Bodies of that likeness that touch along a line or not.
 pub fn smooth(random: &mut Random, unlike: f64, line: bool) -> Contact {
     let unlike = random.chance(unlike);
     let materials = materials(random, unlike);
-    if line { cylinders(random, materials) } else { rounded(random, materials) }
+    let contact = if line { cylinders(random, materials) } else { rounded(random, materials) };
+    coated(random, contact)
 }
 
 impl Contact {
@@ -155,9 +173,13 @@ impl Contact {
                     format!("material = {{ young = \"{young:e} Pa\", poisson = {poisson} }}")
                 }
             };
+            let layer = self.layer.filter(|_| body == 1).map_or(String::new(), |Layer { material, thickness }| {
+                let Material { young, poisson, .. } = material;
+                format!("layers = [{{ thickness = \"{thickness:e} m\", young = \"{young:e} Pa\", poisson = {poisson} }}]\n")
+            });
             let (name, law) = (["one", "two"][body], laws[body]);
             let profile = [self.profile.as_str(), "profile.flat = {}"][body];
-            let _ = writeln!(text, "[body.{name}]\n{material}\n{profile}\n{law}");
+            let _ = writeln!(text, "[body.{name}]\n{layer}{material}\n{profile}\n{law}");
         }
         if let Some(length) = self.line {
             let _ = writeln!(text, "[frame]\nlength = \"{length:e} m\"\n");
