@@ -108,6 +108,8 @@ struct Trial {
     depth: f64,
     truncation: f64,
     ripple: f64,
+    /// What of the latter this step has made (m): a shorter one would make less.
+    added: f64,
     /// Relative lag of the pressure where the wear is deepest.
     lag: f64,
 }
@@ -166,11 +168,12 @@ impl Trial {
         let was_is = [removed(coarse_before, fine_before), removed(&coarse.state, &fine.state)];
         let there =
             (2.0 * (both(&fine.state.worn, deepest) - both(&coarse.state.worn, deepest))).abs();
-        let everywhere = if square > 0.0 { depth * was_is[1] / f64::sqrt(square) } else { 0.0 };
+        let [was, everywhere] = was_is
+            .map(|removed| if square > 0.0 { depth * removed / f64::sqrt(square) } else { 0.0 });
         // Elsewhere the edge that counts moves by whole elements: that of what sticks, or of a surface that swings.
-        let (resolved, ripple) = if !slides(way.problem) {
+        let (resolved, [ripple, added]) = if !slides(way.problem) {
             let of_wear = if way.problem.ages() { (2.0 * of_wear).min(1.0) } else { 0.0 };
-            (relative_change(before, last).max(of_wear), 0.0)
+            (relative_change(before, last).max(of_wear), [0.0; 2])
         } else {
             let change =
                 relative_change(before, middle).max(relative_change(middle, last)).max(of_wear);
@@ -182,11 +185,15 @@ impl Trial {
             let less = way.less_wear(&fine.state, deepest);
             let joining = less.iter().zip(JOINING).map(|(less, share)| share * less);
             let joining = joining.sum::<f64>().min(1.0);
-            (remaining(change, was_is), (share * differ.abs()).max(joining * everywhere))
+            let joined = [everywhere, (everywhere - was).max(0.0)];
+            (
+                remaining(change, was_is),
+                joined.map(|error| (share * differ.abs()).max(joining * error)),
+            )
         };
         let truncation = resolved * everywhere.max(there);
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, truncation, ripple, lag }
+        Self { coarse, fine, worn, depth, truncation, ripple, added, lag }
     }
 
     /// Error relative to what the tolerance allows; of second order in the step.
@@ -199,9 +206,9 @@ impl Trial {
         if self.depth > 0.0 { self.truncation / (tolerance * self.depth) } else { 0.0 }
     }
 
-    /// The same of the ripples. They may be larger.
+    /// The same of the ripples that the step makes. They may be larger.
     fn excess_of_ripple(&self, tolerance: f64) -> f64 {
-        if self.depth > 0.0 { self.ripple / (OF_RIPPLES * tolerance * self.depth) } else { 0.0 }
+        if self.depth > 0.0 { self.added / (OF_RIPPLES * tolerance * self.depth) } else { 0.0 }
     }
 }
 
