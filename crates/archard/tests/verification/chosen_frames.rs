@@ -284,3 +284,23 @@ fn a_frame_may_lie_anywhere() {
         }
     }
 }
+
+/// A ball that no closed form knows, since it has a coated partner, at an approach that none of the first elements sees.
+#[test]
+fn a_small_approach_is_found_under_a_large_ball() {
+    let text = r#"
+        accuracy = 0.05
+        [body.ball]
+        rigid = true
+        profile.sphere = { radius = "73 mm" }
+        [body.disc]
+        layers = [{ thickness = "1.5 mm", young = "11.5 GPa", poisson = 0.29 }]
+        material = { young = "30.6 GPa", poisson = 0.37 }
+        profile.flat = {}
+        [motion.indentation]
+        approach = "1.66 um"
+    "#;
+    let frame = CaseFile::from_text("case.toml", text, "").resolve().expect("a frame").case.frame;
+    // Between the contact and four of it: sqrt(R d) to sqrt(2 R d) to each side.
+    assert!(frame.size.iter().all(|size| (0.7e-3..4e-3).contains(size)), "{frame:?}");
+}

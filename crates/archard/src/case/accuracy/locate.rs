@@ -134,7 +134,7 @@ struct Contact {
     element: [f64; 2],
 }
 
-/// Presses the bodies together in a window; `None` where that does not work, or nothing touches.
+/// Presses the bodies together in a window; `None` where that does not work.
 fn press(case: &Case, window: Rectangle) -> Option<Contact> {
     let mut case = case.clone();
     let elements = if case.frame.line { [OF_A_LINE, 1] } else { [WINDOW; 2] };
@@ -159,18 +159,23 @@ fn press(case: &Case, window: Rectangle) -> Option<Contact> {
         }
         Status::OutOfIterations => return None,
     }
-    let pressure = &outcome.pressure;
-    let [columns, rows] = extent(elements, |pair| pressure[pair] > 0.0)?;
+    // Elements may be too large to see an approach: the bodies touch where they are closest.
+    let gap = problem.frame.gap();
+    let least = gap.iter().copied().fold(f64::INFINITY, f64::min);
+    let closest = || gap.iter().map(|gap| f64::from(u8::from(*gap <= least))).collect();
+    let touches = outcome.pressure.iter().any(|pressure| *pressure > 0.0);
+    let bears: Vec<f64> = if touches { outcome.pressure } else { closest() };
+    let [columns, rows] = extent(elements, |pair| bears[pair] > 0.0)?;
     let corner = window.corner();
     let ends = [(0, columns), (1, rows)].map(|(axis, range)| {
         let place = |index: usize| corner[axis] + index as f64 * element[axis];
         let meets = [range.start == 0, range.end == elements[axis]];
         ([place(range.start), place(range.end)], meets)
     });
-    let load: f64 = pressure.iter().sum();
+    let all: f64 = bears.iter().sum();
     let centre = [0, 1].map(|axis| {
-        let moment = |(pair, pressure): (usize, &f64)| pressure * problem.frame.place(pair)[axis];
-        pressure.iter().enumerate().map(moment).sum::<f64>() / load
+        let moment = |(pair, bears): (usize, &f64)| bears * problem.frame.place(pair)[axis];
+        bears.iter().enumerate().map(moment).sum::<f64>() / all
     });
     let size = [0, 1].map(|axis| {
         let [low, high] = ends[axis].0;
