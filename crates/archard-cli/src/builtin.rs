@@ -30,6 +30,7 @@ pub const CASES: &[Builtin] = &[
     without_files("coated_disc", include_str!("../cases/coated_disc/case.toml")),
     without_files("rubber_layer", include_str!("../cases/rubber_layer/case.toml")),
     without_files("soft_liner", include_str!("../cases/soft_liner/case.toml")),
+    without_files("wavy_surface", include_str!("../cases/wavy_surface/case.toml")),
     without_files("block_on_ring", include_str!("../cases/block_on_ring/case.toml")),
     without_files("reciprocating_ball", include_str!("../cases/reciprocating_ball/case.toml")),
     without_files("carter", include_str!("../cases/carter/case.toml")),

@@ -28,6 +28,8 @@ mod verification {
     mod orthotropic;
     mod own_wear_law;
     mod parts_of_the_frame;
+
+    mod periodic;
     mod pin_on_disc;
     mod punch;
     mod punch_cycles;

@@ -117,6 +117,8 @@ pub struct FrameCase {
     pub elements: [usize; 2],
     /// Whether it is a line of contact along y in plane strain.
     pub line: bool,
+    /// Whether the surfaces repeat themselves with it.
+    pub periodic: bool,
 }
 
 /// When fields are put out; the end of the motion always is one of the places.
@@ -176,7 +178,8 @@ impl Output {
 impl FrameCase {
     /// One whose size and elements follow from an accuracy.
     pub(super) fn to_be_chosen() -> Self {
-        Self { centre: [0.0; 2], size: [0.0; 2], elements: [0; 2], line: false }
+        let (centre, size, elements) = ([0.0; 2], [0.0; 2], [0; 2]);
+        Self { centre, size, elements, line: false, periodic: false }
     }
 
     /// What it covers.
@@ -367,6 +370,7 @@ impl Case {
             true => builder.line(rectangle, elements[0]),
             false => builder.frame(rectangle, elements),
         };
+        let builder = if frame.periodic { builder.periodic() } else { builder };
         Ok(builder.build_with(condense)?)
     }
 }

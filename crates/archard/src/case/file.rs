@@ -86,7 +86,7 @@ impl Resolved {
         let pace = Pace::of(self.forecast.operations);
         let pace = pace.map_or_else(String::new, |pace| pace.to_string());
         let mut text = format!("# What to expect\n\n{}{pace}{beside}", self.forecast);
-        if self.chose != Chose::default() {
+        if self.chose.size || self.chose.elements {
             text += "\nThe frame was chosen; runs on coarser grids may ask for more elements.\n";
         }
         let lines = &self.forecast.verdict.lines;
@@ -263,7 +263,8 @@ impl CaseFile {
         read: impl FnOnce(&mut Reader<'_>, &Section<'_>) -> Option<C>,
         check: impl FnOnce(&C) -> (F, Vec<Problem>),
     ) -> Result<(C, F, Vec<Problem>), Vec<Problem>> {
-        let mut reader = Reader { folder: &self.folder, problems, bodies: vec![], line: None };
+        let mut reader =
+            Reader { folder: &self.folder, problems, bodies: vec![], line: None, cell: None };
         let case = read(&mut reader, &Section { key: Key::default(), table: &table });
         let mut problems = reader.problems;
         let failed = |problems: &[Problem]| {

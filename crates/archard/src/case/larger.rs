@@ -12,7 +12,7 @@ impl Resolved {
     pub fn on_a_larger_frame(&self) -> Option<Self> {
         let mut larger = self.clone();
         let frame = &mut larger.case.frame;
-        if self.case.is_meshed() || self.case.accuracy.is_some() {
+        if self.case.is_meshed() || frame.periodic || self.case.accuracy.is_some() {
             return None;
         }
         for axis in 0..if frame.line { 1 } else { 2 } {

@@ -44,7 +44,10 @@ impl Display for Case {
             writeln!(f)?;
         }
         if !self.is_meshed() {
-            let FrameCase { centre, size, elements, line } = self.frame;
+            let FrameCase { centre, size, elements, line, periodic } = self.frame;
+            if periodic {
+                writeln!(f, "frame.periodic = true")?;
+            }
             let [x, y] = size.map(|size| si(size, "m"));
             let [from_x, from_y] = centre.map(|centre| si(centre, "m"));
             match (centre == [0.0; 2], line) {

@@ -31,6 +31,8 @@ pub(super) struct Surroundings<'a> {
     pub folder: &'a Path,
     /// The line of contact, if the case has one.
     pub line: Option<Line>,
+    /// The area (m^2) that repeats itself; loads are mean pressures on it, too.
+    pub cell: Option<f64>,
 }
 
 /// The value in SI and, for a table, the file it came from. `before` holds the values already read.
@@ -106,8 +108,13 @@ pub(super) fn read(
             })?;
             // A factor of which the exponent has left no unit.
             let plain = if measure == Measure::NUMBER { plain(node) } else { None };
+            let mean = (quantity == Quantity::Force)
+                .then(|| Some(surroundings.cell? * dimensional(node, &Measure::PRESSURE).ok()?));
             let value = match (plain, quantity, surroundings.line) {
                 (Some(value), ..) => value,
+                (None, Quantity::Force, _) if mean.flatten().is_some() => {
+                    mean.flatten().unwrap_or_default()
+                }
                 (None, Quantity::Force, Some(line)) => on_a_line(node, line)?,
                 (None, Quantity::Force, None) => off_a_line(node)?,
                 _ => dimensional(node, &measure)?,

@@ -20,6 +20,8 @@ pub(super) struct Reader<'a> {
     pub bodies: Vec<String>,
     /// The line of contact, once the frame is read, if it is one.
     pub line: Option<Line>,
+    /// The area (m^2) that repeats itself, once the frame is read, if it does.
+    pub cell: Option<f64>,
 }
 
 /// A line of contact: what loads are shared over.
@@ -52,7 +54,7 @@ impl<'a> Section<'a> {
 
 impl Reader<'_> {
     fn surroundings(&self) -> quantity::Surroundings<'_> {
-        quantity::Surroundings { folder: self.folder, line: self.line }
+        quantity::Surroundings { folder: self.folder, line: self.line, cell: self.cell }
     }
 
     pub fn push(&mut self, problem: Problem) {

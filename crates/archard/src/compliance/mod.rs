@@ -19,7 +19,7 @@ pub use crate::numerics::large::NoMemory;
 pub use bem::contact::ContactError;
 pub use bem::{Balance, Undetermined};
 pub use dense::Dense;
-pub use half_space::HalfSpace;
+pub use half_space::{HalfSpace, Periodic};
 pub use mapped::Mapped;
 pub use slip::{Coarser, PairStatus, SlipMap};
 pub use worn_lines::WornLines;

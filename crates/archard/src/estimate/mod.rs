@@ -41,6 +41,8 @@ pub struct Subject<'a> {
     pub size: [f64; 2],
     /// Whether the bodies touch along a line in plane strain.
     pub line: bool,
+    /// Whether surfaces end or repeat themselves with the frame.
+    pub closed: bool,
     /// How much tangential traction the pairs bear; `None` without friction.
     pub friction: Option<&'a dyn Friction>,
     /// How the pairs rub.
@@ -139,6 +141,7 @@ impl<'a> From<&'a ContactProblem> for Subject<'a> {
             bodies: &problem.bodies,
             size: problem.frame.size(),
             line: problem.frame.is_line(),
+            closed: problem.frame.measure().closed,
             friction: problem.friction.as_deref(),
             motion: &problem.motion,
         }
@@ -147,9 +150,9 @@ impl<'a> From<&'a ContactProblem> for Subject<'a> {
 
 impl Subject<'_> {
     /// Curvatures of both bodies together along x and y (1/m), where both have them and closed forms know them: not under
-    /// layers.
+    /// layers, nor where surfaces repeat themselves.
     pub fn curvatures(&self) -> Option<[f64; 2]> {
-        if self.bodies.iter().any(|body| !body.layers.is_empty()) {
+        if self.closed || self.bodies.iter().any(|body| !body.layers.is_empty()) {
             return None;
         }
         let [Some(one), Some(other)] = self.bodies.each_ref().map(Body::curvatures) else {

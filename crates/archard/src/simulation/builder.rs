@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::Simulation;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
-use crate::compliance::{Compliance, HalfSpace};
+use crate::compliance::{Compliance, HalfSpace, Periodic};
 use crate::frame::{ContactFrame, OffTheSurface, Rectangle};
 use crate::friction::Friction;
-use crate::motion::{Planned, Schedule};
+use crate::motion::{Motion, Planned, Schedule};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
 use crate::problem::ContactProblem;
 use crate::solve::tangential::{FrictionSolver, Newton};
@@ -40,6 +40,7 @@ pub struct Builder {
     pub(crate) solver: Arc<dyn Solver>,
     pub(crate) friction_solver: Arc<dyn FrictionSolver>,
     contact: Touch,
+    periodic: bool,
 }
 
 /// Where the bodies may touch, and how they deform there.
@@ -70,6 +71,8 @@ pub enum BuildError {
     Contact(#[from] ContactError),
 }
 
+/// Between the ends of surfaces that repeat themselves the gap changes by at most so many times what it changes by elsewhere.
+const JUMPS: f64 = 2.0;
 const SIZE: Parameter = Parameter::required("size", Quantity::Length, "size of the frame");
 const CENTRE: Parameter =
     Parameter::required("centre", Quantity::Length, "centre of the frame").bound(Bound::Any);
@@ -87,6 +90,7 @@ impl Simulation {
             solver: Arc::new(ConjugateGradient::default()),
             friction_solver: Arc::new(Newton::default()),
             contact: Touch::Meshed,
+            periodic: false,
         }
         .outputs([])
     }
@@ -105,6 +109,13 @@ impl Builder {
     #[must_use]
     pub fn line(self, rectangle: impl Into<Rectangle>, elements: usize) -> Self {
         Self { contact: Touch::Line(rectangle.into(), elements), ..self }
+    }
+
+    /// The surfaces repeat themselves with the frame or the width of the line: loads, forces and volumes are those of one of them.
+    /// Both have an even number of elements.
+    #[must_use]
+    pub fn periodic(self) -> Self {
+        Self { periodic: true, ..self }
     }
 
     /// The bodies may touch at these pairs, and deform there by that compliance.
@@ -161,7 +172,26 @@ impl Builder {
             solver,
             friction_solver,
             contact,
+            periodic,
         } = self;
+        let kernel = |frame: ContactFrame| -> (ContactFrame, Arc<dyn Compliance>) {
+            let materials = bodies.each_ref().map(|body| body.material.as_ref());
+            let layers = bodies.each_ref().map(|body| &body.layers[..]);
+            let [along, across] = frame.size();
+            if periodic {
+                let wavelength = if frame.is_line() { along } else { along.max(across) };
+                let depths = bodies.each_ref().map(|body| body.depth.unwrap_or(wavelength));
+                let compliance = Periodic::new(materials, layers, depths, &frame);
+                (frame.closed(), Arc::new(compliance))
+            } else if frame.is_line() {
+                let depths = Body::depths(bodies.each_ref(), along);
+                let compliance = HalfSpace::plane_strain(materials, layers, depths, &frame);
+                (frame, Arc::new(compliance))
+            } else {
+                let compliance = HalfSpace::layered(materials, layers, &frame);
+                (frame, Arc::new(compliance))
+            }
+        };
         let (frame, compliance): (_, Arc<dyn Compliance>) = match contact {
             Touch::Given(frame, compliance) => (frame, compliance),
             Touch::Meshed => {
@@ -170,22 +200,16 @@ impl Builder {
             }
             Touch::Line(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                let frame = ContactFrame::line(rectangle, elements, profiles)?;
-                let materials = bodies.each_ref().map(|body| body.material.as_ref());
-                let depths = Body::depths(bodies.each_ref(), rectangle.size[0]);
-                let layers = bodies.each_ref().map(|body| &body.layers[..]);
-                let half_space = HalfSpace::plane_strain(materials, layers, depths, &frame);
-                (frame, Arc::new(half_space))
+                kernel(ContactFrame::line(rectangle, elements, profiles)?)
             }
             Touch::Frame(rectangle, elements) => {
                 let profiles = bodies.each_ref().map(|body| &*body.profile);
-                let frame = ContactFrame::uniform(rectangle, elements, profiles)?;
-                let materials = bodies.each_ref().map(|body| body.material.as_ref());
-                let layers = bodies.each_ref().map(|body| &body.layers[..]);
-                let half_space = HalfSpace::layered(materials, layers, &frame);
-                (frame, Arc::new(half_space))
+                kernel(ContactFrame::uniform(rectangle, elements, profiles)?)
             }
         };
+        if periodic {
+            repeats(&motion, &frame)?;
+        }
         let problem = ContactProblem { bodies, frame, compliance, friction, motion };
         Ok(Simulation {
             problem,
@@ -277,6 +301,49 @@ fn admit(rectangle: &Rectangle) -> Result<(), Invalid> {
     let Rectangle { centre, size } = rectangle;
     size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
     centre.iter().try_for_each(|&centre| CENTRE.admit(centre).map(|_| ()))
+}
+
+/// What keeps surfaces from repeating themselves with a frame, if anything does.
+pub(crate) fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
+    let wrong = |message: &str| Err(Invalid::new("periodic", message));
+    if motion.rolling().is_some() {
+        return wrong(
+            "bodies that roll have one contact: `frame.periodic` is for surfaces that stay",
+        );
+    }
+    if motion.passing().is_some() || motion.swing().is_some() {
+        return wrong(
+            "surfaces that pass or swing do not stay opposite each other: `frame.periodic` is for those that do",
+        );
+    }
+    let elements = frame.elements();
+    let axes = if frame.is_line() { 1 } else { 2 };
+    for axis in 0..axes {
+        if elements[axis] % 2 == 1 {
+            return wrong("surfaces that repeat themselves take an even number of elements");
+        }
+        // The largest difference between neighbours, and between the last and the first.
+        let [stride, count] = [[1, elements[0]][axis], elements[axis]];
+        let (mut within, mut around) = (0.0_f64, 0.0_f64);
+        for (pair, gap) in frame.gap().iter().enumerate() {
+            let place = pair / stride % count;
+            if place + 1 < count {
+                within = within.max((frame.gap()[pair + stride] - gap).abs());
+            } else {
+                around = around.max((frame.gap()[pair - place * stride] - gap).abs());
+            }
+        }
+        if around > JUMPS * within {
+            let message = format!(
+                "the surfaces do not repeat themselves along {}: from the last element to the first the gap changes by {:.3} um, {:.3} um elsewhere at most",
+                ["x", "y"][axis],
+                1e6 * around,
+                1e6 * within
+            );
+            return Err(Invalid::new("periodic", message));
+        }
+    }
+    Ok(())
 }
 
 /// Whether a body can touch along y within the width along x of a rectangle: its surface must be the same all along y, and the depth

@@ -26,8 +26,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
+pub(crate) use builder::{line_of_contact, repeats};
 pub use checkpoint::NotResumed;
 pub(crate) use checkpoint::digest;
 pub use companion::{Companion, Companions, Regularity};

@@ -19,12 +19,13 @@ pub(super) fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
 }
 
 /// Extent (m) of the worn zone of a body that keeps its place under the contact, along the motion and across, as that of a
-/// scar on a track; of bodies that are shifted along x. `None` where the body does not wear, passes or swings.
+/// scar on a track; of bodies that are shifted along x. `None` where the body does not wear, passes or swings, or repeats itself.
 pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
     let Report { problem, state, .. } = report;
     problem.bodies[body].wear.as_ref()?;
     let passes = problem.motion.passing().is_some_and(|passing| passing.bodies[body]);
-    if passes || state.swung.is_some() || problem.motion.rolling().is_some() {
+    let endless = problem.frame.is_uniform() && problem.frame.measure().closed;
+    if passes || endless || state.swung.is_some() || problem.motion.rolling().is_some() {
         return None;
     }
     let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);

@@ -13,6 +13,7 @@ mod paraboloid;
 mod power;
 mod sphere;
 mod table;
+mod wave;
 
 use std::fmt::Debug;
 
@@ -25,6 +26,7 @@ pub use paraboloid::Paraboloid;
 pub use power::Power;
 pub use sphere::Sphere;
 pub use table::Table;
+pub use wave::Wave;
 
 use crate::parameters::Choice;
 
@@ -70,6 +72,7 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     power::CHOICE,
     axisymmetric_power::CHOICE,
     table::CHOICE,
+    wave::CHOICE,
 ];
 
 /// Recess (m) of a circle of that radius (m) at a distance (m) from its apex, without cancellation;

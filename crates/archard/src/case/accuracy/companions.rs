@@ -325,8 +325,8 @@ impl Resolved {
         let mut case = self.case.clone();
         let own = self.case.frame;
         let parts = Parts::of(&self.case).map_err(Box::new)?;
-        // Frames that become wider have an even number of elements: they are moved as a whole.
-        let widens = !case.doubles.is_empty();
+        // Frames that become wider or repeat themselves have an even number of elements: they are moved as a whole.
+        let widens = !case.doubles.is_empty() || own.periodic;
         for axis in 0..if own.line { 1 } else { 2 } {
             let elements = own.elements[axis];
             let moved = [moved, [moved[1], moved[0]]][parts.motion.axis()];

@@ -73,6 +73,7 @@ impl<'a> Parts<'a> {
             bodies: &self.bodies,
             size: self.case.frame.size,
             line: self.case.frame.line,
+            closed: self.case.frame.periodic,
             friction: self.friction.as_deref(),
             motion: &self.motion,
         }

@@ -322,5 +322,5 @@ pub(super) fn zone(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
         let across = |axis: usize| (count as f64 * size[axis] / size[1 - axis]).sqrt();
         [0, 1].map(|axis| across(axis).round().clamp(1.0, count as f64) as usize)
     });
-    Some(FrameCase { centre: [0.0; 2], size, elements, line: false })
+    Some(FrameCase { size, elements, ..FrameCase::to_be_chosen() })
 }

@@ -1,7 +1,8 @@
 //! The frame of a case.
 
+use crate::body::Profile;
 use crate::case::check::footprint::BYTES_A_PAIR;
-use crate::case::definition::FrameCase;
+use crate::case::definition::{BodyCase, FrameCase};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Line, Reader, Section};
@@ -10,17 +11,77 @@ use crate::motion::Planned;
 use crate::parameters::Quantity;
 use crate::simulation::can_widen;
 
+/// The readings of a surface that was measured on an even grid, each an element; `None` where no body has one, or they differ.
+pub(super) fn measured(bodies: &[BodyCase; 2]) -> Option<FrameCase> {
+    let [one, two] = bodies.each_ref().map(|body| patch(&*body.profile.build().ok()?));
+    match (one, two) {
+        (Some(patch), None) | (None, Some(patch)) => Some(patch),
+        (Some(one), Some(two)) if one == two => Some(one),
+        _ => None,
+    }
+}
+
+/// That of one surface.
+fn patch(profile: &dyn Profile) -> Option<FrameCase> {
+    let axis = |places: &[f64]| -> Option<(f64, f64, usize)> {
+        let [first, .., last] = *places else { return None };
+        let step = (last - first) / (places.len() - 1) as f64;
+        let even =
+            |(i, place): (usize, &f64)| (place - first - i as f64 * step).abs() < EVEN * step;
+        let all = places.iter().enumerate().all(even);
+        all.then_some((0.5 * (first + last), places.len() as f64 * step, places.len()))
+    };
+    let [x, y] = profile.places().map(axis);
+    let ((x, width, columns), (y, height, rows)) = (x?, y?);
+    Some(FrameCase {
+        centre: [x, y],
+        size: [width, height],
+        elements: [columns, rows],
+        ..FrameCase::to_be_chosen()
+    })
+}
+
+/// By how much readings may be off an even grid, relative to their distance: what a file is rounded to.
+const EVEN: f64 = 1e-2;
+
 impl Reader<'_> {
     /// Size and elements; those that are to be chosen may be missing.
-    pub(super) fn frame(&mut self, section: &Section<'_>, chosen: bool) -> Option<FrameCase> {
+    pub(super) fn frame(
+        &mut self,
+        section: &Section<'_>,
+        chosen: bool,
+        measured: Option<FrameCase>,
+    ) -> Option<FrameCase> {
         self.unknown(
             section,
             "key",
-            &["centre", "size", "elements", "doubles", "plane_strain", "length"],
+            &["centre", "size", "elements", "doubles", "plane_strain", "length", "periodic"],
         );
-        if let Some(length) = self.line_of_contact(section)? {
-            return self.line(section, length, chosen);
+        let periodic = self.boolean(section, "periodic")?.unwrap_or(false);
+        let chosen = chosen && !periodic;
+        let says = ["centre", "size", "elements", "plane_strain", "length"]
+            .into_iter()
+            .any(|name| section.get(name).is_some());
+        let frame = match (measured.filter(|_| !chosen && !says), self.line_of_contact(section)?) {
+            (Some(measured), _) => Some(measured),
+            (None, Some(length)) => self.line(section, length, chosen),
+            (None, None) => self.rectangle(section, chosen),
+        };
+        let frame = FrameCase { periodic, ..frame? };
+        if periodic {
+            self.cell = Some(frame.size[0] * frame.size[1]);
+            let along = if frame.line { 1 } else { 2 };
+            if frame.elements[..along].iter().any(|count| !count.is_multiple_of(2)) {
+                let message = "surfaces that repeat themselves take an even number of elements";
+                self.push(Problem::error(section.key.child("elements"), message));
+                return None;
+            }
         }
+        Some(frame)
+    }
+
+    /// That of an area.
+    fn rectangle(&mut self, section: &Section<'_>, chosen: bool) -> Option<FrameCase> {
         let none = FrameCase::to_be_chosen();
         let centre = match section.get("centre") {
             None => Some(none.centre),
@@ -50,7 +111,7 @@ impl Reader<'_> {
             ),
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, elements));
-        Some(FrameCase { centre: centre?, size: size?, elements: elements?, line: false })
+        Some(FrameCase { centre: centre?, size: size?, elements: elements?, ..none })
     }
 
     /// From where on the frame is twice as wide: nowhere, if the key is not there.
@@ -138,7 +199,7 @@ impl Reader<'_> {
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
         let (centre, size, elements) = ([centre?, 0.0], [size?, length], [elements?, 1]);
-        Some(FrameCase { centre, size, elements, line: true })
+        Some(FrameCase { centre, size, elements, line: true, periodic: false })
     }
 
     /// A value along x, by itself or in a list.

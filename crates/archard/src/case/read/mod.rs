@@ -49,9 +49,14 @@ impl Reader<'_> {
                 None
             }
             (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),
-            _ => self
-                .table(root, "frame", "the potential contact zone, with its `size` and `elements`")
-                .and_then(|section| self.frame(&section, root.get("accuracy").is_some())),
+            (None, Some(bodies)) if frame::measured(bodies).is_some() => frame::measured(bodies),
+            (_, bodies) => {
+                let measured = bodies.as_ref().and_then(frame::measured);
+                let meaning = "the potential contact zone, with its `size` and `elements`";
+                self.table(root, "frame", meaning).and_then(|section| {
+                    self.frame(&section, root.get("accuracy").is_some(), measured)
+                })
+            }
         };
         let motion = self.motion(root);
         let doubles = motion.as_ref().and_then(|(_, motion)| self.doubles(root, frame, motion));

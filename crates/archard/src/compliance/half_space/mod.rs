@@ -3,6 +3,7 @@
 
 mod images;
 mod influence;
+mod periodic;
 mod rolling;
 mod shifting;
 mod stack;
@@ -19,6 +20,7 @@ use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 use images::Image;
 pub(in crate::compliance) use influence::Constants;
 use influence::Influence;
+pub use periodic::Periodic;
 use rolling::Rolling;
 use shifting::Shifting;
 use stack::Stack;

@@ -66,6 +66,11 @@ impl Convolution {
         Self::with_period(size, size.map(even_smooth))
     }
 
+    /// Convolutions of fields that repeat themselves after that many elements, which is even or one along each axis.
+    pub fn wrapping(size: [usize; 2]) -> Self {
+        Self::with_period(size, size)
+    }
+
     fn with_period(size: [usize; 2], period: [usize; 2]) -> Self {
         let (mut real, mut complex) = (RealFftPlanner::new(), FftPlanner::new());
         Self {

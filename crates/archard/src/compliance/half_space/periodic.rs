@@ -1,0 +1,174 @@
+//! Surfaces that repeat themselves without end along x and y.
+//!
+//! A wave of tractions of wave number k displaces surfaces by the compliance of their [stack](super::stack), so that an
+//! application is one Fourier transform there and back, without padding. With c = kx/k and s = ky/k,
+//!
+//! ```text
+//! xx = c^2 C11 + s^2 CT   yy = s^2 C11 + c^2 CT   xy = c s (C11 - CT)   nn = C22   xn = -i c C12   yn = -i s C12
+//! ```
+//!
+//! Tractions are known at the pairs and are waves between them. The mean of a field, which would displace a half-space without
+//! end, squeezes and shears a plate of the body's depth.
+
+use std::f64::consts::PI;
+
+use super::stack::{Scalars, Stack, half_space};
+use crate::body::{Layer, Material};
+use crate::compliance::{Compliance, Preconditioner};
+use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::convolution::{Convolution, Parity, Spectrum};
+
+/// The sum of the compliances of two bodies whose surfaces repeat themselves with the frame.
+#[derive(Debug)]
+pub struct Periodic {
+    convolution: Convolution,
+    normal: Spectrum,
+    /// xx, xy and yy.
+    tangential: [Spectrum; 3],
+    /// xn and yn.
+    coupling: [Spectrum; 2],
+    couples: bool,
+    own: f64,
+}
+
+impl Periodic {
+    /// The bodies of these materials, `None` for something rigid, under layers from the surface down; their displacements are
+    /// measured from so far below the contact (m).
+    ///
+    /// The frame has an even number of elements along each axis, or one.
+    pub fn new(
+        materials: [Option<&Material>; 2],
+        layers: [&[Layer]; 2],
+        depths: [f64; 2],
+        frame: &ContactFrame,
+    ) -> Self {
+        let bodies = [0, 1].map(|body| One {
+            layers: layers[body],
+            base: materials[body],
+            depth: depths[body],
+        });
+        let convolution = Convolution::wrapping(frame.elements());
+        let size = frame.size();
+        // Wave numbers along x and y, and of the wave.
+        let wave = |waves: [usize; 2]| {
+            let [x, y] = [0, 1].map(|axis| 2.0 * PI * waves[axis] as f64 / size[axis]);
+            [x, y, x.hypot(y)]
+        };
+        // Both bodies together; what couples has the sign of the first.
+        let scalars = |k: f64| -> Scalars {
+            let [one, other] = bodies.each_ref().map(|body| body.compliance(k));
+            [0, 1, 2, 3].map(|i| one[i] + if i == 1 { -other[i] } else { other[i] })
+        };
+        let spectrum = |parity, factor: fn([f64; 2], Scalars) -> f64| {
+            convolution.transfer(parity, |waves| {
+                let [x, y, k] = wave(waves);
+                let direction = if k > 0.0 { [x / k, y / k] } else { [1.0, 0.0] };
+                factor(direction, scalars(k))
+            })
+        };
+        use Parity::{Even, Odd};
+        let normal = spectrum([Even; 2], |_, [_, _, normal, _]| normal);
+        let tangential = [
+            spectrum([Even; 2], |[c, s], [along, _, _, across]| c * c * along + s * s * across),
+            spectrum([Odd; 2], |[c, s], [along, _, _, across]| c * s * (along - across)),
+            spectrum([Even; 2], |[c, s], [along, _, _, across]| s * s * along + c * c * across),
+        ];
+        let coupling = [
+            spectrum([Odd, Even], |[c, _], [_, coupling, ..]| -c * coupling),
+            spectrum([Even, Odd], |[_, s], [_, coupling, ..]| -s * coupling),
+        ];
+        let shortest = scalars(PI / frame.spacing()[0]);
+        let couples = shortest[1].abs() > ROUNDING * shortest[2];
+        let mut own = vec![0.0; frame.len()];
+        let mut pressed = own.clone();
+        pressed[0] = 1.0;
+        convolution.apply(&normal, &pressed, &mut own);
+        Self { convolution, normal, tangential, coupling, couples, own: own[0] }
+    }
+}
+
+/// What couples bodies of one elasticity, relative to their normal compliance.
+const ROUNDING: f64 = 1e-14;
+
+/// One of the bodies.
+struct One<'a> {
+    layers: &'a [Layer],
+    base: Option<&'a Material>,
+    depth: f64,
+}
+
+impl One<'_> {
+    /// Its compliance (m/Pa) for a wave number (1/m).
+    fn compliance(&self, k: f64) -> Scalars {
+        let Self { layers, base, .. } = *self;
+        match (layers, base) {
+            _ if k == 0.0 => self.mean(),
+            ([], None) => [0.0; 4],
+            ([], Some(base)) => half_space(base).map(|value| value / k),
+            _ => Stack { layers, base }.compliance(k).map(|value| value / k),
+        }
+    }
+
+    /// That of its layers and what is below them down to its depth, evenly sheared and squeezed.
+    fn mean(&self) -> Scalars {
+        let coated: f64 = self.layers.iter().map(|layer| layer.thickness).sum();
+        let layers = self.layers.iter().map(|layer| (&layer.material, layer.thickness));
+        let below = self.base.map(|base| (base, (self.depth - coated).max(0.0)));
+        let plates = layers.chain(below).map(|(material, thickness)| {
+            let sheared = thickness / material.shear_modulus();
+            let poisson = material.poisson;
+            [sheared, 0.5 * (1.0 - 2.0 * poisson) / (1.0 - poisson) * sheared]
+        });
+        let [sheared, squeezed] =
+            plates.fold([0.0; 2], |sum, plate| [sum[0] + plate[0], sum[1] + plate[1]]);
+        [sheared, 0.0, squeezed, sheared]
+    }
+}
+
+impl Compliance for Periodic {
+    fn apply(&self, tractions: &VectorField) -> VectorField {
+        let [xx, xy, yy] = &self.tangential;
+        let [xn, yn] = &self.coupling;
+        let kernels = [
+            [(xx, 1.0), (xy, 1.0), (xn, 1.0)],
+            [(xy, 1.0), (yy, 1.0), (yn, 1.0)],
+            [(xn, -1.0), (yn, -1.0), (&self.normal, 1.0)],
+        ];
+        let mut displacements = VectorField::zeros(tractions.n.len());
+        let VectorField { t1, t2, n } = &mut displacements;
+        self.convolution.apply_matrix(kernels, tractions.components(), [t1, t2, n]);
+        displacements
+    }
+
+    fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
+        self.convolution.apply(&self.normal, pressure, displacement);
+    }
+
+    fn normal_self_term(&self) -> f64 {
+        self.own
+    }
+
+    fn couples(&self) -> bool {
+        self.couples
+    }
+
+    fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
+        let points = self.convolution.period().iter().product::<usize>() as f64;
+        // A spectrum carries the factor 1/points of one convolution; its inverse has to carry it too.
+        let inverse = self.normal.map(|value| 1.0 / (value * points + addition) / points);
+        Box::new(Inverse { convolution: &self.convolution, inverse })
+    }
+}
+
+/// Division by the spectrum: the inverse where all pairs touch.
+#[derive(Debug)]
+struct Inverse<'a> {
+    convolution: &'a Convolution,
+    inverse: Spectrum,
+}
+
+impl Preconditioner for Inverse<'_> {
+    fn apply(&self, displacement: &[f64], pressure: &mut [f64]) {
+        self.convolution.apply(&self.inverse, displacement, pressure);
+    }
+}
