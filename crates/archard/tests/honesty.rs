@@ -244,7 +244,7 @@ const OUTSIDE: [f64; 2] = [0.01, 0.0];
 
 #[test]
 fn stated_errors_hold() {
-    hold(runs("ARCHARD_RUNS", 42), OUTSIDE);
+    hold(runs("ARCHARD_RUNS", 28), OUTSIDE);
 }
 
 #[test]

@@ -217,7 +217,7 @@ fn forces_under_a_shear_strength_and_moments_lie_within_the_error_stated() {
         let of = |column: &str| number(&fine, column).expect("a force");
         let [x, y, moment] = ["force_x_N", "force_y_N", "moment_z_Nm"].map(of);
         let slack = 3e-3 * x.hypot(y);
-        for elements in [24, 28, 32, 36, 40, 46, 50, 54] {
+        for elements in [24, 32, 40, 50] {
             let row = row(elements, "accuracy=0.2");
             let what = format!("{young} {motion} {elements}");
             assert_within(&row, "force_x_N", (x, slack), &what);

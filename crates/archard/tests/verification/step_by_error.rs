@@ -170,7 +170,7 @@ fn the_estimate_is_honest_for_laws_that_turn() {
         )],
         vec![archard, power_profile(6)],
     ];
-    for (law, cells) in cases.iter().flat_map(|one| [(one, 36), (one, 60)]) {
+    for (law, cells) in cases.iter().zip([36, 36, 60]) {
         let run = |stepping: &str| on_elements(cells, law, stepping);
         let converged = depths(&run("motion.sliding.tolerance=3e-6"));
         let [coarse, fine] = ["0.25 mm", "0.125 mm"]
