@@ -14,7 +14,7 @@ use archard::motion::{Control, Indentation};
 use archard::problem::ContactState;
 use archard::{Body, Material, Simulation};
 
-use crate::common::states;
+use crate::common::{case, states};
 
 const LENGTH: f64 = 1e-3;
 const AMPLITUDE: f64 = 0.5e-6;
@@ -176,4 +176,41 @@ fn measured_surfaces_bring_their_frame() {
     assert_relative_eq!(state.load, load, max_relative = 1e-8);
     let volume = simulation.problem.frame.integrate(&state.worn[0]);
     assert_relative_eq!(volume, 1e-15 * load * 10.0, max_relative = 1e-8);
+}
+
+/// Like bodies that are shifted slip in part as J. Jäger (*J. Tribology* 120 (1998) 677) has it: what sticks is as wide as the
+/// contact under the load less the force over mu.
+#[test]
+fn shifted_waves_stick_as_wide_as_under_a_smaller_load() {
+    let text = r#"
+        [body.turned]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.wave = { amplitude = "0.5 um", length_x = "0.5 mm" }
+        [body.flat]
+        material = { young = "210 GPa", poisson = 0.3 }
+        profile.flat = {}
+        [friction.coulomb]
+        coefficient = 0.5
+        [frame]
+        periodic = true
+        plane_strain = true
+        size = "0.5 mm"
+        elements = 256
+        [motion.fretting]
+        load = "50 MPa"
+        force_amplitude = ["6.25 N/mm", "0 N/mm"]
+        increments = 40
+        cycles = 1
+        [output]
+        at = [0.25]
+    "#;
+    let simulation = case(text, &[]);
+    let state = states(&simulation).unwrap().into_iter().map(|(state, ..)| state);
+    let pushed = state.into_iter().find(|state| (state.progress - 0.25).abs() < 1e-9).unwrap();
+    let sticks = pushed.tangential.unwrap().stick_area(&simulation.problem, &pushed.pressure);
+    let flattens = PI * (210e9 / 0.91 / 2.0) * 0.5e-6 / 0.5e-3;
+    // A force of 12.5 MPa on the whole surface.
+    let known = 2.0 * ((50e6_f64 - 12.5e6 / 0.5) / flattens).sqrt().asin() / PI * 0.5e-3;
+    let element = 0.5e-3 / 256.0;
+    assert!((sticks - known).abs() < 2.0 * element, "{sticks:e} {known:e}");
 }
