@@ -108,13 +108,11 @@ pub(super) fn read(
             })?;
             // A factor of which the exponent has left no unit.
             let plain = if measure == Measure::NUMBER { plain(node) } else { None };
-            let mean = (quantity == Quantity::Force)
-                .then(|| Some(surroundings.cell? * dimensional(node, &Measure::PRESSURE).ok()?));
-            let value = match (plain, quantity, surroundings.line) {
+            let cell = surroundings.cell.filter(|_| quantity == Quantity::Force);
+            let mean =
+                cell.and_then(|cell| Some(cell * dimensional(node, &Measure::PRESSURE).ok()?));
+            let value = match (plain.or(mean), quantity, surroundings.line) {
                 (Some(value), ..) => value,
-                (None, Quantity::Force, _) if mean.flatten().is_some() => {
-                    mean.flatten().unwrap_or_default()
-                }
                 (None, Quantity::Force, Some(line)) => on_a_line(node, line)?,
                 (None, Quantity::Force, None) => off_a_line(node)?,
                 _ => dimensional(node, &measure)?,

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use super::Simulation;
+use super::periodic::repeats;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
 use crate::compliance::{Compliance, HalfSpace, Periodic};
 use crate::frame::{ContactFrame, OffTheSurface, Rectangle};
 use crate::friction::Friction;
-use crate::motion::{Motion, Planned, Schedule};
+use crate::motion::{Planned, Schedule};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
 use crate::problem::ContactProblem;
 use crate::solve::tangential::{FrictionSolver, Newton};
@@ -71,8 +72,6 @@ pub enum BuildError {
     Contact(#[from] ContactError),
 }
 
-/// Between the ends of surfaces that repeat themselves the gap changes by at most so many times what it changes by elsewhere.
-const JUMPS: f64 = 2.0;
 const SIZE: Parameter = Parameter::required("size", Quantity::Length, "size of the frame");
 const CENTRE: Parameter =
     Parameter::required("centre", Quantity::Length, "centre of the frame").bound(Bound::Any);
@@ -272,6 +271,9 @@ impl Builder {
         }
         let meshed = self.bodies.iter().any(|body| body.finite.is_some());
         match &self.contact {
+            Touch::Given(..) | Touch::Meshed if self.periodic => {
+                wrong("periodic", "surfaces repeat themselves with a frame or a line: give one")
+            }
             Touch::Frame(..) | Touch::Line(..) if meshed => {
                 wrong("frame", "the pairs are the nodes of the mesh: leave the frame out")
             }
@@ -301,49 +303,6 @@ fn admit(rectangle: &Rectangle) -> Result<(), Invalid> {
     let Rectangle { centre, size } = rectangle;
     size.iter().try_for_each(|&size| SIZE.admit(size).map(|_| ()))?;
     centre.iter().try_for_each(|&centre| CENTRE.admit(centre).map(|_| ()))
-}
-
-/// What keeps surfaces from repeating themselves with a frame, if anything does.
-pub(crate) fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
-    let wrong = |message: &str| Err(Invalid::new("periodic", message));
-    if motion.rolling().is_some() {
-        return wrong(
-            "bodies that roll have one contact: `frame.periodic` is for surfaces that stay",
-        );
-    }
-    if motion.passing().is_some() || motion.swing().is_some() {
-        return wrong(
-            "surfaces that pass or swing do not stay opposite each other: `frame.periodic` is for those that do",
-        );
-    }
-    let elements = frame.elements();
-    let axes = if frame.is_line() { 1 } else { 2 };
-    for axis in 0..axes {
-        if elements[axis] % 2 == 1 {
-            return wrong("surfaces that repeat themselves take an even number of elements");
-        }
-        // The largest difference between neighbours, and between the last and the first.
-        let [stride, count] = [[1, elements[0]][axis], elements[axis]];
-        let (mut within, mut around) = (0.0_f64, 0.0_f64);
-        for (pair, gap) in frame.gap().iter().enumerate() {
-            let place = pair / stride % count;
-            if place + 1 < count {
-                within = within.max((frame.gap()[pair + stride] - gap).abs());
-            } else {
-                around = around.max((frame.gap()[pair - place * stride] - gap).abs());
-            }
-        }
-        if around > JUMPS * within {
-            let message = format!(
-                "the surfaces do not repeat themselves along {}: from the last element to the first the gap changes by {:.3} um, {:.3} um elsewhere at most",
-                ["x", "y"][axis],
-                1e6 * around,
-                1e6 * within
-            );
-            return Err(Invalid::new("periodic", message));
-        }
-    }
-    Ok(())
 }
 
 /// Whether a body can touch along y within the width along x of a rectangle: its surface must be the same all along y, and the depth

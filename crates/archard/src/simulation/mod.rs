@@ -12,6 +12,7 @@ mod friction;
 pub mod history;
 mod march;
 mod passing;
+mod periodic;
 mod rolling;
 mod run;
 mod scar;
@@ -26,14 +27,15 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+pub(crate) use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
-pub(crate) use builder::{line_of_contact, repeats};
 pub use checkpoint::NotResumed;
 pub(crate) use checkpoint::digest;
 pub use companion::{Companion, Companions, Regularity};
 pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
+pub(crate) use periodic::repeats;
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
 pub(crate) use swing::solves_of_a_step;

@@ -327,12 +327,15 @@ impl Resolved {
         let parts = Parts::of(&self.case).map_err(Box::new)?;
         // Frames that become wider or repeat themselves have an even number of elements: they are moved as a whole.
         let widens = !case.doubles.is_empty() || own.periodic;
+        let known = locate::known(&parts);
         for axis in 0..if own.line { 1 } else { 2 } {
             let elements = own.elements[axis];
             let moved = [moved, [moved[1], moved[0]]][parts.motion.axis()];
             let other = usize::from(moved[axis] && !widens);
             case.frame.elements[axis] = nearest(elements as f64 / ratio, elements + other);
-            if widens && moved[axis] {
+            // As far as the surfaces are known: measured ones end with their readings.
+            let last = own.centre[axis] + 0.5 * own.size[axis];
+            if widens && moved[axis] && last <= known[axis][1] {
                 case.frame.centre[axis] += 0.5 * case.frame.spacing()[axis];
             }
         }

@@ -13,6 +13,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         let message = match body.wears() {
             false => "has no effect on a body that does not wear",
             true if rolls => "has no effect in rolling: worn sections are known, not volumes",
+            true if !body.layers.is_empty() => "weighs what is worn off the layers, too",
             true => return None,
         };
         Some(Problem::warning(Key::of(["body", &body.name, "density"]), message).at_name())

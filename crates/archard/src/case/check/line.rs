@@ -3,46 +3,23 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::frame::ContactFrame;
-use crate::simulation::{line_of_contact, repeats};
+use crate::simulation::line_of_contact;
 
 /// What is wrong with a line of contact; or with what says that there is one.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let body_key =
         |body: usize, name: &str| Key::of(["body", &parts.case.bodies[body].name]).child(name);
-    if !parts.case.frame.line && !parts.case.frame.periodic {
-        let deep = (0..2).filter(|&body| parts.bodies[body].depth.is_some());
+    let frame = parts.case.frame;
+    if !frame.line {
+        let deep = (0..2).filter(|&body| !frame.periodic && parts.bodies[body].depth.is_some());
         return deep.map(|body| not_a_line(body_key(body, "depth"))).collect();
     }
     let rectangle = parts.case.frame.rectangle();
-    if !parts.case.frame.line {
-        return apart(parts).into_iter().collect();
-    }
     let wrong = (0..2).filter_map(|body| {
         let invalid = line_of_contact(&parts.bodies[body], &rectangle).err()?;
         Some(Problem::error(body_key(body, &invalid.parameter), invalid.message))
     });
-    wrong.chain(across(parts)).chain(apart(parts)).collect()
-}
-
-/// What keeps surfaces from repeating themselves, if they are to.
-fn apart(parts: &Parts<'_>) -> Option<Problem> {
-    let case = &parts.case.frame;
-    let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
-    let (rectangle, elements) = (case.rectangle(), case.elements);
-    let key = Key::of(["frame", "periodic"]);
-    if parts.case.is_meshed() {
-        let message = "meshed bodies do not repeat themselves";
-        return case.periodic.then(|| Problem::error(key, message).at_name());
-    }
-    let frame = match (case.periodic, case.line) {
-        (false, _) => return None,
-        (_, true) => ContactFrame::line(rectangle, elements[0], profiles),
-        (_, false) => ContactFrame::uniform(rectangle, elements, profiles),
-    };
-    // A profile that does not reach over the frame is told elsewhere.
-    let invalid = repeats(&parts.motion, &frame.ok()?).err()?;
-    Some(Problem::error(key, invalid.message).at_name())
+    wrong.chain(across(parts)).collect()
 }
 
 fn not_a_line(key: Key) -> Problem {

@@ -18,6 +18,7 @@ mod line;
 mod meeting;
 pub(super) mod memory;
 pub(super) mod pace;
+mod periodic;
 mod rolling;
 mod shift;
 pub(super) mod slender;
@@ -220,6 +221,7 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         return problems;
     }
     let mut geometry = line::problems(parts);
+    geometry.extend(periodic::problem(parts));
     if geometry.is_empty() {
         geometry = geometry::problems(parts);
     }

@@ -40,6 +40,7 @@ impl Reader<'_> {
         let accuracy = self.accuracy(root);
         let bodies = self.bodies(root);
         let meshed = names_a_mesh(root);
+        let measured = bodies.as_ref().and_then(frame::measured);
         let frame = match (root.get("frame"), &bodies) {
             (None, Some(bodies)) if meshed => zone(bodies),
             (None, None) if meshed => None,
@@ -49,9 +50,8 @@ impl Reader<'_> {
                 None
             }
             (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),
-            (None, Some(bodies)) if frame::measured(bodies).is_some() => frame::measured(bodies),
-            (_, bodies) => {
-                let measured = bodies.as_ref().and_then(frame::measured);
+            (None, _) if measured.is_some() => measured,
+            _ => {
                 let meaning = "the potential contact zone, with its `size` and `elements`";
                 self.table(root, "frame", meaning).and_then(|section| {
                     self.frame(&section, root.get("accuracy").is_some(), measured)

@@ -99,7 +99,8 @@ impl Image {
     }
 }
 
-/// The images of a stack, and by how much they miss its compliance at most, relative to that of its uppermost layer.
+/// The images of a stack, and by how much they miss its compliance at most, relative to that of its uppermost layer; none, and
+/// without bound, where their equations have no solution.
 pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     let [first, last] = [DEPTHS[0] * stack.layers[0].thickness, DEPTHS[1] * stack.reach()];
     let depths = geometric(first, last, COUNT);
@@ -121,7 +122,7 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     let rows = waves.len() + 1;
     let terms = Mat::from_fn(rows, COUNT, |row, image| weight(row) * term(row, image));
     let sums = Mat::from_fn(rows, 4, |row, i| weight(row) * wanted.get(row).unwrap_or(&last)[i]);
-    let weights = least_squares(&terms, &sums);
+    let Some(weights) = least_squares(&terms, &sums) else { return (vec![], f64::INFINITY) };
     let missed = wanted.iter().enumerate().flat_map(|(row, wanted)| {
         let (weights, term) = (&weights, &term);
         (0..4).map(move |i| {
@@ -137,16 +138,16 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     (depths.iter().enumerate().map(image).collect(), missed)
 }
 
-/// The smallest weights that solve A w = b in the sense of least squares, apart from rounding.
-fn least_squares(terms: &Mat<f64>, sums: &Mat<f64>) -> Mat<f64> {
-    let parts = terms.thin_svd().expect("finite exponentials");
+/// The smallest weights that solve A w = b in the sense of least squares, apart from rounding; `None` where a number is not finite.
+fn least_squares(terms: &Mat<f64>, sums: &Mat<f64>) -> Option<Mat<f64>> {
+    let parts = terms.thin_svd().ok()?;
     let values = parts.S().column_vector();
     let projected = parts.U().transpose() * sums;
     let scaled = Mat::from_fn(values.nrows(), sums.ncols(), |row, column| {
         let kept = values[row] > ROUNDING * values[0];
         if kept { projected[(row, column)] / values[row] } else { 0.0 }
     });
-    parts.V() * scaled
+    Some(parts.V() * scaled)
 }
 
 /// Numbers from the first to the last in a constant ratio.
