@@ -3,15 +3,15 @@
 use std::error::Error as StdError;
 use std::f64::consts::SQRT_2;
 
+use super::grids::Sides;
 use super::regularity::{has_tip, order, regularity};
-use super::{BESIDE, MOST, UNWORN, around, counted, increments, locate};
+use super::{MOST, UNWORN};
 use crate::case::check::{Parts, check};
-use crate::case::definition::{BuildError, Case, Output};
+use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::frame::extent;
 use crate::output::Store;
-use crate::parameters::Value;
 use crate::problem::{Beyond, Overlap};
 use crate::simulation::history::{self, Row};
 use crate::simulation::{Companion, Companions, Error, Observer, Report, Simulation};
@@ -27,17 +27,11 @@ const OF_LINES: [(f64, [bool; 2]); 3] =
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
 /// Times a grid is made finer, or a frame larger.
 const ROUNDS: usize = 12;
-/// By how much a frame grows that was outgrown.
-const GROWS: f64 = 1.4;
-/// A frame closes in on what touches where that leaves less of it than this.
-const CLOSES: f64 = 0.8;
 /// How much finer a grid becomes beside what the estimate asks for, and at most.
 const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
 /// How much finer than the first grid one is whose error tells, with that of the first, what finer ones can reach.
 const TOLD: f64 = 2.0;
-/// The key of the tolerance of the steps.
-pub(super) const TOLERANCE: &str = "tolerance";
 /// Sizes agree to this, relative.
 const ROUNDING: f64 = 1e-9;
 
@@ -134,9 +128,6 @@ struct Watched {
     reach: [f64; 2],
     beyond: Option<Beyond>,
 }
-
-/// The lower and the upper side along x, and along y.
-type Sides = [[bool; 2]; 2];
 
 impl Observer for Watched {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
@@ -319,126 +310,6 @@ impl Resolved {
         }
     }
 
-    /// The case made so many times coarser in the same frame, its grid moved by half an element along the motion and across. One
-    /// element more or less does that, and the centre of the frame, where values are read, stays.
-    fn coarser(&self, ratio: f64, moved: [bool; 2]) -> Result<Case, Unsettled> {
-        let mut case = self.case.clone();
-        let own = self.case.frame;
-        let parts = Parts::of(&self.case).map_err(Box::new)?;
-        // Frames that become wider or repeat themselves have an even number of elements: they are moved as a whole.
-        let widens = !case.doubles.is_empty() || own.periodic;
-        let known = locate::known(&parts);
-        for axis in 0..if own.line { 1 } else { 2 } {
-            let elements = own.elements[axis];
-            let moved = [moved, [moved[1], moved[0]]][parts.motion.axis()];
-            let other = usize::from(moved[axis] && !widens);
-            case.frame.elements[axis] = nearest(elements as f64 / ratio, elements + other);
-            // As far as the surfaces are known: measured ones end with their readings.
-            let last = own.centre[axis] + 0.5 * own.size[axis];
-            if widens && moved[axis] && last <= known[axis][1] {
-                case.frame.centre[axis] += 0.5 * case.frame.spacing()[axis];
-            }
-        }
-        if let Some(tolerance) = case.motion.values.number(TOLERANCE) {
-            case.motion.values.insert(TOLERANCE, Value::Number(tolerance * ratio * ratio));
-        }
-        if let Some(count) = increments::of_rubbing(&case) {
-            increments::set(&mut case, increments::fewer(count, ratio));
-        }
-        // Steps that end at outputs become no longer unless outputs become fewer.
-        let outputs = case.output.places(parts.schedule.extent);
-        let fewer = outputs.iter().rev().step_by(ratio.ceil() as usize).rev();
-        case.output = Output::At(fewer.copied().collect());
-        Ok(case)
-    }
-
-    /// Takes the frame in, on elements as large as before, where nothing touched in a good part of it.
-    fn close_in(&mut self, reach: [f64; 2]) {
-        if !(self.chose.size && self.chose.elements && self.case.doubles.is_empty()) {
-            return;
-        }
-        let spacing = self.case.frame.spacing();
-        let frame = &mut self.case.frame;
-        let axes = if frame.line { 1 } else { 2 };
-        for axis in 0..axes {
-            let size = around(BESIDE * reach[axis], spacing[axis]);
-            if reach[axis] > 0.0 && size < CLOSES * frame.size[axis] {
-                frame.size[axis] = size;
-                frame.elements[axis] = counted(size / spacing[axis], frame.elements[axis]);
-            }
-        }
-    }
-
-    /// Makes all that was chosen so many times finer, and the tolerance smaller by that power of it, the order of the error;
-    /// whether so many elements are allowed.
-    fn refine(&mut self, finer: f64, order: f64) -> Result<bool, Unsettled> {
-        if self.chose.elements {
-            let refined = |n: usize| if n == 1 { 1 } else { counted(finer * n as f64, n) };
-            let refined = self.case.frame.elements.map(refined);
-            if refined.iter().any(|&n| n as f64 > MOST) {
-                return Ok(false);
-            }
-            self.case.frame.elements = refined;
-        }
-        if self.chose.increments {
-            increments::refine(&mut self.case, finer);
-        }
-        if let Some(tolerance) =
-            self.case.motion.values.number(TOLERANCE).filter(|_| self.chose.tolerance)
-        {
-            let finer = Value::Number(tolerance / finer.powf(order));
-            self.case.motion.values.insert(TOLERANCE, finer);
-        }
-        self.settle_again()?;
-        Ok(true)
-    }
-
-    /// The case in a frame that is larger towards some sides, with elements as large as before where their number was
-    /// chosen.
-    fn grown(&self, sides: Sides) -> Result<Case, Unsettled> {
-        let mut case = self.case.clone();
-        let before = case.frame;
-        let parts = Parts::of(&self.case).map_err(Box::new)?;
-        for (axis, touched) in
-            sides.into_iter().enumerate().filter(|(axis, _)| before.elements[*axis] > 1)
-        {
-            let part = 0.5 * (GROWS - 1.0) * before.size[axis];
-            let [below, above] = match self.chose.place {
-                true => touched.map(|touched| if touched { part } else { 0.0 }),
-                false => [if touched == [false; 2] { 0.0 } else { part }; 2],
-            };
-            case.frame.centre[axis] += 0.5 * (above - below);
-            case.frame.size[axis] += below + above;
-        }
-        let held = locate::within(case.frame.rectangle(), locate::known(&parts));
-        (case.frame.centre, case.frame.size) = (held.centre, held.size);
-        if held == before.rectangle() {
-            return Err(Unsettled::Outgrown { size: held.size });
-        }
-        if self.chose.elements {
-            for axis in 0..2 {
-                let larger = case.frame.size[axis] / before.size[axis];
-                if larger > 1.0 {
-                    let elements = before.elements[axis];
-                    case.frame.elements[axis] = counted(larger * elements as f64, elements);
-                }
-            }
-        }
-        Ok(case)
-    }
-
-    /// Elements across the first contact, or across the frame where no closed form tells it.
-    fn across(&self) -> f64 {
-        let frame = self.case.frame;
-        let contact = self.forecast.estimate.contact;
-        let axes = if frame.line { 1 } else { 2 };
-        let elements = (0..axes).map(|axis| {
-            let element = frame.spacing()[axis];
-            contact.map_or(frame.size[axis], |contact| 2.0 * contact.semi_axes[axis]) / element
-        });
-        elements.fold(f64::INFINITY, f64::min)
-    }
-
     /// Runs a case on its elements.
     fn run(
         &self,
@@ -481,10 +352,4 @@ impl Resolved {
         self.warnings.extend(problems);
         Ok(())
     }
-}
-
-/// The number of elements next to some number that is even or odd as another is.
-fn nearest(wanted: f64, as_another: usize) -> usize {
-    let odd = as_another % 2;
-    odd + 2 * ((0.5 * (wanted - odd as f64)).round() as usize).max(1)
 }

@@ -5,6 +5,7 @@
 //! shifted with friction, two elsewhere. This is a first guess; [`companions`] measures what came of it, and refines it.
 
 mod companions;
+mod grids;
 mod increments;
 mod locate;
 mod regularity;
@@ -145,8 +146,8 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
             format!("what a fixed {name} errs by is not known, and an `accuracy` is asked for");
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
     }
-    if let Some(loose) = given(companions::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
-        let key = Key::of(["motion", case.motion.choice.name, companions::TOLERANCE]);
+    if let Some(loose) = given(grids::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
+        let key = Key::of(["motion", case.motion.choice.name, grids::TOLERANCE]);
         let message =
             format!("coarser runs take 8 times {loose}, which is too much to estimate its error");
         let help = format!("give {:.3} at most, or leave it out", TOLERANCE * COARSEST);
