@@ -320,6 +320,14 @@ impl ContactState {
         fields.map(|field| field.get(point).copied().unwrap_or_default())
     }
 
+    /// Depths (m) worn off a body so far: of all elements of a surface that swings, otherwise of the pairs.
+    pub fn worn_off(&self, body: usize) -> &[f64] {
+        match &self.swung {
+            Some(swung) if swung.body == body => &swung.worn,
+            _ => &self.worn[body],
+        }
+    }
+
     /// Brings what lies in the frame up to date with the surface that swings.
     pub fn show_swung(&mut self) {
         let Some(swung) = &self.swung else { return };

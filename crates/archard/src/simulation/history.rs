@@ -6,8 +6,9 @@
 use super::Report;
 use super::companion::Companions;
 use super::scar::{scar, track_width};
+use super::worn::{exposed_area, layer_volume, mass_loss, wear_rate, worn_section, worn_volume};
 use crate::body::Body;
-use crate::frame::{Line, VectorField};
+use crate::frame::VectorField;
 use crate::motion::{Progress, Rolling, Shift};
 use crate::problem::{ContactState, Tangential};
 
@@ -201,20 +202,14 @@ pub const COLUMNS: &[Column] = &[
         "m3",
         Class::Volume,
         "the part of it that was worn off the layers of a body that has some",
-        |r, i| {
-            let coated = coated(r, i)?;
-            volume(r, i, |depth| depth.min(coated))
-        },
+        layer_volume,
     ),
     column(
         EXPOSED_AREA,
         "m2",
         Class::Count,
         "area where the layers of a body are worn off, of the whole track; not in rolling",
-        |r, i| {
-            let coated = coated(r, i)?;
-            volume(r, i, |depth| f64::from(u8::from(depth >= THROUGH * coated)))
-        },
+        exposed_area,
     ),
     column(
         MASS_LOSS,
@@ -224,10 +219,7 @@ pub const COLUMNS: &[Column] = &[
         mass_loss,
     ),
     column(BODY_DEPTH, "m", Class::Depth, "deepest wear of each body", |r, i| {
-        Some(match &r.state.swung {
-            Some(swung) if swung.body == i => maximum(&swung.worn),
-            _ => maximum(&r.state.worn[i]),
-        })
+        Some(maximum(r.state.worn_off(i)))
     }),
     column(WEAR_DEPTH, "m", Class::Depth, "deepest total wear", |r, _| Some(deepest(r.state))),
     column(WEAR_RATE, "m3_per_Nm", Class::Volume, "its volume over load and distance", wear_rate),
@@ -444,73 +436,6 @@ pub fn of_body(column: &str, body: &str) -> String {
 pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
     let (start, end) = column.split_once(BODY)?;
     name.strip_prefix(start)?.strip_suffix(end)
-}
-
-/// A layer is worn off where this part of it is: the rest is rounding.
-const THROUGH: f64 = 1.0 - 1e-9;
-
-/// Thickness (m) of all layers of a body that has some.
-fn coated(report: &Report<'_>, body: usize) -> Option<f64> {
-    Some(report.problem.bodies[body].coated()).filter(|thickness| *thickness > 0.0)
-}
-
-/// Worn volume (m^3) of a body, of the whole track of one that passes; `None` in rolling.
-fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
-    volume(report, body, |depth| depth)
-}
-
-/// What some function of the depth (m) of a body comes to over its surface, the whole track where it passes; `None` in rolling.
-fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
-    let Report { problem, state, .. } = report;
-    let passing = problem.motion.passing().filter(|passing| passing.bodies[body]);
-    match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
-        (Some(length), _) => Some(length * section(report, body, of)?),
-        (None, Some(_)) => None,
-        (None, None) => Some(match &state.swung {
-            Some(swung) if swung.body == body => {
-                problem.frame.area(0) * swung.worn.iter().map(|&depth| of(depth)).sum::<f64>()
-            }
-            _ => problem.frame.integrate(&each(&state.worn[body], of)),
-        }),
-    }
-}
-
-/// Mass (kg) of the worn volume of a body that wears and whose density is known.
-fn mass_loss(report: &Report<'_>, body: usize) -> Option<f64> {
-    let Body { density, wear, .. } = &report.problem.bodies[body];
-    wear.as_ref()?;
-    Some((*density)? * worn_volume(report, body)?)
-}
-
-/// A function of every depth.
-fn each(depths: &[f64], of: impl Fn(f64) -> f64) -> Vec<f64> {
-    depths.iter().map(|&depth| of(depth)).collect()
-}
-
-/// Worn section (m^2) of a body that passes, across the motion; `None` of others.
-fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
-    section(report, body, |depth| depth)
-}
-
-/// The same of some function of the depth.
-fn section(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
-    let (frame, motion) = (&report.problem.frame, &report.problem.motion);
-    let passes = motion.worn_along().filter(|(_, bodies)| bodies[body]);
-    let rolling = motion.rolling().map(|rolling| rolling.direction);
-    let direction = passes.map(|(direction, _)| direction).or(rolling)?;
-    let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
-    let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
-    let worn = each(&report.state.worn[body], of);
-    let section = |line: &Line| line.width * line.mean(&worn);
-    Some(images * flow.lines().iter().map(section).sum::<f64>())
-}
-
-/// Worn volume of a body over the load and the distance (1/Pa), which is k again; `None` without a track.
-fn wear_rate(report: &Report<'_>, body: usize) -> Option<f64> {
-    report.problem.motion.sliding()?.track?;
-    let worked = report.effort.load_distance;
-    let volume = worn_volume(report, body)?;
-    Some(if worked > 0.0 { volume / worked } else { 0.0 })
 }
 
 /// A number of bodies that roll with friction; `None` of others.

@@ -21,6 +21,7 @@ mod step;
 mod swing;
 mod wider;
 mod window;
+mod worn;
 
 use std::error::Error as StdError;
 use std::sync::Arc;

@@ -14,7 +14,7 @@ use archard::motion::{Control, Indentation};
 use archard::problem::ContactState;
 use archard::{Body, Material, Simulation};
 
-use crate::common::{case, states};
+use crate::common::{Rows, case, states};
 
 const LENGTH: f64 = 1e-3;
 const AMPLITUDE: f64 = 0.5e-6;
@@ -176,6 +176,24 @@ fn measured_surfaces_bring_their_frame() {
     assert_relative_eq!(state.load, load, max_relative = 1e-8);
     let volume = simulation.problem.frame.integrate(&state.worn[0]);
     assert_relative_eq!(volume, 1e-15 * load * 10.0, max_relative = 1e-8);
+    // Coarser runs see no place beyond the readings.
+    let options = ["accuracy=0.2", "motion.sliding.tolerance="];
+    let file = CaseFile::from_text("case.toml", text, dir.path());
+    let file = options.into_iter().fold(file, |file, option| file.set(option));
+    let settled = file.resolve().expect("a case").with_companions(None, &mut Rows::default());
+    assert!(settled.expect("coarser runs").1.is_some());
+}
+
+/// Pairs that are given do not repeat themselves.
+#[test]
+fn only_frames_repeat_themselves() {
+    let frame = ContactFrame::uniform([1e-3; 2], [8; 2], [&Flat, &Flat]).unwrap();
+    let steel = steel();
+    let compliance = HalfSpace::new([Some(&steel), None], &frame);
+    let bodies = [Body::new("one", Flat).material(steel), Body::new("two", Flat)];
+    let planned = Indentation::new(1).under(Control::Load(1.0)).unwrap();
+    let built = Simulation::builder(bodies, planned).contact(frame, compliance).periodic().build();
+    assert!(built.unwrap_err().to_string().contains("with a frame or a line"));
 }
 
 /// Like bodies that are shifted slip in part as J. Jäger (*J. Tribology* 120 (1998) 677) has it: what sticks is as wide as the

@@ -40,9 +40,7 @@ impl Limits {
         let Report { problem, state, .. } = report;
         let peak = state.pressure.iter().copied().fold(0.0, f64::max);
         for (i, body) in problem.bodies.iter().enumerate() {
-            let swung = state.swung.as_ref().filter(|swung| swung.body == i);
-            let worn = swung.map_or(&state.worn[i], |swung| &swung.worn);
-            let deepest = worn.iter().copied().fold(0.0, f64::max);
+            let deepest = state.worn_off(i).iter().copied().fold(0.0, f64::max);
             if let Some(gone) = gone(body, deepest) {
                 worst_of(&mut self.layers, gone, body);
             }
