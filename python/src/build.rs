@@ -35,6 +35,20 @@ pub struct Laws {
 }
 
 impl Laws {
+    /// Whether they stand in place of nothing that the case says: layers wear by laws of their own.
+    pub fn fit(&self, case: &Case) -> PyResult<()> {
+        for (name, ..) in &self.wear {
+            let mut layers = case.bodies.iter().filter(|body| body.name == *name);
+            if layers.any(|body| body.layers.iter().any(|layer| layer.wear.is_some())) {
+                let message = format!(
+                    "the layers of `{name}` have laws of their own in the case: leave them out, or the law"
+                );
+                return Err(PyValueError::new_err(message));
+            }
+        }
+        Ok(())
+    }
+
     /// Puts them into a simulation, once they were tried.
     fn put(&self, simulation: &mut Simulation) -> PyResult<()> {
         simulation.each_frame(&mut |one| self.put_into(&mut one.problem))

@@ -88,6 +88,7 @@ impl Run {
         };
         let failed = Failed::default();
         let laws = Laws { wear: laws, friction, failed: failed.clone() };
+        laws.fit(&resolved.case)?;
         let (resolved, companions, laws) = companions(py, &wide, *resolved, cache.clone(), laws)?;
         let case = resolved.case;
         let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };

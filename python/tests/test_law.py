@@ -167,6 +167,19 @@ def test_laws_that_lack_something_are_refused(case):
         case.run(laws={"pin": archard.Law(archard_law, per="step")})
 
 
+def test_laws_of_layers_are_not_replaced(case):
+    case["body.pin.layers"] = [
+        {
+            "thickness": "3 um",
+            "young": "300 GPa",
+            "poisson": 0.2,
+            "wear": {"archard": {"coefficient": "1e-7 mm^3/(N m)"}},
+        }
+    ]
+    with pytest.raises(ValueError, match="layers of `pin` have laws of their own"):
+        case.run(laws={"pin": archard_law})
+
+
 def test_text_that_is_no_number_is_refused(case):
     with pytest.raises(ValueError, match="could not convert"):
         case.run(laws={"pin": lambda p, s: ["deep"] * len(p)})
