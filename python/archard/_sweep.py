@@ -6,7 +6,7 @@ import csv
 import itertools
 import os
 import pickle
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import Executor, ProcessPoolExecutor
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -19,9 +19,6 @@ from archard._law import FrictionFunction, Law, WearFunction
 from archard.case import Case
 from archard.result import Result, Table
 from archard.result import open as open_result
-
-_FRAMES = 4
-"""Times the frame of a row is enlarged."""
 
 
 class _Laws(NamedTuple):
@@ -102,8 +99,7 @@ def sweep(
 
     Rows that fail are recorded with their error; the others go on. With ``out`` rows that are done are not run
     again, and rows that were interrupted go on, so that the same call finishes what was killed. Workers have to
-    see that folder. Rows whose contact outgrows the frame run again on a larger one, with elements as large,
-    unless the study goes over frames.
+    see that folder.
 
     Args:
         case: the case, or what makes one.
@@ -127,7 +123,6 @@ def sweep(
         functions.travel()
     for key in {key for row in settings for key in row}:
         functions.refuse(key)
-    grows = not any(key.split(".")[0] == "frame" for row in settings for key in row)
     cases, keys, folders = [], [], []
     for number, row in enumerate(settings, 1):
         one = base.copy()
@@ -136,19 +131,16 @@ def sweep(
         checked = functions.check(one)
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
         kept = None if folder is None else _text(folder / "case.toml")
-        if kept is not None:
-            own = next((own for own in _frames(one, grows, functions) if functions.is_kept(own, kept)), None)
-            if own is None:
-                raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
-            one = own
+        if kept is not None and not functions.is_kept(one, kept):
+            raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
         cases.append(one)
         keys.append({name: entry for key in row for name, entry in [_number(key, checked.toml)]})
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
-            rows = _run_all(pool, settings, cases, folders, grows, functions)
+            rows = _run_all(pool, settings, cases, folders, functions)
     else:
-        rows = _run_all(executor, settings, cases, folders, grows, functions)
+        rows = _run_all(executor, settings, cases, folders, functions)
     study = Sweep(rows, keys)
     if out is not None:
         _write(Path(out) / "sweep.csv", study.table)
@@ -173,11 +165,10 @@ def _run_all(
     settings: list[dict[str, Any]],
     cases: list[Case],
     folders: list[Path | None],
-    grows: bool,
     laws: _Laws,
 ) -> list[Row]:
     pairs = zip(cases, folders, strict=True)
-    futures = [executor.submit(_settle, case, folder, grows, laws) for case, folder in pairs]
+    futures = [executor.submit(_run, case, folder, laws) for case, folder in pairs]
     try:
         outcomes = [future.result() for future in futures]
     except BaseException:
@@ -192,33 +183,8 @@ def _run_all(
     return rows
 
 
-def _frames(case: Case, grows: bool, laws: _Laws) -> Iterator[Case]:
-    """Yield the case, then the same on larger and larger frames where there are any."""
-    yield case
-    for _ in range(_FRAMES if grows else 0):
-        toml = laws.check(case).on_a_larger_frame()
-        if toml is None:
-            return
-        frame, case = _toml.read(toml)["frame"], case.copy()
-        case["frame.size"], case["frame.elements"] = frame["size"], frame["elements"]
-        yield case
-
-
-def _settle(case: Case, folder: Path | None, grows: bool, laws: _Laws) -> tuple[Result | None, str | None]:
-    """Run a row on a frame that holds its contact, as far as there is one."""
-    outcome: tuple[Result | None, str | None] = (None, None)
-    for number, own in enumerate(_frames(case, grows, laws)):
-        outcome = _run(own, folder, laws, force=number > 0)
-        result = outcome[0]
-        if folder is not None and (folder / "summary.json").exists():
-            result = open_result(folder)
-        if result is None or not result.verdict.outgrown:
-            break
-    return outcome
-
-
-def _run(case: Case, folder: Path | None, laws: _Laws, *, force: bool) -> tuple[Result | None, str | None]:
-    """Run a row; of one in a folder the result stays there, forced in the place of one on a smaller frame."""
+def _run(case: Case, folder: Path | None, laws: _Laws) -> tuple[Result | None, str | None]:
+    """Run a row; of one in a folder the result stays there."""
     try:
         if folder is None:
             return case.run(threads=1, laws=laws.wear, friction=laws.friction), None
@@ -231,7 +197,7 @@ def _run(case: Case, folder: Path | None, laws: _Laws, *, force: bool) -> tuple[
         if own and (folder / "checkpoint").exists():
             case.run(threads=1, resume=folder, laws=laws.wear, friction=laws.friction)
         else:
-            case.run(threads=1, out=folder, force=force, laws=laws.wear, friction=laws.friction)
+            case.run(threads=1, out=folder, laws=laws.wear, friction=laws.friction)
     except RunError as error:
         return (error.result if folder is None else None), str(error).splitlines()[0]
     return None, None

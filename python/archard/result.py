@@ -56,8 +56,6 @@ class Verdict(NamedTuple):
     """``"good"``, ``"doubtful"`` or ``"wrong"``: the worst of all lines."""
     lines: list[dict[str, Any]]
     """What was judged: ``subject``, ``value``, ``word``, its bounds, and ``text``."""
-    outgrown: bool = False
-    """Whether the contact outgrew its frame: a larger one is needed."""
 
     @property
     def wrong(self) -> str:
@@ -168,7 +166,7 @@ class Result:
         found = self.summary.get("verdict")
         if not found:
             return Verdict("doubtful", [])
-        return Verdict(found["word"], found["lines"], found.get("outgrown", False))
+        return Verdict(found["word"], found["lines"])
 
     @property
     def doubt(self) -> str:

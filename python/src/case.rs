@@ -57,12 +57,6 @@ impl Checked {
         }
     }
 
-    /// The case in SI on a larger frame, for a contact that outgrew this one; `None` where there is none.
-    fn on_a_larger_frame(&self) -> Option<String> {
-        let Task::Contact(resolved) = &*self.task else { return None };
-        Some(resolved.on_a_larger_frame()?.case.to_string())
-    }
-
     /// What is doubtful about it.
     #[getter]
     fn warnings(&self) -> Vec<Told> {

@@ -16,6 +16,7 @@ mod verification {
     mod fretting_wear;
     mod friction_circumstances;
     mod friction_laws;
+    mod growing_frames;
     mod hertz;
     mod laws_that_remember;
     mod layers;

@@ -33,10 +33,8 @@ pub struct Row {
     /// The values of its keys (SI), as tables have them: numbers without their unit, and lists, tables and texts as a case
     /// has them.
     pub cells: Vec<String>,
-    /// Its case, on the frame that its contact has room on.
+    /// Its case.
     pub resolved: Box<Resolved>,
-    /// How often that frame was enlarged.
-    pub frames: usize,
 }
 
 /// The study of the arguments, every row of it checked; nothing is written.
@@ -86,7 +84,7 @@ pub fn design(arguments: &Sweep) -> Result<Design, Failure> {
             }
         }
         values.push(keys.iter().map(|key| resolved.case.value_at(key)).collect());
-        rows.push(Row { given: settings, cells: vec![], resolved, frames: 0 });
+        rows.push(Row { given: settings, cells: vec![], resolved });
     }
     for (key, count) in warned.iter().filter(|(_, count)| *count > 1 && !arguments.quiet) {
         tell(&format!("{count} rows have warnings of `{key}`, of which the first is shown"));

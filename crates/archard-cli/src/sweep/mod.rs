@@ -7,7 +7,6 @@
 mod course;
 mod design;
 mod fitted;
-mod frames;
 pub mod points;
 mod row;
 mod shared;
@@ -15,7 +14,6 @@ mod table;
 mod values;
 mod words;
 
-use std::collections::HashSet;
 use std::fs;
 use std::io::ErrorKind;
 use std::num::NonZero;
@@ -40,7 +38,7 @@ use table::{Known, Status};
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let requests = Requests::set();
     let arguments = &fitted::with(arguments)?;
-    let mut design = design::design(arguments)?;
+    let design = design::design(arguments)?;
     let study = &arguments.output;
     begin(study, &design)?;
     let all: Vec<usize> = (0..design.rows.len()).collect();
@@ -56,30 +54,8 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let mine = |(index, _): &(usize, &Shared)| arguments.task.is_none_or(|task| task.holds(*index));
     let groups = groups.iter().enumerate().filter(mine).map(|(_, group)| group);
     let own: Vec<usize> = groups.flat_map(|group| group.rows.clone()).collect();
-    let mine: HashSet<usize> = own.iter().copied().collect();
-    let others: Vec<usize> = all.iter().copied().filter(|row| !mine.contains(row)).collect();
-    let take_up = |design: &mut Design, rows: &[usize]| {
-        design.take_up(study, rows).map_err(|why| Failure::wrong(format!("{why}; {ELSEWHERE}")))
-    };
-    take_up(&mut design, &all)?;
-    let mut open = own.clone();
-    while !open.is_empty() {
-        let groups = shared::group(&design.rows, &open, arguments.separate);
-        run_all(arguments, &design, &groups, &requests)?;
-        if requests.any() {
-            break;
-        }
-        open = design.enlarge(study, &open);
-        if !open.is_empty() && !arguments.quiet {
-            let rows: Vec<String> = open.iter().map(|row| (row + 1).to_string()).collect();
-            tell(&format!(
-                "the contact outgrew its frame: on frames half as large again run rows {}",
-                rows.join(", ")
-            ));
-        }
-    }
-    // What other tasks have done meanwhile.
-    take_up(&mut design, &others)?;
+    let groups = shared::group(&design.rows, &own, arguments.separate);
+    run_all(arguments, &design, &groups, &requests)?;
     let known =
         table::collect(study, &design).map_err(|error| Failure::wrong(error.to_string()))?;
     if !requests.any() && !arguments.quiet {

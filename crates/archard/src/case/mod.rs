@@ -30,7 +30,6 @@ mod elastic;
 mod file;
 mod json;
 mod key;
-mod larger;
 #[cfg(test)]
 mod meshes;
 mod nearest;

@@ -96,9 +96,9 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
-    /// The same by itself, for a problem of its own on that part; only where pressures on any pair open the gaps of all
-    /// others.
-    fn alone_within(&self, _part: &Part) -> Option<Arc<dyn Compliance>> {
+    /// The same bodies under so many elements of the same size along x and y, for a problem of its own; `None` where that is
+    /// not possible.
+    fn on(&self, _elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
         None
     }
 

@@ -128,13 +128,14 @@ impl Grid {
         }
     }
 
-    /// Weighs the values around the centre, and whether none of them is zero.
-    fn weigh(&self, field: &[f64], weights: fn(usize) -> Vec<(usize, f64)>) -> (f64, bool) {
-        let [along_x, along_y] = self.elements.map(weights);
+    /// Weighs the values around the centre, and whether none of them is zero, as they are beside the grid.
+    fn weigh(&self, field: &[f64], weights: Weights) -> (f64, bool) {
+        let [along_x, along_y] = [0, 1].map(|axis| weights(self.elements[axis], self.middle[axis]));
         let (mut sum, mut whole) = (0.0, true);
         for (iy, weight_y) in &along_y {
             for (ix, weight_x) in &along_x {
-                let value = field[ix + self.elements[0] * iy];
+                let held = *ix < self.elements[0] && *iy < self.elements[1];
+                let value = if held { field[ix + self.elements[0] * iy] } else { 0.0 };
                 sum += weight_x * weight_y * value;
                 whole &= value != 0.0;
             }
@@ -143,18 +144,30 @@ impl Grid {
     }
 }
 
-/// Weights of the one or two places at the middle of `n`.
-fn centre_nearest(n: usize) -> Vec<(usize, f64)> {
-    if n.is_multiple_of(2) { vec![(n / 2 - 1, 0.5), (n / 2, 0.5)] } else { vec![(n / 2, 1.0)] }
+/// Weights of places among `n`, by the middle, which lies so many half elements from the first side.
+type Weights = fn(usize, isize) -> Vec<(usize, f64)>;
+
+/// Weights of the one or two places at the middle.
+fn centre_nearest(_: usize, middle: isize) -> Vec<(usize, f64)> {
+    // Places before the first are none either.
+    let place = |index: isize| usize::try_from(index).unwrap_or(usize::MAX);
+    let half = middle.div_euclid(2);
+    if middle % 2 == 0 {
+        vec![(place(half - 1), 0.5), (place(half), 0.5)]
+    } else {
+        vec![(place(half), 1.0)]
+    }
 }
 
 /// Weights that are exact for cubics, where there are places enough.
-fn centre_smooth(n: usize) -> Vec<(usize, f64)> {
-    if n.is_multiple_of(2) && n >= 4 {
-        let weights = [-1.0, 9.0, 9.0, -1.0].into_iter().enumerate();
-        weights.map(|(i, weight)| (n / 2 - 2 + i, weight / 16.0)).collect()
-    } else {
-        centre_nearest(n)
+fn centre_smooth(n: usize, middle: isize) -> Vec<(usize, f64)> {
+    let first = middle.div_euclid(2) - 2;
+    match usize::try_from(first) {
+        Ok(first) if middle % 2 == 0 && first + 4 <= n => {
+            let weights = [-1.0, 9.0, 9.0, -1.0].into_iter().enumerate();
+            weights.map(|(i, weight)| (first + i, weight / 16.0)).collect()
+        }
+        _ => centre_nearest(n, middle),
     }
 }
 

@@ -1,6 +1,6 @@
 //! A uniform grid of pairs.
 
-use super::Rectangle;
+use super::{Part, Rectangle};
 
 /// A uniform rectangular grid.
 #[derive(Debug, Clone, Copy)]
@@ -13,9 +13,31 @@ pub(super) struct Grid {
     pub line: bool,
     /// Whether all pairs may touch.
     pub closed: bool,
+    /// Where values at the centre are read: half elements from the lower sides. A frame that grows keeps the place.
+    pub middle: [isize; 2],
 }
 
 impl Grid {
+    /// Elements on a rectangle, with the centre in its middle.
+    pub fn on(rectangle: Rectangle, elements: [usize; 2], line: bool) -> Self {
+        let middle = elements.map(|count| count as isize);
+        Self { rectangle, elements, line, closed: false, middle }
+    }
+
+    /// The elements of a part of it.
+    pub fn within(&self, part: &Part) -> Self {
+        let first = part.extent().map(|range| range.start as isize);
+        let middle = [0, 1].map(|axis| self.middle[axis] - 2 * first[axis]);
+        Self { rectangle: part.rectangle(self.rectangle), elements: part.size(), middle, ..*self }
+    }
+
+    /// The grid that it is a part of.
+    pub fn around(&self, part: &Part) -> Self {
+        let first = part.extent().map(|range| range.start as isize);
+        let middle = [0, 1].map(|axis| self.middle[axis] + 2 * first[axis]);
+        Self { rectangle: part.whole(self.rectangle), elements: part.frame(), middle, ..*self }
+    }
+
     /// Size of an element along x and y (m).
     pub fn spacing(&self) -> [f64; 2] {
         [0, 1].map(|axis| self.rectangle.size[axis] / self.elements[axis] as f64)

@@ -85,7 +85,7 @@ impl ContactFrame {
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
         let rectangle = rectangle.into();
-        Self::on(Grid { rectangle, elements, line: false, closed: false }, profiles)
+        Self::on(Grid::on(rectangle, elements, false), profiles)
     }
 
     /// A line of contact along y: that many elements over the width along x of a rectangle (as in [`Self::uniform`]), in
@@ -99,7 +99,7 @@ impl ContactFrame {
         profiles: [&dyn Profile; 2],
     ) -> Result<Self, OffTheSurface> {
         let (rectangle, elements) = (rectangle.into(), [elements, 1]);
-        Self::on(Grid { rectangle, elements, line: true, closed: false }, profiles)
+        Self::on(Grid::on(rectangle, elements, true), profiles)
     }
 
     fn on(grid: Grid, profiles: [&dyn Profile; 2]) -> Result<Self, OffTheSurface> {
@@ -138,9 +138,34 @@ impl ContactFrame {
     /// The pairs of a part of a uniform frame, with the gaps they have; `None` of another one.
     pub fn within(&self, part: &Part) -> Option<Self> {
         let Shape::Uniform(grid) = &self.shape else { return None };
-        let rectangle = part.rectangle(grid.rectangle);
-        let grid = Grid { rectangle, elements: part.size(), ..*grid };
-        Some(Self { shape: Shape::Uniform(grid), gap: part.cut(&self.gap) })
+        Some(Self { shape: Shape::Uniform(grid.within(part)), gap: part.cut(&self.gap) })
+    }
+
+    /// The larger uniform frame that this one is a part of, with the gaps it has; `None` of another one, and where a profile
+    /// has no surface.
+    pub fn around(&self, part: &Part, profiles: [&dyn Profile; 2]) -> Option<Self> {
+        let Shape::Uniform(grid) = &self.shape else { return None };
+        let touch = self.touch(profiles);
+        let larger = grid.around(part);
+        let gap: Vec<f64> = (0..larger.elements[0] * larger.elements[1])
+            .into_par_iter()
+            .with_min_len(4096)
+            .map(|pair| match part.place(pair) {
+                Some(own) => self.gap[own],
+                None => {
+                    let [x, y] = larger.place(pair);
+                    profiles.iter().map(|profile| profile.recess(x, y)).sum::<f64>() - touch
+                }
+            })
+            .collect();
+        let known = gap.iter().all(|gap| gap.is_finite());
+        known.then_some(Self { shape: Shape::Uniform(larger), gap })
+    }
+
+    /// How deep (m) the profiles lie below their planes where they touch first, as the gaps of a uniform frame count it.
+    pub(crate) fn touch(&self, profiles: [&dyn Profile; 2]) -> f64 {
+        let [x, y] = self.place(0);
+        profiles.iter().map(|profile| profile.recess(x, y)).sum::<f64>() - self.gap[0]
     }
 
     /// Number of pairs.

@@ -68,6 +68,30 @@ impl Part {
         }
     }
 
+    /// What the whole grid covers, of which it covers a rectangle.
+    pub fn whole(&self, own: Rectangle) -> Rectangle {
+        let spacing = [0, 1].map(|axis| own.size[axis] / self.size[axis] as f64);
+        let middle = |axis: usize| {
+            let steps = 2.0 * self.first[axis] as f64 + self.size[axis] as f64;
+            own.centre[axis] - 0.5 * spacing[axis] * (steps - self.frame[axis] as f64)
+        };
+        Rectangle {
+            centre: [0, 1].map(middle),
+            size: [0, 1].map(|axis| spacing[axis] * self.frame[axis] as f64),
+        }
+    }
+
+    /// A grid of so many elements as a rectangle of a larger one: that much larger at the lower and at the upper sides.
+    pub fn inside(elements: [usize; 2], more: [[usize; 2]; 2]) -> Self {
+        let frame = [0, 1].map(|axis| more[axis][0] + elements[axis] + more[axis][1]);
+        Self { frame, first: more.map(|[below, _]| below), size: elements }
+    }
+
+    /// Number of elements of the whole grid along x and y.
+    pub fn frame(&self) -> [usize; 2] {
+        self.frame
+    }
+
     /// Number of elements along x and y.
     pub fn size(&self) -> [usize; 2] {
         self.size
@@ -100,6 +124,12 @@ impl Part {
     pub fn lying_in(&self, outer: &Self) -> Self {
         let first = [0, 1].map(|axis| outer.first[axis] + self.first[axis]);
         Self { frame: outer.frame, first, size: self.size }
+    }
+
+    /// Where a grid lies in the whole one, told by a rectangle of both: this one of the whole, `inner` of that grid.
+    pub fn seen_around(&self, inner: &Self) -> Self {
+        let first = [0, 1].map(|axis| self.first[axis] - inner.first[axis]);
+        Self { frame: self.frame, first, size: inner.frame }
     }
 
     /// The number in the rectangle of a pair of the frame; `None` beside it.

@@ -103,7 +103,7 @@ pub(crate) fn json_of(verdict: &Verdict) -> Value {
         })
     };
     let lines: Vec<Value> = verdict.lines.iter().map(line).collect();
-    json!({ "word": verdict.word().text(), "outgrown": verdict.outgrown(), "lines": lines })
+    json!({ "word": verdict.word().text(), "lines": lines })
 }
 
 /// For each body, the volume by the integral of its depth (the paper's eq. 56), in rolling the section

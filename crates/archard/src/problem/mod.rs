@@ -1,13 +1,12 @@
 //! A contact problem: the choices composed, and what is known at the end of a step.
 
-mod beyond;
 mod edge;
+mod even;
 mod gap;
 mod grip;
 mod heat;
 mod swung;
 
-pub use beyond::{Beyond, Overlap};
 pub(crate) use edge::GROWS;
 pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};

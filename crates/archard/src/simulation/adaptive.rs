@@ -313,17 +313,23 @@ impl Adaptive {
         self.coarse.state.approach.max(self.fine.state.approach)
     }
 
-    /// The same in another frame: `history` takes a history there, `field` a field.
+    /// Both histories.
+    pub fn histories(&self) -> [&Evolution; 2] {
+        [&self.coarse, &self.fine]
+    }
+
+    /// The same in another frame: `history` takes a history there, `worn` what is worn off both bodies.
     pub fn moved(
         &self,
         history: impl Fn(&Evolution) -> Evolution,
-        field: impl Fn(&[f64]) -> Vec<f64>,
+        worn: impl Fn(&[Vec<f64>; 2]) -> [Vec<f64>; 2],
+        swung: impl Fn(&Swung) -> Option<Swung>,
     ) -> Self {
         Self {
             coarse: history(&self.coarse),
             fine: history(&self.fine),
-            worn: self.worn.each_ref().map(|worn| field(worn)),
-            swung: None,
+            worn: worn(&self.worn),
+            swung: self.swung.as_ref().and_then(swung),
             ..*self
         }
     }

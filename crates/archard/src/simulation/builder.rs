@@ -1,6 +1,6 @@
 //! A simulation put together from its parts, in SI.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::Simulation;
 use super::periodic::repeats;
@@ -71,6 +71,9 @@ pub enum BuildError {
     #[error(transparent)]
     Contact(#[from] ContactError),
 }
+
+/// Pairs that a frame may grow to where nobody says how many the memory holds.
+const MOST: usize = 1 << 24;
 
 const SIZE: Parameter = Parameter::required("size", Quantity::Length, "size of the frame");
 const CENTRE: Parameter =
@@ -218,6 +221,8 @@ impl Builder {
             companions: None,
             beside: f64::INFINITY,
             wider: None,
+            most: MOST,
+            surroundings: OnceLock::new(),
         })
     }
 

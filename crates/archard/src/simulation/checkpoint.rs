@@ -37,6 +37,9 @@ impl March {
         if march.digest != digest(simulation) {
             return Err(NotResumed::OtherCase);
         }
+        if !march.can_go_on(simulation) {
+            return Err(NotResumed::Unreadable);
+        }
         Ok(march)
     }
 }

@@ -6,11 +6,13 @@ use super::adaptive::Adaptive;
 use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
 use super::evolution::{Evolution, Increment};
+use super::growth::{Growth, Moved};
+use super::surroundings::More;
 use super::wider::Wider;
 use super::window::Window;
 use super::{Effort, Error, Report, Simulation};
 use crate::motion::{Motion, Stepping};
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Swung};
 
 /// Two values of progress closer than this, relative to the extent, are the same.
 pub(super) const SAME: f64 = 1e-9;
@@ -23,6 +25,8 @@ pub struct March {
     stepper: Stepper,
     /// Frames that were left for wider ones.
     behind: usize,
+    /// What became of the last frame, where the contact came to its rim.
+    growth: Option<Growth>,
     /// Outputs that were put out.
     past: usize,
     /// Whether the fields of the present state are due.
@@ -65,29 +69,62 @@ impl March {
             one.check_frame()?;
             one.problem.check_inputs()?;
         }
-        let stepper = match &simulation.problem.motion {
-            Motion::Shift(shift) => {
-                Stepper::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
+        let (mut first, mut behind) = (simulation, 0);
+        let mut growth: Option<Growth> = None;
+        loop {
+            let grown = growth.as_ref().and_then(|growth| growth.simulation(first));
+            let present = grown.as_deref().unwrap_or(first);
+            let stepper = Stepper::begin(present);
+            let missed = match &stepper {
+                Ok(stepper) => stepper.missed(present),
+                Err(error) => all_touches(error, present),
+            };
+            if let (Some(_), Some(wider)) = (missed, &first.wider) {
+                (first, behind) = (&wider.simulation, behind + 1);
+                continue;
             }
-            Motion::Sliding(_) | Motion::Rolling(_) => {
-                Stepper::Steps(Box::new(Steps::begin(simulation)?))
-            }
-        };
-        Ok(Self { digest: digest(simulation), stepper, behind: 0, past: 0, output: true })
+            let larger = missed.map(|more| Growth::by(first, growth.as_ref(), (more, 0.0)));
+            let Some(larger) = larger.transpose()?.flatten() else {
+                let (digest, stepper) = (digest(simulation), stepper?);
+                return Ok(Self { digest, stepper, behind, growth, past: 0, output: true });
+            };
+            growth = Some(larger);
+        }
     }
 
     /// Goes on to the next state that is shown; whether there was one.
     pub(super) fn step(&mut self, simulation: &Simulation) -> Result<bool, Error> {
-        let simulation = self.widen(simulation)?;
+        self.widen(simulation)?;
         let schedule = &simulation.schedule;
         let next = schedule.outputs.get(self.past).copied().unwrap_or(schedule.extent);
         let next = next.min(schedule.extent);
-        let went = match (&mut self.stepper, &simulation.problem.motion) {
-            (Stepper::Steps(steps), _) => steps.step(simulation, next)?,
-            (Stepper::Cycles(cycles), Motion::Shift(shift)) => {
-                cycles.step(Setting { simulation, shift }, next)?
+        let went = loop {
+            let first = self.first(simulation);
+            let grown = self.growth.as_ref().and_then(|growth| growth.simulation(first));
+            let present = grown.as_deref().unwrap_or(first);
+            let before = present.surroundings().grow().then(|| self.stepper.clone());
+            let went = self.stepper.step(present, next);
+            let Some(before) = before else { break went? };
+            let missed = match &went {
+                Ok(true) => self.stepper.missed(present),
+                Ok(false) => None,
+                Err(error) => all_touches(error, present),
+            };
+            if let (Some(_), Some(Wider { simulation: wider, .. })) =
+                (missed, first.wider.as_deref())
+            {
+                self.stepper = before;
+                self.go_over(first, wider)?;
+                continue;
             }
-            (Stepper::Cycles(_), _) => false,
+            let at = self.state().progress;
+            let larger = missed.map(|more| Growth::by(first, self.growth.as_ref(), (more, at)));
+            let Some(larger) = larger.transpose()?.flatten() else { break went? };
+            let Some(larger_simulation) = larger.simulation(first) else { break went? };
+            let problems = [&present.problem, &larger_simulation.problem];
+            let moved = larger.from(self.growth.as_ref(), problems);
+            self.stepper = before.moved(&moved, &larger_simulation, self.stepper.effort());
+            self.growth = Some(larger);
         };
         if went {
             let progress = self.state().progress;
@@ -103,24 +140,42 @@ impl March {
         Ok(went)
     }
 
-    /// The simulation in the frame that the run is in.
-    fn present<'a>(&self, simulation: &'a Simulation) -> &'a Simulation {
+    /// The simulation in the frame that the run went over to last, as it was before it grew.
+    fn first<'a>(&self, simulation: &'a Simulation) -> &'a Simulation {
         simulation.frames().nth(self.behind).unwrap_or(simulation)
     }
 
-    /// Goes over to a wider frame where it is time to; returns what the run goes on with.
-    fn widen<'a>(&mut self, simulation: &'a Simulation) -> Result<&'a Simulation, Error> {
-        let mut present = self.present(simulation);
-        let Stepper::Steps(steps) = &mut self.stepper else { return Ok(present) };
+    /// The simulation in the frame that the run is in.
+    fn present<'a>(&'a self, simulation: &'a Simulation) -> &'a Simulation {
+        let first = self.first(simulation);
+        self.growth.as_ref().and_then(|growth| growth.present(first)).unwrap_or(first)
+    }
+
+    /// Whether the frame that the run is in can be made.
+    pub(super) fn can_go_on(&self, simulation: &Simulation) -> bool {
+        let first = self.first(simulation);
+        self.growth.as_ref().is_none_or(|growth| growth.simulation(first).is_some())
+    }
+
+    /// Goes over to wider frames where it is time to.
+    fn widen(&mut self, simulation: &Simulation) -> Result<(), Error> {
         let margin = SAME * simulation.schedule.extent;
-        while let Some(Wider { from, simulation: wider }) = present.wider.as_deref()
-            && steps.state().progress >= from - margin
+        while let first = self.first(simulation)
+            && let Some(Wider { from, simulation: wider }) = first.wider.as_deref()
+            && self.state().progress >= from - margin
         {
-            steps.widen(&present.problem, wider)?;
-            present = wider;
-            self.behind += 1;
+            self.go_over(first, wider)?;
         }
-        Ok(present)
+        Ok(())
+    }
+
+    /// Goes over to a wider frame.
+    fn go_over(&mut self, from: &Simulation, to: &Simulation) -> Result<(), Error> {
+        if let Stepper::Steps(steps) = &mut self.stepper {
+            steps.widen(&from.problem, to)?;
+        }
+        self.behind += 1;
+        Ok(())
     }
 
     fn state(&self) -> &ContactState {
@@ -132,10 +187,7 @@ impl March {
 
     /// What the run took, also after the last state shown.
     pub(super) fn effort(&self) -> Effort {
-        match &self.stepper {
-            Stepper::Steps(steps) => steps.effort,
-            Stepper::Cycles(cycles) => cycles.effort(),
-        }
+        self.stepper.effort()
     }
 
     /// The present state.
@@ -157,6 +209,75 @@ impl March {
             companions: simulation.companions.as_ref(),
             again: false,
             march: Some(self),
+        }
+    }
+}
+
+/// As much more as holds a contact that filled its frame, or swung out of it.
+fn all_touches(error: &Error, simulation: &Simulation) -> Option<More> {
+    let full = matches!(error, Error::FrameFull { .. } | Error::SwungOut { .. });
+    full.then(|| simulation.surroundings().twice(&simulation.problem)).flatten()
+}
+
+impl Stepper {
+    fn begin(simulation: &Simulation) -> Result<Self, Error> {
+        Ok(match &simulation.problem.motion {
+            Motion::Shift(shift) => {
+                Self::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
+            }
+            Motion::Sliding(_) | Motion::Rolling(_) => {
+                Self::Steps(Box::new(Steps::begin(simulation)?))
+            }
+        })
+    }
+
+    /// Goes on to the next state, and not beyond a place; whether there was one.
+    fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
+        match (self, &simulation.problem.motion) {
+            (Self::Steps(steps), _) => steps.step(simulation, next),
+            (Self::Cycles(cycles), Motion::Shift(shift)) => {
+                cycles.step(Setting { simulation, shift }, next)
+            }
+            (Self::Cycles(_), _) => Ok(false),
+        }
+    }
+
+    fn effort(&self) -> Effort {
+        match self {
+            Self::Steps(steps) => steps.effort,
+            Self::Cycles(cycles) => cycles.effort(),
+        }
+    }
+
+    /// What the frame is too small by for the contact of the states that it has come to.
+    fn missed(&self, simulation: &Simulation) -> Option<More> {
+        let (surroundings, problem) = (simulation.surroundings(), &simulation.problem);
+        if !surroundings.grow() {
+            return None;
+        }
+        let of = |state: &ContactState| surroundings.missed(problem, state);
+        let all = |one: More, other: More| {
+            [0, 1].map(|axis| [0, 1].map(|side| one[axis][side].max(other[axis][side])))
+        };
+        match self {
+            Self::Steps(steps) => steps.contacts().filter_map(of).reduce(all),
+            Self::Cycles(cycles) => cycles.states().filter_map(of).reduce(all),
+        }
+    }
+
+    /// The same in a larger frame, after an attempt that took so much.
+    fn moved(&self, moved: &Moved<'_>, simulation: &Simulation, took: Effort) -> Self {
+        let Effort { solves, applications, .. } = took;
+        let of = |effort: Effort| Effort { solves, applications, ..effort };
+        match self {
+            Self::Steps(steps) => {
+                let mut steps = steps.moved(moved, simulation);
+                steps.effort = of(steps.effort);
+                Self::Steps(Box::new(steps))
+            }
+            Self::Cycles(cycles) => {
+                Self::Cycles(Box::new(cycles.moved(moved, of(cycles.effort()))))
+            }
         }
     }
 }
@@ -187,12 +308,37 @@ impl Steps {
         self
     }
 
+    /// The same in a larger frame.
+    fn moved(&self, moved: &Moved<'_>, simulation: &Simulation) -> Self {
+        let mut within = self.clone();
+        within.leave_window(moved.smaller());
+        let histories = within.histories.moved(
+            |history| moved.history(history),
+            |worn| moved.of_bodies(worn),
+            |swung| moved.swung(swung),
+        );
+        Self { histories, window: None, effort: self.effort }.in_a_window(simulation)
+    }
+
+    /// The contacts that were found: in the frame where there is no window, which holds them otherwise.
+    fn contacts(&self) -> impl Iterator<Item = &ContactState> {
+        let Histories { evolution, adaptive } = &self.histories;
+        let both = adaptive.iter().flat_map(Adaptive::histories).map(|history| &history.state);
+        let all = both.chain([&evolution.state]);
+        let within = self.window.is_some();
+        all.filter(move |_| !within).chain(self.window.iter().map(|(_, shown)| shown))
+    }
+
     /// Brings histories in the frame to a window.
     fn move_to(&mut self, window: Option<Window>) {
         let Some(window) = window else { return };
         let shown = self.histories.evolution.state.clone();
         let field = |field: &[f64]| window.cut(field);
-        self.histories = self.histories.moved(|history| window.cut_history(history), field);
+        self.histories = self.histories.moved(
+            |history| window.cut_history(history),
+            |worn| worn.each_ref().map(|worn| field(worn)),
+            |_| None,
+        );
         self.window = Some((window, shown));
     }
 
@@ -201,7 +347,8 @@ impl Steps {
         let (window, _) = self.window.take()?;
         let field = |field: &[f64]| window.put(field);
         let history = |history: &Evolution| window.put_history(history, &problem.frame);
-        self.histories = self.histories.moved(history, field);
+        let worn = |worn: &[Vec<f64>; 2]| worn.each_ref().map(|worn| field(worn));
+        self.histories = self.histories.moved(history, worn, |_| None);
         Some(window)
     }
 
@@ -287,15 +434,16 @@ impl Histories {
         self.evolution.state.approach.max(adaptive)
     }
 
-    /// The same in another frame: `history` takes a history there, `field` a field.
+    /// The same in another frame: see [`Adaptive::moved`].
     fn moved(
         &self,
         history: impl Fn(&Evolution) -> Evolution,
-        field: impl Fn(&[f64]) -> Vec<f64>,
+        worn: impl Fn(&[Vec<f64>; 2]) -> [Vec<f64>; 2],
+        swung: impl Fn(&Swung) -> Option<Swung>,
     ) -> Self {
         Self {
             evolution: history(&self.evolution),
-            adaptive: self.adaptive.as_ref().map(|adaptive| adaptive.moved(history, field)),
+            adaptive: self.adaptive.as_ref().map(|adaptive| adaptive.moved(history, worn, swung)),
         }
     }
 

@@ -9,6 +9,7 @@ mod compatibility;
 mod cycles;
 mod evolution;
 mod friction;
+mod growth;
 pub mod history;
 mod march;
 mod passing;
@@ -18,13 +19,14 @@ mod run;
 mod scar;
 mod second_order;
 mod step;
+mod surroundings;
 mod swing;
 mod wider;
 mod window;
 mod worn;
 
 use std::error::Error as StdError;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +41,7 @@ pub use march::March;
 pub(crate) use periodic::repeats;
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
+use surroundings::Surroundings;
 pub(crate) use swing::solves_of_a_step;
 pub use wider::Wider;
 pub(crate) use wider::can_widen;
@@ -69,12 +72,16 @@ pub struct Simulation {
     pub(crate) beside: f64,
     /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].
     pub wider: Option<Box<Wider>>,
+    /// Pairs that the frame may grow to.
+    pub(crate) most: usize,
+    /// What lies beyond the frame; made where it is needed.
+    surroundings: OnceLock<Surroundings>,
 }
 
 /// What an observer is shown after the initial contact and after every accepted step.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
-    /// The problem.
+    /// The problem in the present frame, to which all fields belong: frames grow, and become wider.
     pub problem: &'a ContactProblem,
     /// What is known now.
     pub state: &'a ContactState,
@@ -203,6 +210,19 @@ pub enum Error {
         measure: Progress,
         /// Progress at the end of the step.
         progress: f64,
+    },
+    /// The contact needs a larger frame than there may be.
+    #[error(
+        "at {} the contact needs a frame of {} x {} elements, which are too many; take larger elements",
+        .measure.at(*.progress), .elements[0], .elements[1]
+    )]
+    Outgrown {
+        /// What progress measures.
+        measure: Progress,
+        /// How far the motion had gone.
+        progress: f64,
+        /// Number of elements along x and y.
+        elements: [usize; 2],
     },
     /// Steps had to become too small.
     #[error(

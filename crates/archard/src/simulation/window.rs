@@ -67,7 +67,7 @@ impl Window {
             problem: ContactProblem {
                 bodies: problem.bodies.clone(),
                 frame: problem.frame.within(&self.part)?,
-                compliance: problem.compliance.alone_within(&self.part)?,
+                compliance: problem.compliance.on(self.part.size())?,
                 friction: problem.friction.clone(),
                 motion: problem.motion.clone(),
             },
@@ -77,6 +77,8 @@ impl Window {
             companions: None,
             wider: None,
             beside: beside.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min),
+            most: simulation.most,
+            surroundings: OnceLock::new(),
         }))
     }
 

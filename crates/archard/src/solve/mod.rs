@@ -26,6 +26,7 @@ use std::fmt::Debug;
 
 pub use accept::press;
 pub use conjugate_gradient::ConjugateGradient;
+pub(crate) use part::Cells;
 pub use uzawa::Uzawa;
 
 use crate::compliance::Compliance;

@@ -20,8 +20,8 @@ const ROOM: f64 = 1.0 / 16.0;
 const AMPLE: usize = 3;
 /// Parts tried before the frame.
 const PARTS: usize = 4;
-/// Cells of the contact along an axis.
-const CELLS: usize = 4;
+/// Cells of the contact along an axis: few, and more.
+const CELLS: [usize; 2] = [1, 4];
 
 /// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
 /// has none. The status is that of a full frame where the contact outgrows all parts.
@@ -47,7 +47,11 @@ pub(super) fn solve(
     let mut outcome = solve_on(&part, solver, step, (&part.cut(&begun.0), known, begun.1))?;
     for _ in 1..PARTS {
         let (Status::Converged, Some(part)) = (outcome.status, outcome.part) else { break };
-        let reach = Cells::of(step, &outcome.pressure).reach(step, outcome.approach, part.extent());
+        let reach = Cells::of(step.elements, &outcome.pressure, &CELLS).reach(
+            step,
+            outcome.approach,
+            part.extent(),
+        );
         if part.holds(&reach) {
             return Some(beside(outcome, step, start));
         }
@@ -79,7 +83,7 @@ fn choose(
         part.holds(&pressed) && elements(&part.extent()) <= AMPLE * elements(&pressed)
     };
     before.filter(fits).or_else(|| {
-        let reach = Cells::of(step, pressure).reach(step, approach, pressed);
+        let reach = Cells::of(step.elements, pressure, &CELLS).reach(step, approach, pressed);
         Part::around(step.elements, &reach, room(&reach))
     })
 }
@@ -144,48 +148,49 @@ fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcom
     }
 }
 
-/// The pressures of a contact (Pa), summed by cells, and as one cell.
-struct Cells {
-    cells: Vec<(Extent, f64)>,
-    all: Vec<(Extent, f64)>,
-}
+/// The pressures of a contact (Pa), summed by cells: by one, and by more and more.
+pub(crate) struct Cells(Vec<Vec<(Extent, f64)>>);
 
 impl Cells {
-    fn of(step: &Step<'_>, pressure: &[f64]) -> Self {
-        let Some(pressed) = extent(step.elements, |pair| pressure[pair] > 0.0) else {
-            return Self { cells: vec![], all: vec![] };
+    /// Those of so many elements along x and y, in these numbers of cells along an axis.
+    pub fn of(elements: [usize; 2], pressure: &[f64], numbers: &[usize]) -> Self {
+        let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else {
+            return Self(vec![]);
         };
-        let along = |axis: usize, cell: usize| {
-            let edge = |cell: usize| pressed[axis].start + pressed[axis].len() * cell / CELLS;
-            edge(cell)..edge(cell + 1)
-        };
-        let cells = (0..CELLS * CELLS).map(|cell| [along(0, cell % CELLS), along(1, cell / CELLS)]);
         let sum = |[columns, rows]: &Extent| -> f64 {
             let row = |row: usize| {
-                let start = step.elements[0] * row;
+                let start = elements[0] * row;
                 pressure[start + columns.start..start + columns.end].iter().sum::<f64>()
             };
             rows.clone().map(row).sum()
         };
-        let cells = cells.map(|cell| (cell.clone(), sum(&cell))).filter(|(_, sum)| *sum != 0.0);
-        let cells: Vec<_> = cells.collect();
-        let total = cells.iter().map(|(_, sum)| sum).sum();
-        Self { cells, all: vec![(pressed.clone(), total)] }
+        let in_cells = |&number: &usize| {
+            let along = |axis: usize, cell: usize| {
+                let edge = |cell: usize| pressed[axis].start + pressed[axis].len() * cell / number;
+                edge(cell)..edge(cell + 1)
+            };
+            let cells =
+                (0..number * number).map(|cell| [along(0, cell % number), along(1, cell / number)]);
+            let cells = cells.map(|cell| (cell.clone(), sum(&cell))).filter(|(_, sum)| *sum != 0.0);
+            cells.collect()
+        };
+        Self(numbers.iter().map(in_cells).collect())
     }
 
-    /// Whether the gap of an element beside the contact stays open that is so wide (m) without the pressures.
-    fn leave_open(&self, apart: f64, compliance: &dyn Compliance, place: [usize; 2]) -> bool {
+    /// Whether the gap of an element beside the contact stays open that is so wide (m) without the pressures. It may lie beyond
+    /// the grid.
+    pub fn leave_open(&self, apart: f64, compliance: &dyn Compliance, place: [isize; 2]) -> bool {
         let of_cell = |(cell, sum): &(Extent, f64)| {
             let away = [0, 1].map(|axis| {
-                let (first, last) = (cell[axis].start, cell[axis].end - 1);
+                let (first, last) = (cell[axis].start as isize, cell[axis].end as isize - 1);
                 place[axis].abs_diff(first).max(place[axis].abs_diff(last))
             });
             sum * compliance.least_displacement(away)
         };
-        // One cell is asked before many.
+        // Few cells are asked before many.
         let opened =
-            |cells: &[(Extent, f64)]| apart + cells.iter().map(of_cell).sum::<f64>() >= 0.0;
-        apart >= 0.0 || opened(&self.all) || opened(&self.cells)
+            |cells: &Vec<(Extent, f64)>| apart + cells.iter().map(of_cell).sum::<f64>() >= 0.0;
+        apart >= 0.0 || self.0.iter().any(opened)
     }
 
     /// An extent and all pairs beside it that may touch at an approach (m).
@@ -193,7 +198,7 @@ impl Cells {
         let [nx, ny] = step.elements;
         let touches = |x: usize, y: usize| {
             let apart = step.gap[x + nx * y] - approach;
-            !self.leave_open(apart, step.compliance, [x, y])
+            !self.leave_open(apart, step.compliance, [x as isize, y as isize])
         };
         let [mut columns, mut rows] = inner.clone();
         for y in 0..ny {

@@ -3,9 +3,6 @@
 use super::words::share;
 use super::{Bound, Line};
 
-/// Subjects of the lines that a larger frame makes good.
-pub(super) const OF_THE_FRAME: [&str; 2] = ["edges", "beyond"];
-
 /// The load, or approach, against the one prescribed: how far off it is, relative to it.
 ///
 /// Solvers end at residuals of 1e-8 (pressures) and 1e-6 (friction with pressures); a lost contact is off by 1.
@@ -27,19 +24,6 @@ pub fn edges(share: f64, pairs: usize) -> Line {
         ),
     };
     Line::new("edges", share, Bound::AtMost([0.0, 0.03]), text)
-}
-
-/// How deep measured surfaces overlap beyond the frame, relative to the approach, and where (m).
-///
-/// They touch there and nothing bears it: any overlap is doubtful. Beside the edge of the frame the displacement is known to
-/// the digits of the run, far from it to those of a load at one place.
-pub fn beyond(depth: f64, [x, y]: [f64; 2]) -> Line {
-    let text = format!(
-        "of the approach is how deep the bodies overlap beyond the frame, at x = {:.4} mm, y = {:.4} mm: let it reach there",
-        1e3 * x,
-        1e3 * y
-    );
-    Line::new("beyond", depth, Bound::AtMost([0.0, 0.03]), text)
 }
 
 /// Elements across the contact when it first bears a load: coarse ones spoil the first outputs, and fade.

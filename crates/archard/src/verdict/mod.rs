@@ -9,9 +9,9 @@ mod line;
 mod words;
 
 pub use bounds::{
-    BY_HALF, ELASTOMERS, HALF_SPACE, accuracy, balance, beyond, complete, contact, creepage, edges,
-    energy, first_contact, friction, hardness, heat, layers, length, load, modulus, radius,
-    roughness, slenderness, stick_zone, temperature, time, touch, volume,
+    BY_HALF, ELASTOMERS, HALF_SPACE, accuracy, balance, complete, contact, creepage, edges, energy,
+    first_contact, friction, hardness, heat, layers, length, load, modulus, radius, roughness,
+    slenderness, stick_zone, temperature, time, touch, volume,
 };
 pub use line::{Bound, Line, Word, four};
 
@@ -34,11 +34,6 @@ impl Verdict {
     pub fn ended(mut self, failure: Option<&str>) -> Self {
         self.lines.extend(failure.map(complete));
         self
-    }
-
-    /// Whether the contact outgrew its frame: a larger one is needed.
-    pub fn outgrown(&self) -> bool {
-        self.complaints().any(|line| bounds::OF_THE_FRAME.contains(&line.subject))
     }
 
     /// The word and how many checks it stands on: "good (7 checks)", "doubtful (1 of 7 checks)".

@@ -139,10 +139,14 @@ impl Observer for States {
     }
 }
 
-/// Runs to the end and returns all states.
+/// Runs to the end and returns all states, which are of the frame of the simulation: none where that has to grow.
 pub fn states(simulation: &Simulation) -> Result<Vec<(ContactState, Effort, bool)>, Error> {
     let mut states = States::default();
     simulation.run(&mut [&mut states])?;
+    let grown = |(state, ..): &(ContactState, Effort, bool)| {
+        state.pressure.len() != simulation.problem.frame.len()
+    };
+    assert!(simulation.wider.is_some() || !states.0.iter().any(grown), "the frame has grown");
     Ok(states.0)
 }
 

@@ -46,9 +46,9 @@ impl Compliance for Counting {
         self.inner.within(part)
     }
 
-    fn alone_within(&self, part: &Part) -> Option<Arc<dyn Compliance>> {
+    fn on(&self, elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
         self.windows.fetch_add(1, Ordering::Relaxed);
-        self.inner.alone_within(part).filter(|_| self.grants)
+        self.inner.on(elements).filter(|_| self.grants)
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {

@@ -3,16 +3,13 @@
 use std::error::Error as StdError;
 use std::f64::consts::SQRT_2;
 
-use super::grids::Sides;
 use super::regularity::{has_tip, order, regularity};
 use super::{MOST, UNWORN};
 use crate::case::check::{Parts, check};
 use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
-use crate::frame::extent;
 use crate::output::Store;
-use crate::problem::{Beyond, Overlap};
 use crate::simulation::history::{self, Row};
 use crate::simulation::{Companion, Companions, Error, Observer, Report, Simulation};
 
@@ -25,7 +22,7 @@ const OF_LINES: [(f64, [bool; 2]); 3] =
     [(2.0, [true, false]), (2.0 * SQRT_2, [false; 2]), (2.0 * SQRT_2, [true, false])];
 /// One more where a run shows one state only, so that nothing before or after it tells what agrees by chance.
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
-/// Times a grid is made finer, or a frame larger.
+/// Times a grid is made finer.
 const ROUNDS: usize = 12;
 /// How much finer a grid becomes beside what the estimate asks for, and at most.
 const MARGIN: f64 = 1.15;
@@ -79,12 +76,6 @@ pub enum Unsettled {
         /// Why not.
         cause: Box<Error>,
     },
-    /// A frame that is left whatever its size.
-    #[error("the contact leaves a frame of {:.3} mm by {:.3} mm: give `frame.size`", 1e3 * .size[0], 1e3 * .size[1])]
-    Outgrown {
-        /// The largest that was tried (m).
-        size: [f64; 2],
-    },
     /// A grid that does not become fine enough.
     #[error(
         "the error stays at {error:.2e} on {} x {} elements at {place}, and {asked} was asked for{hint}",
@@ -120,49 +111,21 @@ impl Unsettled {
     }
 }
 
-/// The rows of a run, which sides of the frame its contact came to, and how far (m) from the middle it reached.
+/// The rows of a run.
 #[derive(Default)]
-struct Watched {
-    rows: Vec<Row>,
-    sides: Sides,
-    reach: [f64; 2],
-    beyond: Option<Beyond>,
-}
+struct Watched(Vec<Row>);
 
 impl Observer for Watched {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        self.rows.push(history::row(report));
-        let elements = report.problem.frame.elements();
-        let pressure = &report.state.pressure;
-        let beyond = Beyond::of(report.problem, self.beyond.take());
-        if let Some(Overlap { place, .. }) = beyond.overlap(report.problem, report.state) {
-            let rectangle = report.problem.frame.rectangle();
-            for (axis, sides) in self.sides.iter_mut().enumerate() {
-                let off = 2.0 * (place[axis] - rectangle.centre[axis]);
-                sides[0] |= off < -rectangle.size[axis];
-                sides[1] |= off > rectangle.size[axis];
-            }
-        }
-        self.beyond = Some(beyond);
-        let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else { return Ok(()) };
-        let spacing = report.problem.frame.spacing();
-        for (axis, range) in pressed.into_iter().enumerate().filter(|(axis, _)| elements[*axis] > 1)
-        {
-            let far = elements[axis] - 2 * range.start.min(elements[axis] - range.end);
-            self.reach[axis] = self.reach[axis].max(0.5 * far as f64 * spacing[axis]);
-            self.sides[axis][0] |= range.start == 0;
-            self.sides[axis][1] |= range.end == elements[axis];
-        }
+        self.0.push(history::row(report));
         Ok(())
     }
 }
 
 /// What coarser runs came to.
 enum Judged {
-    /// By companions, whose contact reached so far (m) from the middle.
-    By(Box<Companions>, [f64; 2]),
-    /// The contact left the frame at these sides.
-    Outgrown(Sides),
+    /// By companions.
+    By(Box<Companions>),
     /// On so few elements no solution is found, and why.
     TooCoarse(Unsettled),
 }
@@ -172,7 +135,7 @@ impl Resolved {
     /// where no accuracy is asked for.
     ///
     /// # Errors
-    /// If a companion fails, the contact leaves every frame that is tried, or no grid is fine enough.
+    /// If a companion fails, or no grid is fine enough.
     pub fn with_companions(
         mut self,
         store: Option<&Store>,
@@ -187,6 +150,7 @@ impl Resolved {
         // The first grid whose error tells an order: how fine it is, and how far off.
         let mut first: Option<[f64; 2]> = None;
         let mut reached: Option<(Self, Companions)> = None;
+        let mut too_coarse = None;
         for _ in 0..ROUNDS {
             if reached.is_some() && !following.goes_on() {
                 break;
@@ -195,16 +159,13 @@ impl Resolved {
                 Err(cause) if reached.is_some() && !cause.stops() => break,
                 judged => judged?,
             };
-            let (companions, reach) = match judged {
-                Judged::By(companions, reach) => (companions, reach),
-                Judged::Outgrown(sides) => match self.grown(sides).and_then(|case| self.take(case))
-                {
-                    Ok(()) => continue,
-                    Err(_) if reached.is_some() => break,
-                    Err(cause) => return Err(cause),
-                },
+            let companions = match judged {
+                Judged::By(companions) => companions,
                 Judged::TooCoarse(cause) => match self.refine(FINER[1], order) {
-                    Ok(true) => continue,
+                    Ok(true) => {
+                        too_coarse = Some(cause);
+                        continue;
+                    }
                     Ok(false) | Err(_) if reached.is_some() => break,
                     // Finer elements than the memory holds tell no more of a solver that does not converge.
                     Ok(false) | Err(_) => return Err(cause),
@@ -227,7 +188,6 @@ impl Resolved {
                     break;
                 }
             }
-            self.close_in(reach);
             let finer = (MARGIN * (error / accuracy).powf(1.0 / order)).clamp(FINER[0], FINER[1]);
             if !matches!(self.refine(finer, order), Ok(true)) {
                 break;
@@ -235,7 +195,8 @@ impl Resolved {
             fineness *= finer;
         }
         let Some((own, companions)) = reached else {
-            return Err(Unsettled::Outgrown { size: self.case.frame.size });
+            let none = || Unsettled::Wrong("no grid was found that can be judged".to_owned());
+            return Err(too_coarse.unwrap_or_else(none));
         };
         let at = |&place: &f64| (companions.worst_foreseen(place), place);
         // The first of those that are alike.
@@ -272,7 +233,6 @@ impl Resolved {
         let grids = grids.into_iter().collect::<Result<Vec<_>, _>>()?;
         following.plans(&grids.into_iter().chain([self.case.frame.elements]).collect::<Vec<_>>());
         let mut runs: Vec<Companion> = vec![];
-        let mut reach = [0.0; 2];
         let mut failed = None;
         let mut left = set.to_vec();
         left.reverse();
@@ -283,15 +243,11 @@ impl Resolved {
             let axes = if case.frame.line { 1.0 } else { 2.0 };
             let found = (shares[0] * shares[1]).powf(1.0 / axes);
             match self.run(case, store, following) {
-                Ok(run) if self.chose.size && run.sides != Sides::default() => {
-                    return Ok(Judged::Outgrown(run.sides));
-                }
-                Ok(run) => {
-                    reach = [0, 1].map(|axis| run.reach[axis].max(reach[axis]));
-                    if runs.is_empty() && run.rows.len() == 1 {
+                Ok(rows) => {
+                    if runs.is_empty() && rows.len() == 1 {
                         left.insert(0, OF_ONE);
                     }
-                    runs.push(Companion { ratio: found, rows: run.rows });
+                    runs.push(Companion { ratio: found, rows });
                 }
                 Err(Unsettled::Run { elements, cause }) if cause.is_of_convergence() => {
                     failed = Some(Unsettled::Run { elements, cause });
@@ -306,7 +262,7 @@ impl Resolved {
                 Ok(Judged::TooCoarse(cause))
             }
             Some(cause) if !companions.foresee() => Err(cause),
-            _ => Ok(Judged::By(Box::new(companions), reach)),
+            _ => Ok(Judged::By(Box::new(companions))),
         }
     }
 
@@ -316,7 +272,7 @@ impl Resolved {
         case: Case,
         store: Option<&Store>,
         following: &mut dyn Following,
-    ) -> Result<Watched, Unsettled> {
+    ) -> Result<Vec<Row>, Unsettled> {
         let elements = case.frame.elements;
         let simulation = match store {
             Some(store) => case.build_keeping(store),
@@ -327,18 +283,9 @@ impl Resolved {
         following.begins(elements);
         let mut watched = Watched::default();
         match simulation.run(&mut [&mut watched, following.observer()]) {
-            Ok(_) => Ok(watched),
-            Err(Error::FrameFull { .. } | Error::SwungOut { .. }) if self.chose.size => {
-                Ok(Watched { sides: [[true; 2]; 2], ..watched })
-            }
+            Ok(_) => Ok(watched.0),
             Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
         }
-    }
-
-    /// This becomes the case.
-    fn take(&mut self, case: Case) -> Result<(), Unsettled> {
-        self.case = case;
-        self.settle_again()
     }
 
     /// Forecasts and checks the case anew.

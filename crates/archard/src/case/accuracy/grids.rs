@@ -1,21 +1,14 @@
-//! The grids that are tried for an accuracy: coarser ones, finer ones, and those in a frame that is larger or smaller.
+//! The grids that are tried for an accuracy: coarser ones and finer ones.
 
 use super::companions::Unsettled;
-use super::{BESIDE, MOST, around, counted, increments, locate};
+use super::{MOST, counted, increments, locate};
 use crate::case::check::Parts;
 use crate::case::definition::{Case, Output};
 use crate::case::file::Resolved;
 use crate::parameters::Value;
 
-/// By how much a frame grows that was outgrown.
-const GROWS: f64 = 1.4;
-/// A frame closes in on what touches where that leaves less of it than this.
-const CLOSES: f64 = 0.8;
 /// The key of the tolerance of the steps.
 pub(super) const TOLERANCE: &str = "tolerance";
-
-/// The lower and the upper side along x, and along y.
-pub(super) type Sides = [[bool; 2]; 2];
 
 impl Resolved {
     /// The case made so many times coarser in the same frame, its grid moved by half an element along the motion and across. One
@@ -51,23 +44,6 @@ impl Resolved {
         Ok(case)
     }
 
-    /// Takes the frame in, on elements as large as before, where nothing touched in a good part of it.
-    pub(super) fn close_in(&mut self, reach: [f64; 2]) {
-        if !(self.chose.size && self.chose.elements && self.case.doubles.is_empty()) {
-            return;
-        }
-        let spacing = self.case.frame.spacing();
-        let frame = &mut self.case.frame;
-        let axes = if frame.line { 1 } else { 2 };
-        for axis in 0..axes {
-            let size = around(BESIDE * reach[axis], spacing[axis]);
-            if reach[axis] > 0.0 && size < CLOSES * frame.size[axis] {
-                frame.size[axis] = size;
-                frame.elements[axis] = counted(size / spacing[axis], frame.elements[axis]);
-            }
-        }
-    }
-
     /// Makes all that was chosen so many times finer, and the tolerance smaller by that power of it, the order of the error;
     /// whether so many elements are allowed.
     pub(super) fn refine(&mut self, finer: f64, order: f64) -> Result<bool, Unsettled> {
@@ -90,40 +66,6 @@ impl Resolved {
         }
         self.settle_again()?;
         Ok(true)
-    }
-
-    /// The case in a frame that is larger towards some sides, with elements as large as before where their number was
-    /// chosen.
-    pub(super) fn grown(&self, sides: Sides) -> Result<Case, Unsettled> {
-        let mut case = self.case.clone();
-        let before = case.frame;
-        let parts = Parts::of(&self.case).map_err(Box::new)?;
-        for (axis, touched) in
-            sides.into_iter().enumerate().filter(|(axis, _)| before.elements[*axis] > 1)
-        {
-            let part = 0.5 * (GROWS - 1.0) * before.size[axis];
-            let [below, above] = match self.chose.place {
-                true => touched.map(|touched| if touched { part } else { 0.0 }),
-                false => [if touched == [false; 2] { 0.0 } else { part }; 2],
-            };
-            case.frame.centre[axis] += 0.5 * (above - below);
-            case.frame.size[axis] += below + above;
-        }
-        let held = locate::within(case.frame.rectangle(), locate::known(&parts));
-        (case.frame.centre, case.frame.size) = (held.centre, held.size);
-        if held == before.rectangle() {
-            return Err(Unsettled::Outgrown { size: held.size });
-        }
-        if self.chose.elements {
-            for axis in 0..2 {
-                let larger = case.frame.size[axis] / before.size[axis];
-                if larger > 1.0 {
-                    let elements = before.elements[axis];
-                    case.frame.elements[axis] = counted(larger * elements as f64, elements);
-                }
-            }
-        }
-        Ok(case)
     }
 
     /// Elements across the first contact, or across the frame where no closed form tells it.

@@ -28,9 +28,8 @@ use regularity::{has_tip, order, slips_partly};
 const COARSEST: f64 = 0.2;
 /// Tolerance of the steps, relative to the accuracy: with four times as much, a companion differs by three times their error.
 const TOLERANCE: f64 = 1.0 / 3.0;
-/// Extent of the frame beside the contact that is foreseen, and beside one whose wear no closed form foresees.
+/// Extent of the frame beside the contact that is foreseen.
 const BESIDE: f64 = 1.15;
-const BESIDE_UNFORESEEN: f64 = 3.0;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
 /// Elements across the unworn contact, at least: of those of the coarsest companion more than three are left.
@@ -203,9 +202,6 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
             (half, half)
         }
     };
-    let known = last.cap.is_some() || last.track.is_some();
-    let rolls = last.rolled.is_some_and(|rolled| rolled.track.is_some());
-    let beside = if parts.wears() && !known && !rolls { BESIDE_UNFORESEEN } else { BESIDE };
     let across = across(accuracy, &parts);
     let element = [0, 1].map(|axis| {
         let unworn = unworn.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
@@ -215,7 +211,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let odd = usize::from(has_tip(&parts));
     for axis in 0..axes {
         if chose.size {
-            frame.size[axis] = around(beside * reach[axis], element[axis]);
+            frame.size[axis] = around(BESIDE * reach[axis], element[axis]);
             let held = locate::within(frame.rectangle(), locate::known(&parts));
             (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }

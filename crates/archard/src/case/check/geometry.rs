@@ -128,7 +128,8 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
         let pairs = (0..gap.len()).filter(|&pair| edge(pair) != inside);
         pairs.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min)
     };
-    (nx > 2 && ny > 2 && lowest(false) < lowest(true)).then(|| {
+    let grows = parts.grows();
+    (!grows && nx > 2 && ny > 2 && lowest(false) < lowest(true)).then(|| {
         let message = format!(
             "the bodies touch first at the edge of the {}: the contact is cut off there",
             parts.frame_word()

@@ -190,13 +190,14 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     })
 }
 
-/// A frame smaller than the contact it should hold.
+/// A frame smaller than the contact it should hold, which does not grow or lies elsewhere.
 fn too_small(parts: &Parts<'_>, contact: &Contact) -> Option<Problem> {
     let size = parts.case.frame.rectangle().about_origin();
     let cut = |axis: usize| {
         contact.semi_axes[axis].is_finite() && 2.0 * contact.semi_axes[axis] > size[axis]
     };
-    (cut(0) || cut(1)).then(|| {
+    let held = parts.case.frame.centre == [0.0; 2] && parts.grows();
+    (!held && (cut(0) || cut(1))).then(|| {
         let extents = contact.semi_axes.map(|axis| 2.0 * axis);
         if parts.case.frame.centre != [0.0; 2] {
             let message = format!(
@@ -259,6 +260,9 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         } else {
             problem.help(help)
         });
+    }
+    if parts.grows() {
+        return None;
     }
     let reach = forecast.estimate.reach()?;
     let cut: Vec<&str> = [0, 1]

@@ -164,6 +164,11 @@ impl<'a> Parts<'a> {
         if self.case.is_meshed() { "zone" } else { "frame" }
     }
 
+    /// Whether the frame grows with the contact.
+    fn grows(&self) -> bool {
+        !self.case.is_meshed() && !self.case.frame.periodic
+    }
+
     /// Distance slid in the whole motion (m).
     fn slip(&self) -> f64 {
         self.motion.slip(self.schedule.extent)

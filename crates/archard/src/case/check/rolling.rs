@@ -101,7 +101,7 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     })
 }
 
-/// A frame without a free element behind the contact: particles are rubbed until they have left the last
+/// A zone without a free element behind the contact: particles are rubbed until they have left the last
 /// pair under pressure.
 fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Option<Problem> {
     let axis = rolling.direction.axis;
@@ -110,7 +110,7 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
     let needed = 2.0 * (half_width + frame.spacing()[axis]);
     let size = frame.rectangle().about_origin()[axis];
     let cut = half_width.is_finite() && 2.0 * half_width <= size;
-    (cut && needed > size).then(|| {
+    (cut && needed > size && !parts.grows()).then(|| {
         let message = format!(
             "leaves less than an element free before and behind the contact, which is {} long: slip where particles leave it would be lost",
             length(2.0 * half_width)

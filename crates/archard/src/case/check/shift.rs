@@ -257,11 +257,12 @@ fn slip_of_an_increment(parts: &Parts<'_>, shift: &Shift) -> f64 {
     slips.fold(0.0, f64::max)
 }
 
-/// A frame that the scar grows out of.
+/// A zone that the scar grows out of.
 fn scar_beyond_the_frame(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     let radius = forecast.estimate.fretting?.wear.filter(|wear| wear.ends())?.end.scar_radius;
     let width = 2.0 * radius;
-    (parts.case.frame.size.iter().any(|&size| size < width)).then(|| {
+    let cut = parts.case.frame.size.iter().any(|&size| size < width);
+    (cut && !parts.grows()).then(|| {
         let message = format!(
             "the scar will reach the edge of the {}: it ends {} wide, when the stick zone bears all of the load",
             parts.frame_word(),

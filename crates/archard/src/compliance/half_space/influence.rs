@@ -126,7 +126,13 @@ impl Influence {
         self.elements
     }
 
-    /// The same on fewer elements of the same size.
+    /// Whether so many elements lie above the depth that displacements are measured from, where there is one: they have
+    /// to be positive.
+    pub(super) fn reaches(&self, elements: [usize; 2]) -> bool {
+        self.depths.is_none() || self.within([elements[0], 1]).nn().iter().all(|own| *own > 0.0)
+    }
+
+    /// The same on another number of elements of the same size.
     pub(super) fn within(&self, elements: [usize; 2]) -> Self {
         Self { elements, ..self.clone() }
     }

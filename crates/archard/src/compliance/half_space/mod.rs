@@ -253,8 +253,8 @@ impl Compliance for HalfSpace {
         Some(Box::new(WholeOrPart::Part(self.part(part.size()))))
     }
 
-    fn alone_within(&self, part: &Part) -> Option<Arc<dyn Compliance>> {
-        Some(self.part(part.size()))
+    fn on(&self, elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
+        self.influence.reaches(elements).then(|| self.part(elements) as Arc<dyn Compliance>)
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::frame::{ContactFrame, Rectangle};
+use crate::frame::ContactFrame;
 use crate::problem::ContactProblem;
 
 /// What the pairs at the edge bear.
@@ -14,8 +14,6 @@ pub(super) struct Edges {
     pub pairs: usize,
 }
 
-/// Difference of gaps along an axis, relative to the largest, that is rounding.
-const EVEN: f64 = 1e-9;
 /// The same between the pairs of meshes, relative to the range of their gaps.
 const EVEN_ON_MESHES: f64 = 1e-3;
 /// Distance from the edge of a zone, relative to its size, within which an element ends there.
@@ -30,7 +28,7 @@ pub(super) fn border(problem: &ContactProblem) -> Vec<usize> {
     if !frame.is_uniform() {
         return at_the_border(frame);
     }
-    let watched = [0, 1].map(|axis| !is_even(problem, axis));
+    let watched = [0, 1].map(|axis| !problem.is_even(axis));
     (0..frame.len()).filter(|&pair| on_the_rim(frame, pair, watched)).collect()
 }
 
@@ -45,27 +43,6 @@ pub(super) fn of(frame: &ContactFrame, border: &[usize], pressure: &[f64]) -> Op
     border.iter().for_each(|&pair| bears[pair] = pressure[pair]);
     let pairs = border.iter().filter(|&&pair| pressure[pair] > 0.0).count();
     Some(Edges { share: measure.load(&bears) / load, pairs })
-}
-
-/// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
-pub(super) fn is_even(problem: &ContactProblem, axis: usize) -> bool {
-    let Rectangle { centre, size } = problem.frame.rectangle();
-    let gap = |along: f64, across: f64| -> Option<f64> {
-        let mut place = centre;
-        place[axis] += along * size[axis];
-        place[1 - axis] += across * size[1 - axis];
-        let recess = |index: usize| problem.bodies[index].profile.recess(place[0], place[1]);
-        let gap = recess(0) + recess(1);
-        gap.is_finite().then_some(gap)
-    };
-    // Within the outermost elements, where tables still have values.
-    let reach = 0.5 - 0.5 / problem.frame.elements()[axis].max(2) as f64;
-    [-0.4, -0.1, 0.0, 0.2, 0.45].into_iter().all(|across| {
-        let [low, middle, high] = [-reach, 0.0, reach].map(|along| gap(along, across));
-        let (Some(low), Some(middle), Some(high)) = (low, middle, high) else { return false };
-        let scale = size[axis].max(low.abs()).max(high.abs()) * EVEN;
-        (low - middle).abs() <= scale && (high - middle).abs() <= scale
-    })
 }
 
 fn on_the_rim(frame: &ContactFrame, pair: usize, watched: [bool; 2]) -> bool {

@@ -5,7 +5,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::edges::is_even;
 use super::{keep, worst};
 use crate::body::{Body, Elasticity};
 use crate::frame::ContactFrame;
@@ -70,7 +69,7 @@ impl Limits {
     /// Takes up how far a contact reaches.
     fn take_extent(&mut self, problem: &ContactProblem, Extent { size }: Extent) {
         let frame = &problem.frame;
-        let even = [0, 1].map(|axis| frame.is_uniform() && is_even(problem, axis));
+        let even = [0, 1].map(|axis| frame.is_uniform() && problem.is_even(axis));
         let [x, y] = [0, 1].map(|axis| if even[axis] { 0.0 } else { 0.5 * size[axis] });
         for body in problem.bodies.iter().filter(|body| !is_meshed(body)) {
             let curvatures = body.curvatures().unwrap_or_default();

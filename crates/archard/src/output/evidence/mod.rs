@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::estimate::Subject;
 use crate::motion::{Control, Stepping};
-use crate::problem::{Beyond, ContactProblem, Overlap};
+use crate::problem::ContactProblem;
 use crate::simulation::Report;
 use crate::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 use crate::verdict::{self, Verdict};
@@ -21,6 +21,9 @@ use edges::Edges;
 use limits::Limits;
 use work::Cycle;
 
+/// Sizes and cycles closer than this, relative, are the same.
+const SAME: f64 = 1e-6;
+
 /// The numbers so far; the worst of all reports where nothing else is said.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub(super) struct Evidence {
@@ -28,18 +31,13 @@ pub(super) struct Evidence {
     load: Option<f64>,
     /// Share of the load on the edges of the frame, and the number of pairs that bear it.
     edges: Option<Edges>,
-    /// The pairs there, once they were looked for.
-    border: Option<Vec<usize>>,
-    /// The measured places beyond the frame.
-    #[serde(skip)]
-    beyond: Option<Beyond>,
-    /// How deep the bodies overlap beyond the frame, relative to the approach, and where (m).
-    overlap: Option<(f64, [f64; 2])>,
+    /// The pairs there, once they were looked for, and how many pairs the frame had then.
+    border: Option<(usize, Vec<usize>)>,
     /// What is left of the balance of forces and of moments on bodies whose equations were solved.
     balance: Option<[f64; 2]>,
     /// Elements across the contact at the first output that bears a load.
     first: Option<f64>,
-    /// Sizes (m) of the frames that the run went through, and the elements across the contact when it was largest there.
+    /// Sizes (m) of the elements that the run went through, and how many lay across the contact when it was largest there.
     largest: Vec<(f64, f64)>,
     /// Elements across the stick zone at the end of bodies that are shifted; `None` where nothing sticks, or all does.
     stick: Option<f64>,
@@ -72,27 +70,27 @@ impl Evidence {
             let [known_force, known_moment] = self.balance.unwrap_or([0.0; 2]);
             self.balance = Some([force.max(known_force), moment.max(known_moment)]);
         }
-        let border = self.border.get_or_insert_with(|| edges::border(problem));
-        if let Some(edges) = edges::of(&problem.frame, border, &state.pressure)
+        // Frames grow.
+        let border = match self.border.take() {
+            Some((pairs, border)) if pairs == problem.frame.len() => border,
+            _ => edges::border(problem),
+        };
+        if let Some(edges) = edges::of(&problem.frame, &border, &state.pressure)
             && self.edges.is_none_or(|known| edges.share >= known.share)
         {
             self.edges = Some(edges);
         }
-        let beyond = Beyond::of(problem, self.beyond.take());
-        if let Some(Overlap { depth, place }) = beyond.overlap(problem, state)
-            && self.overlap.is_none_or(|(known, _)| depth >= known * state.approach)
-        {
-            self.overlap = Some((depth / state.approach, place));
-        }
-        self.beyond = Some(beyond);
+        self.border = Some((problem.frame.len(), border));
         if let Some(across) = extent::across(problem, |pair| state.pressure[pair] > 0.0) {
             if report.output {
                 self.first.get_or_insert(across);
             }
-            let size = problem.frame.rectangle().size[0];
+            let element = problem.frame.spacing()[0];
             match self.largest.last_mut() {
-                Some((known, largest)) if *known == size => *largest = largest.max(across),
-                _ => self.largest.push((size, across)),
+                Some((known, largest)) if (*known / element - 1.0).abs() < SAME => {
+                    *largest = largest.max(across);
+                }
+                _ => self.largest.push((element, across)),
             }
         }
         let shifted = problem.motion.period().is_some();
@@ -136,7 +134,6 @@ impl Evidence {
         let lines = [
             self.load.map(verdict::load),
             self.edges.map(|Edges { share, pairs }| verdict::edges(share, pairs)),
-            self.overlap.map(|(depth, place)| verdict::beyond(depth, place)),
             self.first.map(verdict::first_contact),
             self.largest.iter().map(|(_, across)| *across).reduce(f64::min).map(verdict::contact),
             self.stick.map(verdict::stick_zone),
@@ -222,7 +219,6 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
 
 /// Whether whole cycles are done, which count as dissipated; always where there are none.
 fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
-    const SAME: f64 = 1e-6;
     problem.motion.period().is_none_or(|period| {
         let cycles = progress / period;
         (cycles - cycles.round()).abs() < SAME

@@ -10,9 +10,11 @@ mod touch;
 mod unlike;
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::growth::Moved;
 use super::march::SAME;
 use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Guide, Shift, Station, Stepping};
@@ -69,7 +71,7 @@ struct Open {
 struct Position {
     shifted: Shifted,
     /// The solutions of the last cycle, to start those of the next from.
-    memory: Vec<Option<WarmStart>>,
+    memory: Vec<Option<Arc<WarmStart>>>,
     /// Cycles done or jumped over.
     done: usize,
     /// Energy (J) dissipated in them.
@@ -188,6 +190,38 @@ impl Cycles {
             effort,
             waiting: VecDeque::new(),
         })
+    }
+
+    /// The states found since the last one that was shown, and that one.
+    pub fn states(&self) -> impl Iterator<Item = &ContactState> {
+        self.waiting.iter().chain([&self.shown]).map(|shown| &shown.state)
+    }
+
+    /// The same in a larger frame. The solutions of the last cycle are not taken along, nor is its rate of wear.
+    pub fn moved(&self, moved: &Moved<'_>, mut effort: Effort) -> Self {
+        let shifted = self.position.shifted.moved(moved, &mut effort);
+        let memory = vec![None; self.position.memory.len()];
+        let open = self.open.as_ref().map(|open| Open {
+            index: open.index,
+            reference: open.reference.as_ref().map(|own| own.moved(moved, &mut effort)),
+            begun: open.begun.as_ref().map(|pressure| moved.field(pressure)),
+            change: None,
+        });
+        let shown = |shown: &Shown| Shown { state: moved.state(&shown.state), ..shown.clone() };
+        Self {
+            position: Position {
+                shifted,
+                memory,
+                done: self.position.done,
+                dissipated: self.position.dissipated,
+            },
+            open,
+            rate: None,
+            jump_control: self.jump_control,
+            effort,
+            shown: shown(&self.shown),
+            waiting: self.waiting.iter().map(shown).collect(),
+        }
     }
 
     /// The state to show.
@@ -364,12 +398,12 @@ impl Cycles {
         };
         let mut known = memory[index].take();
         if let (Some(known), Some(change)) = (&mut known, &open.change) {
-            known.foresee(change);
+            Arc::make_mut(known).foresee(change);
         }
         let at = (station, progress);
-        let warm_start = shifted.increment(simulation, at, known.as_ref(), &mut self.effort)?;
+        let warm_start = shifted.increment(simulation, at, known.as_deref(), &mut self.effort)?;
         open.change = known.and_then(|known| known.change_to(&warm_start));
-        memory[index] = Some(warm_start);
+        memory[index] = Some(Arc::new(warm_start));
         let jumps = !matches!(simulation.schedule.stepping, Stepping::Implicit(_));
         if jumps && index == shift.peak() {
             open.reference = Some(shifted.clone());

@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::problem::{ContactProblem, ContactState};
 use crate::simulation::evolution::Evolution;
+use crate::simulation::growth::Moved;
 use crate::wear::{Per, Rubbing};
 
 /// What rubbing did since a cycle began.
@@ -32,6 +33,18 @@ impl Rubbed {
         let zeros = || vec![0.0; pairs];
         let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
         Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0, whole: vec![] }
+    }
+
+    /// The same in a larger frame.
+    pub fn moved(&self, moved: &Moved<'_>) -> Self {
+        Self {
+            depths: moved.both(&self.depths),
+            slopes: moved.both(&self.slopes),
+            slip: moved.field(&self.slip),
+            work: moved.field(&self.work),
+            dissipated: self.dissipated,
+            whole: moved.each(&self.whole),
+        }
     }
 
     /// Takes up what was rubbed since a state, and wears both bodies by it.
