@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::net::TcpStream;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 use tempfile::TempDir;
@@ -144,7 +144,12 @@ impl Page {
         self.tell("Emulation.setScriptExecutionDisabled", json!({ "value": plain }));
         if plain {
             self.tell("Page.navigate", json!({ "url": format!("file://{}", file.display()) }));
-            std::thread::sleep(Duration::from_millis(500));
+            // Nothing on the page can wait for its end.
+            let start = Instant::now();
+            while self.value("document.readyState") != "complete" {
+                assert!(start.elapsed() < PATIENCE, "{} does not load", file.display());
+                std::thread::sleep(Duration::from_millis(30));
+            }
         }
     }
 
