@@ -83,10 +83,11 @@ fn coarse_bars_are_told_from_right_ones() {
 
 #[test]
 fn tubes_bend_as_finite_elements_do() {
-    let [(five, bore, expected), ..] = TUBES;
+    let [(five, bore, expected), short @ ..] = TUBES;
+    // Without divisions the longest tube has as many elements as the others together; long bars are solved so.
     let coarse =
         ["divisions = 2", "divisions = 4"].map(|divisions| (five, bore, expected, divisions));
-    let default = TUBES.map(|(length, bore, expected)| (length, bore, expected, ""));
+    let default = short.map(|(length, bore, expected)| (length, bore, expected, ""));
     for (length, bore, expected, divisions) in default.into_iter().chain(coarse) {
         let (body, deformed) = solved(&format!(
             r#"
@@ -172,7 +173,7 @@ fn a_cantilever_under_a_ball_bends_alike_on_all_meshes() {
             profile.sphere = { radius = "20 mm" }
             [body.beam]
             material = { young = "210 GPa", poisson = 0.3 }
-            mesh.box = { size = ["20 mm", "4 mm", "2 mm"], contact = { size = ["1 mm", "1 mm"], elements = [8, 8] } }
+            mesh.box = { size = ["20 mm", "4 mm", "2 mm"], contact = { size = ["1 mm", "1 mm"], elements = [6, 6] } }
             supports = { left = "clamped" }
             symmetry = ["y"]
             [motion.indentation]
