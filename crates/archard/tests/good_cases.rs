@@ -92,6 +92,29 @@ fn cones_read_back_to_the_same_bits() {
     ]));
 }
 
+/// The size of elements is enough: the frame lies around the contact. Where its size is given too, no element is larger.
+#[test]
+fn elements_are_told_by_their_size() {
+    let none = ["frame.size=", "frame.elements="];
+    let with = |more: &[&str]| with(&[&none[..], more].concat()).frame;
+    let one = with(&["frame.element=20 um"]);
+    assert!(one.size[0] > 0.9e-3, "{one:?}");
+    assert!(one.spacing().iter().all(|&size| size <= 20e-6 && size > 19e-6), "{one:?}");
+    let two =
+        with(&["frame.element=[\"20 um\", \"40 um\"]", "frame.size=[\"1.2 mm\", \"1.2 mm\"]"]);
+    assert_eq!((two.size, two.elements), ([1.2e-3; 2], [60, 30]));
+    let odd = with(&["frame.element=\"35 um\"", "frame.size=[\"1.2 mm\", \"1.2 mm\"]"]);
+    assert_eq!(odd.elements, [35, 35]);
+    let line = [
+        "frame.element=2 um",
+        "frame.plane_strain=true",
+        "body.pin.profile={cylinder={radius=\"50 mm\",axis=\"y\"}}",
+        "motion.sliding.load=100 N/mm",
+    ];
+    let line = with(&line);
+    assert!(line.line && line.size[0] > 0.0 && line.spacing()[0] <= 2e-6, "{line:?}");
+}
+
 #[test]
 fn the_pin_on_disc_in_si() {
     let case = case(PIN_ON_DISC);

@@ -106,6 +106,9 @@ pub struct FiniteCase {
     pub elasticity: Elasticity,
 }
 
+/// Numbers of elements are whole to this, relative.
+const ROUNDING: f64 = 1e-9;
+
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameCase {
@@ -115,6 +118,8 @@ pub struct FrameCase {
     pub size: [f64; 2],
     /// Number of elements along x and y.
     pub elements: [usize; 2],
+    /// Size (m) that elements are to have along x and y, until their number is chosen by it; zero where nobody asks for one.
+    pub(crate) element: [f64; 2],
     /// Whether it is a line of contact along y in plane strain.
     pub line: bool,
     /// Whether the surfaces repeat themselves with it.
@@ -176,10 +181,20 @@ impl Output {
 }
 
 impl FrameCase {
+    /// As many elements as cover it, none larger than the size that is asked for; an even number where it repeats itself.
+    pub(super) fn count(&mut self) {
+        for axis in 0..if self.line { 1 } else { 2 } {
+            let count = (1.0 - ROUNDING) * self.size[axis] / self.element[axis];
+            let whole = if self.periodic { 2.0 * (0.5 * count).ceil() } else { count.ceil() };
+            self.elements[axis] = whole as usize;
+        }
+        self.element = [0.0; 2];
+    }
+
     /// One whose size and elements follow from an accuracy.
     pub(super) fn to_be_chosen() -> Self {
         let (centre, size, elements) = ([0.0; 2], [0.0; 2], [0; 2]);
-        Self { centre, size, elements, line: false, periodic: false }
+        Self { centre, size, elements, element: [0.0; 2], line: false, periodic: false }
     }
 
     /// What it covers.

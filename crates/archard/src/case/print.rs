@@ -44,7 +44,7 @@ impl Display for Case {
             writeln!(f)?;
         }
         if !self.is_meshed() {
-            let FrameCase { centre, size, elements, line, periodic } = self.frame;
+            let FrameCase { centre, size, elements, line, periodic, .. } = self.frame;
             if periodic {
                 writeln!(f, "frame.periodic = true")?;
             }

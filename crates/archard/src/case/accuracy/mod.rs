@@ -125,11 +125,19 @@ pub(super) fn imply(table: &mut Table) -> bool {
 
 /// The case with a frame where it has none, or has no size or no elements; its tolerance may be chosen already.
 pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), Problem> {
-    let Some(accuracy) = case.accuracy else { return Ok((case, Chose::default())) };
+    let Some(accuracy) = case.accuracy else {
+        if case.frame.size[0] == 0.0 {
+            let chose = Chose { size: true, ..Chose::default() };
+            let Frame { frame, found, .. } = chosen(&case, COARSEST, chose)?;
+            case.frame = frame;
+            return Ok((case, Chose { place: found, ..chose }));
+        }
+        return Ok((case, Chose::default()));
+    };
     let chose = Chose {
         size: case.frame.size[0] == 0.0,
         place: false,
-        elements: case.frame.elements[0] == 0,
+        elements: case.frame.elements[0] == 0 && case.frame.element[0] == 0.0,
         increments: increments::choose(&mut case, |parts| across(accuracy, parts)),
         tolerance,
     };
@@ -203,7 +211,11 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
         }
     };
     let across = across(accuracy, &parts);
+    let asked = frame.element;
     let element = [0, 1].map(|axis| {
+        if asked[axis] > 0.0 {
+            return asked[axis];
+        }
         let unworn = unworn.map_or(f64::INFINITY, |contact| contact.semi_axes[axis]);
         2.0 * (first[axis] / across).min(unworn / UNWORN)
     });
@@ -218,6 +230,9 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
         if chose.elements {
             frame.elements[axis] = counted(frame.size[axis] / element[axis], odd);
         }
+    }
+    if asked[0] > 0.0 {
+        frame.count();
     }
     if frame.line {
         frame.elements[1] = 1;

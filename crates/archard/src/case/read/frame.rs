@@ -55,11 +55,21 @@ impl Reader<'_> {
         self.unknown(
             section,
             "key",
-            &["centre", "size", "elements", "doubles", "plane_strain", "length", "periodic"],
+            &[
+                "centre",
+                "size",
+                "elements",
+                "element",
+                "doubles",
+                "plane_strain",
+                "length",
+                "periodic",
+            ],
         );
         let periodic = self.boolean(section, "periodic")?.unwrap_or(false);
-        let chosen = chosen && !periodic;
-        let says = ["centre", "size", "elements", "plane_strain", "length"]
+        let element = self.element(section)?;
+        let chosen = (chosen || element.is_some()) && !periodic;
+        let says = ["centre", "size", "elements", "element", "plane_strain", "length"]
             .into_iter()
             .any(|name| section.get(name).is_some());
         let frame = match (measured.filter(|_| !chosen && !says), self.line_of_contact(section)?) {
@@ -67,7 +77,15 @@ impl Reader<'_> {
             (None, Some(length)) => self.line(section, length, chosen),
             (None, None) => self.rectangle(section, chosen),
         };
-        let frame = FrameCase { periodic, ..frame? };
+        let mut frame = FrameCase { periodic, ..frame? };
+        if let Some(element) = element {
+            frame.element = element;
+            if frame.size[0] > 0.0 {
+                frame.count();
+            }
+            let counted = frame.elements[0] == 0 || self.not_too_many(section, frame.elements);
+            counted.then_some(())?;
+        }
         if periodic {
             self.cell = Some(frame.size[0] * frame.size[1]);
             let along = if frame.line { 1 } else { 2 };
@@ -78,6 +96,27 @@ impl Reader<'_> {
             }
         }
         Some(frame)
+    }
+
+    /// How large elements are to be along x and y (m), `Some(None)` where nobody says; `None` if that is wrong.
+    fn element(&mut self, section: &Section<'_>) -> Option<Option<[f64; 2]>> {
+        let Some((key, entry)) = section.get("element") else { return Some(None) };
+        if section.get("elements").is_some() {
+            let message =
+                "says how large elements are, and `elements` how many there are: give one of both";
+            self.push(Problem::error(key, message).at_name());
+            return None;
+        }
+        let element = match &entry.node.item {
+            Item::Array(_) => self.pair(
+                section,
+                "element",
+                "the size of an element, `\"5 um\"`, or that along x and y",
+                |reader, key, node| reader.number(key, node, Quantity::Length),
+            )?,
+            _ => [self.number(key, &entry.node, Quantity::Length)?; 2],
+        };
+        Some(Some(element))
     }
 
     /// That of an area.
@@ -102,7 +141,7 @@ impl Reader<'_> {
             ),
         };
         let elements = match section.get("elements") {
-            None if chosen => Some(none.elements),
+            None if chosen || section.get("element").is_some() => Some(none.elements),
             _ => self.pair(
                 section,
                 "elements",
@@ -188,7 +227,7 @@ impl Reader<'_> {
             ),
         };
         let elements = match section.get("elements") {
-            None if chosen => Some(0),
+            None if chosen || section.get("element").is_some() => Some(0),
             _ => self.along_x(
                 section,
                 "elements",
@@ -199,7 +238,8 @@ impl Reader<'_> {
         };
         let elements = elements.filter(|&elements| self.not_too_many(section, [elements, 1]));
         let (centre, size, elements) = ([centre?, 0.0], [size?, length], [elements?, 1]);
-        Some(FrameCase { centre, size, elements, line: true, periodic: false })
+        let none = FrameCase::to_be_chosen();
+        Some(FrameCase { centre, size, elements, line: true, ..none })
     }
 
     /// A value along x, by itself or in a list.

@@ -52,7 +52,7 @@ impl Reader<'_> {
             (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),
             (None, _) if measured.is_some() => measured,
             _ => {
-                let meaning = "the potential contact zone, with its `size` and `elements`";
+                let meaning = "how fine the contact is computed: the size of an element, `frame.element = \"10 um\"`, or `accuracy = 0.05` in its place";
                 self.table(root, "frame", meaning).and_then(|section| {
                     self.frame(&section, root.get("accuracy").is_some(), measured)
                 })
