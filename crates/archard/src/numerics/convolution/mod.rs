@@ -26,6 +26,8 @@ use spectrum::half_transform;
 
 /// Columns transformed together.
 const BLOCK: usize = 8;
+/// Rows that one thread transforms after the other.
+const ROWS: usize = 8;
 
 /// Plans and work space for convolutions on one grid.
 pub struct Convolution {
@@ -37,15 +39,9 @@ pub struct Convolution {
     row_inverse: Arc<dyn ComplexToReal<f64>>,
     column_forward: Arc<dyn Fft<f64>>,
     column_inverse: Arc<dyn Fft<f64>>,
-    /// Work space of an application, kept between applications, maybe those of several convolutions.
-    spare: Arc<Mutex<Option<Workspace>>>,
-}
-
-/// Spectra along x of every row: of the field by rows, of the result by blocks of columns.
-#[derive(Default)]
-struct Workspace {
-    rows: Vec<Complex64>,
-    blocks: Vec<Complex64>,
+    /// Work space of an application, kept between applications, maybe those of several convolutions: spectra along x of
+    /// every row, by blocks of columns, in each block component after component.
+    spare: Arc<Mutex<Vec<Complex64>>>,
 }
 
 impl fmt::Debug for Convolution {
@@ -124,7 +120,11 @@ impl Convolution {
     /// The spectrum that multiplies waves by a number, or, where it is odd along one axis only, by i times that number:
     /// a function of how many of them fit into the period along x and y. What is odd along an axis vanishes where the
     /// field or its shortest wave repeats itself from point to point.
-    pub fn transfer(&self, parity: [Parity; 2], factor: impl Fn([usize; 2]) -> f64) -> Spectrum {
+    pub fn transfer(
+        &self,
+        parity: [Parity; 2],
+        factor: impl Fn([usize; 2]) -> f64 + Sync,
+    ) -> Spectrum {
         let height = self.period[1] / 2 + 1;
         let scale = 1.0 / (self.period[0] * self.period[1]) as f64;
         let value = |index: usize| {
@@ -134,7 +134,8 @@ impl Convolution {
             };
             if vanishes(0) || vanishes(1) { 0.0 } else { scale * factor(waves) }
         };
-        Spectrum { factors: (0..self.columns() * height).map(value).collect(), parity }
+        let factors = (0..self.columns() * height).into_par_iter().map(value).collect();
+        Spectrum { factors, parity }
     }
 
     /// Convolves one field with one kernel, into `result`.
@@ -193,13 +194,11 @@ impl Convolution {
         multiply: impl Fn(usize, &mut [Complex64]) + Sync,
     ) {
         let mut space = self.take_space(N);
-        let rows_length = self.columns() * self.size[1];
-        let rows = &mut space.rows[..N * rows_length];
-        for (field, rows) in fields.iter().zip(rows.chunks_mut(rows_length)) {
-            self.transform_rows(field, rows);
+        let blocks = &mut space[..self.blocks_length(N)];
+        for (component, field) in fields.into_iter().enumerate() {
+            self.transform_rows(field, [component, N], blocks);
         }
-        let blocks = &mut space.blocks[..self.blocks_length(N)];
-        self.transform_columns(rows, N, blocks, multiply);
+        self.transform_columns(N, blocks, multiply);
         for (component, result) in results.into_iter().enumerate() {
             self.collect_rows(blocks, [component, N], result);
         }
@@ -214,44 +213,67 @@ impl Convolution {
         components * self.columns().div_ceil(BLOCK) * self.block_length()
     }
 
-    fn take_space(&self, components: usize) -> Workspace {
+    fn take_space(&self, components: usize) -> Vec<Complex64> {
         let mut space =
-            self.spare.lock().unwrap_or_else(PoisonError::into_inner).take().unwrap_or_default();
-        grow(&mut space.rows, components * self.columns() * self.size[1]);
-        grow(&mut space.blocks, self.blocks_length(components));
+            std::mem::take(&mut *self.spare.lock().unwrap_or_else(PoisonError::into_inner));
+        grow(&mut space, self.blocks_length(components));
         space
     }
 
-    fn give_back(&self, space: Workspace) {
-        *self.spare.lock().unwrap_or_else(PoisonError::into_inner) = Some(space);
+    fn give_back(&self, space: Vec<Complex64>) {
+        *self.spare.lock().unwrap_or_else(PoisonError::into_inner) = space;
     }
 
-    /// Transforms the rows of a field; rows of zeros cost nothing.
-    fn transform_rows(&self, field: &[f64], rows: &mut [Complex64]) {
+    /// Transforms the rows of a field, one of several components; rows of zeros cost nothing.
+    fn transform_rows(
+        &self,
+        field: &[f64],
+        [component, components]: [usize; 2],
+        blocks: &mut [Complex64],
+    ) {
         let nx = self.size[0];
+        let block_length = self.block_length();
         let plan = &self.row_forward;
-        let lengths = [self.period[0], 0, plan.get_scratch_len()];
-        rows.par_chunks_mut(self.columns()).zip(field.par_chunks(nx)).for_each(
-            |(spectrum, row)| {
-                if row.iter().all(|&value| value == 0.0) {
-                    return spectrum.fill(Complex64::default());
-                }
-                Buffers::lend(lengths, |padded, _, scratch| {
+        let columns = self.columns();
+        let lengths = [self.period[0], ROWS * columns, plan.get_scratch_len()];
+        // Some rows of every block.
+        let mut stripes: Vec<Vec<&mut [Complex64]>> = vec![];
+        stripes.resize_with(self.size[1].div_ceil(ROWS), Vec::new);
+        for block in blocks.chunks_mut(components * block_length) {
+            let own = &mut block[component * block_length..][..block_length];
+            let parts = own.chunks_mut(ROWS * BLOCK);
+            stripes.iter_mut().zip(parts).for_each(|(stripe, part)| stripe.push(part));
+        }
+        stripes.par_iter_mut().zip(field.par_chunks(ROWS * nx)).for_each(|(stripe, rows)| {
+            Buffers::lend(lengths, |padded, spectra, scratch| {
+                for (spectrum, row) in spectra.chunks_mut(columns).zip(rows.chunks(nx)) {
+                    if row.iter().all(|&value| value == 0.0) {
+                        spectrum.fill(Complex64::default());
+                        continue;
+                    }
                     padded[..nx].copy_from_slice(row);
                     padded[nx..].fill(0.0);
                     plan.process_with_scratch(padded, spectrum, scratch)
                         .expect("buffers of the planned length");
-                });
-            },
-        );
+                }
+                for (block, part) in stripe.iter_mut().enumerate() {
+                    let rows = part.as_chunks_mut::<BLOCK>().0.iter_mut();
+                    for (to, spectrum) in rows.zip(spectra.chunks(columns)) {
+                        let from = &spectrum[block * BLOCK..];
+                        match from.first_chunk::<BLOCK>() {
+                            Some(from) => *to = *from,
+                            None => to[..from.len()].copy_from_slice(from),
+                        }
+                    }
+                }
+            });
+        });
     }
 
-    /// Transforms blocks of columns, lets `multiply` change them, transforms them back and keeps the
-    /// rows of the field. The spectra handed to `multiply` hold the components' columns one after
-    /// the other.
+    /// Transforms blocks of columns, lets `multiply` change them and transforms the rows of the field back. The spectra
+    /// handed to `multiply` hold the components' columns one after the other.
     fn transform_columns(
         &self,
-        rows: &[Complex64],
         components: usize,
         blocks: &mut [Complex64],
         multiply: impl Fn(usize, &mut [Complex64]) + Sync,
@@ -261,39 +283,45 @@ impl Convolution {
         let (forward, inverse) = (&self.column_forward, &self.column_inverse);
         let scratch_length =
             forward.get_inplace_scratch_len().max(inverse.get_inplace_scratch_len());
-        let transform_block = |block: usize,
-                               out: &mut [Complex64],
+        let transform_block = |first: usize,
+                               block: &mut [Complex64],
                                spectra: &mut [Complex64],
                                scratch: &mut [Complex64]| {
-            let first = block * BLOCK;
             let width = BLOCK.min(columns - first);
             let spectra = &mut spectra[..width * components * my];
-            for (lane, column) in spectra.chunks_mut(my).enumerate() {
-                let (place, component) = (lane / components, lane % components);
-                let from = rows[first + place + columns * ny * component..].iter().step_by(columns);
-                let (field, padding) = column.split_at_mut(ny);
-                field.iter_mut().zip(from).for_each(|(to, from)| *to = *from);
-                padding.fill(Complex64::default());
+            for (component, own) in block.chunks(block_length).enumerate() {
+                for (row, values) in own.chunks(ROWS * BLOCK).enumerate() {
+                    for place in 0..width {
+                        let column = &mut spectra[(place * components + component) * my..];
+                        let column = &mut column[row * ROWS..][..values.len() / BLOCK];
+                        for (to, from) in column.iter_mut().zip(values.as_chunks::<BLOCK>().0) {
+                            *to = from[place];
+                        }
+                    }
+                }
             }
+            spectra.chunks_mut(my).for_each(|column| column[ny..].fill(Complex64::default()));
             forward.process_with_scratch(spectra, scratch);
             for (column, spectra) in spectra.chunks_mut(components * my).enumerate() {
                 multiply(first + column, spectra);
             }
             inverse.process_with_scratch(spectra, scratch);
-            for (lane, column) in spectra.chunks(my).enumerate() {
-                let (place, component) = (lane / components, lane % components);
-                let to = &mut out[component * block_length..][..block_length];
-                to[place..]
-                    .iter_mut()
-                    .step_by(BLOCK)
-                    .zip(column)
-                    .for_each(|(to, from)| *to = *from);
+            for (component, own) in block.chunks_mut(block_length).enumerate() {
+                for (row, values) in own.chunks_mut(ROWS * BLOCK).enumerate() {
+                    for place in 0..width {
+                        let column = &spectra[(place * components + component) * my..];
+                        let column = &column[row * ROWS..];
+                        for (to, from) in values.as_chunks_mut::<BLOCK>().0.iter_mut().zip(column) {
+                            to[place] = *from;
+                        }
+                    }
+                }
             }
         };
         let lengths = [0, BLOCK * components * my, scratch_length];
-        blocks.par_chunks_mut(components * block_length).enumerate().for_each(|(block, out)| {
+        blocks.par_chunks_mut(components * block_length).enumerate().for_each(|(index, block)| {
             Buffers::lend(lengths, |_, spectra, scratch| {
-                transform_block(block, out, spectra, scratch)
+                transform_block(index * BLOCK, block, spectra, scratch)
             });
         });
     }
@@ -307,25 +335,30 @@ impl Convolution {
     ) {
         let nx = self.size[0];
         let (columns, block_length) = (self.columns(), self.block_length());
-        let place = |block: usize| (block * components + component) * block_length;
         let plan = &self.row_inverse;
-        let lengths = [self.period[0], columns, plan.get_scratch_len()];
-        result.par_chunks_mut(nx).enumerate().for_each(|(row, out)| {
-            Buffers::lend(lengths, |values, spectrum, scratch| {
-                let (whole, rest) = spectrum.as_chunks_mut::<BLOCK>();
-                let row_of = |block: usize| &blocks[place(block) + row * BLOCK..][..BLOCK];
-                for (block, part) in whole.iter_mut().enumerate() {
-                    part.copy_from_slice(row_of(block));
+        let lengths = [self.period[0], ROWS * columns, plan.get_scratch_len()];
+        let own = |block: usize| &blocks[(block * components + component) * block_length..];
+        result.par_chunks_mut(ROWS * nx).enumerate().for_each(|(stripe, out)| {
+            Buffers::lend(lengths, |values, spectra, scratch| {
+                for block in 0..columns.div_ceil(BLOCK) {
+                    let rows = own(block)[stripe * ROWS * BLOCK..].as_chunks::<BLOCK>().0;
+                    let rows = rows.iter().take(out.len() / nx);
+                    for (from, spectrum) in rows.zip(spectra.chunks_mut(columns)) {
+                        let to = &mut spectrum[block * BLOCK..];
+                        match to.first_chunk_mut::<BLOCK>() {
+                            Some(to) => *to = *from,
+                            None => to.copy_from_slice(&from[..to.len()]),
+                        }
+                    }
                 }
-                if !rest.is_empty() {
-                    rest.copy_from_slice(&row_of(whole.len())[..rest.len()]);
+                for (spectrum, out) in spectra.chunks_mut(columns).zip(out.chunks_mut(nx)) {
+                    // Real by symmetry, up to rounding that the plan would refuse.
+                    spectrum[0].im = 0.0;
+                    spectrum[columns - 1].im = 0.0;
+                    plan.process_with_scratch(spectrum, values, scratch)
+                        .expect("buffers of the planned length");
+                    out.copy_from_slice(&values[..nx]);
                 }
-                // Real by symmetry, up to rounding that the plan would refuse.
-                spectrum[0].im = 0.0;
-                spectrum[columns - 1].im = 0.0;
-                plan.process_with_scratch(spectrum, values, scratch)
-                    .expect("buffers of the planned length");
-                out.copy_from_slice(&values[..nx]);
             });
         });
     }
