@@ -102,6 +102,12 @@ pub trait Compliance: Debug + Send + Sync {
         None
     }
 
+    /// The same bodies under elements of twice the size, the first of which begins where these do, one more along an axis
+    /// with an odd number of them; `None` where that is not possible.
+    fn coarser(&self) -> Option<&dyn Compliance> {
+        None
+    }
+
     /// Where it has parts: the least normal displacement (m) that a unit pressure (Pa) on a pair makes of pairs of a
     /// uniform frame that are at most so many elements away along x and y; on pairs that bear no pressure themselves.
     fn least_displacement(&self, _away: [usize; 2]) -> f64 {

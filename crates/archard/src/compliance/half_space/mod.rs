@@ -171,7 +171,7 @@ impl HalfSpace {
     }
 
     /// The same half-spaces under elements of twice the size, one more where their number is odd.
-    fn coarser(&self) -> &HalfSpace {
+    fn on_coarser(&self) -> &HalfSpace {
         self.coarser.get_or_init(|| Box::new(self.beside(self.influence.coarser())))
     }
 
@@ -255,6 +255,10 @@ impl Compliance for HalfSpace {
 
     fn on(&self, elements: [usize; 2]) -> Option<Arc<dyn Compliance>> {
         self.influence.reaches(elements).then(|| self.part(elements) as Arc<dyn Compliance>)
+    }
+
+    fn coarser(&self) -> Option<&dyn Compliance> {
+        Some(self.on_coarser())
     }
 
     fn least_displacement(&self, away: [usize; 2]) -> f64 {

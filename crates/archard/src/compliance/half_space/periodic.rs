@@ -11,6 +11,7 @@
 //! end, squeezes and shears a plate of the body's depth.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use super::stack::{Scalars, Stack, half_space};
 use crate::body::{Layer, Material};
@@ -19,16 +20,24 @@ use crate::frame::{ContactFrame, VectorField};
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 /// The sum of the compliances of two bodies whose surfaces repeat themselves with the frame.
+///
+/// Spectra are made when first needed, but for that of the pressures.
 #[derive(Debug)]
 pub struct Periodic {
+    bodies: [One; 2],
+    /// Length of the frame along x and y (m).
+    size: [f64; 2],
+    elements: [usize; 2],
     convolution: Convolution,
     normal: Spectrum,
     /// xx, xy and yy.
-    tangential: [Spectrum; 3],
+    tangential: OnceLock<[Spectrum; 3]>,
     /// xn and yn.
-    coupling: [Spectrum; 2],
+    coupling: OnceLock<[Spectrum; 2]>,
     couples: bool,
     own: f64,
+    /// The same bodies under elements of twice the size.
+    coarser: OnceLock<Box<Periodic>>,
 }
 
 impl Periodic {
@@ -43,64 +52,106 @@ impl Periodic {
         frame: &ContactFrame,
     ) -> Self {
         let bodies = [0, 1].map(|body| One {
-            layers: layers[body],
-            base: materials[body],
+            layers: layers[body].to_vec(),
+            base: materials[body].copied(),
             depth: depths[body],
         });
-        let convolution = Convolution::wrapping(frame.elements());
-        let size = frame.size();
-        // Wave numbers along x and y, and of the wave.
-        let wave = |waves: [usize; 2]| {
-            let [x, y] = [0, 1].map(|axis| 2.0 * PI * waves[axis] as f64 / size[axis]);
-            [x, y, x.hypot(y)]
-        };
-        // Both bodies together; what couples has the sign of the first.
-        let scalars = |k: f64| -> Scalars {
-            let [one, other] = bodies.each_ref().map(|body| body.compliance(k));
-            [0, 1, 2, 3].map(|i| one[i] + if i == 1 { -other[i] } else { other[i] })
-        };
-        let spectrum = |parity, factor: fn([f64; 2], Scalars) -> f64| {
-            convolution.transfer(parity, |waves| {
-                let [x, y, k] = wave(waves);
-                let direction = if k > 0.0 { [x / k, y / k] } else { [1.0, 0.0] };
-                factor(direction, scalars(k))
-            })
-        };
-        use Parity::{Even, Odd};
-        let normal = spectrum([Even; 2], |_, [_, _, normal, _]| normal);
-        let tangential = [
-            spectrum([Even; 2], |[c, s], [along, _, _, across]| c * c * along + s * s * across),
-            spectrum([Odd; 2], |[c, s], [along, _, _, across]| c * s * (along - across)),
-            spectrum([Even; 2], |[c, s], [along, _, _, across]| s * s * along + c * c * across),
-        ];
-        let coupling = [
-            spectrum([Odd, Even], |[c, _], [_, coupling, ..]| -c * coupling),
-            spectrum([Even, Odd], |[_, s], [_, coupling, ..]| -s * coupling),
-        ];
-        let shortest = scalars(PI / frame.spacing()[0]);
+        Self::on(bodies, frame.size(), frame.elements())
+    }
+
+    fn on(bodies: [One; 2], size: [f64; 2], elements: [usize; 2]) -> Self {
+        let convolution = Convolution::wrapping(elements);
+        let normal =
+            spectrum(&convolution, &bodies, size, [Parity::Even; 2], |_, [_, _, nn, _]| nn);
+        let shortest = both(&bodies, PI * elements[0] as f64 / size[0]);
         let couples = shortest[1].abs() > ROUNDING * shortest[2];
-        let mut own = vec![0.0; frame.len()];
+        let mut own = vec![0.0; elements[0] * elements[1]];
         let mut pressed = own.clone();
         pressed[0] = 1.0;
         convolution.apply(&normal, &pressed, &mut own);
-        Self { convolution, normal, tangential, coupling, couples, own: own[0] }
+        Self {
+            bodies,
+            size,
+            elements,
+            convolution,
+            normal,
+            tangential: OnceLock::new(),
+            coupling: OnceLock::new(),
+            couples,
+            own: own[0],
+            coarser: OnceLock::new(),
+        }
     }
+
+    fn spectrum(&self, parity: [Parity; 2], factor: fn([f64; 2], Scalars) -> f64) -> Spectrum {
+        spectrum(&self.convolution, &self.bodies, self.size, parity, factor)
+    }
+
+    /// xx, xy and yy.
+    fn tangential(&self) -> &[Spectrum; 3] {
+        use Parity::{Even, Odd};
+        self.tangential.get_or_init(|| {
+            [
+                self.spectrum([Even; 2], |[c, s], [along, .., across]| {
+                    c * c * along + s * s * across
+                }),
+                self.spectrum([Odd; 2], |[c, s], [along, .., across]| c * s * (along - across)),
+                self.spectrum([Even; 2], |[c, s], [along, .., across]| {
+                    s * s * along + c * c * across
+                }),
+            ]
+        })
+    }
+
+    /// xn and yn.
+    fn coupling(&self) -> &[Spectrum; 2] {
+        use Parity::{Even, Odd};
+        self.coupling.get_or_init(|| {
+            [
+                self.spectrum([Odd, Even], |[c, _], [_, coupling, ..]| -c * coupling),
+                self.spectrum([Even, Odd], |[_, s], [_, coupling, ..]| -s * coupling),
+            ]
+        })
+    }
+}
+
+/// The compliance (m/Pa) of both bodies together for a wave number (1/m); what couples has the sign of the first.
+fn both(bodies: &[One; 2], k: f64) -> Scalars {
+    let [one, other] = bodies.each_ref().map(|body| body.compliance(k));
+    [0, 1, 2, 3].map(|i| one[i] + if i == 1 { -other[i] } else { other[i] })
+}
+
+/// What waves along a direction (cosine and sine) are multiplied by, on a frame of that size (m).
+fn spectrum(
+    convolution: &Convolution,
+    bodies: &[One; 2],
+    size: [f64; 2],
+    parity: [Parity; 2],
+    factor: fn([f64; 2], Scalars) -> f64,
+) -> Spectrum {
+    convolution.transfer(parity, |waves| {
+        let [x, y] = [0, 1].map(|axis| 2.0 * PI * waves[axis] as f64 / size[axis]);
+        let k = x.hypot(y);
+        let direction = if k > 0.0 { [x / k, y / k] } else { [1.0, 0.0] };
+        factor(direction, both(bodies, k))
+    })
 }
 
 /// What couples bodies of one elasticity, relative to their normal compliance.
 const ROUNDING: f64 = 1e-14;
 
 /// One of the bodies.
-struct One<'a> {
-    layers: &'a [Layer],
-    base: Option<&'a Material>,
+#[derive(Debug, Clone)]
+struct One {
+    layers: Vec<Layer>,
+    base: Option<Material>,
     depth: f64,
 }
 
-impl One<'_> {
+impl One {
     /// Its compliance (m/Pa) for a wave number (1/m).
     fn compliance(&self, k: f64) -> Scalars {
-        let Self { layers, base, .. } = *self;
+        let (layers, base) = (&self.layers[..], self.base.as_ref());
         match (layers, base) {
             _ if k == 0.0 => self.mean(),
             ([], None) => [0.0; 4],
@@ -113,7 +164,7 @@ impl One<'_> {
     fn mean(&self) -> Scalars {
         let coated: f64 = self.layers.iter().map(|layer| layer.thickness).sum();
         let layers = self.layers.iter().map(|layer| (&layer.material, layer.thickness));
-        let below = self.base.map(|base| (base, (self.depth - coated).max(0.0)));
+        let below = self.base.as_ref().map(|base| (base, (self.depth - coated).max(0.0)));
         let plates = layers.chain(below).map(|(material, thickness)| {
             let sheared = thickness / material.shear_modulus();
             let poisson = material.poisson;
@@ -127,8 +178,8 @@ impl One<'_> {
 
 impl Compliance for Periodic {
     fn apply(&self, tractions: &VectorField) -> VectorField {
-        let [xx, xy, yy] = &self.tangential;
-        let [xn, yn] = &self.coupling;
+        let [xx, xy, yy] = self.tangential();
+        let [xn, yn] = self.coupling();
         let kernels = [
             [(xx, 1.0), (xy, 1.0), (xn, 1.0)],
             [(xy, 1.0), (yy, 1.0), (yn, 1.0)],
@@ -157,6 +208,18 @@ impl Compliance for Periodic {
         // A spectrum carries the factor 1/points of one convolution; its inverse has to carry it too.
         let inverse = self.normal.map(|value| 1.0 / (value * points + addition) / points);
         Box::new(Inverse { convolution: &self.convolution, inverse })
+    }
+
+    fn coarser(&self) -> Option<&dyn Compliance> {
+        // Of both, an even number of elements along each axis.
+        let halves = self.elements.iter().all(|elements| elements.is_multiple_of(4));
+        halves.then(|| {
+            let coarser = || {
+                let bodies = self.bodies.clone();
+                Box::new(Self::on(bodies, self.size, self.elements.map(|elements| elements / 2)))
+            };
+            &**self.coarser.get_or_init(coarser) as &dyn Compliance
+        })
     }
 }
 

@@ -83,7 +83,7 @@ impl SlipMap for Rolling<'_> {
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {
-        let coarser = self.half_space.coarser();
+        let coarser = self.half_space.on_coarser();
         let elements = coarser.influence.elements();
         // Passing an element of twice the size takes twice the slip.
         let map = Box::new(Rolling::new(coarser, self.direction));

@@ -44,7 +44,7 @@ impl SlipMap for Shifting<'_> {
     }
 
     fn coarser(&self) -> Option<Coarser<'_>> {
-        let coarser = self.half_space.coarser();
+        let coarser = self.half_space.on_coarser();
         let elements = coarser.influence.elements();
         Some(Coarser { map: Box::new(Shifting::new(coarser)), elements, slip: 1.0 })
     }
