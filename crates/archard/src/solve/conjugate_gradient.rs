@@ -106,13 +106,12 @@ struct Iteration<'a> {
     /// What the preconditioner makes of the gap that an approach of one closes, on the contact, and the load of it.
     uniform: Vec<f64>,
     uniform_load: f64,
-    /// What the preconditioner makes of the overlap.
-    correction: Vec<f64>,
     /// Product of the correction with the overlap at the last iteration on this set; zero at its first.
     last_product: f64,
-    /// Search direction (Pa) and the displacement the compliance makes of it (m).
+    /// Search direction (Pa).
     direction: Vec<f64>,
-    response: Vec<f64>,
+    /// What the preconditioner makes of the overlap (Pa), then the displacement the compliance makes of the direction (m).
+    image: Vec<f64>,
     count: usize,
     applications: usize,
 }
@@ -141,10 +140,9 @@ impl<'a> Iteration<'a> {
             contact: zeros(),
             uniform: zeros(),
             uniform_load: 0.0,
-            correction: zeros(),
             last_product: 0.0,
             direction: zeros(),
-            response: zeros(),
+            image: zeros(),
             count: 0,
             applications: 0,
         };
@@ -300,10 +298,10 @@ impl<'a> Iteration<'a> {
         self.count += 1;
         self.turn();
         self.applications += 1;
-        self.step.compliance.apply_normal(&self.direction, &mut self.response);
+        self.step.compliance.apply_normal(&self.direction, &mut self.image);
         let [slope, curvature] = sum_with(
             [self.step.measure.weight],
-            [&self.direction, &self.response, &self.overlap, self.step.addition],
+            [&self.direction, &self.image, &self.overlap, self.step.addition],
             |[weight], [direction, response, overlap, addition]| {
                 let curvature = direction * (response + addition * direction);
                 [weight * (-overlap * direction), weight * curvature]
@@ -313,7 +311,7 @@ impl<'a> Iteration<'a> {
         let length = if curvature > 0.0 { slope / curvature } else { 0.0 };
         let [] = sweep(
             [&mut self.pressure, &mut self.displacement],
-            [&self.direction, &self.response],
+            [&self.direction, &self.image],
             |[pressure, displacement], [direction, response]| {
                 ([pressure + length * direction, displacement + length * response], [])
             },
@@ -323,10 +321,10 @@ impl<'a> Iteration<'a> {
     /// Finds the next direction: the preconditioned overlap that leaves the load as it is, conjugate to the direction
     /// before.
     fn turn(&mut self) {
-        self.preconditioner.apply(&self.overlap, &mut self.correction);
+        self.preconditioner.apply(&self.overlap, &mut self.image);
         let [product, load] = sum_with(
             self.beside(),
-            [&self.overlap, &self.correction, &self.contact],
+            [&self.overlap, &self.image, &self.contact],
             |[weight, closing], [overlap, correction, contact]| {
                 [weight * (overlap * correction), weight * closing * contact * correction]
             },
@@ -336,7 +334,7 @@ impl<'a> Iteration<'a> {
         self.last_product = product;
         update(
             &mut self.direction,
-            [&self.correction, &self.uniform, &self.contact],
+            [&self.image, &self.uniform, &self.contact],
             |direction, [correction, uniform, contact]| {
                 conjugation * direction - (contact * correction - shift * uniform)
             },
