@@ -2,6 +2,7 @@
 
 mod common;
 mod framed;
+mod surfaces;
 
 mod verification {
     mod accuracy;

@@ -4,12 +4,13 @@
 //! with the one prescribed, and no number that is not finite passes. Where the contact is on a part of the frame, so is the
 //! solve.
 
+use super::nested::{self, FromCoarser};
 use super::residual::worse;
 use super::{Outcome, Solver, Start, Status, Step, part};
 use crate::compliance::normal_displacement;
 use crate::motion::Control;
 
-/// The pressures of a step, from those of an earlier one where they bear anything.
+/// The pressures of a step, from those of an earlier one where they bear anything, otherwise from those on coarser elements.
 pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
     if step.control == Control::Load(0.0) {
         return apart(step);
@@ -19,6 +20,17 @@ pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> 
         load > 0.0 && load.is_finite() && start.approach.is_finite()
     };
     let start = start.filter(bears);
+    if start.is_some() {
+        return press_from(solver, step, start);
+    }
+    let coarser = nested::solve(step);
+    let outcome = press_from(solver, step, coarser.as_ref().map(FromCoarser::start).filter(bears));
+    let applications = coarser.map_or(0, |coarser| coarser.applications.round() as usize);
+    Outcome { applications: outcome.applications + applications, ..outcome }
+}
+
+/// The same from pressures that bear something, or from nothing.
+fn press_from(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
     let outcome =
         part::solve(solver, step, start).unwrap_or_else(|| on_the_frame(solver, step, start));
     if outcome.status != Status::FrameFull || outcome.part.is_none() {
@@ -30,7 +42,11 @@ pub fn press(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> 
 }
 
 /// The pressures of a step on the whole frame.
-fn on_the_frame(solver: &dyn Solver, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+pub(super) fn on_the_frame(
+    solver: &dyn Solver,
+    step: &Step<'_>,
+    start: Option<Start<'_>>,
+) -> Outcome {
     let computed = start.filter(|start| start.part.is_some());
     let displacement = computed.map(|start| normal_displacement(step.compliance, start.pressure));
     let start = start.map(|start| Start {

@@ -7,14 +7,17 @@
 //! share, forces are sums by areas, and C is symmetric in the product that has the areas for weights:
 //! the [measure](Measure) of the frame says how pairs count.
 //!
-//! [`press`] hands a solver the part of the frame around the contact, where that is much smaller.
+//! [`press`] hands a solver the part of the frame around the contact, where that is much smaller. Without a solution to start
+//! from, it asks coarser elements for one, where a first guess is far off.
 //!
 //! A new solver is one file here and one line in [`SOLVERS`].
 
 mod accept;
+mod blocks;
 mod conjugate_gradient;
 mod contact_set;
 pub mod monolithic;
+mod nested;
 mod part;
 mod residual;
 mod semismooth;

@@ -1,10 +1,14 @@
 //! Contacts of many patches: a wavy and a random surface, far from the convex shapes the rest of the
 //! suite lives on.
 
+use archard::body::profile::Flat;
+use archard::compliance::{Compliance, HalfSpace, Periodic};
+use archard::frame::{ContactFrame, Measure, Part};
 use archard::motion::Control;
-use archard::solve::{SOLVERS, Status, Step};
+use archard::solve::{Outcome, SOLVERS, Start, Status, Step, press};
 
-use crate::common::{Ball, at_rest, solver};
+use crate::common::{Ball, STEEL, at_rest, solver};
+use crate::surfaces::self_affine;
 
 /// Roughness without pattern between -1 and 1, one value a pair.
 fn scattered(pairs: usize) -> Vec<f64> {
@@ -65,5 +69,66 @@ fn solvers_agree_on_a_rough_surface() {
         for (a, b) in outcome.pressure.iter().zip(&outcomes[0].pressure) {
             assert!((a - b).abs() < 1e-6 * scale, "{a:e} and {b:e}");
         }
+    }
+}
+
+/// A self-affine surface of `n` by `n` elements on a flat, rms slope 0.1, pressed by 0.04 of that times E*, alone or
+/// repeating itself: a twelfth or so touches. From pressures all over the frame or from nothing.
+fn self_affine_contact(n: usize, repeats: bool, start: Option<&[f64]>) -> Outcome {
+    let side = 1e-3;
+    let heights = self_affine(n, side / n as f64, 0.1, 1);
+    let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let gap: Vec<f64> = heights.iter().map(|height| highest - height).collect();
+    let frame = ContactFrame::uniform([side; 2], [n; 2], [&Flat, &Flat]).expect("a frame");
+    let bodies = [None, Some(&STEEL)];
+    let compliance: Box<dyn Compliance> = if repeats {
+        Box::new(Periodic::new(bodies, [&[], &[]], [0.0, side], &frame))
+    } else {
+        Box::new(HalfSpace::new(bodies, &frame))
+    };
+    let modulus = STEEL.young / (1.0 - STEEL.poisson * STEEL.poisson);
+    let addition = vec![0.0; gap.len()];
+    let step = Step {
+        compliance: &*compliance,
+        gap: &gap,
+        addition: &addition,
+        elements: [n; 2],
+        measure: Measure { closed: repeats, ..frame.measure() },
+        control: Control::Load(0.04 * 0.1 * modulus * side * side),
+    };
+    let start = start.map(|pressure| Start {
+        pressure,
+        displacement: &[],
+        part: Some(Part::none([n; 2])),
+        approach: 0.0,
+    });
+    let outcome = press(&*solver("conjugate_gradient", 1e-8), &step, start);
+    assert_eq!(outcome.status, Status::Converged);
+    outcome
+}
+
+/// What coarser elements say is a start and no more: the pressures are those that even ones lead to. On a frame that
+/// divides into coarser elements, on one that does not, and on surfaces that repeat themselves.
+#[test]
+fn the_solution_does_not_depend_on_coarser_elements() {
+    for (n, repeats) in [(128, false), (99, false), (128, true)] {
+        let coarse = self_affine_contact(n, repeats, None);
+        let even = self_affine_contact(n, repeats, Some(&vec![1.0; n * n]));
+        let square = |values: &mut dyn Iterator<Item = f64>| values.map(|v| v * v).sum::<f64>();
+        let pairs = coarse.pressure.iter().zip(&even.pressure);
+        let off = square(&mut pairs.map(|(one, other)| one - other));
+        let off = (off / square(&mut even.pressure.iter().copied())).sqrt();
+        // Residuals of 1e-8 times what the condition makes of them.
+        assert!(off < 2e-7, "{n} {repeats}: {off:e}");
+        assert!(coarse.applications < even.applications, "{n} {repeats}");
+    }
+}
+
+/// Counts of this program: from a first guess of Hertz's form, 50 and 46.
+#[test]
+fn rough_contact_takes_few_applications() {
+    for (repeats, most) in [(false, 42), (true, 40)] {
+        let outcome = self_affine_contact(256, repeats, None);
+        assert!(outcome.applications <= most, "{} applications", outcome.applications);
     }
 }

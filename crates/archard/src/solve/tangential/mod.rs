@@ -10,7 +10,6 @@
 //!
 //! A new solver is one file here and one line in [`FRICTION_SOLVERS`].
 
-mod blocks;
 mod contraction;
 mod crop;
 mod linear;

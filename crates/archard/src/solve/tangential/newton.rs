@@ -5,7 +5,6 @@
 //! of projection and contraction come between. Without a solution to start from, the problem is solved
 //! on elements of twice the size first, so that few steps remain on the finest whatever their number.
 
-use super::blocks::Blocks;
 use super::contraction::Contraction;
 use super::linear::Linear;
 use super::pairs::Pairs;
@@ -14,6 +13,7 @@ use crate::compliance::Coarser;
 use crate::frame::Measure;
 use crate::numerics::vector::in_pool;
 use crate::parameters::Choice;
+use crate::solve::blocks::{Blocks, FEWEST};
 use crate::solve::semismooth::{Forcing, shorten};
 use crate::solve::{PARAMETERS, Settings, Status, monolithic};
 
@@ -28,8 +28,8 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
 const SHORTEST: f64 = 0.1;
 /// Steps of projection and contraction that come between.
 const BETWEEN: usize = 5;
-/// Fewest pairs in contact and elements along an axis that are worth coarser ones.
-const COARSEST: (usize, usize) = (150, 12);
+/// Fewest pairs in contact that are worth coarser elements.
+const PAIRS: usize = 150;
 /// Residual that a coarser solution needs to start a finer one.
 const COARSE_TOLERANCE: f64 = 1e-3;
 
@@ -83,7 +83,7 @@ impl Newton {
     fn descend(&self, step: &Step<'_>) -> Outcome {
         let pairs = step.limit.iter().filter(|&&limit| limit > 0.0).count();
         let fewest = step.elements[0].min(step.elements[1]);
-        if pairs < COARSEST.0 || fewest < COARSEST.1 {
+        if pairs < PAIRS || fewest < FEWEST {
             return self.iterate(step, None);
         }
         let Some(Coarser { map, elements, slip: factor }) = step.map.coarser() else {
