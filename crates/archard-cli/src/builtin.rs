@@ -94,6 +94,11 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../cases/warm_twin_disc/case.toml"),
         files: &[("wear.csv", include_bytes!("../cases/warm_twin_disc/wear.csv"))],
     },
+    Builtin {
+        name: "rough_surface",
+        text: include_str!("../cases/rough_surface/case.toml"),
+        files: &[("surface.csv", include_bytes!("../cases/rough_surface/surface.csv"))],
+    },
 ];
 
 const fn without_files(name: &'static str, text: &'static str) -> Builtin {
