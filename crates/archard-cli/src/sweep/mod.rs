@@ -41,6 +41,14 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let design = design::design(arguments)?;
     let study = &arguments.output;
     begin(study, &design)?;
+    let other = design.rows.iter().enumerate().find_map(|(index, row)| {
+        let dir = row::folder(study, index);
+        row::holds_another(&dir, &row.resolved).then_some(dir)
+    });
+    if let Some(dir) = other {
+        let message = format!("`{}` holds another case; {ELSEWHERE}", dir.display());
+        return Err(Failure::wrong(message));
+    }
     let all: Vec<usize> = (0..design.rows.len()).collect();
     let groups = shared::group(&design.rows, &all, arguments.separate);
     let told: usize = groups.iter().map(|group| group.rows.len() - 1).sum();

@@ -87,7 +87,7 @@ fn a_budget_ends_the_search() {
     }
     let told = said(&run("1e-9 s"));
     let stays = "0.05 was asked for; the run goes on with that";
-    assert!(told.contains(stays) && told.contains("the run takes 56 x 56 elements"), "{told}");
+    assert!(told.contains(stays) && told.contains("the run takes 28 x 28 elements"), "{told}");
     let history = fs::read_to_string(dir.path().join("one/history.csv")).unwrap();
     assert!(history.contains("error_of_wear_depth_m"), "{history}");
     let run = [

@@ -4,6 +4,10 @@
 //! than the approach: their gaps are known from the profiles, and what the pressures open them by at least from the
 //! compliance. Where that does not keep them open, or the contact comes to the rim of the frame, the frame has to grow.
 
+use std::ops::Range;
+
+use rayon::prelude::*;
+
 use super::Simulation;
 use crate::body::Body;
 use crate::frame::extent;
@@ -25,11 +29,14 @@ pub(super) type More = [[usize; 2]; 2];
 /// The places beyond a frame: as far as it is wide on each side, and farther away where readings are.
 #[derive(Debug)]
 pub(super) struct Surroundings {
-    /// Gap (m) of the undeformed bodies, as the frame counts it, and the element, counted from the first one of the frame;
-    /// the smallest gaps first.
-    places: Vec<(f64, [isize; 2])>,
     /// Along which axes the frame can grow: where the surfaces do not change, a long contact is cut off as the frame says.
     grows: [bool; 2],
+    /// How deep (m) the profiles lie below their planes where they touch first.
+    touch: f64,
+    /// Elements in which readings lie far from the frame, counted from its first one.
+    far: Vec<[isize; 2]>,
+    /// The least gap (m) beyond.
+    least: f64,
 }
 
 impl Surroundings {
@@ -37,34 +44,21 @@ impl Surroundings {
     /// surfaces.
     pub fn of(problem: &ContactProblem) -> Self {
         let frame = &problem.frame;
-        let line = frame.is_line();
+        let least = f64::INFINITY;
+        let none = Self { grows: [false; 2], touch: 0.0, far: vec![], least };
         if !frame.is_uniform() || frame.measure().closed {
-            return Self { places: vec![], grows: [false; 2] };
+            return none;
         }
-        let grows = [0, 1].map(|axis| !(line && axis == 1) && !problem.is_even(axis));
-        let profiles = problem.bodies.each_ref().map(|body| &*body.profile);
-        let touch = frame.touch(profiles);
-        let (elements, spacing) = (frame.elements().map(|n| n as isize), frame.spacing());
-        let corner = frame.rectangle().corner();
-        let near = |axis: usize| {
-            let more = if grows[axis] { elements[axis] } else { 0 };
-            -more..elements[axis] + more
-        };
-        let inside =
-            |place: [isize; 2]| (0..2).all(|axis| (0..elements[axis]).contains(&place[axis]));
-        let ring = near(1).flat_map(|y| near(0).map(move |x| [x, y]));
-        let far = readings(problem, grows);
-        let far = far.filter(|place| (0..2).any(|axis| !near(axis).contains(&place[axis])));
-        let gap = |place: [isize; 2]| {
-            let [x, y] =
-                [0, 1].map(|axis| corner[axis] + (place[axis] as f64 + 0.5) * spacing[axis]);
-            profiles.iter().map(|profile| profile.recess(x, y)).sum::<f64>() - touch
-        };
-        let beyond = ring.filter(|&place| !inside(place)).chain(far);
-        let gaps = beyond.map(|place| (gap(place), place)).filter(|(gap, _)| gap.is_finite());
-        let mut places: Vec<_> = gaps.collect();
-        places.sort_by(|one, other| one.0.total_cmp(&other.0));
-        Self { places, grows }
+        let grows = [0, 1].map(|axis| !(problem.is_even(axis) || frame.is_line() && axis == 1));
+        let touch = frame.touch(problem.bodies.each_ref().map(|body| &*body.profile));
+        let one = Self { grows, touch, ..none };
+        let is_near =
+            |place: &[isize; 2]| (0..2).all(|axis| one.near(problem, axis).contains(&place[axis]));
+        let far = readings(problem, grows).filter(|place| !is_near(place)).collect();
+        let one = Self { far, ..one };
+        let gaps = one.places(problem).map(|place| one.gap(problem, place));
+        let least = gaps.filter(|gap| gap.is_finite()).reduce(|| least, f64::min);
+        Self { least, ..one }
     }
 
     /// Whether a frame can grow.
@@ -72,25 +66,55 @@ impl Surroundings {
         self.grows.contains(&true)
     }
 
+    /// Elements along an axis, those of the frame among them, that are looked at.
+    fn near(&self, problem: &ContactProblem, axis: usize) -> Range<isize> {
+        let count = problem.frame.elements()[axis] as isize;
+        let more = if self.grows[axis] { count } else { 0 };
+        -more..count + more
+    }
+
+    /// The elements beyond the frame that are looked at.
+    fn places(&self, problem: &ContactProblem) -> impl ParallelIterator<Item = [isize; 2]> {
+        let elements = problem.frame.elements().map(|count| count as isize);
+        let [columns, rows] = [0, 1].map(|axis| self.near(problem, axis));
+        let inside =
+            move |place: &[isize; 2]| (0..2).all(|axis| (0..elements[axis]).contains(&place[axis]));
+        let near =
+            rows.into_par_iter().flat_map_iter(move |y| columns.clone().map(move |x| [x, y]));
+        near.filter(move |place| !inside(place)).chain(self.far.par_iter().copied())
+    }
+
+    /// The gap (m) of the undeformed bodies at an element, as the frame counts it.
+    fn gap(&self, problem: &ContactProblem, place: [isize; 2]) -> f64 {
+        let (corner, spacing) = (problem.frame.rectangle().corner(), problem.frame.spacing());
+        let [x, y] = [0, 1].map(|axis| corner[axis] + (place[axis] as f64 + 0.5) * spacing[axis]);
+        problem.bodies.iter().map(|body| body.profile.recess(x, y)).sum::<f64>() - self.touch
+    }
+
     /// How much more a frame needs that holds a contact; `None` where it holds what touches, and open elements around it.
     pub fn missed(&self, problem: &ContactProblem, state: &ContactState) -> Option<More> {
         let elements = problem.frame.elements();
         let [columns, rows] = extent(elements, |pair| state.pressure[pair] > 0.0)?;
-        let mut low = [columns.start, rows.start].map(|first| first as isize - OPEN);
-        let mut high = [columns.end, rows.end].map(|end| end as isize + OPEN);
-        let close = self.places.partition_point(|(gap, _)| *gap < state.approach);
-        let numbers = if close > 0 { &CELLS[..] } else { &[] };
-        let cells = Cells::of(elements, &state.pressure, numbers);
-        for &(gap, place) in &self.places[..close] {
-            if !cells.leave_open(gap - state.approach, &*problem.compliance, place) {
-                for axis in 0..2 {
-                    low[axis] = low[axis].min(place[axis] - OPEN);
-                    high[axis] = high[axis].max(place[axis] + 1 + OPEN);
-                }
-            }
-        }
+        let pressed = Reach {
+            low: [columns.start, rows.start].map(|first| first as isize),
+            high: [columns.end, rows.end].map(|end| end as isize),
+        };
+        let reach = if state.approach > self.least {
+            let cells = Cells::of(elements, &state.pressure, &CELLS);
+            let worn = Worn::of(problem, state);
+            let touches = |place: &[isize; 2]| {
+                let gap = self.gap(problem, *place);
+                let apart = gap + worn.beyond(*place) - state.approach;
+                gap.is_finite() && !cells.leave_open(apart, &*problem.compliance, *place)
+            };
+            let places = self.places(problem).filter(touches).map(Reach::of);
+            places.reduce(|| pressed, Reach::and)
+        } else {
+            pressed
+        };
         let more = [0, 1].map(|axis| {
-            let sides = [(-low[axis]).max(0), (high[axis] - elements[axis] as isize).max(0)];
+            let (low, high) = (reach.low[axis] - OPEN, reach.high[axis] + OPEN);
+            let sides = [(-low).max(0), (high - elements[axis] as isize).max(0)];
             if self.grows[axis] { sides.map(|side| side as usize) } else { [0; 2] }
         });
         (more != [[0; 2]; 2]).then_some(more)
@@ -102,6 +126,26 @@ impl Surroundings {
             if self.grows[axis] { [problem.frame.elements()[axis].div_ceil(2); 2] } else { [0; 2] }
         };
         self.grow().then(|| [more(0), more(1)])
+    }
+}
+
+/// Elements from the first to the last along x and y, the last ones left out.
+#[derive(Debug, Clone, Copy)]
+struct Reach {
+    low: [isize; 2],
+    high: [isize; 2],
+}
+
+impl Reach {
+    fn of(place: [isize; 2]) -> Self {
+        Self { low: place, high: place.map(|one| one + 1) }
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self {
+            low: [0, 1].map(|axis| self.low[axis].min(other.low[axis])),
+            high: [0, 1].map(|axis| self.high[axis].max(other.high[axis])),
+        }
     }
 }
 
@@ -126,6 +170,36 @@ fn readings(problem: &ContactProblem, grows: [bool; 2]) -> impl Iterator<Item = 
         row
     });
     all.filter(move |_| any)
+}
+
+/// Depths worn off beyond the frame: along lines of surfaces that pass.
+struct Worn<'a> {
+    elements: [usize; 2],
+    /// The axis along which a body passes, and its depths (m), one value a pair.
+    lines: Vec<(usize, &'a [f64])>,
+}
+
+impl<'a> Worn<'a> {
+    fn of(problem: &ContactProblem, state: &'a ContactState) -> Self {
+        let passing = problem.motion.passing();
+        let of_body = |body: usize| {
+            let passing = passing.filter(|passing| passing.bodies[body])?;
+            Some((passing.direction.axis, &state.worn[body][..]))
+        };
+        let lines = (0..2).filter_map(of_body).collect();
+        Self { elements: problem.frame.elements(), lines }
+    }
+
+    /// The depth (m) worn off both bodies at an element, counted from the first one of the frame.
+    fn beyond(&self, place: [isize; 2]) -> f64 {
+        let [nx, ny] = self.elements;
+        let of_line = |&(axis, worn): &(usize, &[f64])| {
+            let across = usize::try_from(place[1 - axis]).ok()?;
+            let [x, y] = if axis == 0 { [nx / 2, across] } else { [across, ny / 2] };
+            (x < nx && y < ny).then(|| worn[x + nx * y])
+        };
+        self.lines.iter().filter_map(of_line).sum()
+    }
 }
 
 impl Simulation {

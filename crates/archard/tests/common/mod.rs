@@ -9,9 +9,10 @@ use std::sync::Arc;
 use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
 use archard::case::{CaseFile, Following};
+use archard::frame::ContactFrame;
 use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState};
+use archard::problem::{ContactProblem, ContactState, Tangential};
 use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
@@ -95,7 +96,7 @@ impl Ball {
     /// Its contact, unworn.
     pub fn contact(&self) -> ContactState {
         let simulation = self.sliding(1e-9, Stepping::Explicit(1e-9), &[]);
-        let mut states = States::default();
+        let mut states = States::of(&simulation);
         simulation.run(&mut [&mut states]).expect("a contact that converges");
         states.0.swap_remove(0).0
     }
@@ -126,28 +127,68 @@ pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Co
 }
 
 /// Keeps every state with what it took, and whether it was due for output.
-#[derive(Debug, Default)]
-pub struct States(pub Vec<(ContactState, Effort, bool)>);
+#[derive(Debug)]
+pub struct States(pub Vec<(ContactState, Effort, bool)>, ContactFrame);
+
+impl States {
+    /// None yet; they lie in the frame of a simulation.
+    pub fn of(simulation: &Simulation) -> Self {
+        Self(vec![], simulation.problem.frame.clone())
+    }
+}
 
 impl Observer for States {
     fn observe(
         &mut self,
         report: &Report<'_>,
     ) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
-        self.0.push((report.state.clone(), report.effort, report.output));
+        self.0.push((within(&self.1, report), report.effort, report.output));
         Ok(())
     }
 }
 
-/// Runs to the end and returns all states, which are of the frame of the simulation: none where that has to grow.
+/// Runs to the end and returns all states, in the frame of the simulation: where that has grown, nothing touches beyond.
 pub fn states(simulation: &Simulation) -> Result<Vec<(ContactState, Effort, bool)>, Error> {
-    let mut states = States::default();
+    let mut states = States::of(simulation);
     simulation.run(&mut [&mut states])?;
-    let grown = |(state, ..): &(ContactState, Effort, bool)| {
-        state.pressure.len() != simulation.problem.frame.len()
-    };
-    assert!(simulation.wider.is_some() || !states.0.iter().any(grown), "the frame has grown");
     Ok(states.0)
+}
+
+/// The part of a state that lies in a frame.
+fn within(frame: &ContactFrame, report: &Report<'_>) -> ContactState {
+    let (state, larger) = (report.state, &report.problem.frame);
+    if larger.len() == frame.len() {
+        return state.clone();
+    }
+    let (elements, spacing) = (frame.elements(), frame.spacing());
+    let first = [0, 1].map(|axis| {
+        let apart = frame.rectangle().corner()[axis] - larger.rectangle().corner()[axis];
+        (apart / spacing[axis]).round() as usize
+    });
+    let cut = |field: &[f64]| -> Vec<f64> {
+        let pair = |own: usize| {
+            let [x, y] = [own % elements[0] + first[0], own / elements[0] + first[1]];
+            field[x + larger.elements()[0] * y]
+        };
+        if field.is_empty() { vec![] } else { (0..frame.len()).map(pair).collect() }
+    };
+    let both = |fields: &[Vec<f64>; 2]| fields.each_ref().map(|field| cut(field));
+    let pressure = cut(&state.pressure);
+    let pressed = |field: &[f64]| field.iter().filter(|pressure| **pressure > 0.0).count();
+    assert_eq!(pressed(&pressure), pressed(&state.pressure), "pairs touch beyond the frame");
+    ContactState {
+        pressure,
+        gap: cut(&state.gap_of(report.problem)).into(),
+        worn: both(&state.worn),
+        slid: both(&state.slid),
+        tangential: state.tangential.as_ref().map(|own| Tangential {
+            traction: both(&own.traction),
+            slip: both(&own.slip),
+            grip: own.grip.map(cut),
+            ..own.clone()
+        }),
+        ..state.clone()
+    }
 }
 
 /// Deepest total wear (m).

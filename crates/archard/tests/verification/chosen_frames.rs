@@ -277,8 +277,10 @@ fn a_frame_may_lie_anywhere() {
         };
         let (middle, beside) = (all(&[]), all(&[centre]));
         for ((name, one), (_, other)) in middle.iter().zip(&beside) {
-            // The pressure at the centre is that of another place; a residual at rounding is no result.
-            if !name.starts_with("centre") && name != "residual" && one.is_finite() {
+            // The pressure at the centre is that of another place; a residual at rounding is no result, and one of the frames
+            // may have grown.
+            let effort = ["residual", "solves"].contains(&&**name);
+            if !name.starts_with("centre") && !effort && one.is_finite() {
                 assert_relative_eq!(*one, *other, max_relative = 1e-6, epsilon = 1e-20);
             }
         }

@@ -193,8 +193,8 @@ fn layers_and_what_is_below_share_load_times_distance() {
         profile.flat = {}
         wear.archard.coefficient = "2e-15 1/Pa"
         [frame]
-        size = ["0.3 mm", "0.3 mm"]
-        elements = [31, 31]
+        size = ["0.4 mm", "0.4 mm"]
+        elements = [41, 41]
         [motion.sliding]
         load = "5 N"
         surfaces = "stay"

@@ -38,7 +38,7 @@ fn rows(text: &str) -> Rows {
 }
 
 fn last(simulation: &Simulation) -> ContactState {
-    let mut states = States::default();
+    let mut states = States::of(simulation);
     simulation.run(&mut [&mut states]).expect("a run");
     states.0.pop().expect("a state").0
 }

@@ -237,7 +237,7 @@ fn a_track_does_not_cross_a_plane_of_symmetry() {
 fn along(text: &str, options: &[&str]) -> (Rows, Vec<(f64, f64)>) {
     let simulation = case(text, options);
     let mut rows = Rows::default();
-    let mut states = crate::common::States::default();
+    let mut states = crate::common::States::of(&simulation);
     simulation.run(&mut [&mut rows, &mut states]).expect("it converges");
     let state = &states.0[states.0.len() - 1].0;
     let swung = state.swung.as_ref().expect("a surface that swings");

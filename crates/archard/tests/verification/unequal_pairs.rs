@@ -26,7 +26,7 @@ fn slide(simulation: &mut Simulation, grid: Option<Uneven>) -> (ContactState, us
     if let Some(grid) = grid {
         grid.take_over(simulation);
     }
-    let mut states = States::default();
+    let mut states = States::of(simulation);
     simulation.run(&mut [&mut states]).expect("it converges");
     let first = states.0[0].1.iterations;
     (states.0.pop().expect("a state").0, first)
@@ -214,7 +214,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
         };
         simulation.schedule.extent = 1.0;
         simulation.problem.motion = Motion::Shift(shift);
-        let (mut states, mut rows) = (States::default(), Rows::default());
+        let (mut states, mut rows) = (States::of(&simulation), Rows::default());
         simulation.run(&mut [&mut states, &mut rows]).expect("it converges");
         (simulation, states.0.pop().expect("a state").0, rows)
     };
