@@ -70,7 +70,7 @@ def _killed_once(case, folder, *others):
     if folder.name == "0002" and not mark.exists():
         mark.touch()
         os.kill(os.getpid(), signal.SIGKILL)
-    return _sweep.__dict__["_settle_really"](case, folder, *others)
+    return _sweep.__dict__["_run_really"](case, folder, *others)
 
 
 class Once:
@@ -80,12 +80,12 @@ class Once:
         self.pool = pool
 
     def submit(self, function, *arguments):
-        assert function is _sweep._settle
+        assert function is _sweep._run
         return self.pool.submit(_killed_once, *arguments)
 
 
 def test_a_killed_worker_costs_nothing_that_was_done(case, tmp_path, monkeypatch):
-    monkeypatch.setattr(_sweep, "_settle_really", _sweep._settle, raising=False)
+    monkeypatch.setattr(_sweep, "_run_really", _sweep._run, raising=False)
     (tmp_path / "rows").mkdir()
     with ProcessPoolExecutor(1) as pool, pytest.raises(BrokenProcessPool):
         archard.sweep(case, FRICTIONLESS, executor=Once(pool), out=tmp_path)

@@ -98,10 +98,7 @@ fn a_frame_grows_with_the_scar() {
     let grown = last("grown", ["frame.size=[\"0.4 mm\", \"0.4 mm\"]", "frame.elements=[10, 10]"]);
     let large = last("large", ["frame.size=[\"1.2 mm\", \"1.2 mm\"]", "frame.elements=[30, 30]"]);
     assert!((grown / large - 1.0).abs() < 1e-7, "{grown:e} {large:e}");
-    for name in ["grown", "large"] {
-        archard(&dir, &["plot", name]).success();
-        archard(&dir, &["report", name]).success();
-    }
+    archard(&dir, &["report", "grown"]).success();
 }
 
 #[test]

@@ -484,9 +484,6 @@ fn frames_of_rows_grow_with_their_contact() {
     }
     let volume = number(&rows[2], "worn_volume_pin_m3");
     assert!((volume / (1e-12 * 10.2 * 0.5) - 1.0).abs() < 1e-6, "{volume}");
-    for row in ["0001", "0002", "0003"] {
-        archard(&dir, &["plot", &format!("study/rows/{row}")]).success();
-    }
     let before = written(dir.path());
     archard(&dir, &sweep).success();
     assert_eq!(written(dir.path()), before);

@@ -279,7 +279,7 @@ fn a_frame_may_lie_anywhere() {
         for ((name, one), (_, other)) in middle.iter().zip(&beside) {
             // The pressure at the centre is that of another place; a residual at rounding is no result, and one of the frames
             // may have grown.
-            let effort = ["residual", "solves"].contains(&&**name);
+            let effort = ["residual", "solves", "iterations"].contains(&&**name);
             if !name.starts_with("centre") && !effort && one.is_finite() {
                 assert_relative_eq!(*one, *other, max_relative = 1e-6, epsilon = 1e-20);
             }
