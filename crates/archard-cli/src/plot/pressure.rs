@@ -96,7 +96,7 @@ fn hertz(results: &Results, axis: Axis, window: [f64; 2]) -> Result<Option<Vec<(
 
 /// The pressure over the frame at the last output, white where there is none; of meshed bodies on their own elements.
 pub(crate) fn map(results: &Results) -> Result<Panel> {
-    let windows = [results.window(Axis::X)?, results.window(Axis::Y)?];
+    let windows = [results.map_window(Axis::X)?, results.map_window(Axis::Y)?];
     let (across, unit) = (Unit::across(reach(windows[0]).max(reach(windows[1]))), Unit::pressure());
     let mut curves = Curves::new();
     let scale = (across.factor, unit.factor);

@@ -282,6 +282,21 @@ impl Results {
         .map(|end| end.clamp(frame[0], frame[1])))
     }
 
+    /// The same of maps, which also hold what touches away from the sections at the last output.
+    pub(crate) fn map_window(&self, axis: Axis) -> anyhow::Result<[f64; 2]> {
+        let window = self.window(axis)?;
+        let Some(image) = &self.image else { return Ok(window) };
+        let Some(pressure) = image.field("pressure_Pa") else { return Ok(window) };
+        let (axis, columns) = (axis.index(), image.elements[0]);
+        let pressed = (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0);
+        let places = pressed.map(|pair| image.centre(axis, [pair % columns, pair / columns][axis]));
+        let [low, high] = places.fold(window, with);
+        let margin = MARGIN * (high - low);
+        let ends = [0, image.elements[axis] - 1].map(|index| image.centre(axis, index));
+        let wide = [(low - margin).max(ends[0]), (high + margin).min(ends[1])];
+        Ok(if [low, high] == window { window } else { wide })
+    }
+
     /// The places (m) from which to which worn shapes need to be shown along an axis: as far as the contact, and a twentieth
     /// of its width beyond the widest scar, which is wider where surfaces swing.
     pub(crate) fn worn_window(&self, axis: Axis) -> anyhow::Result<[f64; 2]> {
