@@ -180,13 +180,14 @@ fn bodies_that_are_shifted() {
         chosen: false,
     }
     .holds();
-    const WEAR: &str = "body.ball.wear.archard.coefficient=1e-7 mm^3/(N m)";
+    const WEAR: &str = "body.ball.wear.archard.coefficient=1e-6 mm^3/(N m)";
     let settings = &[
         "motion.fretting.increments=16",
         WEAR,
         "motion.fretting.amplitude=[\"0.3 um\", \"0 um\"]",
         "motion.fretting.cycles=30000",
         "motion.fretting.tolerance=1e-2",
+        "output=",
     ];
     let large = &["frame.size=[\"0.715708 mm\", \"0.715708 mm\"]", "frame.elements=[96, 96]"];
     Pair {
