@@ -11,14 +11,9 @@ mod surfaces;
 
 use std::fs::read_to_string;
 
-use archard::body::Material;
-use archard::body::profile::Flat;
-use archard::compliance::{Compliance, HalfSpace, Periodic};
-use archard::frame::{ContactFrame, Measure};
-use archard::motion::Control;
-use archard::solve::{ConjugateGradient, Solver, Status, Step, press};
+use archard::solve::{ConjugateGradient, Solver, Status, press};
 
-use surfaces::self_affine;
+use surfaces::OnAFlat;
 
 /// Elements along a side, mean pressure over E* and rms slope, and about what touches under it (%).
 const SURFACES: [(usize, f64, usize); 6] = [
@@ -29,11 +24,6 @@ const SURFACES: [(usize, f64, usize); 6] = [
     (1024, 0.0375, 7),
     (1024, 0.1, 19),
 ];
-/// Side of the frame (m) and rms slope.
-const SIDE: f64 = 1e-3;
-const SLOPE: f64 = 0.1;
-const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
-
 fn main() {
     let asked = std::env::args().skip(1).find(|argument| !argument.starts_with("--"));
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
@@ -54,29 +44,10 @@ fn main() {
 
 /// Presses a surface on a flat by a mean pressure over E* and rms slope.
 fn row(n: usize, pressure: f64, surroundings: &str) {
-    let heights = self_affine(n, SIDE / n as f64, SLOPE, 1);
-    let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let gap: Vec<f64> = heights.into_iter().map(|height| highest - height).collect();
-    let frame = ContactFrame::uniform([SIDE; 2], [n; 2], [&Flat, &Flat]);
-    let frame = frame.unwrap_or_else(|error| panic!("{error}"));
+    let surface = OnAFlat::new(n, surroundings == "periodic");
+    let step = surface.pressed(pressure);
+    // Kernels are made when first needed, and count.
     let before = cpu_seconds();
-    let bodies = [None, Some(&STEEL)];
-    let repeats = surroundings == "periodic";
-    let compliance: Box<dyn Compliance> = if repeats {
-        Box::new(Periodic::new(bodies, [&[], &[]], [0.0, SIDE], &frame))
-    } else {
-        Box::new(HalfSpace::new(bodies, &frame))
-    };
-    let modulus = STEEL.young / (1.0 - STEEL.poisson * STEEL.poisson);
-    let addition = vec![0.0; gap.len()];
-    let step = Step {
-        compliance: &*compliance,
-        gap: &gap,
-        addition: &addition,
-        elements: [n; 2],
-        measure: Measure { closed: repeats, ..frame.measure() },
-        control: Control::Load(pressure * modulus * SLOPE * SIDE * SIDE),
-    };
     let solver = ConjugateGradient::default();
     let outcome = press(&solver, &step, None);
     let (seconds, memory) = (cpu_seconds() - before, peak_memory());
@@ -85,7 +56,7 @@ fn row(n: usize, pressure: f64, surroundings: &str) {
     let touching = outcome.pressure.iter().filter(|&&pressure| pressure > 0.0).count();
     println!(
         "| {n} | {:.1} | {surroundings} | {} | {} | {:.2} | {seconds:.2} | {memory:.0} |",
-        100.0 * touching as f64 / gap.len() as f64,
+        100.0 * touching as f64 / step.gap.len() as f64,
         outcome.applications,
         guessed.applications,
         outcome.applications as f64 / guessed.applications as f64,

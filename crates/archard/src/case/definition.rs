@@ -373,7 +373,9 @@ impl Case {
     }
 
     fn build_on(&self, frame: FrameCase, condense: Condense<'_>) -> Result<Simulation, BuildError> {
-        let Parts { bodies, friction, motion, schedule, .. } = self.fitting()?;
+        let parts = self.fitting()?;
+        let most = footprint::pairs_within(&parts, memory::free_memory());
+        let Parts { bodies, friction, motion, schedule, .. } = parts;
         let outputs = self.output.places(schedule.extent);
         let mut builder = Simulation::builder(bodies, (motion, schedule)).outputs(outputs);
         builder.friction = friction.map(Into::into);
@@ -386,6 +388,9 @@ impl Case {
             false => builder.frame(rectangle, elements),
         };
         let builder = if frame.periodic { builder.periodic() } else { builder };
-        Ok(builder.build_with(condense)?)
+        let mut simulation = builder.build_with(condense)?;
+        // A frame grows as far as the memory goes.
+        simulation.most = simulation.most.min(most);
+        Ok(simulation)
     }
 }

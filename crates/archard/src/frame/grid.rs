@@ -43,6 +43,15 @@ impl Grid {
         [0, 1].map(|axis| self.rectangle.size[axis] / self.elements[axis] as f64)
     }
 
+    /// Where values at the centre are read (m).
+    pub fn centre(&self) -> [f64; 2] {
+        let spacing = self.spacing();
+        [0, 1].map(|axis| {
+            let steps = self.middle[axis] as f64 - self.elements[axis] as f64;
+            self.rectangle.centre[axis] + 0.5 * spacing[axis] * steps
+        })
+    }
+
     /// Centre of a pair (m).
     pub fn place(&self, pair: usize) -> [f64; 2] {
         let index = [pair % self.elements[0], pair / self.elements[0]];

@@ -414,6 +414,14 @@ impl ContactFrame {
         [if x { 0.0 } else { sums[0] }, if y { 0.0 } else { sums[1] }, sums[2]]
     }
 
+    /// The place (m) at which values at the centre are read: the middle of the frame, before it grew.
+    pub fn centre(&self) -> [f64; 2] {
+        match &self.shape {
+            Shape::Uniform(grid) => grid.centre(),
+            Shape::Described(_) => [0.0; 2],
+        }
+    }
+
     /// Value of a field at the frame's centre, in the field's unit: the pair's own where one sits
     /// there, otherwise the mean of the two or four around it, corrected for curvature by their next
     /// neighbours unless the field vanishes at one of those, as pressures do outside a contact. On frames

@@ -24,7 +24,7 @@ pub(super) fn through(problem: &ContactProblem, state: &ContactState) -> [f64; 2
     };
     [0, 1].map(|axis| {
         let load = moment(axis, 0);
-        let middle = frame.rectangle().centre[axis];
+        let middle = frame.centre()[axis];
         if load <= 0.0 || frame.mirrored()[axis] {
             return middle;
         }

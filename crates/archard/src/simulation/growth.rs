@@ -13,13 +13,9 @@ use super::evolution::Evolution;
 use super::surroundings::More;
 use super::swing::unworn;
 use super::{Error, Simulation};
-use crate::frame::Part;
+use crate::frame::{ContactFrame, Part};
 use crate::numerics::vector::map;
-use crate::parameters::Invalid;
 use crate::problem::{ContactProblem, ContactState, Gap, Swung, Tangential};
-
-/// Elements more at a side that the contact came to, relative to those of the frame: few sizes are met while it grows.
-const ROOM: usize = 8;
 
 /// A frame that has grown.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -43,24 +39,15 @@ impl Growth {
     ) -> Result<Option<Self>, Error> {
         let elements = simulation.problem.frame.elements();
         let began = before.map_or_else(|| Part::inside(elements, [[0; 2]; 2]), |one| one.began);
-        let roomy = |axis: usize| {
-            more[axis]
-                .map(|more| if more > 0 { more + began.frame()[axis].div_ceil(ROOM) } else { 0 })
-        };
-        // Where a surface ends, a frame reaches as far as it does.
-        for more in [[roomy(0), roomy(1)], more] {
-            let larger = began.lying_in(&Part::inside(began.frame(), more));
-            let pairs = larger.frame()[0] * larger.frame()[1];
-            if pairs > simulation.most {
-                let measure = simulation.problem.motion.progress();
-                return Err(Error::Outgrown { measure, progress, elements: larger.frame() });
-            }
-            let one = Self { began: larger, simulation: OnceLock::new() };
-            if one.simulation(simulation).is_some() {
-                return Ok(Some(one));
-            }
+        let larger = began.lying_in(&Part::inside(began.frame(), more));
+        let [columns, rows] = larger.frame();
+        if columns.saturating_mul(rows) > simulation.most {
+            let measure = simulation.problem.motion.progress();
+            return Err(Error::Outgrown { measure, progress, elements: larger.frame() });
         }
-        Ok(None)
+        let one = Self { began: larger, simulation: OnceLock::new() };
+        let made = one.simulation(simulation).is_some();
+        Ok(made.then_some(one))
     }
 
     /// The simulation in the present frame, from that at the beginning; `None` where a surface does not reach so far.
@@ -92,13 +79,18 @@ impl Growth {
 impl Simulation {
     /// The same in a larger frame, of which its own is a part.
     fn around(&self, part: &Part) -> Option<Self> {
+        let profiles = self.problem.bodies.each_ref().map(|body| &*body.profile);
+        self.on(self.problem.frame.around(part, profiles)?)
+    }
+
+    /// The same on another part of its endless grid; `None` where the compliance is none there.
+    pub(super) fn on(&self, frame: ContactFrame) -> Option<Self> {
         let Self { problem, solver, friction_solver, schedule, .. } = self;
-        let profiles = problem.bodies.each_ref().map(|body| &*body.profile);
         Some(Self {
             problem: ContactProblem {
                 bodies: problem.bodies.clone(),
-                frame: problem.frame.around(part, profiles)?,
-                compliance: problem.compliance.on(part.frame())?,
+                compliance: problem.compliance.on(frame.elements())?,
+                frame,
                 friction: problem.friction.clone(),
                 motion: problem.motion.clone(),
             },
@@ -111,18 +103,6 @@ impl Simulation {
             most: self.most,
             surroundings: OnceLock::new(),
         })
-    }
-
-    /// The same, with a frame that grows to so many pairs at most.
-    ///
-    /// # Errors
-    /// If it has more already.
-    pub fn growing_to(mut self, most: usize) -> Result<Self, Invalid> {
-        if self.problem.frame.len() > most {
-            return Err(Invalid::new("elements", format!("are more than {most}")));
-        }
-        self.most = most;
-        Ok(self)
     }
 }
 

@@ -19,6 +19,7 @@ mod run;
 mod scar;
 mod second_order;
 mod step;
+mod steps;
 mod surroundings;
 mod swing;
 mod wider;
@@ -213,7 +214,7 @@ pub enum Error {
     },
     /// The contact needs a larger frame than there may be.
     #[error(
-        "at {} the contact needs a frame of {} x {} elements, which are too many; take larger elements",
+        "at {} the contact needs a frame of {} x {} elements, which are too many; take larger elements, or let the surfaces repeat themselves (`frame.periodic`)",
         .measure.at(*.progress), .elements[0], .elements[1]
     )]
     Outgrown {

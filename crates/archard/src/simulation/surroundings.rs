@@ -2,7 +2,8 @@
 //!
 //! The frame is a part of an endless grid. Pressures open the gaps beyond it, so that only places touch there whose gap is less
 //! than the approach: their gaps are known from the profiles, and what the pressures open them by at least from the
-//! compliance. Where that does not keep them open, or the contact comes to the rim of the frame, the frame has to grow.
+//! compliance, of which layers have no bound. Where that does not keep them open, or the contact comes to the rim of the frame,
+//! the frame has to grow.
 
 use std::ops::Range;
 
@@ -17,11 +18,14 @@ use crate::solve::Cells;
 /// Places along an axis on which shapes given by formulas are looked at far from the frame, relative to its size.
 const ACROSS: [f64; 5] = [-0.5, -0.25, 0.0, 0.25, 0.5];
 
-/// Cells along an axis by which the pressures are summed: the last ones tell displacements beyond the frame to their digits.
-const CELLS: [usize; 4] = [1, 4, 16, 64];
+/// Elements along the side of a block that is asked for as one.
+const BLOCK: usize = 8;
 
 /// Open elements around the contact: its edge is told by two of them.
 const OPEN: isize = 2;
+
+/// Part of the frame that it grows by at least at a side, for fewer sizes to be met.
+const ROOM: usize = 8;
 
 /// How many elements more a frame needs at the lower and the upper side along x, and along y.
 pub(super) type More = [[usize; 2]; 2];
@@ -29,116 +33,25 @@ pub(super) type More = [[usize; 2]; 2];
 /// The places beyond a frame: as far as it is wide on each side, and farther away where readings are.
 #[derive(Debug)]
 pub(super) struct Surroundings {
-    /// Along which axes the frame can grow: where the surfaces do not change, a long contact is cut off as the frame says.
-    grows: [bool; 2],
+    /// How many elements more there can be. Where the surfaces do not change along an axis, a long contact is cut off as the
+    /// frame says.
+    room: More,
     /// How deep (m) the profiles lie below their planes where they touch first.
     touch: f64,
-    /// Elements in which readings lie far from the frame, counted from its first one.
-    far: Vec<[isize; 2]>,
-    /// The least gap (m) beyond.
-    least: f64,
+    /// Blocks of elements and the least gap (m) of undeformed bodies in each, the smallest first.
+    blocks: Vec<(f64, Block)>,
 }
 
-impl Surroundings {
-    /// Those of a problem. There are none beyond frames that are not uniform, or that end or repeat themselves with the
-    /// surfaces.
-    pub fn of(problem: &ContactProblem) -> Self {
-        let frame = &problem.frame;
-        let least = f64::INFINITY;
-        let none = Self { grows: [false; 2], touch: 0.0, far: vec![], least };
-        if !frame.is_uniform() || frame.measure().closed {
-            return none;
-        }
-        let grows = [0, 1].map(|axis| !(problem.is_even(axis) || frame.is_line() && axis == 1));
-        let touch = frame.touch(problem.bodies.each_ref().map(|body| &*body.profile));
-        let one = Self { grows, touch, ..none };
-        let is_near =
-            |place: &[isize; 2]| (0..2).all(|axis| one.near(problem, axis).contains(&place[axis]));
-        let far = readings(problem, grows).filter(|place| !is_near(place)).collect();
-        let one = Self { far, ..one };
-        let gaps = one.places(problem).map(|place| one.gap(problem, place));
-        let least = gaps.filter(|gap| gap.is_finite()).reduce(|| least, f64::min);
-        Self { least, ..one }
-    }
-
-    /// Whether a frame can grow.
-    pub fn grow(&self) -> bool {
-        self.grows.contains(&true)
-    }
-
-    /// Elements along an axis, those of the frame among them, that are looked at.
-    fn near(&self, problem: &ContactProblem, axis: usize) -> Range<isize> {
-        let count = problem.frame.elements()[axis] as isize;
-        let more = if self.grows[axis] { count } else { 0 };
-        -more..count + more
-    }
-
-    /// The elements beyond the frame that are looked at.
-    fn places(&self, problem: &ContactProblem) -> impl ParallelIterator<Item = [isize; 2]> {
-        let elements = problem.frame.elements().map(|count| count as isize);
-        let [columns, rows] = [0, 1].map(|axis| self.near(problem, axis));
-        let inside =
-            move |place: &[isize; 2]| (0..2).all(|axis| (0..elements[axis]).contains(&place[axis]));
-        let near =
-            rows.into_par_iter().flat_map_iter(move |y| columns.clone().map(move |x| [x, y]));
-        near.filter(move |place| !inside(place)).chain(self.far.par_iter().copied())
-    }
-
-    /// The gap (m) of the undeformed bodies at an element, as the frame counts it.
-    fn gap(&self, problem: &ContactProblem, place: [isize; 2]) -> f64 {
-        let (corner, spacing) = (problem.frame.rectangle().corner(), problem.frame.spacing());
-        let [x, y] = [0, 1].map(|axis| corner[axis] + (place[axis] as f64 + 0.5) * spacing[axis]);
-        problem.bodies.iter().map(|body| body.profile.recess(x, y)).sum::<f64>() - self.touch
-    }
-
-    /// How much more a frame needs that holds a contact; `None` where it holds what touches, and open elements around it.
-    pub fn missed(&self, problem: &ContactProblem, state: &ContactState) -> Option<More> {
-        let elements = problem.frame.elements();
-        let [columns, rows] = extent(elements, |pair| state.pressure[pair] > 0.0)?;
-        let pressed = Reach {
-            low: [columns.start, rows.start].map(|first| first as isize),
-            high: [columns.end, rows.end].map(|end| end as isize),
-        };
-        let reach = if state.approach > self.least {
-            let cells = Cells::of(elements, &state.pressure, &CELLS);
-            let worn = Worn::of(problem, state);
-            let touches = |place: &[isize; 2]| {
-                let gap = self.gap(problem, *place);
-                let apart = gap + worn.beyond(*place) - state.approach;
-                gap.is_finite() && !cells.leave_open(apart, &*problem.compliance, *place)
-            };
-            let places = self.places(problem).filter(touches).map(Reach::of);
-            places.reduce(|| pressed, Reach::and)
-        } else {
-            pressed
-        };
-        let more = [0, 1].map(|axis| {
-            let (low, high) = (reach.low[axis] - OPEN, reach.high[axis] + OPEN);
-            let sides = [(-low).max(0), (high - elements[axis] as isize).max(0)];
-            if self.grows[axis] { sides.map(|side| side as usize) } else { [0; 2] }
-        });
-        (more != [[0; 2]; 2]).then_some(more)
-    }
-
-    /// As much more as a frame is wide, shared by both its sides: where all of it touches.
-    pub fn twice(&self, problem: &ContactProblem) -> Option<More> {
-        let more = |axis: usize| {
-            if self.grows[axis] { [problem.frame.elements()[axis].div_ceil(2); 2] } else { [0; 2] }
-        };
-        self.grow().then(|| [more(0), more(1)])
-    }
-}
-
-/// Elements from the first to the last along x and y, the last ones left out.
+/// The first and the last element of a block along x and y, counted from the first one of the frame.
 #[derive(Debug, Clone, Copy)]
-struct Reach {
+struct Block {
     low: [isize; 2],
     high: [isize; 2],
 }
 
-impl Reach {
+impl Block {
     fn of(place: [isize; 2]) -> Self {
-        Self { low: place, high: place.map(|one| one + 1) }
+        Self { low: place, high: place }
     }
 
     fn and(self, other: Self) -> Self {
@@ -147,6 +60,144 @@ impl Reach {
             high: [0, 1].map(|axis| self.high[axis].max(other.high[axis])),
         }
     }
+
+    fn places(self) -> impl Iterator<Item = [isize; 2]> {
+        let Self { low, high } = self;
+        (low[1]..=high[1]).flat_map(move |y| (low[0]..=high[0]).map(move |x| [x, y]))
+    }
+}
+
+impl Surroundings {
+    /// Those of a problem. There are none beyond frames that are not uniform, or that end or repeat themselves with the
+    /// surfaces.
+    pub fn of(problem: &ContactProblem) -> Self {
+        let frame = &problem.frame;
+        if !frame.is_uniform() || frame.measure().closed {
+            return Self { room: [[0; 2]; 2], touch: 0.0, blocks: vec![] };
+        }
+        let grows = [0, 1].map(|axis| !(problem.is_even(axis) || frame.is_line() && axis == 1));
+        let room = [0, 1].map(|axis| if grows[axis] { room(problem, axis) } else { [0; 2] });
+        let touch = frame.touch(problem.bodies.each_ref().map(|body| &*body.profile));
+        let elements = frame.elements();
+        // Along an axis, from as far below the frame as it is wide to as far above.
+        let near = [0, 1].map(|axis| {
+            let [below, above] = room[axis].map(|room| room.min(elements[axis]) as isize);
+            -below..elements[axis] as isize + above
+        });
+        let [x, y] = [0, 1].map(|axis| cut(&near[axis], elements[axis] as isize));
+        let all = y.iter().flat_map(|y| x.iter().map(move |x| [x, y]));
+        let ring = all.filter(|sides| sides.iter().any(|(_, within)| !within));
+        let ring = ring.map(|[(x, _), (y, _)]| Block { low: [x[0], y[0]], high: [x[1], y[1]] });
+        let is_far = |place: &[isize; 2]| (0..2).any(|axis| !near[axis].contains(&place[axis]));
+        let far = readings(problem, grows).filter(is_far).map(Block::of);
+        let of_block = |block: Block| {
+            let gaps = block.places().map(|place| gap(problem, place) - touch);
+            (gaps.filter(|gap| gap.is_finite()).fold(f64::INFINITY, f64::min), block)
+        };
+        let blocks: Vec<Block> = ring.chain(far).collect();
+        let mut blocks: Vec<_> = blocks.into_par_iter().map(of_block).collect();
+        blocks.sort_by(|one, other| one.0.total_cmp(&other.0));
+        Self { room, touch, blocks }
+    }
+
+    /// Whether a frame can grow.
+    pub fn grow(&self) -> bool {
+        self.room != [[0; 2]; 2]
+    }
+
+    /// The least gap (m) beyond.
+    pub fn least(&self) -> f64 {
+        self.blocks.first().map_or(f64::INFINITY, |(least, _)| *least)
+    }
+
+    /// How much more a frame needs that holds a contact; `None` where it holds what touches, and open elements around it, or
+    /// cannot grow there.
+    pub fn missed(&self, problem: &ContactProblem, state: &ContactState) -> Option<More> {
+        let elements = problem.frame.elements();
+        let [columns, rows] = extent(elements, |pair| state.pressure[pair] > 0.0)?;
+        let pressed = Block {
+            low: [columns.start as isize, rows.start as isize],
+            high: [columns.end as isize - 1, rows.end as isize - 1],
+        };
+        let close = self.blocks.partition_point(|(least, _)| *least < state.approach);
+        let cells = Cells::of(elements, &state.pressure);
+        let worn = Worn::of(problem, state);
+        let touches = |&(least, block): &(f64, Block)| {
+            let open = |apart: f64, Block { low, high }: Block| {
+                cells.leave_open(apart, &*problem.compliance, [low, high])
+            };
+            if open(least - state.approach, block) {
+                return None;
+            }
+            let touches = |place: &[isize; 2]| {
+                let gap = gap(problem, *place) - self.touch + worn.beyond(*place);
+                gap.is_finite() && !open(gap - state.approach, Block::of(*place))
+            };
+            block.places().filter(touches).map(Block::of).reduce(Block::and)
+        };
+        let touching = self.blocks[..close].par_iter().filter_map(touches);
+        let reach = touching.reduce(|| pressed, Block::and);
+        let more = [0, 1].map(|axis| {
+            let below = OPEN.saturating_sub(reach.low[axis]);
+            let above = reach.high[axis].saturating_add(1 + OPEN) - elements[axis] as isize;
+            [below, above].map(|more| usize::try_from(more).unwrap_or(0))
+        });
+        self.roomy(problem, more)
+    }
+
+    /// Half as much more at each side as a frame is wide: where all of it touches.
+    pub fn twice(&self, problem: &ContactProblem) -> Option<More> {
+        self.roomy(problem, problem.frame.elements().map(|count| [count.div_ceil(2); 2]))
+    }
+
+    /// So much more, and some room, as far as there is any.
+    fn roomy(&self, problem: &ContactProblem, more: More) -> Option<More> {
+        let elements = problem.frame.elements();
+        let more = [0, 1].map(|axis| {
+            let some = elements[axis].div_ceil(ROOM);
+            [0, 1].map(|side| match more[axis][side] {
+                0 => 0,
+                more => more.max(some).min(self.room[axis][side]),
+            })
+        });
+        (more != [[0; 2]; 2]).then_some(more)
+    }
+}
+
+/// How many elements more lie along an axis where both surfaces are known.
+fn room(problem: &ContactProblem, axis: usize) -> [usize; 2] {
+    let (frame, bodies) = (&problem.frame, &problem.bodies);
+    let spacing = frame.spacing()[axis];
+    let first = frame.rectangle().corner()[axis] + 0.5 * spacing;
+    let last = first + frame.size()[axis] - spacing;
+    let [low, high] = bodies
+        .iter()
+        .map(|body| body.profile.extent()[axis])
+        .fold([f64::NEG_INFINITY, f64::INFINITY], |[low, high], [least, most]| {
+            [low.max(least), high.min(most)]
+        });
+    // Readings at the middle of elements are among them.
+    [first - low, high - last].map(|left| (left / spacing + ROUNDING) as usize)
+}
+
+/// Places agree to this part of an element.
+const ROUNDING: f64 = 1e-6;
+
+/// A range along an axis in blocks, of which none lies in part within the first `count` elements, and whether it lies there.
+fn cut(near: &Range<isize>, count: isize) -> Vec<([isize; 2], bool)> {
+    let blocks = |from: isize, to: isize, within: bool| {
+        let last = move |first: isize| (first + BLOCK as isize).min(to) - 1;
+        (from..to).step_by(BLOCK).map(move |first| ([first, last(first)], within))
+    };
+    let (below, above) = (blocks(near.start, 0, false), blocks(count, near.end, false));
+    below.chain(blocks(0, count, true)).chain(above).collect()
+}
+
+/// How deep (m) both surfaces lie at an element, counted from the first one of the frame.
+fn gap(problem: &ContactProblem, place: [isize; 2]) -> f64 {
+    let (corner, spacing) = (problem.frame.rectangle().corner(), problem.frame.spacing());
+    let [x, y] = [0, 1].map(|axis| corner[axis] + (place[axis] as f64 + 0.5) * spacing[axis]);
+    problem.bodies.iter().map(|body| body.profile.recess(x, y)).sum()
 }
 
 /// The elements in which readings of measured surfaces lie, counted from the first one of the frame. Shapes given by formulas
@@ -165,10 +216,7 @@ fn readings(problem: &ContactProblem, grows: [bool; 2]) -> impl Iterator<Item = 
         (measured, places.iter().map(element).collect::<Vec<_>>())
     });
     let (any, x, y) = (x.0 || y.0, x.1, y.1);
-    let all = y.into_iter().flat_map(move |y| {
-        let row: Vec<_> = x.iter().map(|&x| [x, y]).collect();
-        row
-    });
+    let all = y.into_iter().flat_map(move |y| x.clone().into_iter().map(move |x| [x, y]));
     all.filter(move |_| any)
 }
 

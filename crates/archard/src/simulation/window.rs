@@ -1,9 +1,10 @@
 //! The part of the frame that a run works on, where the rest is far from the contact.
 //!
 //! Where surfaces stay opposite each other, what is far from the contact neither touches nor wears. The histories of a run live
-//! in a window then: the same problem on a part of the frame, with the same elements. Pressures only open the gaps beside it, so
-//! that no pair there touches while the approach stays below all of them. A solve that comes closer fails as one that fills its
-//! frame does (`Simulation::beside`), and the step is taken again in a larger window. What is shown lies in the frame.
+//! in a window then: the same problem on a part of the frame, with the same elements. Pressures only open the gaps beside it,
+//! within the frame and beyond, so that no pair there touches while the approach stays below all of them. A solve that comes
+//! closer fails as one that fills its frame does (`Simulation::beside`), and the step is taken again in a larger window. What is
+//! shown lies in the frame.
 
 use std::sync::{Arc, OnceLock};
 
@@ -18,7 +19,7 @@ use crate::problem::{ContactProblem, ContactState, Gap};
 
 /// Gaps, over the approach, up to which pairs lie in a window.
 const AMPLE: f64 = 2.0;
-/// Approach, over the lowest gap beside a window, from which on a larger one is taken.
+/// Approach, over the lowest gap beside a window, from which on a larger one is taken, or none where that gap is beyond the frame.
 const NEAR: f64 = 0.8;
 /// Elements on each side of those pairs.
 const MARGIN: usize = 1;
@@ -40,7 +41,7 @@ impl Window {
     pub fn around(simulation: &Simulation, approach: f64) -> Option<Self> {
         let problem = &simulation.problem;
         let frame = &problem.frame;
-        if !stays_apart(problem) {
+        if !stays_apart(problem) || approach > NEAR * simulation.surroundings().least() {
             return None;
         }
         let near = extent(frame.elements(), |pair| frame.gap()[pair] < AMPLE * approach)?;
@@ -60,26 +61,12 @@ impl Window {
     }
 
     fn make(&self, simulation: &Simulation) -> Option<Arc<Simulation>> {
-        let Simulation { problem, solver, friction_solver, schedule, .. } = simulation;
-        let gap = problem.frame.gap();
+        let gap = simulation.problem.frame.gap();
         let beside = (0..gap.len()).filter(|&pair| self.part.place(pair).is_none());
-        Some(Arc::new(Simulation {
-            problem: ContactProblem {
-                bodies: problem.bodies.clone(),
-                frame: problem.frame.within(&self.part)?,
-                compliance: problem.compliance.on(self.part.size())?,
-                friction: problem.friction.clone(),
-                motion: problem.motion.clone(),
-            },
-            solver: Arc::clone(solver),
-            friction_solver: Arc::clone(friction_solver),
-            schedule: schedule.clone(),
-            companions: None,
-            wider: None,
-            beside: beside.map(|pair| gap[pair]).fold(f64::INFINITY, f64::min),
-            most: simulation.most,
-            surroundings: OnceLock::new(),
-        }))
+        let beyond = simulation.surroundings().least();
+        let within = simulation.on(simulation.problem.frame.within(&self.part)?)?;
+        let beside = beside.map(|pair| gap[pair]).fold(beyond, f64::min);
+        Some(Arc::new(Simulation { beside, ..within }))
     }
 
     /// A larger one for histories that come to an approach (m); `None` where that is nearly the whole frame.

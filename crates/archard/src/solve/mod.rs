@@ -14,6 +14,7 @@
 
 mod accept;
 mod blocks;
+mod cells;
 mod conjugate_gradient;
 mod contact_set;
 pub mod monolithic;
@@ -28,8 +29,8 @@ mod uzawa;
 use std::fmt::Debug;
 
 pub use accept::press;
+pub(crate) use cells::Cells;
 pub use conjugate_gradient::ConjugateGradient;
-pub(crate) use part::Cells;
 pub use uzawa::Uzawa;
 
 use crate::compliance::Compliance;

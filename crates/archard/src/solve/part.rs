@@ -1,15 +1,16 @@
 //! A normal step solved on the part of the frame around its contact, where that is much smaller.
 //!
 //! What is far from the contact has to stay open. A pair beside the part surely does if its gap at the approach is not
-//! negative with less than what the pressures open it by: those of each cell of the contact, as if they stood as far away as
-//! any of that cell. Where a pair may touch, the part grows, and the step is solved again from where it is.
+//! negative with less than what the pressures open it by (`Cells`). Where a pair may touch, the part grows, and the step is
+//! solved again from where it is.
 
 use std::borrow::Cow;
 
 use super::accept::judged;
+use super::cells::Cells;
 use super::start::first_guess;
 use super::{Outcome, Solver, Start, Status, Step};
-use crate::compliance::{Compliance, normal_displacement};
+use crate::compliance::normal_displacement;
 use crate::frame::{Extent, Measure, Part, Values, extent};
 use crate::motion::Control;
 use crate::numerics::vector::map;
@@ -20,8 +21,6 @@ const ROOM: f64 = 1.0 / 16.0;
 const AMPLE: usize = 3;
 /// Parts tried before the frame.
 const PARTS: usize = 4;
-/// Cells of the contact along an axis: few, and more.
-const CELLS: [usize; 2] = [1, 4];
 
 /// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
 /// has none. The status is that of a full frame where the contact outgrows all parts.
@@ -47,11 +46,7 @@ pub(super) fn solve(
     let mut outcome = solve_on(&part, solver, step, (&part.cut(&begun.0), known, begun.1))?;
     for _ in 1..PARTS {
         let (Status::Converged, Some(part)) = (outcome.status, outcome.part) else { break };
-        let reach = Cells::of(step.elements, &outcome.pressure, &CELLS).reach(
-            step,
-            outcome.approach,
-            part.extent(),
-        );
+        let reach = reach(step, (&outcome.pressure, outcome.approach), part.extent());
         if part.holds(&reach) {
             return Some(beside(outcome, step, start));
         }
@@ -83,7 +78,7 @@ fn choose(
         part.holds(&pressed) && elements(&part.extent()) <= AMPLE * elements(&pressed)
     };
     before.filter(fits).or_else(|| {
-        let reach = Cells::of(step.elements, pressure, &CELLS).reach(step, approach, pressed);
+        let reach = reach(step, (pressure, approach), pressed);
         Part::around(step.elements, &reach, room(&reach))
     })
 }
@@ -148,74 +143,26 @@ fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcom
     }
 }
 
-/// The pressures of a contact (Pa), summed by cells: by one, and by more and more.
-pub(crate) struct Cells(Vec<Vec<(Extent, f64)>>);
-
-impl Cells {
-    /// Those of so many elements along x and y, in these numbers of cells along an axis.
-    pub fn of(elements: [usize; 2], pressure: &[f64], numbers: &[usize]) -> Self {
-        let Some(pressed) = extent(elements, |pair| pressure[pair] > 0.0) else {
-            return Self(vec![]);
-        };
-        let sum = |[columns, rows]: &Extent| -> f64 {
-            let row = |row: usize| {
-                let start = elements[0] * row;
-                pressure[start + columns.start..start + columns.end].iter().sum::<f64>()
-            };
-            rows.clone().map(row).sum()
-        };
-        let in_cells = |&number: &usize| {
-            let along = |axis: usize, cell: usize| {
-                let edge = |cell: usize| pressed[axis].start + pressed[axis].len() * cell / number;
-                edge(cell)..edge(cell + 1)
-            };
-            let cells =
-                (0..number * number).map(|cell| [along(0, cell % number), along(1, cell / number)]);
-            let cells = cells.map(|cell| (cell.clone(), sum(&cell))).filter(|(_, sum)| *sum != 0.0);
-            cells.collect()
-        };
-        Self(numbers.iter().map(in_cells).collect())
-    }
-
-    /// Whether the gap of an element beside the contact stays open that is so wide (m) without the pressures. It may lie beyond
-    /// the grid.
-    pub fn leave_open(&self, apart: f64, compliance: &dyn Compliance, place: [isize; 2]) -> bool {
-        let of_cell = |(cell, sum): &(Extent, f64)| {
-            let away = [0, 1].map(|axis| {
-                let (first, last) = (cell[axis].start as isize, cell[axis].end as isize - 1);
-                place[axis].abs_diff(first).max(place[axis].abs_diff(last))
-            });
-            sum * compliance.least_displacement(away)
-        };
-        // Few cells are asked before many.
-        let opened =
-            |cells: &Vec<(Extent, f64)>| apart + cells.iter().map(of_cell).sum::<f64>() >= 0.0;
-        apart >= 0.0 || self.0.iter().any(opened)
-    }
-
-    /// An extent and all pairs beside it that may touch at an approach (m).
-    fn reach(&self, step: &Step<'_>, approach: f64, inner: Extent) -> Extent {
-        let [nx, ny] = step.elements;
-        let touches = |x: usize, y: usize| {
-            let apart = step.gap[x + nx * y] - approach;
-            !self.leave_open(apart, step.compliance, [x as isize, y as isize])
-        };
-        let [mut columns, mut rows] = inner.clone();
-        for y in 0..ny {
-            let beside = inner[1].contains(&y);
-            let (left, right) = if beside { (inner[0].start, inner[0].end) } else { (nx, 0) };
-            let first = (0..left).find(|&x| touches(x, y));
-            let last = if beside || first.is_some() {
-                (right..nx).rfind(|&x| touches(x, y))
-            } else {
-                None
-            };
-            if first.is_some() || last.is_some() {
-                columns.start = columns.start.min(first.unwrap_or(nx));
-                columns.end = columns.end.max(last.map_or(0, |last| last + 1));
-                rows = rows.start.min(y)..rows.end.max(y + 1);
-            }
+/// An extent and all pairs beside it that may touch under these pressures (Pa) at an approach (m).
+fn reach(step: &Step<'_>, (pressure, approach): (&[f64], f64), inner: Extent) -> Extent {
+    let cells = Cells::of(step.elements, pressure);
+    let [nx, ny] = step.elements;
+    let touches = |x: usize, y: usize| {
+        let (apart, place) = (step.gap[x + nx * y] - approach, [x as isize, y as isize]);
+        !cells.leave_open(apart, step.compliance, [place; 2])
+    };
+    let [mut columns, mut rows] = inner.clone();
+    for y in 0..ny {
+        let beside = inner[1].contains(&y);
+        let (left, right) = if beside { (inner[0].start, inner[0].end) } else { (nx, 0) };
+        let first = (0..left).find(|&x| touches(x, y));
+        let last =
+            if beside || first.is_some() { (right..nx).rfind(|&x| touches(x, y)) } else { None };
+        if first.is_some() || last.is_some() {
+            columns.start = columns.start.min(first.unwrap_or(nx));
+            columns.end = columns.end.max(last.map_or(0, |last| last + 1));
+            rows = rows.start.min(y)..rows.end.max(y + 1);
         }
-        [columns, rows]
     }
+    [columns, rows]
 }

@@ -2,6 +2,57 @@
 
 use std::f64::consts::TAU;
 
+use archard::body::Material;
+use archard::body::profile::Flat;
+use archard::compliance::{Compliance, HalfSpace, Periodic};
+use archard::frame::{ContactFrame, Measure};
+use archard::motion::Control;
+use archard::solve::Step;
+
+/// Side of the frame (m), rms slope, and what the flat is made of; the surface is rigid.
+const SIDE: f64 = 1e-3;
+const SLOPE: f64 = 0.1;
+const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
+
+/// A self-affine surface on a flat, alone or repeating itself.
+pub struct OnAFlat {
+    frame: ContactFrame,
+    gap: Vec<f64>,
+    addition: Vec<f64>,
+    compliance: Box<dyn Compliance>,
+    repeats: bool,
+}
+
+impl OnAFlat {
+    /// One of `n` by `n` elements.
+    pub fn new(n: usize, repeats: bool) -> Self {
+        let heights = self_affine(n, SIDE / n as f64, SLOPE, 1);
+        let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let gap: Vec<f64> = heights.into_iter().map(|height| highest - height).collect();
+        let frame = ContactFrame::uniform([SIDE; 2], [n; 2], [&Flat, &Flat]).expect("a frame");
+        let bodies = [None, Some(&STEEL)];
+        let compliance: Box<dyn Compliance> = if repeats {
+            Box::new(Periodic::new(bodies, [&[], &[]], [0.0, SIDE], &frame))
+        } else {
+            Box::new(HalfSpace::new(bodies, &frame))
+        };
+        Self { frame, addition: vec![0.0; gap.len()], gap, compliance, repeats }
+    }
+
+    /// Pressed by a mean pressure over E* and rms slope.
+    pub fn pressed(&self, pressure: f64) -> Step<'_> {
+        let modulus = STEEL.young / (1.0 - STEEL.poisson * STEEL.poisson);
+        Step {
+            compliance: &*self.compliance,
+            gap: &self.gap,
+            addition: &self.addition,
+            elements: self.frame.elements(),
+            measure: Measure { closed: self.repeats, ..self.frame.measure() },
+            control: Control::Load(pressure * modulus * SLOPE * SIDE * SIDE),
+        }
+    }
+}
+
 /// Hurst exponent of the surfaces.
 const HURST: f64 = 0.8;
 

@@ -216,3 +216,97 @@ fn surfaces_that_swing() {
     }
     .holds();
 }
+
+/// Kept and gone on with at every state, a run whose frame grows comes to the same bits.
+#[test]
+fn runs_that_grow_are_kept() {
+    let frame = &["frame.size=[\"0.2 mm\", \"0.2 mm\"]", "frame.elements=[10, 10]"][..];
+    let line = &["frame.size=0.09 mm", "frame.elements=16"][..];
+    for (text, options) in [
+        (PIN, &["motion.sliding.distance=40 mm"][..]),
+        (TRACK, &["motion.sliding.tolerance=3e-2"]),
+        (SHIFTED, &["motion.fretting.increments=16", "motion.fretting.cycles=1"]),
+        (SWUNG, &["motion.fretting.cycles=300", "output.at=[100]"]),
+    ] {
+        let frame = if text == SWUNG { line } else { frame };
+        let options = [options, frame].concat();
+        let mut whole = Run::begin(case(text, &options)).unwrap();
+        let mut parts = Run::begin(case(text, &options)).unwrap();
+        let first = of_case(text, &options);
+        while whole.step().unwrap() {
+            parts.step().unwrap();
+            parts = Run::resume(case(text, &options), &parts.checkpoint()).unwrap();
+            let [one, other] = [&whole, &parts].map(|run| run.report());
+            assert_eq!(one.problem.frame.len(), other.problem.frame.len());
+            assert!(one.state == other.state, "{}", one.state.progress);
+        }
+        assert!(whole.report().problem.frame.len() > first, "{first}");
+    }
+}
+
+/// A contact at one side of its frame makes it grow there, and values at the centre stay those of the place.
+#[test]
+fn frames_grow_where_they_are_too_small() {
+    let frame = |centre: &'static str, size: &'static str, elements: &'static str| {
+        let step = "motion.sliding.step=10 mm";
+        case(PIN, &[step, "motion.sliding.distance=100 mm", centre, size, elements])
+    };
+    let small = frame(
+        "frame.centre=[\"0.14 mm\", \"0 mm\"]",
+        "frame.size=[\"0.6 mm\", \"1 mm\"]",
+        "frame.elements=[30, 50]",
+    );
+    let large = frame(
+        "frame.centre=[\"0.14 mm\", \"0 mm\"]",
+        "frame.size=[\"1.4 mm\", \"1.2 mm\"]",
+        "frame.elements=[70, 60]",
+    );
+    let [small, large] = [small, large].map(|simulation| {
+        let mut run = Run::begin(simulation).unwrap();
+        while run.step().unwrap() {}
+        run
+    });
+    let [one, other] = [&small, &large].map(|run| run.report());
+    let [low, high] = [-0.5, 0.5].map(|side| {
+        let rectangle = one.problem.frame.rectangle();
+        rectangle.centre[0] + side * rectangle.size[0]
+    });
+    assert!(low < -0.2e-3 && high < 0.45e-3, "{low} {high}");
+    for column in ["centre_pressure_Pa", "wear_depth_m", "approach_m", "peak_pressure_Pa"] {
+        let [found, expected] = [&one, &other].map(|report| number(&row(report), column).unwrap());
+        assert!((found / expected - 1.0).abs() < 1e-7, "{column}: {found} {expected}");
+    }
+    assert_eq!(one.problem.frame.centre()[1], 0.0);
+    assert!((one.problem.frame.centre()[0] - 14e-5).abs() < 1e-15);
+}
+
+/// A measured surface whose readings end on one side holds the frame there alone.
+#[test]
+fn frames_end_with_the_readings_and_grow_elsewhere() {
+    let dir = tempfile::TempDir::new().unwrap();
+    let places = |from: i32, to: i32| (from..=to).map(|index| 0.02 * f64::from(index));
+    let mut table = "x_mm,y_mm,z_mm\n".to_owned();
+    for y in places(-30, 30) {
+        for x in places(-30, 12) {
+            table += &format!("{x},{y},{}\n", -(x * x + y * y) / 100.0);
+        }
+    }
+    std::fs::write(dir.path().join("ball.csv"), table).unwrap();
+    let text = PIN.replace(
+        "profile.sphere = { radius = \"50 mm\" }",
+        &format!("profile.table.file = \"{}\"", dir.path().join("ball.csv").display()),
+    );
+    let frame = [
+        "frame.size=[\"0.3 mm\", \"0.3 mm\"]",
+        "frame.elements=[15, 15]",
+        "motion.sliding.distance=300 mm",
+    ];
+    let mut run = Run::begin(case(&text, &frame)).unwrap();
+    while run.step().unwrap() {}
+    let report = run.report();
+    let rectangle = report.problem.frame.rectangle();
+    let [low, high] = [-0.5, 0.5]
+        .map(|side| [0, 1].map(|axis| rectangle.centre[axis] + side * rectangle.size[axis]));
+    assert!(high[0] < 0.251e-3 && high[0] > 0.2e-3, "{high:?}");
+    assert!(low[0] < -0.3e-3 && low[1] < -0.3e-3 && high[1] > 0.3e-3, "{low:?} {high:?}");
+}

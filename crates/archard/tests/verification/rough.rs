@@ -1,14 +1,12 @@
 //! Contacts of many patches: a wavy and a random surface, far from the convex shapes the rest of the
 //! suite lives on.
 
-use archard::body::profile::Flat;
-use archard::compliance::{Compliance, HalfSpace, Periodic};
-use archard::frame::{ContactFrame, Measure, Part};
+use archard::frame::Part;
 use archard::motion::Control;
 use archard::solve::{Outcome, SOLVERS, Start, Status, Step, press};
 
-use crate::common::{Ball, STEEL, at_rest, solver};
-use crate::surfaces::self_affine;
+use crate::common::{Ball, at_rest, solver};
+use crate::surfaces::OnAFlat;
 
 /// Roughness without pattern between -1 and 1, one value a pair.
 fn scattered(pairs: usize) -> Vec<f64> {
@@ -75,27 +73,8 @@ fn solvers_agree_on_a_rough_surface() {
 /// A self-affine surface of `n` by `n` elements on a flat, rms slope 0.1, pressed by 0.04 of that times E*, alone or
 /// repeating itself: a twelfth or so touches. From pressures all over the frame or from nothing.
 fn self_affine_contact(n: usize, repeats: bool, start: Option<&[f64]>) -> Outcome {
-    let side = 1e-3;
-    let heights = self_affine(n, side / n as f64, 0.1, 1);
-    let highest = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let gap: Vec<f64> = heights.iter().map(|height| highest - height).collect();
-    let frame = ContactFrame::uniform([side; 2], [n; 2], [&Flat, &Flat]).expect("a frame");
-    let bodies = [None, Some(&STEEL)];
-    let compliance: Box<dyn Compliance> = if repeats {
-        Box::new(Periodic::new(bodies, [&[], &[]], [0.0, side], &frame))
-    } else {
-        Box::new(HalfSpace::new(bodies, &frame))
-    };
-    let modulus = STEEL.young / (1.0 - STEEL.poisson * STEEL.poisson);
-    let addition = vec![0.0; gap.len()];
-    let step = Step {
-        compliance: &*compliance,
-        gap: &gap,
-        addition: &addition,
-        elements: [n; 2],
-        measure: Measure { closed: repeats, ..frame.measure() },
-        control: Control::Load(0.04 * 0.1 * modulus * side * side),
-    };
+    let surface = OnAFlat::new(n, repeats);
+    let step = surface.pressed(0.04);
     let start = start.map(|pressure| Start {
         pressure,
         displacement: &[],

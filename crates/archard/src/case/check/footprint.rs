@@ -85,6 +85,12 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
     BYTES_OF_THE_PROGRAM + meshed + factors + fields
 }
 
+/// Pairs of half-spaces whose run fits into so much memory (bytes).
+pub(in crate::case) fn pairs_within(parts: &Parts<'_>, free: f64) -> usize {
+    let [own, all] = [memory(parts), free].map(|bytes| bytes - BYTES_OF_THE_PROGRAM);
+    (all / own * parts.pairs() as f64) as usize
+}
+
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
 fn of_factors(parts: &Parts<'_>) -> f64 {
     match parts.motion.shift() {
