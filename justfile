@@ -18,16 +18,16 @@ faults:
 
 # two thousand random cases, the errors stated by two hundred, ten minutes of each kind of damaged file, a hundred runs killed; about an hour
 soak:
-    cargo test -p archard --test soak -- --ignored --nocapture
-    cargo test -p archard --test honesty -- --ignored --nocapture
-    cargo test -p archard --test damaged -- --ignored --nocapture --test-threads 1
+    cargo test -p archard-case --test soak -- --ignored --nocapture
+    cargo test -p archard-case --test honesty -- --ignored --nocapture
+    cargo test -p archard-case --test damaged -- --ignored --nocapture --test-threads 1
     cargo test -p archard-cli --bin archard -- damaged_folders --ignored --nocapture
     cargo test -p archard-cli --test faults -- --ignored
 
 # check formatting and lints
 lint:
     cargo fmt --all --check
-    cargo clippy --workspace --all-targets -- -D warnings
+    cargo clippy --workspace --all-targets --all-features -- -D warnings
 
 # draw the picture of a report in the book, with Chromium
 report-picture:
@@ -72,7 +72,7 @@ gallery:
 
 # time whole solves in padded round trips, and whole cases against the last release
 bench: && bench-cases
-    cargo bench -p archard
+    cargo bench -p archard-case
 
 # compare whole cases with an earlier version on its own case files, into the book: just bench-cases 848cb14
 bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb14)":

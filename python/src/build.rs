@@ -4,11 +4,11 @@ use std::error::Error as StdError;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use archard::case::{Case, Following, Resolved, Unsettled};
-use archard::output::Store;
 use archard::problem::ContactProblem;
 use archard::simulation::{Companions, Observer, Report, Simulation};
 use archard::wear::try_out;
+use archard_case::output::Store;
+use archard_case::{Case, Following, Resolved, Unsettled};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::ThreadPool;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use archard::case::{self, Problem, Source, Task};
+use archard_case::{Problem, Source, Task};
 use pyo3::prelude::*;
 
 use crate::away::{away, pool};
@@ -15,12 +15,12 @@ pyo3::import_exception!(archard._errors, CaseError);
 
 /// A case as written.
 #[pyclass(frozen, module = "archard._archard")]
-pub struct CaseFile(pub case::CaseFile);
+pub struct CaseFile(pub archard_case::CaseFile);
 
 /// A case that passed every check.
 #[pyclass(frozen, module = "archard._archard")]
 pub struct Checked {
-    file: case::CaseFile,
+    file: archard_case::CaseFile,
     task: Arc<Task>,
 }
 
@@ -28,8 +28,8 @@ pub struct Checked {
 impl CaseFile {
     #[new]
     fn new(name: &str, text: &str, folder: PathBuf, options: Vec<String>) -> Self {
-        let file = case::CaseFile::from_text(name, text, folder);
-        Self(options.into_iter().fold(file, case::CaseFile::set))
+        let file = archard_case::CaseFile::from_text(name, text, folder);
+        Self(options.into_iter().fold(file, archard_case::CaseFile::set))
     }
 
     /// Reads and checks it.
@@ -77,7 +77,7 @@ impl Checked {
 }
 
 /// What a case asks for, or all that is wrong with it.
-pub fn resolve(file: &case::CaseFile) -> Result<Task, Vec<Told>> {
+pub fn resolve(file: &archard_case::CaseFile) -> Result<Task, Vec<Told>> {
     let tell = |problems: Vec<Problem>| problems.iter().map(|one| told(file, one)).collect();
     file.task().map_err(tell)
 }
@@ -88,7 +88,7 @@ pub fn refused(problems: Vec<Told>) -> PyErr {
 }
 
 /// A problem in words.
-pub fn told(file: &case::CaseFile, problem: &Problem) -> Told {
+pub fn told(file: &archard_case::CaseFile, problem: &Problem) -> Told {
     let place = match &problem.location {
         Some(at) if at.source == Source::File => {
             format!("{}:{}", file.name(at.source), file.line(at))

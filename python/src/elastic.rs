@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use archard::case::Task;
-use archard::output::{self, Claim, Totals};
+use archard_case::Task;
+use archard_case::output::{self, Claim, Totals};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Fields of a state as NumPy arrays.
 
-use archard::output::{Field, Image, Surface};
 use archard::simulation::Report;
+use archard_case::output::{Field, Image, Surface};
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use archard::fit::{Files, Following, Request, fit as fit_case, next_test, together};
-use archard::measured::Table;
-use archard::measured::surface::Surface;
-use archard::output::Store;
 use archard::simulation::{Observer, Report};
+use archard_case::measured::Table;
+use archard_case::measured::surface::Surface;
+use archard_case::output::Store;
+use archard_lab::{Files, Following, Request, fit as fit_case, next_test, together};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
-use archard::case::Task;
-use archard::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
 use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
+use archard_case::Task;
+use archard_case::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::ThreadPool;
@@ -113,7 +113,7 @@ impl Run {
         };
         let (results, stage) = if resume {
             let (results, kept) = claim.resume(&simulation).map_err(|error| match error {
-                archard::output::Error::NotResumed { .. } => {
+                archard_case::output::Error::NotResumed { .. } => {
                     PyValueError::new_err(error.to_string())
                 }
                 error => unwritten(error),

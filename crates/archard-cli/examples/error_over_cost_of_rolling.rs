@@ -5,18 +5,18 @@
 //! seconds are those of one thread, for pressures and friction, the fewest of three runs. Errors are against the limit of fine elements, extrapolated
 //! from 240 and 320 across the contact for errors that fall with the square of their size.
 
-#[path = "../../archard/tests/framed/mod.rs"]
+#[path = "../../archard-case/tests/framed/mod.rs"]
 mod framed;
 
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
-use archard::case::CaseFile;
 use archard::friction::Map;
 use archard::problem::{ContactProblem, ContactState};
 use archard::simulation::{Observer, Report};
 use archard::solve::tangential::{self, FrictionSolver, Newton, Step};
+use archard_case::CaseFile;
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{LegendPosition, LinePlot, ScatterPlot};
 use kuva::render::figure::Figure;
@@ -171,7 +171,7 @@ fn contact(
     ];
     let all = frame.iter().map(String::as_str).chain(unworn).chain(options.iter().copied());
     let file = all.fold(CaseFile::read(&path)?, |file, option| file.set(option));
-    let wrong = |problems: Vec<archard::case::Problem>| {
+    let wrong = |problems: Vec<archard_case::Problem>| {
         problems.iter().map(|problem| problem.title()).collect::<Vec<_>>().join("\n")
     };
     let simulation = file.resolve().map_err(wrong)?.case.build()?;

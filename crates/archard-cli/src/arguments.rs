@@ -4,7 +4,7 @@ use std::num::NonZeroUsize;
 use std::path::PathBuf;
 use std::str::FromStr;
 
-use archard::output::Store;
+use archard_case::output::Store;
 use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use clap_complete::Shell;
 
@@ -241,7 +241,7 @@ pub struct Plot {
     /// The width to fill in print, with letters to match; that of a screen if not given
     #[arg(long, value_enum)]
     pub size: Option<Width>,
-    /// The files to write, e.g. svg,pdf; SVG and PNG if not given
+    /// The files to write, e.g. svg,png, or pdf if built with it; SVG and PNG if not given
     #[arg(long, value_enum, value_delimiter = ',')]
     pub format: Vec<Format>,
 }

@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use archard::case::{CaseFile, nearest};
-use archard::files::{self, Contents};
-use archard::output::{Store, write_whole};
+use archard_case::files::{self, Contents};
+use archard_case::output::{Store, write_whole};
+use archard_case::{CaseFile, nearest};
 
 use crate::failure::Failure;
 use crate::rigs::RIGS;

@@ -3,9 +3,9 @@
 use std::error::Error as StdError;
 use std::time::{Duration, Instant};
 
-use archard::case::{Following, Resolved, Task, Unsettled};
 use archard::simulation::{Companions, Error, Observer, Report};
 use archard::units::{self, Measure};
+use archard_case::{Following, Resolved, Task, Unsettled};
 
 use crate::arguments::Run;
 use crate::failure::Failure;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
-use archard::case::{CaseFile, Problem, Severity, Task};
+use archard_case::{CaseFile, Problem, Severity, Task};
 
 use crate::arguments::Case;
 use crate::builtin;
@@ -55,7 +55,7 @@ fn group<'a>(file: &'a CaseFile, problem: &'a Problem) -> Group<'a> {
     };
     let group = Group::with_title(level.primary_title(problem.title()));
     let group = match &problem.location {
-        None => group.element(Origin::path(file.name(archard::case::Source::File))),
+        None => group.element(Origin::path(file.name(archard_case::Source::File))),
         Some(at) => {
             let (lines, number, span) = lines_of(file.text(at.source), at.span.clone());
             group.element(

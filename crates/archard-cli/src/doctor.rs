@@ -6,11 +6,11 @@ use std::path::Path;
 use std::thread::available_parallelism;
 use std::time::Instant;
 
-use archard::case::{CaseFile, Task, free_memory};
 use archard::numerics::single::lanes;
-use archard::output::Store;
 use archard::simulation::history::{self, number};
 use archard::simulation::{Observer, Report};
+use archard_case::output::Store;
+use archard_case::{CaseFile, Task, free_memory};
 
 use crate::builtin::CASES;
 use crate::failure::Failure;

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::Instant;
 
-use archard::case::ResolvedElastic;
 use archard::elastic::{Deformed, ElasticBody, von_mises};
-use archard::output::{Totals, write_elastic};
+use archard_case::ResolvedElastic;
+use archard_case::output::{Totals, elastic_verdict, write_elastic};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
@@ -40,7 +40,7 @@ pub fn run(
     if !quiet {
         summarize(&body, &deformed, &totals, claim.dir())?;
     }
-    let judged = body.verdict(&deformed);
+    let judged = elastic_verdict(&body, &deformed);
     if !quiet {
         say(&format!("verdict           {}", verdict::headline(&judged)))?;
         verdict::say_lines(&judged, verbose)?;

@@ -4,11 +4,11 @@ use std::error::Error as StdError;
 use std::fs;
 use std::path::Path;
 
-use archard::case::Task;
-use archard::fit::{self, Error, Files, Fit, Following, Request};
-use archard::measured::surface::Surface;
-use archard::output::{Store, write_whole};
 use archard::simulation::{Observer, Report};
+use archard_case::Task;
+use archard_case::measured::surface::Surface;
+use archard_case::output::{Store, write_whole};
+use archard_lab::{Error, Files, Fit, Following, Request};
 
 use crate::arguments::Fit as Arguments;
 use crate::diagnose;
@@ -57,7 +57,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         store: store.as_ref(),
         following: &mut follow,
     };
-    let found = fit::fit(&file, &table, request);
+    let found = archard_lab::fit(&file, &table, request);
     follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
     let found = found.map_err(|error| {
         if made {

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use archard::case::Task;
-use archard::output::{Claim, Error};
+use archard_case::Task;
+use archard_case::output::{Claim, Error};
 
 use crate::arguments::{Case, Run};
 use crate::failure::Failure;

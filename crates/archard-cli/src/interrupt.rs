@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use archard::output::{Claim, Error};
 use archard::simulation::{Observer, Report};
+use archard_case::output::{Claim, Error};
 
 use crate::failure::{Failure, INTERRUPTED};
 use crate::underway::Underway;

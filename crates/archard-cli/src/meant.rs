@@ -1,6 +1,6 @@
 //! Mistyped subcommands are answered with the nearest, letters that were swapped too.
 
-use archard::case::nearest;
+use archard_case::nearest;
 use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue};
 

@@ -4,7 +4,7 @@ use std::fs::{self, OpenOptions};
 use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
-use archard::case::nearest;
+use archard_case::nearest;
 
 use crate::arguments::New;
 use crate::builtin::{Builtin, CASES, named};

@@ -2,7 +2,7 @@
 
 use archard::motion::Progress;
 use archard::parameters::Quantity;
-pub use archard::verdict::four;
+pub use archard_case::verdict::four;
 
 /// Share of a load below which a force is rounding, and of a number below which its error is.
 pub const ROUNDING: f64 = 1e-9;

@@ -2,16 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use archard::case::Forecast;
 use archard::motion::{Control, Rolling, Shift};
-use archard::output::Totals;
 use archard::simulation::history::{
     self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, LAYER_VOLUME, MASS_LOSS,
     SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body,
     stated,
 };
 use archard::simulation::{Effort, Simulation};
-use archard::verdict::Verdict;
+use archard_case::Forecast;
+use archard_case::output::Totals;
+use archard_case::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;

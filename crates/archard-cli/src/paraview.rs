@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use archard::body::Body;
-use archard::output::{
+use archard_case::output::{
     Collection, Error, Field, Image, Manifest, RELIEF, Sheet, Surface, WornSurface, bodies,
     write_whole,
 };

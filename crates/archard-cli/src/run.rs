@@ -4,10 +4,10 @@ use std::num::NonZero;
 use std::path::Path;
 use std::time::Instant;
 
-use archard::case::{Resolved, Task};
-use archard::output::{self, Inside, Totals};
 use archard::simulation::{Companions, Effort, Error, Observer};
-use archard::verdict::Verdict;
+use archard_case::output::{self, Inside, Totals};
+use archard_case::verdict::Verdict;
+use archard_case::{Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Report, Run};

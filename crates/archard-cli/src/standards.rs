@@ -1,7 +1,7 @@
 //! Volumes after test standards, in words.
 
-use archard::output::Standard;
 use archard::problem::ContactProblem;
+use archard_case::output::Standard;
 
 use crate::lines::Lines;
 use crate::number::four;

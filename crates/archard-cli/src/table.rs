@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use archard::files::{self, Contents};
-use archard::measured::Table;
+use archard_case::files::{self, Contents};
+use archard_case::measured::Table;
 
 /// Names and titles, of options like `depth="Tiefe [um]"`.
 ///

@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::time::Instant;
 
-use archard::files::{self, Contents};
-use archard::output::{Error, ResultFolder, Totals};
-use archard::verdict::Verdict;
+use archard_case::files::{self, Contents};
+use archard_case::output::{Error, ResultFolder, Totals};
+use archard_case::verdict::Verdict;
 use indicatif::ProgressBar;
 use serde_json::Value;
 

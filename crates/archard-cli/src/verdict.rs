@@ -1,6 +1,6 @@
 //! Whether a result can be believed: in a line where it can, and by every check that says otherwise.
 
-use archard::verdict::{Verdict, Word};
+use archard_case::verdict::{Verdict, Word};
 
 use crate::failure::Failure;
 use crate::say::{self, say};
@@ -45,7 +45,7 @@ pub fn judge(verdict: &Verdict, dir: &std::path::Path) -> Result<(), Failure> {
 
 #[cfg(test)]
 mod tests {
-    use archard::verdict::Word;
+    use archard_case::verdict::Word;
 
     use super::painted;
 

@@ -4,7 +4,7 @@
 
 #[path = "faults/folder.rs"]
 mod folder;
-#[path = "../../archard/tests/framed/mod.rs"]
+#[path = "../../archard-case/tests/framed/mod.rs"]
 mod framed;
 #[path = "faults/kill.rs"]
 mod kill;
@@ -18,7 +18,7 @@ use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use archard::output::{Collection, Image};
+use archard_case::output::{Collection, Image};
 use framed::folder as case;
 use serde_json::Value;
 
@@ -140,7 +140,7 @@ fn assert_whole(dir: &Path) -> usize {
             "summary.json" => {
                 serde_json::from_str::<Value>(&text).is_ok_and(|value| value.is_object())
             }
-            _ => archard::case::CaseFile::read(&out).is_ok_and(|file| file.task().is_ok()),
+            _ => archard_case::CaseFile::read(&out).is_ok_and(|file| file.task().is_ok()),
         };
         assert!(end, "{name} is not whole:\n{text}");
     }

@@ -17,10 +17,8 @@ use crate::compliance::bem::{
 };
 use crate::compliance::{Balance, Undetermined, Unsolved};
 use crate::frame::VectorField;
-use crate::verdict::{self, Verdict};
 
 /// A body with its loads and supports.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct ElasticBody {
     /// The user's name for it.
@@ -51,7 +49,7 @@ pub struct Point {
 #[derive(Debug, Clone)]
 pub struct Deformed {
     /// The elements.
-    pub(crate) surface: Surface,
+    pub surface: Surface,
     /// Displacement (m) of the surface along x, y and z, a value a node of displacements.
     pub displacement: Vec<[f64; 3]>,
     /// Traction (Pa) on the surface along x, y and z, a value a node of tractions.
@@ -70,7 +68,6 @@ pub struct Deformed {
 }
 
 /// Displacement and stress at a point of a body.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Response {
     /// Displacement along x, y and z (m).
@@ -123,7 +120,7 @@ pub enum ElasticError {
 
 impl ElasticBody {
     /// Its elements.
-    pub(crate) fn surface(&self) -> Surface {
+    pub fn surface(&self) -> Surface {
         Surface::new(&self.finite.meshed.mesh, self.finite.interpolation, self.finite.mirrored)
     }
 
@@ -133,7 +130,7 @@ impl ElasticBody {
     }
 
     /// All that can be known to be wrong before the equations are made.
-    pub(crate) fn check(&self, surface: &Surface) -> Vec<ElasticError> {
+    pub fn check(&self, surface: &Surface) -> Vec<ElasticError> {
         let undetermined = self.conditions(surface).err().map(ElasticError::from);
         let outside =
             self.points.iter().filter(|point| surface.depth(point.place.into()).is_none());
@@ -143,14 +140,6 @@ impl ElasticBody {
             Some(ElasticError::Section { name: section.name.clone(), cause })
         });
         undetermined.into_iter().chain(outside).chain(sections).collect()
-    }
-
-    /// What can be believed of a result.
-    pub fn verdict(&self, deformed: &Deformed) -> Verdict {
-        let Balance { force, moment } = deformed.balance;
-        let mut lines = verdict::balance(force, moment).to_vec();
-        lines.extend(self.slenderness.map(verdict::slenderness));
-        Verdict { lines }
     }
 
     /// Displacements, tractions and stresses.
@@ -169,14 +158,13 @@ impl ElasticBody {
 }
 
 /// Points and sections where displacement and stress are wanted.
-pub(crate) type Wanted<'a> = (&'a [Point], &'a [Section]);
+pub type Wanted<'a> = (&'a [Point], &'a [Section]);
 
 /// What finds displacements and tractions all over a body under tractions of contact (Pa), three a contact node.
-pub(crate) type Solve<'a> =
-    &'a dyn Fn(&Finite, &Material, &Job<'_>, &[f64]) -> Result<Boundary, Unsolved>;
+pub type Solve<'a> = &'a dyn Fn(&Finite, &Material, &Job<'_>, &[f64]) -> Result<Boundary, Unsolved>;
 
 /// Solves the equations of a body.
-pub(crate) fn solve(
+pub fn solve(
     finite: &Finite,
     material: &Material,
     job: &Job<'_>,
@@ -205,7 +193,7 @@ impl Deformed {
     ///
     /// # Errors
     /// As [`Deformed::in_contact`].
-    pub(crate) fn in_contact_by(
+    pub fn in_contact_by(
         bodies: [&Body; 2],
         which: usize,
         (tractions, worn): (&VectorField, &[f64]),

@@ -31,77 +31,40 @@
 //! [`Path`](motion::Path); the [`Builder`](simulation::Builder) also takes friction, solvers and outputs.
 //! The folder `examples` has a program for each motion.
 //!
-//! # From a case file
+//! Results go to the [observers](simulation::Observer) handed to `run`.
 //!
-//! ```
-//! use archard::case::CaseFile;
-//!
-//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let text = r#"
-//!     [body.pin]
-//!     material = { young = "210 GPa", poisson = 0.3 }
-//!     profile.sphere = { radius = "50 mm" }
-//!     wear.archard = { coefficient = "1.33e-13 1/Pa" }
-//!     [body.disc]
-//!     material = { young = "210 GPa", poisson = 0.3 }
-//!     profile.flat = {}
-//!     [frame]
-//!     size = ["1.2 mm", "1.2 mm"]
-//!     elements = [30, 30]
-//!     [motion.sliding]
-//!     load = "10.2 N"
-//!     distance = "500 mm"
-//!     step = "5 mm"
-//! "#;
-//! let resolved = CaseFile::from_text("pin on disc", text, ".").resolve().map_err(|_| "mistakes")?;
-//! assert_eq!(resolved.case.build()?.run(&mut [])?.steps, 100);
-//! # Ok(())
-//! # }
-//! ```
-//!
-//! Results go to the [observers](simulation::Observer) handed to `run`:
-//! [`output::ResultFolder`] writes files, your own keeps what it likes.
-//!
-//! A case of one body, without contact, is [resolved](case::CaseFile::task) to an
-//! [`elastic::ElasticBody`].
+//! Case files, files of results and what can be believed of them are in the crate `archard-case`, fits in `archard-lab`.
 //!
 //! # The names
 //!
-//! A [`Case`] builds a [`Simulation`]: a [`ContactProblem`], a [`Solver`] and a schedule. The problem
+//! A [`Simulation`] is a [`ContactProblem`], a [`Solver`] and a schedule. The problem
 //! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
 //! seen from the frame, and their [`Motion`]; each body may have a [`WearLaw`].
 //! What is known at the end of a step is a [`ContactState`]. Profiles, wear laws, motions and solvers
 //! are interchangeable parts; those that a case file can name are declared as [`parameters::Choice`]s, which
 //! call the constructors of the same types.
 //!
-//! SI units everywhere; `case` and `output` are the only modules that know others. Signs and axes are
+//! SI units everywhere. Signs and axes are
 //! stated in [`frame`].
 
 pub mod body;
-pub mod case;
 pub mod closed_form;
 pub mod compliance;
 pub mod elastic;
 pub mod estimate;
-pub mod files;
-pub mod fit;
 pub mod frame;
 pub mod friction;
-pub mod measured;
 pub mod motion;
 #[doc(hidden)]
 pub mod numerics;
-pub mod output;
 pub mod parameters;
 pub mod problem;
 pub mod simulation;
 pub mod solve;
 pub mod units;
-pub mod verdict;
 pub mod wear;
 
 pub use body::{Body, Material};
-pub use case::Case;
 pub use compliance::Compliance;
 pub use frame::ContactFrame;
 pub use friction::Friction;

@@ -3,20 +3,23 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The modules of the library from the ground up; those of one layer do not see each other.
+/// The crates whose modules have layers; what stands above, `archard-lab`, the command and Python, is apart by being crates.
+const CRATES: [&str; 2] = ["archard", "archard-case"];
+
+/// The modules of the library from the ground up; those of one layer do not see each other. Those of `archard-case` begin with
+/// `verdict`.
 const LAYERS: &[&[&str]] = &[
-    &["numerics", "parameters", "units", "verdict"],
-    &["wear", "friction", "measured"],
+    &["numerics", "parameters", "units"],
+    &["wear", "friction"],
     &["body"],
     &["frame", "closed_form"],
     &["compliance", "motion"],
     &["elastic", "problem"],
     &["solve"],
     &["simulation", "estimate"],
-    &["files"],
+    &["verdict", "files", "measured"],
     &["output"],
     &["case"],
-    &["fit"],
 ];
 
 fn layer(module: &str) -> Option<usize> {
@@ -76,18 +79,20 @@ fn outermost(list: &str) -> Vec<String> {
 
 /// The sources with their module and its layer.
 fn layered_sources() -> Vec<(PathBuf, String, usize, String)> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut files = Vec::new();
-    sources(&root, &mut files);
     let mut layered = Vec::new();
-    for file in files {
-        let inside = file.strip_prefix(&root).expect("a file below the root").to_owned();
-        let first = inside.iter().next().and_then(|first| Path::new(first).file_stem());
-        let module = first.and_then(|stem| stem.to_str()).expect("a name").to_owned();
-        if module != "lib" {
-            let own = layer(&module)
-                .unwrap_or_else(|| panic!("`{module}` has no layer: add it to LAYERS"));
-            layered.push((inside, module, own, fs::read_to_string(&file).expect("a text")));
+    for name in CRATES {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(name).join("src");
+        let mut files = Vec::new();
+        sources(&root, &mut files);
+        for file in files {
+            let inside = file.strip_prefix(&root).expect("a file below the root").to_owned();
+            let first = inside.iter().next().and_then(|first| Path::new(first).file_stem());
+            let module = first.and_then(|stem| stem.to_str()).expect("a name").to_owned();
+            if module != "lib" {
+                let own = layer(&module)
+                    .unwrap_or_else(|| panic!("`{module}` has no layer: add it to LAYERS"));
+                layered.push((inside, module, own, fs::read_to_string(&file).expect("a text")));
+            }
         }
     }
     layered

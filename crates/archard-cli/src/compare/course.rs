@@ -1,10 +1,10 @@
 //! Readings taken as a motion went on beside the history of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::measured::Table;
 use archard::motion::Progress;
 use archard::simulation::history::{BODY_DEPTH, MASS_LOSS, WORN_SECTION, WORN_VOLUME, of_body};
 use archard::units::Measure;
+use archard_case::measured::Table;
 
 use super::{Comparison, percent, unused};
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};

@@ -1,6 +1,6 @@
 //! Raw readings of a profile brought level: a line fitted beside the scar, and a shift along it.
 
-use archard::measured::plane::{Height, Plane};
+use archard_case::measured::plane::{Height, Plane};
 
 /// How raw readings lie against the shape that the body had.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,9 +1,9 @@
 //! A measured height map beside the worn surface of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::measured::surface::{Scar, Surface, Unworn};
-use archard::output::Image;
 use archard::simulation::history::{WORN_VOLUME, of_body};
+use archard_case::measured::surface::{Scar, Surface, Unworn};
+use archard_case::output::Image;
 
 use super::level::Reading;
 use super::{Comparison, percent, profile};

@@ -9,8 +9,8 @@ mod runs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Error, Result, ensure};
-use archard::measured::Table;
-use archard::measured::surface::Surface;
+use archard_case::measured::Table;
+use archard_case::measured::surface::Surface;
 
 use crate::plot::draw::Paper;
 use crate::plot::figure::Panel;

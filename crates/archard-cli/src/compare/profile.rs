@@ -1,9 +1,9 @@
 //! A measured profile beside the worn one of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::measured::plane::{FEWEST, Plane};
-use archard::measured::surface::Surface;
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, of_body};
+use archard_case::measured::plane::{FEWEST, Plane};
+use archard_case::measured::surface::Surface;
 
 use super::level::{Level, Reading, least};
 use super::{Comparison, percent};

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use archard::output::Image;
+use archard_case::output::Image;
 
 /// Most cells along an axis: more would only make the SVG heavy.
 const MOST: usize = 160;
@@ -46,7 +46,7 @@ fn groups(image: &Image, axis: usize, [low, high]: [f64; 2]) -> Vec<Range<usize>
 
 #[cfg(test)]
 mod tests {
-    use archard::output::Image;
+    use archard_case::output::Image;
 
     use super::Cells;
 

@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
-use archard::output::write_whole;
+use archard_case::output::write_whole;
+#[cfg(feature = "pdf")]
 use kuva::backend::pdf::{PageSize, PdfBackend};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{self, BandPlot, ColorMap, Heatmap, LinePlot, ScatterPlot};
@@ -91,6 +92,7 @@ const COLUMN: f64 = 480.0;
 /// Dots per millimetre of a PNG for print.
 const DOTS: f64 = 600.0 / 25.4;
 /// Points (1/72 inch) per millimetre.
+#[cfg(feature = "pdf")]
 const POINTS: f64 = 72.0 / 25.4;
 
 /// Writes panels as `path.svg` and so on, below a mark if there is one; returns the files.
@@ -188,11 +190,19 @@ fn svg(scene: &Scene, millimetres: Option<f64>) -> String {
 }
 
 /// The scene as a PDF, of that width (mm) if it is given.
+#[cfg(feature = "pdf")]
 fn pdf(scene: &Scene, millimetres: Option<f64>) -> anyhow::Result<Vec<u8>> {
     let width = millimetres.map_or(scene.width, |mm| mm * POINTS);
     let size = PageSize::points(width, width * scene.height / scene.width);
     let drawn = PdfBackend::new().with_page_size(size).render_scenes(std::slice::from_ref(scene));
     drawn.map_err(|message| anyhow!(message))
+}
+
+#[cfg(not(feature = "pdf"))]
+fn pdf(_: &Scene, _: Option<f64>) -> anyhow::Result<Vec<u8>> {
+    Err(anyhow!(
+        "this archard was built without PDF: build it with `--features pdf`, or take `--format svg`"
+    ))
 }
 
 /// A panel as the library that draws takes it.

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::Result;
-use archard::fit::{Coefficient, Fit, Shown};
+use archard_lab::{Coefficient, Fit, Shown};
 
 use super::draw::{Paper, Sheet, save};
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};

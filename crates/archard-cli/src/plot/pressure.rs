@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use anyhow::{Context, Result};
-use archard::output::Surface;
 use archard::simulation::history::LOAD;
+use archard_case::output::Surface;
 
 use super::cells::Cells;
 use super::figure::{COLOURS, Curves, Map, Panel, Parts, Pen, View, moment};

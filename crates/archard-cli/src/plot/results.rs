@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, bail, ensure};
-use archard::case::{Case, CaseFile};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
-use archard::files;
 use archard::motion::{Progress, Rolling};
-use archard::output::{Collection, Image, Surface};
 use archard::simulation::history::{
     BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body, stated,
 };
+use archard_case::files;
+use archard_case::output::{Collection, Image, Surface};
+use archard_case::{Case, CaseFile};
 use serde_json::{Map, Value};
 
 use super::scale::Unit;

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
-use archard::files::{self, Contents};
 use archard::simulation::history::{BODY_DEPTH, body_of};
+use archard_case::files::{self, Contents};
 
 /// An axis of the frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use archard::files::{self, Contents};
+use archard_case::files::{self, Contents};
 use serde_json::Value;
 
 use super::figures::Figure;

@@ -17,7 +17,7 @@ mod words;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use archard::output::write_whole;
+use archard_case::output::write_whole;
 
 use crate::arguments::Report;
 use crate::compare;

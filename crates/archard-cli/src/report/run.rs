@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::Result;
-use archard::files;
+use archard_case::files;
 use serde_json::{Value, json};
 
 use super::figures::{Figure, drawn};

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use anyhow::{Context, Result};
-use archard::files::{self, Contents};
 use archard::simulation::history::{
     BODY_DEPTH, MASS_LOSS, PEAK_PRESSURE, SCAR, TRACK_WIDTH, WORN_SECTION, WORN_VOLUME, body_of,
     of_body,
 };
+use archard_case::files::{self, Contents};
 use serde_json::{Value, json};
 
 use super::figures::{Figure, drawn};

@@ -3,7 +3,7 @@
 use super::html::{Html, fill};
 use super::page::capital;
 use crate::plot::scale::superscript;
-use archard::verdict::four;
+use archard_case::verdict::four;
 
 /// The case as a list of what it is made of, in HTML.
 pub(super) fn case(case: &str) -> Html {

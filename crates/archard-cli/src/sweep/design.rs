@@ -1,6 +1,6 @@
 //! The rows of a study: what is put at which keys, and the checked case of each row.
 
-use archard::case::{Problem, Resolved, Severity, Task, ValueAt};
+use archard_case::{Problem, Resolved, Severity, Task, ValueAt};
 use serde_json::json;
 
 use super::points::{MOST, points, together};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use archard::case::Case;
-use archard::files::{self, Contents};
+use archard_case::Case;
+use archard_case::files::{self, Contents};
 use serde_json::Value;
 
 use crate::arguments::Sweep;
@@ -57,7 +57,7 @@ fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), Failure> {
 
 /// The wear laws of a case of which none of these keys tells anything: their keys, and what the case has there, in words.
 fn untold(case: &Case, told: &[&str]) -> Vec<(String, String)> {
-    let own = |body: &archard::case::BodyCase| {
+    let own = |body: &archard_case::BodyCase| {
         let wear = format!("body.{}.wear", body.name);
         if told.iter().any(|key| key.starts_with(&wear)) {
             return None;

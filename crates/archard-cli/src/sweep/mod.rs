@@ -21,8 +21,8 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use archard::files;
-use archard::output::{Store, write_whole};
+use archard_case::files;
+use archard_case::output::{Store, write_whole};
 use rayon::ThreadPoolBuilder;
 
 use crate::arguments::Sweep;

@@ -1,7 +1,5 @@
 //! Points of the unit cube that samples are drawn at.
 
-use archard::fit;
-
 use crate::arguments::Layout;
 
 /// Half the distance of the values that a Sobol sequence takes: its points lie within the cube, never on its faces.
@@ -23,11 +21,11 @@ pub fn points(layout: Layout, (count, dimensions): (usize, usize), seed: u32) ->
     }
 }
 
-/// Makes the first two coordinates of points go together, as [`archard::fit::together`] does.
+/// Makes the first two coordinates of points go together, as [`archard_lab::together`] does.
 pub fn together(points: &mut [Vec<f64>], correlation: f64) {
     for point in points {
         if let [one, other, ..] = &mut point[..] {
-            *other = fit::together([*one, *other], correlation).clamp(HALF, 1.0 - HALF);
+            *other = archard_lab::together([*one, *other], correlation).clamp(HALF, 1.0 - HALF);
         }
     }
 }

@@ -4,10 +4,10 @@ use std::error::Error as StdError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use archard::case::{self, Resolved};
-use archard::files::{self, Contents};
-use archard::output::{Claim, Error, Inside, ResultFolder, Store};
 use archard::simulation::{Observer, Report, Simulation};
+use archard_case::Resolved;
+use archard_case::files::{self, Contents};
+use archard_case::output::{Claim, Error, Inside, ResultFolder, Store};
 
 use crate::interrupt::{Interrupted, Requests};
 use crate::underway::{self, Underway};
@@ -165,7 +165,7 @@ impl Observer for Stop<'_> {
     }
 }
 
-impl case::Following for Stop<'_> {
+impl archard_case::Following for Stop<'_> {
     fn begins(&mut self, _: [usize; 2]) {}
 
     fn observer(&mut self) -> &mut dyn Observer {

@@ -8,10 +8,10 @@ use std::error::Error as StdError;
 use std::path::Path;
 use std::time::Instant;
 
-use archard::output::{Claim, Derived, Error, Store};
 use archard::simulation::history::{self, WEAR_DEPTH, rescaled};
 use archard::simulation::{Observer, Report};
-use archard::verdict::Verdict;
+use archard_case::output::{Claim, Derived, Error, Store};
+use archard_case::verdict::Verdict;
 
 use super::course::Course;
 use super::design::Row;

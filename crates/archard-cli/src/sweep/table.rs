@@ -3,9 +3,9 @@
 use std::io::Cursor;
 use std::path::Path;
 
-use archard::case::Resolved;
-use archard::files::{self, Contents};
-use archard::output::{Claim, Error, write_whole};
+use archard_case::Resolved;
+use archard_case::files::{self, Contents};
+use archard_case::output::{Claim, Error, write_whole};
 
 use super::design::Design;
 use super::row::{folder, holds_another, summary};

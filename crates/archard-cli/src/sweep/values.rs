@@ -1,6 +1,5 @@
 //! What a study puts at a key: a list of values, a range of them, or a distribution to draw them from.
 
-use archard::fit;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 /// A distribution of a value, in the unit that it is given in.
@@ -150,7 +149,7 @@ impl Distribution {
             Kind::LogNormal(median, deviation) => median * (deviation * deviate).exp(),
             Kind::Uniform(from, to) => from + share * (to - from),
             Kind::LogStudent(median, scale, degrees) => {
-                fit::next_test([median, scale, degrees], share)
+                archard_lab::next_test([median, scale, degrees], share)
             }
         };
         written(value, &self.unit)

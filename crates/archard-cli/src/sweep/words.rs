@@ -1,9 +1,9 @@
 //! What varied in a row and what came out of it, in words; and over all rows the median and the interval.
 
-use archard::case::Case;
 use archard::simulation::history::{
     BODY_DEPTH, FORCE, PEAK_PRESSURE, STICK_AREA, WEAR_DEPTH, of_body,
 };
+use archard_case::Case;
 
 use super::design::{Design, Row};
 use super::table::{Known, Status};

@@ -102,7 +102,7 @@ fn stresses_inside_of_a_body_in_contact_are_put_out() {
     let stress: f64 = below.split(',').nth(11).unwrap().parse().unwrap();
     // Hertz: the peak pressure is 123 MPa, the radius 83.7 mm.
     assert!((stress / (-123e6 / (1.0 + (50.0f64 / 83.7).powi(2))) - 1.0).abs() < 0.03, "{below}");
-    let surface = archard::output::Surface::read(&out.join("surface_2.vtu")).unwrap();
+    let surface = archard_case::output::Surface::read(&out.join("surface_2.vtu")).unwrap();
     let stress = surface.field("stress_zz_Pa").expect("a field");
     assert!(stress.iter().fold(0.0, |least: f64, stress| least.min(*stress)) < -110e6);
     // A run without points leaves none of an earlier one.
@@ -144,7 +144,8 @@ fn sections_are_put_out_and_shown_in_paraview() {
     assert_eq!(run("second"), (first, kept.clone()));
     assert_eq!(kept.iter().map(written).collect::<Vec<_>>(), times);
     // A grid of 9 by 9 places below the surface, the middle of them at the point.
-    let sheet = archard::output::Sheet::read(&dir.path().join("first/sections/block_middle.vtu"));
+    let sheet =
+        archard_case::output::Sheet::read(&dir.path().join("first/sections/block_middle.vtu"));
     let sheet = sheet.unwrap();
     assert_eq!((sheet.points.len(), sheet.cells.len()), (9 * 9, 8 * 8));
     let at = |place: &[f64; 3]| {
@@ -223,7 +224,7 @@ fn an_elastic_body_is_checked_and_run() {
         stress_xx_Pa,stress_yy_Pa,stress_zz_Pa,stress_xy_Pa,stress_yz_Pa,stress_zx_Pa,von_mises_Pa";
     assert_eq!(points.lines().next(), Some(header));
     assert_eq!(points.lines().count(), 4);
-    let surface = archard::output::Surface::read(&results.join("surface.vtu")).unwrap();
+    let surface = archard_case::output::Surface::read(&results.join("surface.vtu")).unwrap();
     let stress = surface.field("stress_zz_Pa").expect("a field");
     assert!(stress.iter().all(|stress| (stress - 1.5e6).abs() < 50.0), "{stress:?}");
     archard(&dir, &["run", "results/patch_test", "-o", "again", "-q"]).success();

@@ -5,7 +5,7 @@ mod browser;
 mod compare;
 mod finite;
 mod fit;
-#[path = "../../../archard/tests/framed/mod.rs"]
+#[path = "../../../archard-case/tests/framed/mod.rs"]
 mod framed;
 mod hostile;
 mod memory;
@@ -20,8 +20,8 @@ use std::fs;
 use std::path::Path;
 
 use archard::friction::FRICTION;
-use archard::output::Image;
 use archard::wear::WEAR_LAWS;
+use archard_case::output::Image;
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use tempfile::TempDir;

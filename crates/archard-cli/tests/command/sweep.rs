@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, SystemTime};
 
-use archard::output::Claim;
+use archard_case::output::Claim;
 use tempfile::TempDir;
 
 use super::{archard, case, printed, said};
@@ -266,7 +266,7 @@ fn lists_are_values() {
     for (index, row) in rows.iter().enumerate() {
         assert_eq!(row["status"], "done");
         let load = if index % 2 == 0 { "5 N" } else { "20 N" };
-        let depth = archard::verdict::four(1e6 * number(row, "wear_depth_m"));
+        let depth = archard_case::verdict::four(1e6 * number(row, "wear_depth_m"));
         let said = said(&ran);
         let line = said.lines().find(|line| line.contains(&format!("row {}, size", index + 1)));
         let line = line.unwrap_or_else(|| panic!("{said}"));
@@ -277,7 +277,7 @@ fn lists_are_values() {
     let mut depths: Vec<f64> = rows.iter().map(|row| 1e6 * number(row, "wear_depth_m")).collect();
     depths.sort_by(f64::total_cmp);
     let [least, median, most] =
-        [depths[0], 0.5 * (depths[1] + depths[2]), depths[3]].map(archard::verdict::four);
+        [depths[0], 0.5 * (depths[1] + depths[2]), depths[3]].map(archard_case::verdict::four);
     let end = format!("wear depth (pin)  median {median} um, 4 rows from {least} to {most} um");
     assert!(printed(&ran).contains(&end), "{}", printed(&ran));
     archard(&dir, &["plot", "study"]).success();
@@ -301,7 +301,7 @@ fn two_keys_make_a_map() {
     let map = fs::read_to_string(dir.path().join("study/plots/map.svg")).unwrap();
     // The depth of each row stands in its cell.
     for row in rows(&dir, "study/sweep.csv") {
-        let depth = archard::verdict::four(1e6 * number(&row, "wear_depth_m"));
+        let depth = archard_case::verdict::four(1e6 * number(&row, "wear_depth_m"));
         assert!(map.contains(&format!(">{depth}<")), "{depth}");
     }
 }

@@ -24,7 +24,6 @@ pub struct Finite {
 }
 
 /// What tells how a meshed body deforms.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Elasticity {
     /// Its own shape and supports.
@@ -35,7 +34,6 @@ pub enum Elasticity {
 }
 
 /// What is known on a surface away from the contact.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Support {
     /// No displacement.
@@ -74,7 +72,6 @@ impl Support {
 }
 
 /// How tractions and displacements vary over elements.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Interpolation {
     /// Nodes at the corners, displacements the same on all faces that meet there.

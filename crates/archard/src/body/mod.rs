@@ -22,7 +22,6 @@ use crate::wear::WearLaw;
 ///
 /// A body is an elastic half-space whose surface is the plane of contact less the recess of its
 /// profile, unless it is rigid or of finite shape.
-#[non_exhaustive]
 #[derive(Debug, Clone)]
 pub struct Body {
     /// The user's name for it; result columns carry it.
@@ -66,14 +65,14 @@ impl Body {
     }
 
     /// What a density is; its quantity is read from cases.
-    pub(crate) const DENSITY: Parameter = Parameter::optional(
+    pub const DENSITY: Parameter = Parameter::optional(
         "density",
         Quantity::Measured { name: "a density", unit: "kg/m^3" },
         "density, to weigh what is worn off",
     );
 
     /// What to write for a name that is none.
-    pub(crate) const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
+    pub const NAMES: &str = "use letters, digits, _ and - (and not `total`)";
 
     /// Whether a body of a case can be called that: its name becomes part of the names of columns and files.
     pub fn is_name(name: &str) -> bool {

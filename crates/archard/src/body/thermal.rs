@@ -25,7 +25,6 @@ const TEMPERATURE: Parameter = Parameter::optional(
 );
 
 /// How a body conducts heat, and how warm it is.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thermal {
     /// Thermal conductivity (W/(m K)).
@@ -72,7 +71,7 @@ impl Thermal {
     }
 
     /// From values that passed the declaration.
-    pub(crate) fn read(values: &Values) -> Result<Self, Invalid> {
+    pub fn read(values: &Values) -> Result<Self, Invalid> {
         let given = |name: &str| values.number(name);
         let mut thermal =
             Self::new(values.require("conductivity")?, values.require("diffusivity")?)?;
@@ -83,7 +82,7 @@ impl Thermal {
     }
 
     /// Its values by the names of the [parameters](Self::PARAMETERS), those that are given.
-    pub(crate) fn values(&self) -> impl Iterator<Item = (&'static Parameter, f64)> {
+    pub fn values(&self) -> impl Iterator<Item = (&'static Parameter, f64)> {
         let Self { conductivity, diffusivity, share, temperature } = *self;
         let values = [Some(conductivity), Some(diffusivity), share, temperature];
         Self::PARAMETERS

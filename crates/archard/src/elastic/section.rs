@@ -110,7 +110,7 @@ impl Section {
     ///
     /// # Errors
     /// If there are no places, or too many.
-    pub(crate) fn check(&self, surface: &Surface) -> Result<(), SectionError> {
+    pub fn check(&self, surface: &Surface) -> Result<(), SectionError> {
         let grid = self.grid(surface)?;
         let inside = |column: usize, row: usize| surface.depth(grid.place(column, row)).is_some();
         let square = |&cell: &usize| {

@@ -27,7 +27,6 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 ///
 /// The *advance* is the motion's own measure of progress: metres for sliding, revolutions for rolling,
 /// cycles or seconds for increments.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
     /// All pairs in contact slide the same distance (gross sliding); progress is that distance (m).
@@ -257,7 +256,6 @@ impl Control {
 }
 
 /// How the advance of a motion is divided into steps.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Stepping {
     /// Implicit steps of that length (the motion's unit).
@@ -274,7 +272,6 @@ pub enum Stepping {
 }
 
 /// Load, extent and steps of a motion.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Schedule {
     /// What holds the bodies together, at the end of the motion.

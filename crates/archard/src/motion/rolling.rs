@@ -126,7 +126,6 @@ pub enum Drive {
 }
 
 /// Steady rolling; progress is the number of revolutions, or the share of the drives.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolling {
     /// Where the contact rolls to.

@@ -30,7 +30,7 @@ pub(crate) fn on_triangle(point: DVec3, [a, b, c]: [DVec3; 3]) -> [f64; 3] {
 }
 
 /// Distance of a point from a triangle.
-pub(crate) fn distance(point: DVec3, corners: [DVec3; 3]) -> f64 {
+pub fn distance(point: DVec3, corners: [DVec3; 3]) -> f64 {
     let shares = on_triangle(point, corners);
     let nearest: DVec3 =
         shares.into_iter().zip(corners).map(|(share, corner)| share * corner).sum();

@@ -5,7 +5,6 @@ use std::ops::Range;
 
 /// Values that do not fit together, named by the parameter to change.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 #[error("`{parameter}`: {message}")]
 pub struct Invalid {
     /// The parameter to point at; one of a table inside the table is written `table.parameter`.

@@ -14,7 +14,6 @@ pub use invalid::Invalid;
 pub use values::{Column, Columns, OneOf, Value, Values};
 
 /// The physical quantity of a parameter; decides which units a reader accepts.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Quantity {
     /// A number without unit.
@@ -132,7 +131,6 @@ impl Quantity {
 }
 
 /// What values of a numeric parameter are allowed.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Bound {
     /// Any finite value.
@@ -174,7 +172,6 @@ impl fmt::Display for Bound {
 }
 
 /// One value a choice takes.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameter {
     /// The key, as written in a case file.

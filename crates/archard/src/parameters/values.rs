@@ -3,7 +3,6 @@
 use super::Invalid;
 
 /// A value in SI.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number (SI).

@@ -8,7 +8,7 @@ const EVEN: f64 = 1e-9;
 
 impl ContactProblem {
     /// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
-    pub(crate) fn is_even(&self, axis: usize) -> bool {
+    pub fn is_even(&self, axis: usize) -> bool {
         let Rectangle { centre, size } = self.frame.rectangle();
         let gap = |along: f64, across: f64| -> Option<f64> {
             let mut place = centre;

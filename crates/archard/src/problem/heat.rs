@@ -202,7 +202,7 @@ impl ContactProblem {
     }
 
     /// The same as [`flash`](Self::flash), where a law goes by the temperature.
-    pub(crate) fn flash_for_laws(&self, state: &ContactState) -> Option<Flash> {
+    pub fn flash_for_laws(&self, state: &ContactState) -> Option<Flash> {
         if self.goes_by_temperature() { self.flash(state) } else { None }
     }
 

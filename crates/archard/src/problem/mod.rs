@@ -32,7 +32,6 @@ const SAME: f64 = 1e-6;
 const HALF: f64 = 0.5;
 
 /// Two bodies, where they may touch, how they deform there and how they move.
-#[non_exhaustive]
 #[derive(Debug)]
 pub struct ContactProblem {
     /// The bodies; body 1 first.
@@ -137,7 +136,7 @@ fn under(law: &dyn WearLaw, at: impl Fn(f64) -> Rubbing, pressure: f64, share: f
 }
 
 /// What a pair goes through that slides a distance (m) in some direction under a pressure (Pa), friction at its limit.
-pub(crate) fn rubbing(
+pub fn rubbing(
     friction: Option<&dyn Friction>,
     pressure: f64,
     slip: f64,

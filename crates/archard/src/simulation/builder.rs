@@ -37,9 +37,12 @@ use crate::solve::{ConjugateGradient, Solver};
 pub struct Builder {
     bodies: [Body; 2],
     planned: Planned,
-    pub(crate) friction: Option<Arc<dyn Friction>>,
-    pub(crate) solver: Arc<dyn Solver>,
-    pub(crate) friction_solver: Arc<dyn FrictionSolver>,
+    /// How much friction the pairs bear, if any.
+    pub friction: Option<Arc<dyn Friction>>,
+    /// What finds the pressures.
+    pub solver: Arc<dyn Solver>,
+    /// What finds the friction.
+    pub friction_solver: Arc<dyn FrictionSolver>,
     contact: Touch,
     periodic: bool,
 }
@@ -165,7 +168,7 @@ impl Builder {
     }
 
     /// The same with something that condenses meshed bodies or knows that they were.
-    pub(crate) fn build_with(self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
+    pub fn build_with(self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
         self.check()?;
         let Self {
             bodies,
@@ -312,7 +315,7 @@ fn admit(rectangle: &Rectangle) -> Result<(), Invalid> {
 
 /// Whether a body can touch along y within the width along x of a rectangle: its surface must be the same all along y, and the depth
 /// (m) it is measured from at least the width, or its compliance would not be positive.
-pub(crate) fn line_of_contact(body: &Body, rectangle: &Rectangle) -> Result<(), Invalid> {
+pub fn line_of_contact(body: &Body, rectangle: &Rectangle) -> Result<(), Invalid> {
     let Body { name, profile, depth, .. } = body;
     let (middle, width) = (rectangle.centre[0], rectangle.size[0]);
     let shares = [-0.45, -0.2, 0.0, 0.3, 0.5];

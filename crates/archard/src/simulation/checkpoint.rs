@@ -46,7 +46,7 @@ impl March {
 
 /// A hash of what the steps of a simulation follow from. Of compliances that have a matrix, which follow from meshes, it
 /// takes a few entries.
-pub(crate) fn digest(simulation: &Simulation) -> [u8; 32] {
+pub fn digest(simulation: &Simulation) -> [u8; 32] {
     let Simulation { problem, solver, friction_solver, schedule, .. } = simulation;
     let mut hash = blake3::Hasher::new();
     for body in &problem.bodies {

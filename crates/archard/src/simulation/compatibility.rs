@@ -69,7 +69,7 @@ impl ContactProblem {
 }
 
 /// What a wear law asks for and is not there.
-pub(crate) fn lacks(
+pub fn lacks(
     law: &dyn WearLaw,
     bodies: &[Body; 2],
     friction: bool,
@@ -85,19 +85,19 @@ pub(crate) fn lacks(
 }
 
 /// Whether a wear law takes whole cycles and there are none.
-pub(crate) fn lacks_cycles(law: &dyn WearLaw, motion: &Motion) -> bool {
+pub fn lacks_cycles(law: &dyn WearLaw, motion: &Motion) -> bool {
     let slides = matches!(motion, Motion::Sliding(Sliding { track: None, .. }));
     slides && law.per() == Per::Cycle
 }
 
 /// Whether axes of friction lie at an angle to planes of symmetry, so that it differs on both sides.
-pub(crate) fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> bool {
+pub fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> bool {
     mirrored != [false; 2] && !friction.map().is_aligned()
 }
 
 /// The axis, 0 for x and 1 for y, along which a motion takes bodies across a plane of symmetry; `None` where it
 /// keeps to the planes there are.
-pub(crate) fn crossed(motion: &Motion, mirrored: [bool; 2]) -> Option<usize> {
+pub fn crossed(motion: &Motion, mirrored: [bool; 2]) -> Option<usize> {
     let rolls = motion.rolling().map(rolls);
     let shifts = motion.shift().map(shifts);
     let passing = motion.sliding().and_then(|_| motion.passing());

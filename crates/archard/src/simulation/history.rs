@@ -361,7 +361,7 @@ pub const COLUMNS: &[Column] = &[
 ];
 
 /// Whether a column is one that a run is judged by.
-pub(crate) fn counts(name: &str, wears: bool) -> bool {
+pub fn counts(name: &str, wears: bool) -> bool {
     let of = |columns: &[&str]| columns.iter().any(|column| is_of(column, name));
     of(&ALWAYS) || if wears { of(&OF_WEAR) } else { of(&UNWORN) }
 }

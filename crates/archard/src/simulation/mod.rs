@@ -31,21 +31,21 @@ use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
-pub(crate) use builder::line_of_contact;
+pub use builder::line_of_contact;
 pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
-pub(crate) use checkpoint::digest;
+pub use checkpoint::digest;
 pub use companion::{Companion, Companions, Regularity};
-pub(crate) use compatibility::{crossed, inclined, lacks, lacks_cycles};
+pub use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
-pub(crate) use periodic::repeats;
+pub use periodic::repeats;
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
 use surroundings::Surroundings;
-pub(crate) use swing::solves_of_a_step;
+pub use swing::solves_of_a_step;
 pub use wider::Wider;
-pub(crate) use wider::can_widen;
+pub use wider::can_widen;
 
 use crate::closed_form::flash_temperature::FAST;
 use crate::motion::{Control, Progress, Schedule, Stepping};
@@ -74,7 +74,7 @@ pub struct Simulation {
     /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].
     pub wider: Option<Box<Wider>>,
     /// Pairs that the frame may grow to.
-    pub(crate) most: usize,
+    pub most: usize,
     /// What lies beyond the frame; made where it is needed.
     surroundings: OnceLock<Surroundings>,
 }
@@ -362,7 +362,7 @@ impl Error {
     }
 
     /// Whether a shorter step, or jump, may do: it was a solve that did not come to an end.
-    pub(crate) fn is_of_length(&self) -> bool {
+    pub fn is_of_length(&self) -> bool {
         matches!(
             self,
             Self::NotConverged { .. }

@@ -9,7 +9,7 @@ use crate::parameters::Invalid;
 const JUMPS: f64 = 2.0;
 
 /// What keeps surfaces from repeating themselves with a frame, if anything does.
-pub(crate) fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
+pub fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
     let wrong = |message: &str| Err(Invalid::new("periodic", message));
     if motion.rolling().is_some() {
         return wrong(

@@ -188,11 +188,7 @@ fn positions(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Posit
 }
 
 /// Contact solves of a step of a problem: one, or one a position of surfaces that swing, with a contact of that length (m).
-pub(crate) fn solves_of_a_step(
-    sliding: &Sliding,
-    element: f64,
-    contact: Option<f64>,
-) -> Option<u64> {
+pub fn solves_of_a_step(sliding: &Sliding, element: f64, contact: Option<f64>) -> Option<u64> {
     let amplitude = sliding.swing?;
     let length = contact.map_or(1, |contact| (contact / element) as usize);
     let side = stride(sliding, element, length) as f64 * element;

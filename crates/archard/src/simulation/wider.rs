@@ -73,7 +73,7 @@ impl Simulation {
 }
 
 /// Whether a motion can go on in a wider frame: bodies that slide, whose surfaces stay where they are or pass along it.
-pub(crate) fn can_widen(motion: &Motion) -> bool {
+pub fn can_widen(motion: &Motion) -> bool {
     matches!(motion, Motion::Sliding(_)) && motion.swing().is_none()
 }
 

@@ -69,7 +69,6 @@ pub struct Start<'a> {
 }
 
 /// How a solve ended.
-#[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// The residual is below the tolerance.

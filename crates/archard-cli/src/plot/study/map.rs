@@ -1,6 +1,6 @@
 //! The map of a study over two numbers.
 
-use archard::verdict::four;
+use archard_case::verdict::four;
 
 use super::Study;
 use crate::plot::figure::{Curves, Panel, Parts};

@@ -8,8 +8,8 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
-use archard::files::{self, Contents};
 use archard::simulation::history::{BODY_DEPTH, PEAK_PRESSURE};
+use archard_case::files::{self, Contents};
 use serde_json::Value;
 
 use super::draw::Paper;

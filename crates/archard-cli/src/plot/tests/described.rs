@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use archard::frame::{ContactFrame, Pairs};
-use archard::output::Surface;
 use archard::problem::ContactState;
+use archard_case::output::Surface;
 use tempfile::tempdir;
 
 use super::{drawn, problem, state, write};

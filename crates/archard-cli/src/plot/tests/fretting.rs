@@ -3,9 +3,9 @@
 use std::f64::consts::TAU;
 use std::fs;
 
-use archard::case::CaseFile;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard_case::CaseFile;
 use tempfile::tempdir;
 
 use super::{drawn, write};

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use archard::case::CaseFile;
 use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard_case::CaseFile;
 use tempfile::tempdir;
 
 use super::{drawn, write};

@@ -8,7 +8,7 @@ use super::Mesh;
 
 impl Mesh {
     /// The lowest and the highest corner of the box around elements (m).
-    pub(crate) fn bounds(&self, faces: impl IntoIterator<Item = usize>) -> [DVec3; 2] {
+    pub fn bounds(&self, faces: impl IntoIterator<Item = usize>) -> [DVec3; 2] {
         let corners = faces.into_iter().flat_map(|face| self.faces[face].corners.as_slice());
         let places = corners.map(|&corner| DVec3::from(self.vertices[corner]));
         places.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], place| {

@@ -38,7 +38,7 @@ impl Meshed {
     }
 
     /// Curvatures 1/R (1/m) along the axes of the plane of contact, positive where the zone is convex.
-    pub(crate) fn curvatures(&self, mirrored: [bool; 2]) -> Option<[f64; 2]> {
+    pub fn curvatures(&self, mirrored: [bool; 2]) -> Option<[f64; 2]> {
         let axes = self.axes(mirrored)?;
         if self.has_plane_zone() {
             return Some([0.0; 2]);
@@ -84,7 +84,7 @@ impl Meshed {
 }
 
 /// The axes of a plane of contact with that normal, of any length: those of space where they nearly are.
-pub(crate) fn axes(normal: DVec3) -> [DVec3; 3] {
+pub fn axes(normal: DVec3) -> [DVec3; 3] {
     let n = normal.normalize_or(DVec3::Z);
     let x = if n.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
     let t1 = (x - x.dot(n) * n).normalize();

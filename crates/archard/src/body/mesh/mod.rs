@@ -33,7 +33,7 @@ pub use file::{Fault, MeshFileError, Place};
 pub use free::Supported;
 pub use listed::Listed;
 
-pub(crate) use curvatures::axes;
+pub use curvatures::axes;
 
 use std::fmt::Debug;
 

@@ -60,7 +60,6 @@ pub fn basis_of(normal: DVec3) -> [DVec3; 3] {
 }
 
 /// Why what is known does not determine what is sought.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Undetermined {
     /// Displacements given on several surfaces meet at a node of continuous elements.

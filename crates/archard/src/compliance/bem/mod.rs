@@ -27,9 +27,9 @@ pub use conditions::{Condition, Conditions, Given, Undetermined, basis_of};
 pub use interior::{Interior, Response};
 pub use kelvin::Evaluations;
 pub use making::{Making, Stage, Told};
-pub(crate) use patch::distance;
+pub use patch::distance;
 pub use size::{Size, memory};
-pub(crate) use solid::advice;
+pub use solid::advice;
 pub use solid::{Assembled, Boundary, Condensed, Responses, Solid};
 pub use surface::{Surface, TractionNode};
 

@@ -110,7 +110,7 @@ impl Patch {
 }
 
 /// Distance of a point from a face, of which each half is taken as plane.
-pub(crate) fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
+pub fn distance(point: DVec3, corners: &[DVec3]) -> f64 {
     let first = triangle::distance(point, [corners[0], corners[1], corners[2]]);
     match corners.get(3) {
         Some(&fourth) => first.min(triangle::distance(point, [corners[0], corners[2], fourth])),

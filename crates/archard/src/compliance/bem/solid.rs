@@ -60,7 +60,7 @@ pub struct Condensed {
 }
 
 /// What to do about equations without a solution.
-pub(crate) fn advice(cause: &Unsolved) -> &'static str {
+pub fn advice(cause: &Unsolved) -> &'static str {
     match cause {
         Unsolved::Singular { .. } => "are elements degenerate?",
         Unsolved::NoMemory(_) => "take fewer elements",

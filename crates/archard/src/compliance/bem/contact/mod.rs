@@ -28,7 +28,6 @@ use crate::numerics::large::NoMemory;
 pub use meeting::Meeting;
 
 /// Why meshed bodies cannot be brought into contact.
-#[non_exhaustive]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ContactError {
     /// A mesh without a zone that may touch.

@@ -1,0 +1,60 @@
+//! The increments of a cycle in which bodies rub: they err as elements do, are chosen with them, and companions take fewer.
+
+use crate::case::check::Parts;
+use crate::case::definition::Case;
+use archard::parameters::Value;
+
+const INCREMENTS: &str = "increments";
+/// The most that are chosen.
+const MOST: usize = 400;
+/// Those of fretting are a multiple of this.
+const DIVISOR: f64 = 4.0;
+
+/// Whether bodies rub in increments whose number can be chosen.
+fn rubs(case: &Case) -> bool {
+    let declared = case.motion.choice.parameters;
+    let takes = declared.iter().any(|parameter| parameter.name == INCREMENTS);
+    let rub = |parts: Parts<'_>| parts.friction.is_some() && parts.motion.period().is_some();
+    takes && Parts::of(case).is_ok_and(rub)
+}
+
+/// Gives a number of increments to a case that says none, as many from one turn of the motion to the next as there are elements
+/// across the contact; whether it did.
+pub(super) fn choose(case: &mut Case, across: impl FnOnce(&Parts<'_>) -> f64) -> bool {
+    let chosen = rubs(case) && of(case).is_none();
+    let wanted = Parts::of(case).map(|parts| 2.0 * across(&parts));
+    if let Some(wanted) = wanted.ok().filter(|_| chosen) {
+        set(case, (((wanted / DIVISOR).ceil() * DIVISOR) as usize).min(MOST));
+    }
+    chosen
+}
+
+/// As many as a case says.
+fn of(case: &Case) -> Option<usize> {
+    case.motion.values.number(INCREMENTS).map(|count| count as usize)
+}
+
+pub(super) fn set(case: &mut Case, count: usize) {
+    case.motion.values.insert(INCREMENTS, Value::Number(count as f64));
+}
+
+/// The fewest whose error is told by fewer: companions then take eight and four.
+pub(super) const FEWEST: usize = 16;
+
+/// Those of a case whose bodies rub in increments.
+pub(super) fn of_rubbing(case: &Case) -> Option<usize> {
+    of(case).filter(|_| rubs(case))
+}
+
+/// That many times fewer.
+pub(super) fn fewer(count: usize, ratio: f64) -> usize {
+    ((count as f64 / ratio / DIVISOR).floor().max(1.0) * DIVISOR) as usize
+}
+
+/// Takes that many times as many, as far as that is allowed.
+pub(super) fn refine(case: &mut Case, finer: f64) {
+    if let Some(own) = of(case) {
+        let more = (finer * own as f64 / DIVISOR).ceil() * DIVISOR;
+        set(case, (more as usize).min(MOST.max(own)));
+    }
+}

@@ -1,0 +1,47 @@
+//! Whether bodies can touch along a line in plane strain, and move so.
+
+use super::Parts;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use archard::simulation::line_of_contact;
+
+/// What is wrong with a line of contact; or with what says that there is one.
+pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
+    let body_key =
+        |body: usize, name: &str| Key::of(["body", &parts.case.bodies[body].name]).child(name);
+    let frame = parts.case.frame;
+    if !frame.line {
+        let deep = (0..2).filter(|&body| !frame.periodic && parts.bodies[body].depth.is_some());
+        return deep.map(|body| not_a_line(body_key(body, "depth"))).collect();
+    }
+    let rectangle = parts.case.frame.rectangle();
+    let wrong = (0..2).filter_map(|body| {
+        let invalid = line_of_contact(&parts.bodies[body], &rectangle).err()?;
+        Some(Problem::error(body_key(body, &invalid.parameter), invalid.message))
+    });
+    wrong.chain(across(parts)).collect()
+}
+
+fn not_a_line(key: Key) -> Problem {
+    let message = "only the bodies of a line of contact have a depth";
+    Problem::error(key, message).help("`frame.plane_strain = true` makes the frame one")
+}
+
+/// Rolling or swinging along the line, or spin, which slips differently all along it.
+fn across(parts: &Parts<'_>) -> Option<Problem> {
+    let sliding = parts.motion.sliding().filter(|sliding| sliding.swing.is_some());
+    if sliding.is_some_and(|sliding| sliding.direction.axis == 1) {
+        let message = "the line of contact lies along y: surfaces swing along x";
+        let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
+        return Some(Problem::error(key, message));
+    }
+    let rolling = parts.motion.rolling()?;
+    let (name, message) = if rolling.direction.axis == 1 {
+        ("direction", "the line of contact lies along y: bodies roll along x")
+    } else if rolling.spin != 0.0 {
+        ("spin", "the slip of bodies that spin is not the same all along a line of contact")
+    } else {
+        return None;
+    };
+    Some(Problem::error(Key::of(["motion", parts.case.motion.choice.name, name]), message))
+}

@@ -1,0 +1,193 @@
+//! Whether meshed bodies lie opposite each other, are held, and suit the motion.
+
+use super::Parts;
+use super::words::both;
+use crate::case::definition::BodyCase;
+use crate::case::key::Key;
+use crate::case::problem::Problem;
+use archard::body::Body;
+use archard::compliance::bem::Undetermined;
+use archard::compliance::bem::contact::{ContactError, Meeting};
+use archard::frame::Pairs;
+use archard::simulation::{Error, crossed, inclined};
+
+const AXES: [&str; 2] = ["x", "y"];
+
+/// What is wrong with meshed bodies, of which there is one at least.
+pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
+    let mut problems = on_the_zone(parts);
+    problems.extend(across(parts));
+    problems.extend(askew(parts));
+    match Meeting::of(parts.bodies.each_ref()) {
+        Err(error) => problems.push(said(parts, error)),
+        Ok(meeting) => {
+            problems.extend(lopsided(parts, meeting.pairs()));
+            if (parts.motion.rolling().is_some() || parts.motion.passing().is_some())
+                && !meeting.is_plane()
+            {
+                problems.push(on_a_curve(parts));
+            }
+        }
+    }
+    problems
+}
+
+/// Rolling, or a track, on a curved zone.
+fn on_a_curve(parts: &Parts<'_>) -> Problem {
+    let key = Key::of(["motion", parts.case.motion.choice.name]);
+    Problem::error(key, Error::NotPlane.to_string()).at_name()
+}
+
+/// The key of something of a body.
+fn key(body: &BodyCase, name: &str) -> Key {
+    Key::of(["body", &body.name, name])
+}
+
+/// An error where it can be put right.
+fn said(parts: &Parts<'_>, error: ContactError) -> Problem {
+    let bodies = &parts.case.bodies;
+    let message = error.to_string();
+    match error {
+        ContactError::Symmetry => symmetry(bodies),
+        ContactError::Undetermined { body, cause } => {
+            let body = &bodies[body];
+            let problem = undetermined(parts, body, &cause);
+            Problem { key: key(body, "supports"), ..problem }
+        }
+        ContactError::NotOpposite { body, place: [x, y, z] } => {
+            let message = format!(
+                "reaches beyond the zone of `{}`, which has nothing opposite to x = {x:.4e} m, y = {y:.4e} m, z = {z:.4e} m of this body",
+                bodies[1 - body].name
+            );
+            Problem::error(parts.zone_key(&bodies[body], "size"), message)
+                .help("make it smaller, or the zone of the other body larger")
+        }
+        ContactError::Steep { body, angle } => {
+            let message = format!(
+                "the zone turns by {angle:.0} degrees from the plane of contact: no half-space stands for it"
+            );
+            Problem::error(key(&bodies[body], "elasticity"), message)
+                .help("make the zone smaller, or leave `elasticity` out")
+        }
+        ContactError::OffTheSurface(off) => {
+            let name = &bodies[off.body].name;
+            let message = format!("reaches beyond the surface of the body `{name}`");
+            Problem::error(parts.frame_key("size"), message)
+                .help("the profile does not cover the zone of the mesh")
+        }
+        ContactError::NoZone { body } | ContactError::Singular { body, .. } => {
+            Problem::error(key(&bodies[body], "mesh"), message).at_name()
+        }
+        ContactError::Pairs(_) | ContactError::NoMemory(_) => {
+            Problem::error(parts.frame_key("elements"), message)
+        }
+    }
+}
+
+/// One body is halved and the other is not.
+fn symmetry(bodies: &[BodyCase; 2]) -> Problem {
+    let mirrored =
+        |body: usize| bodies[body].finite.as_ref().map_or([false; 2], |one| one.mirrored);
+    let axis = usize::from(mirrored(0)[0] == mirrored(1)[0]);
+    let halved = usize::from(mirrored(1)[axis]);
+    let message = format!(
+        "the plane {} = 0 halves this body, and not `{}`",
+        AXES[axis],
+        bodies[1 - halved].name
+    );
+    Problem::error(key(&bodies[halved], "symmetry"), message)
+        .help("give both bodies the same `symmetry`")
+}
+
+/// A body that is not held, or held twice.
+fn undetermined(parts: &Parts<'_>, body: &BodyCase, cause: &Undetermined) -> Problem {
+    match cause {
+        Undetermined::Free { modes } => {
+            let message = format!("nothing holds the body against {}", both(modes));
+            Problem::error(Key::default(), message)
+                .help("clamp a surface, or give rollers or displacements on several")
+        }
+        Undetermined::TwoSupports { place: [x, y, z], surfaces } => {
+            let mesh = parts.meshed().find(|(other, _)| other.name == body.name);
+            let names = surfaces.map(|surface| {
+                let name = mesh.and_then(|(_, finite)| finite.meshed.mesh.surfaces.get(surface));
+                name.map_or_else(String::new, |name| format!("`{name}`"))
+            });
+            let message = format!(
+                "{} and {} both say how the body is displaced where they meet at x = {x:.4e} m, y = {y:.4e} m, z = {z:.4e} m: continuous elements bear one traction there",
+                names[0], names[1]
+            );
+            Problem::error(Key::default(), message).help(
+                "take `boundary_elements.interpolation = \"discontinuous\"`, or hold one of them",
+            )
+        }
+    }
+}
+
+/// Supports of a surface all of which may touch.
+fn on_the_zone(parts: &Parts<'_>) -> Vec<Problem> {
+    let mut problems = vec![];
+    for (body, finite) in parts.meshed() {
+        let (mesh, zone) = (&finite.meshed.mesh, &finite.meshed.zone.faces);
+        for (surface, _) in &finite.supports {
+            let of_it = |face: usize| mesh.faces[face].surface == *surface;
+            let touching = zone.iter().filter(|&&face| of_it(face)).count();
+            if touching > 0 && touching == (0..mesh.faces.len()).filter(|&face| of_it(face)).count()
+            {
+                let message = "is the surface that may touch: what acts on it is found, not given";
+                let key = key(body, "supports").child(&mesh.surfaces[*surface]);
+                problems.push(Problem::error(key, message).at_name());
+            }
+        }
+    }
+    problems
+}
+
+/// A motion across a plane of symmetry.
+fn across(parts: &Parts<'_>) -> Option<Problem> {
+    let (body, mirrored) = parts.halved()?;
+    let axis = AXES[crossed(&parts.motion, mirrored)?];
+    let message = format!(
+        "moves the bodies along {axis}, but the plane {axis} = 0 halves the body `{}`",
+        body.name
+    );
+    let key = Key::of(["motion", parts.case.motion.choice.name]);
+    let help = format!("take \"{axis}\" out of `body.{}.symmetry`", body.name);
+    Some(Problem::error(key, message).at_name().help(help))
+}
+
+/// Axes of friction at an angle to a plane of symmetry.
+fn askew(parts: &Parts<'_>) -> Option<Problem> {
+    let (body, mirrored) = parts.halved()?;
+    let law = parts.case.friction.as_ref()?.choice.name;
+    let message = format!(
+        "its axes lie at an angle to the plane of symmetry of the body `{}`: friction is not the same on both sides",
+        body.name
+    );
+    let help = format!("leave `body.{}.symmetry` out, or turn the axes along x and y", body.name);
+    inclined(parts.friction.as_deref()?, mirrored)
+        .then(|| Problem::error(Key::of(["friction", law]), message).at_name().help(help))
+}
+
+/// A profile that is not symmetric where a mesh is.
+fn lopsided(parts: &Parts<'_>, pairs: &Pairs) -> Option<Problem> {
+    let (halved, mirrored) = parts.halved()?;
+    let largest = pairs.gap.iter().fold(0.0_f64, |largest, gap| largest.max(gap.abs()));
+    for (axis, name) in AXES.into_iter().enumerate().filter(|(axis, _)| mirrored[*axis]) {
+        let uneven = |body: &&Body| {
+            pairs.places.iter().any(|&[x, y, _]| {
+                let [there_x, there_y] = if axis == 0 { [-x, y] } else { [x, -y] };
+                let difference = body.profile.recess(x, y) - body.profile.recess(there_x, there_y);
+                // A table that ends on the other side is uneven as well.
+                difference.is_nan() || difference.abs() > 1e-6 * largest
+            })
+        };
+        let Some(body) = parts.bodies.iter().find(uneven) else { continue };
+        let message = format!(
+            "the profile of `{}` is not the same on both sides of the plane {name} = 0",
+            body.name
+        );
+        return Some(Problem::error(key(halved, "symmetry"), message));
+    }
+    None
+}

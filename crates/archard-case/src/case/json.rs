@@ -1,0 +1,112 @@
+//! What a check finds, for programs: problems with their places, the case in SI, what to expect.
+
+use serde_json::{Map, Value, json};
+
+use super::check::{Forecast, Solves};
+use super::elastic::ElasticForecast;
+use super::file::{CaseFile, Task};
+use super::problem::{Location, Problem};
+use crate::output::{estimate_json, verdict_json};
+use archard::body::mesh::Listed;
+
+impl CaseFile {
+    /// What a check of the case finds, as the command's `check --json` writes it: whether it is `valid`, its `problems` with
+    /// key, file, line and column (from one on), and of a valid one the case in SI and what to expect (SI, units in the names).
+    pub fn checked_json(&self) -> Value {
+        match self.task() {
+            Ok(task) => {
+                let mut checked = json!({
+                    "program": "archard",
+                    "version": env!("CARGO_PKG_VERSION"),
+                    "valid": true,
+                    "problems": self.problems_json(task.warnings()),
+                    "case": task.case_toml(),
+                });
+                let expected = match &task {
+                    Task::Contact(resolved) => contact(&resolved.forecast),
+                    Task::Elastic(resolved) => elastic(&resolved.forecast),
+                };
+                if let (Value::Object(checked), Value::Object(expected)) = (&mut checked, expected)
+                {
+                    checked.extend(expected);
+                }
+                checked
+            }
+            Err(problems) => json!({
+                "program": "archard",
+                "version": env!("CARGO_PKG_VERSION"),
+                "valid": false,
+                "problems": self.problems_json(&problems),
+            }),
+        }
+    }
+
+    fn problems_json(&self, problems: &[Problem]) -> Vec<Value> {
+        let one = |problem: &Problem| {
+            let mut value = json!({
+                "severity": problem.severity.to_string(),
+                "key": problem.key.to_string(),
+                "message": problem.message,
+                "help": problem.help,
+            });
+            if let Some(Location { source, span }) = &problem.location {
+                let before = &self.text(*source)[..span.start];
+                value["file"] = json!(self.name(*source));
+                value["line"] = json!(before.matches('\n').count() + 1);
+                let line = before.rsplit('\n').next().unwrap_or_default();
+                value["column"] = json!(line.chars().count() + 1);
+            }
+            value
+        };
+        problems.iter().map(one).collect()
+    }
+}
+
+fn contact(forecast: &Forecast) -> Value {
+    let (known, solves) = match forecast.solves {
+        Solves::Exactly(solves) => ("exactly", solves),
+        Solves::AtLeast(solves) => ("at least", solves),
+        Solves::About(solves) => ("about", solves),
+    };
+    let unknowns: Map<String, Value> =
+        forecast.unknowns.iter().map(|(body, count)| (body.clone(), json!(count))).collect();
+    let surfaces: Map<String, Value> =
+        forecast.files.iter().map(|(body, list)| (body.clone(), listed(list))).collect();
+    json!({
+        "closed_form": estimate_json(&forecast.estimate),
+        "elements_across": forecast.cells_across,
+        "contact_solves": { "known": known, "count": solves },
+        "pairs": forecast.pairs,
+        "unknowns": unknowns,
+        "surfaces": surfaces,
+        "memory_bytes": forecast.memory,
+        "verdict_foreseen": verdict_json(&forecast.verdict),
+    })
+}
+
+fn elastic(forecast: &ElasticForecast) -> Value {
+    let surfaces = forecast.surfaces.iter();
+    let elements: Map<String, Value> =
+        surfaces.map(|one| (one.name.clone(), json!(one.elements))).collect();
+    json!({
+        "elements": elements,
+        "surfaces": listed(&forecast.surfaces),
+        "unknowns": forecast.unknowns,
+        "points": forecast.points,
+        "memory_bytes": forecast.memory,
+    })
+}
+
+/// The surfaces of a mesh, with the boxes around them (m).
+fn listed(surfaces: &[Listed]) -> Value {
+    let one = |one: &Listed| {
+        json!({
+            "name": one.name,
+            "elements": one.elements,
+            "touching": one.touching,
+            "middle_m": one.middle,
+            "size_m": one.size,
+        })
+    };
+    surfaces.iter().map(one).collect()
+}

@@ -1,0 +1,59 @@
+//! Cases: from the file a user writes to a simulation, with every mistake named where it stands.
+//!
+//! A [`CaseFile`] is the text as written and the `--set` options laid over it.
+//! [`CaseFile::resolve`] reads it against the declarations of the choices (profiles, wear laws,
+//! motions, solvers), so that a new choice needs no reader, and checks what can be known before a
+//! run. What comes out is a [`Case`] in SI, which prints as a case file and builds a
+//! [`Simulation`](archard::simulation::Simulation), and a [`Forecast`] of the run; or all
+//! [`Problem`]s at once.
+//!
+//! A case of one meshed body is an elastic problem without contact: an [`ElasticCase`], which builds an
+//! [`ElasticBody`](archard::elastic::ElasticBody). [`CaseFile::task`] tells the two apart.
+//!
+//! # Case files
+//!
+//! TOML. A value with a dimension is a text with its unit (`"50 mm"`). The choice is the name of a
+//! table (`profile.sphere = { radius = "50 mm" }`). The body written first is body 1.
+//!
+//! # Options
+//!
+//! `KEY=VALUE` puts a value at a dotted key, replacing what is there, tables included. The value is
+//! read as TOML, or as plain text where it is not TOML. `KEY=` removes the key: to go from one of
+//! two keys that exclude each other to the other, remove the first.
+
+mod accuracy;
+mod check;
+mod chosen;
+mod columns;
+mod definition;
+mod elastic;
+mod file;
+mod json;
+mod key;
+#[cfg(test)]
+mod meshes;
+mod nearest;
+mod number;
+mod overlay;
+mod print;
+mod problem;
+mod quantity;
+mod read;
+mod reader;
+mod similar;
+mod tree;
+mod unclosed;
+
+pub use accuracy::{Chose, Following, Unsettled};
+pub use check::{
+    BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
+};
+pub use chosen::Chosen;
+pub use definition::{BodyCase, BuildError, Case, FrameCase, LayerCase, Output};
+pub use elastic::{ElasticCase, ElasticForecast};
+pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
+pub use key::Key;
+pub use nearest::nearest;
+pub use number::ValueAt;
+pub use problem::{Location, Problem, Severity, Source};
+pub use similar::WearByKs;

@@ -1,0 +1,187 @@
+//! From the tree as written to a case: every key read and checked by itself.
+
+mod body;
+mod elastic;
+mod finite;
+mod frame;
+mod output;
+
+use super::accuracy;
+use super::chosen::Chosen;
+use super::definition::{Case, FrameCase};
+use super::problem::Problem;
+use super::reader::{Reader, Section};
+use super::tree::Item;
+use archard::friction::{FRICTION, Friction};
+use archard::motion::{MOTIONS, Planned};
+use archard::parameters::{Choice, Quantity, Values};
+use archard::solve::SOLVERS;
+use archard::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
+use finite::zone;
+
+/// The tables of a case.
+const TABLES: &[&str] = &[
+    "title",
+    "accuracy",
+    "body",
+    "frame",
+    "friction",
+    "motion",
+    "solver",
+    "friction_solver",
+    "output",
+];
+
+impl Reader<'_> {
+    /// The case, if nothing is wrong with it.
+    pub fn case(&mut self, root: &Section<'_>) -> Option<Case> {
+        self.unknown(root, "key", TABLES);
+        let title = self.title(root);
+        let accuracy = self.accuracy(root);
+        let bodies = self.bodies(root);
+        let meshed = names_a_mesh(root);
+        let measured = bodies.as_ref().and_then(frame::measured);
+        let frame = match (root.get("frame"), &bodies) {
+            (None, Some(bodies)) if meshed => zone(bodies),
+            (None, None) if meshed => None,
+            (Some((key, _)), _) if meshed => {
+                let message = "the pairs are the nodes of the mesh: leave the frame out";
+                self.push(Problem::error(key, message).at_name());
+                None
+            }
+            (None, _) if root.get("accuracy").is_some() => Some(FrameCase::to_be_chosen()),
+            (None, _) if measured.is_some() => measured,
+            _ => {
+                let meaning = "how fine the contact is computed: the size of an element, `frame.element = \"10 um\"`, or `accuracy = 0.05` in its place";
+                self.table(root, "frame", meaning).and_then(|section| {
+                    self.frame(&section, root.get("accuracy").is_some(), measured)
+                })
+            }
+        };
+        let motion = self.motion(root);
+        let doubles = motion.as_ref().and_then(|(_, motion)| self.doubles(root, frame, motion));
+        let friction = self.friction(root);
+        let solver = self.solver(root, "solver", SOLVERS);
+        let friction_solver = self.friction_solver(root);
+        let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
+        let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
+        let sections = bodies.as_ref().and_then(|bodies| self.sections_of_bodies(root, bodies));
+        Some(Case {
+            title: title?,
+            accuracy: accuracy?,
+            bodies: bodies?,
+            frame: frame?,
+            doubles: doubles?,
+            motion: motion?.0,
+            friction: friction?,
+            solver: solver?,
+            friction_solver: friction_solver?,
+            output: output?,
+            points: points?,
+            sections: sections?,
+        })
+    }
+
+    /// The title if there is one; `None` if it is wrong.
+    fn title(&mut self, root: &Section<'_>) -> Option<Option<String>> {
+        let Some((key, entry)) = root.get("title") else { return Some(None) };
+        match &entry.node.item {
+            Item::Text(text) => Some(Some(text.clone())),
+            other => {
+                self.push(Problem::error(key, format!("expected a text, found {}", other.kind())));
+                None
+            }
+        }
+    }
+
+    /// The accuracy if one is asked for; `None` if it is wrong.
+    fn accuracy(&mut self, root: &Section<'_>) -> Option<Option<f64>> {
+        let Some((key, entry)) = root.get("accuracy") else { return Some(None) };
+        let value = self.number(key.clone(), &entry.node, Quantity::Number)?;
+        if !accuracy::admitted(value) {
+            self.push(Problem::error(key, accuracy::refusal()));
+            return None;
+        }
+        if names_a_mesh(root) {
+            let message = "the elements of a mesh are those of its zone: they are not chosen";
+            self.push(Problem::error(key, message).at_name().help("leave it out"));
+            return None;
+        }
+        Some(Some(value))
+    }
+
+    fn motion(&mut self, root: &Section<'_>) -> Option<(Chosen<Planned>, Planned)> {
+        let section =
+            self.table(root, "motion", "what the bodies do, for example `[motion.sliding]`")?;
+        self.require_one(&section, "motion", MOTIONS);
+        self.choice(&section, "motion", MOTIONS)
+    }
+
+    /// The friction law, `Some(None)` where there is none; `None` if it is wrong.
+    fn friction(&mut self, root: &Section<'_>) -> Option<Option<Chosen<Box<dyn Friction>>>> {
+        let Some((key, entry)) = root.get("friction") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        self.required(&section, "friction law", FRICTION).map(Some)
+    }
+
+    /// The solver of friction; the first of the list where there is no friction to be solved for.
+    fn friction_solver(&mut self, root: &Section<'_>) -> Option<Chosen<Box<dyn FrictionSolver>>> {
+        let chosen = self.solver(root, "friction_solver", FRICTION_SOLVERS);
+        let Some((key, _)) = root.get("friction_solver") else { return chosen };
+        if root.get("friction").is_some() {
+            return chosen;
+        }
+        let message = "has no effect without a `friction` table";
+        self.push(Problem::warning(key, message).at_name());
+        chosen.and_then(|_| first(FRICTION_SOLVERS))
+    }
+
+    /// The solver chosen, or the first of the list.
+    fn solver<T>(
+        &mut self,
+        root: &Section<'_>,
+        table: &str,
+        solvers: &'static [Choice<T>],
+    ) -> Option<Chosen<T>> {
+        let Some((key, entry)) = root.get(table) else { return first(solvers) };
+        let section = self.as_table(key, &entry.node)?;
+        if section.table.0.is_empty() {
+            return first(solvers);
+        }
+        self.choice(&section, "solver", solvers).map(|(chosen, _)| chosen)
+    }
+
+    /// A choice that has to be made.
+    fn required<T>(
+        &mut self,
+        section: &Section<'_>,
+        what: &str,
+        choices: &'static [Choice<T>],
+    ) -> Option<Chosen<T>> {
+        self.require_one(section, what, choices);
+        self.choice(section, what, choices).map(|(chosen, _)| chosen)
+    }
+
+    fn require_one<T>(&mut self, section: &Section<'_>, what: &str, choices: &'static [Choice<T>]) {
+        if section.table.0.is_empty() {
+            let names: Vec<&str> = choices.iter().map(|choice| choice.name).collect();
+            let problem = Problem::error(section.key.clone(), format!("names no {what}"));
+            self.push(problem.help(format!("known here: {}", names.join(", "))));
+        }
+    }
+}
+
+/// Whether a body has a `mesh`, sound or not.
+fn names_a_mesh(root: &Section<'_>) -> bool {
+    let Some((_, bodies)) = root.get("body") else { return false };
+    let Item::Table(bodies) = &bodies.node.item else { return false };
+    bodies.0.iter().any(|body| match &body.node.item {
+        Item::Table(body) => body.get("mesh").is_some(),
+        _ => false,
+    })
+}
+
+/// The first of a list with nothing said about it.
+fn first<T>(choices: &'static [Choice<T>]) -> Option<Chosen<T>> {
+    choices.first().map(|choice| Chosen { choice, values: Values::default(), files: vec![] })
+}

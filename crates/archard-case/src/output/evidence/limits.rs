@@ -1,0 +1,155 @@
+//! How near a run comes to the limits of its theory: small strains of elastic half-spaces, small creepages, coefficients
+//! that hold.
+//!
+//! All of them are judged here, at the end of every run, by the worst state of it.
+
+use serde::{Deserialize, Serialize};
+
+use super::{keep, worst};
+use crate::verdict::{self, Line};
+use archard::body::{Body, Elasticity};
+use archard::frame::ContactFrame;
+use archard::problem::{ContactProblem, Flash};
+use archard::simulation::Report;
+
+/// The worst of all reports; where a body has its own limit, with its name.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Limits {
+    /// Largest pressure over the hardness of a body.
+    hardness: Option<(f64, String)>,
+    /// The same over Young's modulus of a body without a hardness that can yield.
+    modulus: Option<(f64, String)>,
+    /// Part of a layer, of another stiffness than what is below it, that is worn off where it is thinnest.
+    layers: Option<(f64, String)>,
+    /// How far the contact reaches from its middle, over the smallest radius of a body.
+    radius: Option<(f64, String)>,
+    /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
+    length: Option<f64>,
+    /// The warmest place (K).
+    temperature: Option<f64>,
+    /// Creepage, regardless of its direction.
+    creepage: Option<f64>,
+    /// Limit of friction over the pressure, where that is largest.
+    friction: Option<f64>,
+}
+
+impl Limits {
+    /// Takes up a report, with what it says of heat.
+    pub fn take(&mut self, report: &Report<'_>, flash: Option<&Flash>) {
+        let Report { problem, state, .. } = report;
+        let peak = state.pressure.iter().copied().fold(0.0, f64::max);
+        for (i, body) in problem.bodies.iter().enumerate() {
+            let deepest = state.worn_off(i).iter().copied().fold(0.0, f64::max);
+            if let Some(gone) = gone(body, deepest) {
+                worst_of(&mut self.layers, gone, body);
+            }
+            let hardness = body.wear.as_ref().and_then(|law| law.hardness());
+            let young = body.uppermost().map(|material| material.young);
+            let young = young.filter(|young| *young >= verdict::ELASTOMERS);
+            match (hardness, young) {
+                (Some(hardness), _) => worst_of(&mut self.hardness, peak / hardness, body),
+                (None, Some(young)) => worst_of(&mut self.modulus, peak / young, body),
+                (None, None) => {}
+            }
+        }
+        if let Some(extent) = Extent::of(&problem.frame, &state.pressure) {
+            self.take_extent(problem, extent);
+        }
+        let warmest = flash.map(|flash| {
+            let rise = flash.rise.iter().copied().fold(0.0, f64::max);
+            flash.bulk.unwrap_or_default() + rise
+        });
+        worst(&mut self.temperature, warmest);
+        let creepage = state.tangential.as_ref().map(|own| own.creepage[0].hypot(own.creepage[1]));
+        worst(&mut self.creepage, creepage.filter(|creepage| *creepage > 0.0));
+        let limit = problem.friction.as_ref().filter(|_| peak > 0.0);
+        worst(&mut self.friction, limit.map(|law| law.limit(peak) / peak));
+    }
+
+    /// Takes up how far a contact reaches.
+    fn take_extent(&mut self, problem: &ContactProblem, Extent { size }: Extent) {
+        let frame = &problem.frame;
+        let even = [0, 1].map(|axis| frame.is_uniform() && problem.is_even(axis));
+        let [x, y] = [0, 1].map(|axis| if even[axis] { 0.0 } else { 0.5 * size[axis] });
+        for body in problem.bodies.iter().filter(|body| !is_meshed(body)) {
+            let curvatures = body.curvatures().unwrap_or_default();
+            let sharpest = curvatures.into_iter().fold(0.0, |most: f64, one| most.max(one.abs()));
+            if sharpest > 0.0 {
+                worst_of(&mut self.radius, x.max(y) * sharpest, body);
+            }
+        }
+        if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
+            let length = frame.rectangle().size[axis] / size[1 - axis];
+            self.length = Some(self.length.map_or(length, |known| known.min(length)));
+        }
+    }
+
+    /// The lines that follow.
+    pub fn lines(&self) -> impl Iterator<Item = Line> {
+        let of = |known: &Option<(f64, String)>, line: fn(f64, &str) -> Line| {
+            known.as_ref().map(|(value, body)| line(*value, body))
+        };
+        let lines = [
+            of(&self.hardness, verdict::hardness),
+            of(&self.modulus, verdict::modulus),
+            of(&self.layers, verdict::layers),
+            of(&self.radius, verdict::radius),
+            self.length.map(verdict::length),
+            self.temperature.map(verdict::temperature),
+            self.creepage.map(verdict::creepage),
+            self.friction.map(verdict::friction),
+        ];
+        lines.into_iter().flatten()
+    }
+}
+
+/// The largest part of a layer that is worn off at some depth (m), of those that are stiffer or softer by half than what is below
+/// them; `None` where there are none.
+fn gone(body: &Body, depth: f64) -> Option<f64> {
+    let below = body.layers.iter().skip(1).map(|layer| Some(layer.material));
+    let below = below.chain([body.material]);
+    let mut top = 0.0;
+    let parts = body.layers.iter().zip(below).filter_map(|(layer, below)| {
+        let part = ((depth - top) / layer.thickness).clamp(0.0, 1.0);
+        top += layer.thickness;
+        let stiffer = below.map_or(0.0, |below| layer.material.young / below.young);
+        let alike = stiffer.max(stiffer.recip()) < 1.0 + verdict::BY_HALF;
+        (!alike).then_some(part)
+    });
+    parts.reduce(f64::max)
+}
+
+/// Whether a body is computed with the shape it has.
+fn is_meshed(body: &Body) -> bool {
+    body.finite.as_ref().is_some_and(|one| one.elasticity == Elasticity::BoundaryElements)
+}
+
+/// Keeps the larger of two numbers with its body.
+fn worst_of(known: &mut Option<(f64, String)>, found: f64, body: &Body) {
+    if keep(known.as_ref().map(|(value, _)| *value), found) == found {
+        *known = Some((found, body.name.clone()));
+    }
+}
+
+/// How wide a contact is along x and y (m).
+struct Extent {
+    size: [f64; 2],
+}
+
+impl Extent {
+    /// That of the pairs under pressure, mirror images included; `None` where there are none.
+    fn of(frame: &ContactFrame, pressure: &[f64]) -> Option<Self> {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for pair in (0..frame.len()).filter(|&pair| pressure[pair] > 0.0) {
+            for (axis, place) in frame.place(pair).into_iter().enumerate() {
+                (low[axis], high[axis]) = (low[axis].min(place), high[axis].max(place));
+            }
+        }
+        let own = if frame.is_uniform() { frame.spacing() } else { [0.0; 2] };
+        let size = |axis: usize| match frame.mirrored()[axis] {
+            true => 2.0 * low[axis].abs().max(high[axis].abs()),
+            false => high[axis] - low[axis] + own[axis],
+        };
+        low[0].is_finite().then(|| Self { size: [size(0), size(1)] })
+    }
+}

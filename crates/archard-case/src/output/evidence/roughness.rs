@@ -1,0 +1,65 @@
+//! Pressures that alternate from element to element, or stand out in one: signs of an unresolved solution.
+//!
+//! Along five pairs in a row that are under pressure, an alternation is the smallest of four differences that change
+//! sign each time, halved; a spike is what the middle exceeds its neighbours by, beyond what these exceed the next.
+
+use archard::problem::ContactProblem;
+
+/// Alternation of the undeformed gap, relative to the indentation of one pair by the largest pressure, beyond which
+/// the surfaces themselves are rough.
+const ROUGH: f64 = 0.01;
+
+/// The largest of both along x and y relative to the largest pressure; `None` where there are no rows of five, and where
+/// the surfaces are rough.
+pub(super) fn of(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
+    let frame = &problem.frame;
+    let peak = pressure.iter().copied().fold(0.0, f64::max);
+    if !frame.is_uniform() || peak <= 0.0 {
+        return None;
+    }
+    let own = problem.compliance.normal_self_term() * peak;
+    let mut most = None;
+    let [nx, ny] = frame.elements();
+    for (pair, _) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
+        let rows = [(pair % nx + 4 < nx, 1), (pair / nx + 4 < ny, nx)];
+        for (_, stride) in rows.into_iter().filter(|(inside, _)| *inside) {
+            let five = [0, 1, 2, 3, 4].map(|step| pair + step * stride);
+            let p = five.map(|pair| pressure[pair]);
+            if p.iter().any(|pressure| *pressure <= 0.0) {
+                continue;
+            }
+            if alternation(five.map(|pair| frame.gap()[pair])) > ROUGH * own {
+                return None;
+            }
+            let found = alternation(p).max(spike(p)) / peak;
+            most = Some(found.max(most.unwrap_or(0.0)));
+        }
+    }
+    most
+}
+
+fn alternation([a, b, c, d, e]: [f64; 5]) -> f64 {
+    let steps = [b - a, c - b, d - c, e - d];
+    if steps.windows(2).any(|two| two[0] * two[1] >= 0.0) {
+        return 0.0;
+    }
+    0.5 * steps.iter().fold(f64::INFINITY, |least, step| least.min(step.abs()))
+}
+
+fn spike([a, b, c, d, e]: [f64; 5]) -> f64 {
+    let (near, far) = (b.max(d), a.max(e));
+    (c - near - (near - far).abs()).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{alternation, spike};
+
+    #[test]
+    fn smooth_rows_have_neither() {
+        let hertz = [-0.8_f64, -0.4, 0.0, 0.4, 0.8].map(|x| (1.0 - x * x).sqrt());
+        assert_eq!((alternation(hertz), spike(hertz)), (0.0, 0.0));
+        assert_eq!(alternation([1.0, 1.2, 1.0, 1.2, 1.0]), 0.5 * (1.2 - 1.0));
+        assert_eq!(spike([1.0, 1.0, 1.5, 1.0, 1.0]), 0.5);
+    }
+}

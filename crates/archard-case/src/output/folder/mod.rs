@@ -1,0 +1,332 @@
+//! The result folder of a run.
+
+mod behind;
+mod checkpoint;
+mod claim;
+mod lock;
+#[cfg(test)]
+mod tests;
+
+use std::error::Error as StdError;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use behind::Behind;
+use checkpoint::{Clock, Kept};
+pub use claim::Claim;
+use lock::Lock;
+
+use super::evidence::Evidence;
+use super::fretting_loop::FrettingLoop;
+use super::length_profiles;
+use super::summary::{self, Standing};
+use super::table::{Table, number};
+use super::worn_profiles::WornProfiles;
+use super::{
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals, file,
+    sections,
+};
+use crate::verdict::Verdict;
+use archard::estimate::Estimator;
+use archard::simulation::history::TIME_ERROR;
+use archard::simulation::{Observer, Report, row};
+
+/// The file of the numbers of every step.
+pub(super) const HISTORY: &str = "history.csv";
+/// The file of the sections of every output.
+const PROFILES: &str = "profiles.csv";
+/// The file of the profiles of bodies that roll.
+const WORN_PROFILES: &str = "worn_profiles.csv";
+/// The file of surfaces that swing, from end to end.
+const LENGTH_PROFILES: &str = "length_profiles.csv";
+/// The file of force over shift.
+const FRETTING_LOOP: &str = "fretting_loop.csv";
+/// All tables.
+const TABLES: [&str; 5] = [HISTORY, PROFILES, WORN_PROFILES, LENGTH_PROFILES, FRETTING_LOOP];
+
+/// Writes the results of a run into a folder as it goes; see [the module](super) for the files.
+#[derive(Debug)]
+pub struct ResultFolder {
+    dir: PathBuf,
+    manifest: Manifest,
+    /// Held until the results are whole.
+    _lock: Lock,
+    history: Table,
+    profiles: Table,
+    /// The profiles of bodies that roll, once there are any.
+    worn_profiles: Option<Table>,
+    /// Surfaces that swing from end to end, once there are any.
+    length_profiles: Option<Table>,
+    /// The loops of bodies that are shifted, once there are any, and the one under way.
+    fretting_loops: Option<Table>,
+    fretting_loop: FrettingLoop,
+    /// Every output so far, and the last one's fields on their way.
+    collection: Collection,
+    behind: Behind,
+    iterations: usize,
+    estimator: Estimator,
+    standing: Option<Standing>,
+    evidence: Evidence,
+    clock: Clock,
+    begun: Instant,
+    /// Time the run took before it was interrupted (s).
+    before: f64,
+}
+
+impl ResultFolder {
+    /// Makes the folder and starts its files; what an earlier run wrote into it is removed, anything
+    /// else is left alone. [`Claim`] does the same in two steps.
+    ///
+    /// # Errors
+    /// If another run writes into the folder, something else stands where a file goes, or the folder or a file in it
+    /// cannot be written.
+    pub fn create(dir: &Path, case_toml: &str) -> Result<Self, Error> {
+        Claim::take(dir)?.begin(case_toml)
+    }
+
+    fn begin(claim: Claim, case_toml: &str) -> Result<Self, Error> {
+        let Claim { dir, lock, mut manifest, .. } = claim;
+        manifest.begin([CASE, HISTORY, PROFILES])?;
+        file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
+        Ok(Self {
+            history: Table::create(dir.join(HISTORY))?,
+            profiles: Table::create(dir.join(PROFILES))?,
+            worn_profiles: None,
+            length_profiles: None,
+            fretting_loops: None,
+            fretting_loop: FrettingLoop::default(),
+            collection: Collection::default(),
+            behind: Behind::default(),
+            iterations: 0,
+            estimator: Estimator::default(),
+            standing: None,
+            evidence: Evidence::default(),
+            clock: Clock::new(),
+            begun: Instant::now(),
+            before: 0.0,
+            dir,
+            manifest,
+            _lock: lock,
+        })
+    }
+
+    /// Brings the results of a run back to where it was kept.
+    fn go_on(mut claim: Claim, kept: Kept) -> Result<Self, Error> {
+        let Kept { tables, fretting_loop, outputs, iterations, evidence, seconds } = kept;
+        claim.manifest.remove_parts(|_| true);
+        claim.manifest.remove(SUMMARY)?;
+        claim.remove_fields(outputs.len())?;
+        // Tables whose rows all were added since.
+        for (name, _) in TABLES.iter().zip(&tables).filter(|(_, kept)| kept.is_none()) {
+            claim.manifest.remove(name)?;
+        }
+        let Claim { dir, lock, manifest, .. } = claim;
+        let resume = |index: usize| {
+            tables[index].map(|kept| Table::resume(dir.join(TABLES[index]), kept)).transpose()
+        };
+        let begun = |index: usize| match resume(index)? {
+            Some(table) => Ok(table),
+            None => Table::create(dir.join(TABLES[index])),
+        };
+        Ok(Self {
+            history: begun(0)?,
+            profiles: begun(1)?,
+            worn_profiles: resume(2)?,
+            length_profiles: resume(3)?,
+            fretting_loops: resume(4)?,
+            fretting_loop,
+            collection: Collection { outputs },
+            behind: Behind::default(),
+            iterations,
+            estimator: Estimator::default(),
+            standing: None,
+            evidence,
+            clock: Clock::new(),
+            begun: Instant::now(),
+            before: seconds,
+            dir,
+            manifest,
+            _lock: lock,
+        })
+    }
+
+    /// Keeps the run, if it is time to, or in any case.
+    fn keep(&mut self, report: &Report<'_>, anyway: bool) -> Result<(), Error> {
+        let ended = report.state.progress >= report.extent;
+        let pairs = report.state.pressure.len();
+        if ended || !anyway && !self.clock.is_due(report.output, pairs) {
+            return Ok(());
+        }
+        let begun = Instant::now();
+        let Some(run) = report.checkpoint() else { return Ok(()) };
+        self.behind.wait()?;
+        let keep = |table: Option<&Table>| table.map(Table::keep).transpose();
+        let tables = [
+            keep(Some(&self.history))?,
+            keep(Some(&self.profiles))?,
+            keep(self.worn_profiles.as_ref())?,
+            keep(self.length_profiles.as_ref())?,
+            keep(self.fretting_loops.as_ref())?,
+        ];
+        let kept = Kept {
+            tables,
+            fretting_loop: self.fretting_loop.clone(),
+            outputs: self.collection.outputs.clone(),
+            iterations: self.iterations,
+            evidence: self.evidence.clone(),
+            seconds: self.before + self.begun.elapsed().as_secs_f64(),
+        };
+        self.manifest.claim(checkpoint::NAME)?;
+        checkpoint::write(&self.dir, &kept, &run)?;
+        self.clock.was_kept(begun);
+        Ok(())
+    }
+
+    /// Keeps the run where it is shown, whether it is time to or not: nothing of it is lost then.
+    ///
+    /// # Errors
+    /// If the checkpoint cannot be written.
+    pub fn keep_now(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        self.keep(report, true)
+    }
+
+    /// Time the run took before it was interrupted (s).
+    pub fn seconds_before(&self) -> f64 {
+        self.before
+    }
+
+    /// The folder.
+    pub fn dir(&self) -> &Path {
+        &self.dir
+    }
+
+    /// Whether what was shown so far can be believed.
+    pub fn verdict(&self) -> Verdict {
+        self.evidence.verdict()
+    }
+
+    /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
+    /// did not.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn finish(mut self, totals: &Totals) -> Result<(), Error> {
+        self.behind.wait()?;
+        let more = [&self.worn_profiles, &self.length_profiles, &self.fretting_loops];
+        let mut tables =
+            [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
+        tables.try_for_each(Table::sync)?;
+        let verdict = self.verdict().ended(totals.failure.as_deref());
+        let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
+        file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
+        match totals.failure {
+            Some(_) => Ok(()),
+            None => {
+                self.manifest.remove(checkpoint::NAME)?;
+                self.manifest.settle()
+            }
+        }
+    }
+
+    /// Takes up a report.
+    fn take(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        let row = row(report);
+        if report.again {
+            // All else of it was kept.
+            self.standing = Some(Standing::of(report, &row, &self.estimator));
+            return Ok(());
+        }
+        finite(report, &row)?;
+        let cells: Vec<_> =
+            row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
+        self.history.row(&cells)?;
+        self.history.flush()?;
+        self.history.find()?;
+        if report.output {
+            self.put_out(report)?;
+        }
+        if self.fretting_loop.take(report, &row) {
+            let table = begun(&mut self.fretting_loops, (&mut self.manifest, FRETTING_LOOP))?;
+            self.fretting_loop.write(table)?;
+        }
+        self.evidence.take(report, &row);
+        self.iterations += report.effort.iterations;
+        self.standing = Some(Standing::of(report, &row, &self.estimator));
+        self.keep(report, false)
+    }
+
+    /// Writes the fields and sections of a report.
+    fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        self.put_out_fields(report)?;
+        if let Some(swung) = &report.state.swung {
+            let table = begun(&mut self.length_profiles, (&mut self.manifest, LENGTH_PROFILES))?;
+            length_profiles::write(table, (report.problem, report.state), swung)?;
+        }
+        match WornProfiles::of(report.problem, report.state) {
+            Some(profiles) => {
+                let table = begun(&mut self.worn_profiles, (&mut self.manifest, WORN_PROFILES))?;
+                profiles.write(table)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+impl ResultFolder {
+    /// Writes the fields of a report and their sections.
+    fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
+        let Report { problem, state, .. } = report;
+        let progress = (problem.motion.progress().column, state.progress);
+        let name = format!("{FIELDS}/{:04}", self.collection.outputs.len());
+        let through = sections::through(problem, state);
+        let uniform = problem.frame.is_uniform();
+        let name = format!("{name}.{}", if uniform { "vti" } else { "vtu" });
+        let (path, all) = (self.manifest.claim(&name)?, self.manifest.claim(COLLECTION)?);
+        self.collection.outputs.push((state.progress, name));
+        let collection = self.collection.clone();
+        if uniform {
+            let image = Image::of(problem, state);
+            sections::write(&mut self.profiles, progress, &image, through)?;
+            self.behind.write(move || image.write(&path).and_then(|()| collection.write(&all)))
+        } else {
+            let surface = Surface::of(problem, state);
+            sections::write_surface(&mut self.profiles, progress, &surface, through)?;
+            self.behind.write(move || surface.write(&path).and_then(|()| collection.write(&all)))
+        }
+    }
+}
+
+/// A table, begun under that name if it is not there yet.
+fn begun<'a>(
+    table: &'a mut Option<Table>,
+    (manifest, name): (&mut Manifest, &str),
+) -> Result<&'a mut Table, Error> {
+    let begun = match table.take() {
+        Some(begun) => begun,
+        None => Table::create(manifest.claim(name)?)?,
+    };
+    Ok(table.insert(begun))
+}
+
+impl Observer for ResultFolder {
+    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
+        Ok(self.take(report)?)
+    }
+}
+
+/// Says whether all numbers of a step are numbers. Only an error in time may be missing.
+fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
+    let missing = |column: &str, value: f64| value.is_nan() && column == TIME_ERROR;
+    let wrong = row.iter().find(|(column, value)| !value.is_finite() && !missing(column, *value));
+    let [one, other] = &report.state.worn;
+    let fields = [("pressure_Pa", &report.state.pressure), ("wear_m", one), ("wear_m", other)];
+    let spoilt = |(_, values): &(&str, &Vec<f64>)| values.iter().any(|value| !value.is_finite());
+    let field = || fields.into_iter().find(spoilt).map(|(name, _)| name);
+    match wrong.map(|(column, _)| column.as_str()).or_else(field) {
+        None => Ok(()),
+        Some(name) => {
+            let place = report.problem.motion.progress().at(report.state.progress);
+            Err(Error::NotFinite { name: name.to_owned(), place })
+        }
+    }
+}

@@ -1,0 +1,175 @@
+//! What a run leaves behind: a folder of files that spreadsheets, Python and ParaView read.
+//!
+//! [`ResultFolder`] observes a run and writes
+//!
+//! - `case.toml`: the case as resolved;
+//! - `history.csv`: a row a step, units in the names of the columns;
+//! - `profiles.csv`: at each output the sections through the contact;
+//! - `length_profiles.csv`, where a surface swings: at each output its worn section and depth from end to end;
+//! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
+//! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
+//!   every one in which an output falls due, a row an increment;
+//! - `fields.pvd`, the [`Collection`] of outputs for ParaView, and for each `fields/NNNN.vti`, the [`Image`] of all
+//!   fields; on frames that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
+//! - `summary.json`: the last row, checks and totals;
+//! - `manifest.txt`: the names of all these, so that nothing else is ever replaced or removed;
+//! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
+//!
+//! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end
+//! `points.csv`, a row a point, `surface_1.vtu` or `surface_2.vtu` with displacements, tractions, stresses and wear, and
+//! a [`Sheet`] a section, `sections/BODY_NAME.vtu`.
+//!
+//! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
+//! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
+//!
+//! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
+//! folder.
+
+mod closed_forms;
+mod derived;
+mod elastic;
+mod evidence;
+mod fields;
+mod file;
+mod folder;
+mod fretting_loop;
+mod image;
+mod inside;
+mod length_profiles;
+mod limit;
+mod manifest;
+mod sections;
+mod sheet;
+mod standards;
+mod store;
+mod summary;
+mod surface;
+mod table;
+mod vtk;
+mod worn_profiles;
+mod worn_surface;
+
+#[cfg(test)]
+mod fixture;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use archard::simulation::NotResumed;
+
+pub(crate) use closed_forms::blocks as estimate_json;
+pub use derived::Derived;
+pub use elastic::{elastic_files, elastic_verdict, write_elastic};
+pub use fields::{Field, fields};
+pub use file::write_whole;
+pub use folder::{Claim, ResultFolder};
+pub use image::Image;
+pub use inside::{Inside, InsideError};
+pub use manifest::Manifest;
+pub use sheet::Sheet;
+pub use standards::Standard;
+pub use store::Store;
+pub use summary::Totals;
+pub(crate) use summary::json_of as verdict_json;
+pub use surface::Surface;
+pub use vtk::Collection;
+pub use worn_surface::{RELIEF, WornSurface, bodies};
+
+/// The file of the case as resolved.
+const CASE: &str = "case.toml";
+/// The file of the end of a run.
+const SUMMARY: &str = "summary.json";
+/// The file that lists the outputs.
+const COLLECTION: &str = "fields.pvd";
+/// The folder of the outputs.
+const FIELDS: &str = "fields";
+
+/// What a file of fields is called.
+fn extension(path: &Path) -> String {
+    path.extension().map_or_else(String::new, |extension| format!(".{}", extension.display()))
+}
+
+/// A result that cannot be written or read.
+#[non_exhaustive]
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The file system refuses to write.
+    #[error("cannot write `{}`: {source}", .path.display())]
+    Write {
+        /// The file or folder.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// Something stands where a file goes that this program did not write.
+    #[error(
+        "`{}` is in the way, and nothing says that archard wrote it: move it, or choose another folder{help}",
+        .path.display()
+    )]
+    NotOurs {
+        /// What stands there.
+        path: PathBuf,
+        /// What else can be done.
+        help: &'static str,
+    },
+    /// A file was removed while it was written.
+    #[error("`{}` was removed or moved while the run wrote into it; what it held is lost", .path.display())]
+    Removed {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Another run writes into the folder.
+    #[error(
+        "another run{} writes into `{}`; wait for its end, or choose another folder with -o",
+        .process.map_or_else(String::new, |process| format!(" (process {process})")),
+        .dir.display()
+    )]
+    InUse {
+        /// The folder.
+        dir: PathBuf,
+        /// The process that holds it, where it can be told.
+        process: Option<u32>,
+    },
+    /// A folder whose run is another one.
+    #[error("`{}` stays as it is: {source}", .dir.display())]
+    NotResumed {
+        /// The folder.
+        dir: PathBuf,
+        /// Why not.
+        source: NotResumed,
+    },
+    /// A folder without a run to go on with.
+    #[error("`{}` holds no run to go on with: {why}", .dir.display())]
+    NoCheckpoint {
+        /// The folder.
+        dir: PathBuf,
+        /// What is the matter, and what to do.
+        why: &'static str,
+    },
+    /// A number that is none.
+    #[error(
+        "`{name}` is not a finite number at {place}; the step is not kept, this is a fault of the program or of a value far out of range"
+    )]
+    NotFinite {
+        /// The column or field.
+        name: String,
+        /// Where the motion was.
+        place: String,
+    },
+    /// The file system refuses to read.
+    #[error("cannot read `{}`: {source}", .path.display())]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// A file of fields, or the list of them, that is damaged or comes from another program.
+    #[error("`{}` is not a complete {} file of this program: {what}", .path.display(), extension(.path))]
+    NotAnImage {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        what: String,
+    },
+}
