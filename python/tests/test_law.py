@@ -155,7 +155,7 @@ def test_laws_that_are_none_are_refused(case, law, message):
 
 
 def test_laws_that_lack_something_are_refused(case):
-    with pytest.raises(archard.RunError, match="goes by the work of friction"):
+    with pytest.raises(archard.RunError, match="depends on the work of friction"):
         case.run(laws={"pin": lambda p, s, work: K * work})
     with pytest.raises(archard.RunError, match="whole cycle"):
         case.run(laws={"pin": archard.Law(archard_law, per="cycle")})

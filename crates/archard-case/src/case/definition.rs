@@ -157,7 +157,7 @@ pub enum BuildError {
     },
     /// Parts that do not make a simulation.
     #[error(transparent)]
-    Parts(#[from] simulation::BuildError),
+    Parts(#[from] simulation::Refused),
 }
 
 impl Output {

@@ -9,7 +9,7 @@ use archard::closed_form::flash_temperature::semi_ellipsoid;
 use archard::frame::Direction;
 use archard::friction::Coulomb;
 use archard::motion::{Control, Drive, Rolling, Sliding, Stepping, Track};
-use archard::simulation::{Error, Simulation};
+use archard::simulation::{Error, Part, Refused, Simulation};
 use archard::wear::{Archard, Expression, Over, Per, Table, WearLaw};
 
 use crate::common::{Rows, case, peak, states};
@@ -286,7 +286,7 @@ fn rolling_tells_the_speed_of_slip() {
 /// A law that goes by the temperature stops where it is not known: by the engine, too, which `check` does not ask.
 #[test]
 fn laws_stop_where_the_temperature_is_not_known() {
-    let run = |thermal: Option<Thermal>, speed: f64, friction: bool| {
+    let built = |thermal: Option<Thermal>, speed: f64, friction: bool| {
         let [table, _] = laws();
         let mut bodies = ball_and_flat(0, [None, thermal]);
         bodies[0].wear = Some(table.into());
@@ -294,14 +294,19 @@ fn laws_stop_where_the_temperature_is_not_known() {
         let planned = sliding.over(3.0, Control::Load(50.0), Stepping::Implicit(1.0)).unwrap();
         let builder = Simulation::builder(bodies, planned).frame([0.6e-3; 2], [12; 2]);
         let builder = if friction { builder.friction(Coulomb::new(0.3).unwrap()) } else { builder };
-        builder.build().unwrap().run(&mut []).unwrap_err()
+        builder.build()
+    };
+    let refused = |thermal, friction| {
+        let Refused(all) = built(thermal, 5.0, friction).unwrap_err();
+        all.into_iter().map(|one| one.part).collect::<Vec<_>>()
     };
     let warm = Some(steel().with_share(0.7).unwrap());
     let cold = Some(Thermal::new(50.0, 13e-6).unwrap().with_share(0.7).unwrap());
-    assert!(matches!(run(None, 5.0, true), Error::NoTemperature { .. }));
-    assert!(matches!(run(cold, 5.0, true), Error::NoTemperature { .. }));
-    assert!(matches!(run(warm, 5.0, false), Error::NoTemperature { .. }));
+    assert_eq!(refused(None, true), [Part::Wear("ball".into())]);
+    assert_eq!(refused(cold, true), [Part::Wear("ball".into())]);
+    assert_eq!(refused(warm, false), [Part::Wear("ball".into())]);
     // V a / (2 chi) of a = 0.187 mm.
-    let Error::TooSlow { peclet, .. } = run(warm, 0.5, true) else { panic!("too slow") };
+    let slow = built(warm, 0.5, true).unwrap().run(&mut []).unwrap_err();
+    let Error::TooSlow { peclet, .. } = slow else { panic!("too slow") };
     assert_relative_eq!(peclet, 0.5 * 0.187e-3 / 26e-6, max_relative = 0.1);
 }

@@ -330,7 +330,7 @@ fn laws_ask_for_what_they_go_by() {
         simulation.run(&mut []).map_err(|error| error.to_string())
     };
     assert!(still(Circumstance::Distance).is_ok());
-    assert!(still(Circumstance::Speed).unwrap_err().contains("goes by the speed of sliding"));
-    assert!(still(Circumstance::Temperature).unwrap_err().contains("goes by the temperature"));
+    assert!(still(Circumstance::Speed).unwrap_err().contains("depends on the sliding speed"));
+    assert!(still(Circumstance::Temperature).unwrap_err().contains("depends on the temperature"));
     assert!(Coulomb::new(0.3).unwrap().inputs().is_empty());
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use archard::motion::Stepping;
-use archard::simulation::{Error, Simulation};
+use archard::simulation::{Error, Part, Simulation};
 use archard::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 use crate::common::{Ball, Rows, case, peak, states};
@@ -150,7 +150,10 @@ fn by_the_work_of_friction_asks_for_friction() {
     let mut simulation = case(&format!("{BODIES}{motion}"), &["friction="]);
     simulation.problem.bodies[0].wear = Some(Arc::new(Energy { alpha: 1e-12 }));
     let refused = simulation.run(&mut []);
-    assert!(matches!(refused, Err(Error::NoFriction { body }) if body == "ball"));
+    assert!(
+        matches!(&refused, Err(Error::Refused(all)) if all.0[0].part == Part::Wear("ball".into())),
+        "{refused:?}"
+    );
 }
 
 /// alpha (work - threshold) where that is positive, of what is taken at once; on whole columns.
@@ -229,5 +232,8 @@ fn a_law_of_whole_cycles_asks_for_cycles() {
     let law = Beyond { alpha: 1e-12, threshold: 1.0, per: Per::Cycle };
     simulation.problem.bodies[0].wear = Some(Arc::new(law));
     let refused = simulation.run(&mut []);
-    assert!(matches!(refused, Err(Error::NoCycle { body }) if body == "ball"));
+    assert!(
+        matches!(&refused, Err(Error::Refused(all)) if all.0[0].part == Part::Wear("ball".into())),
+        "{refused:?}"
+    );
 }

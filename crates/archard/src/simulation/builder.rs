@@ -4,10 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use super::Simulation;
 use super::periodic::repeats;
+use super::refusal::Refused;
 use crate::body::{Body, Elasticity};
-use crate::compliance::bem::contact::{self, Condense, Contact, ContactError};
+use crate::compliance::bem::contact::{self, Condense, Contact};
 use crate::compliance::{Compliance, HalfSpace, Periodic};
-use crate::frame::{ContactFrame, OffTheSurface, Rectangle};
+use crate::frame::{ContactFrame, Rectangle};
 use crate::friction::Friction;
 use crate::motion::{Planned, Schedule};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
@@ -58,21 +59,6 @@ enum Touch {
     Line(Rectangle, usize),
     /// As given.
     Given(ContactFrame, Arc<dyn Compliance>),
-}
-
-/// Why parts do not make a simulation.
-#[non_exhaustive]
-#[derive(Debug, thiserror::Error)]
-pub enum BuildError {
-    /// A part that is missing, or cannot be what it is.
-    #[error(transparent)]
-    Invalid(#[from] Invalid),
-    /// The frame is larger than a body.
-    #[error(transparent)]
-    OffTheSurface(#[from] OffTheSurface),
-    /// Meshed bodies that cannot be brought into contact.
-    #[error(transparent)]
-    Contact(#[from] ContactError),
 }
 
 /// Pairs that a frame may grow to where nobody says how many the memory holds.
@@ -163,12 +149,12 @@ impl Builder {
     ///
     /// # Errors
     /// If a part is missing, parts do not fit together, or a body does not reach over the frame.
-    pub fn build(self) -> Result<Simulation, BuildError> {
+    pub fn build(self) -> Result<Simulation, Refused> {
         self.build_with(&contact::condense)
     }
 
     /// The same with something that condenses meshed bodies or knows that they were.
-    pub fn build_with(self, condense: Condense<'_>) -> Result<Simulation, BuildError> {
+    pub fn build_with(self, condense: Condense<'_>) -> Result<Simulation, Refused> {
         self.check()?;
         let Self {
             bodies,
@@ -216,6 +202,7 @@ impl Builder {
             repeats(&motion, &frame)?;
         }
         let problem = ContactProblem { bodies, frame, compliance, friction, motion };
+        problem.fits()?;
         Ok(Simulation {
             problem,
             solver,

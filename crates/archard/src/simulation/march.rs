@@ -44,8 +44,7 @@ impl March {
     /// The initial contact; bodies that are pressed together later only touch.
     pub(super) fn begin(simulation: &Simulation) -> Result<Self, Error> {
         for one in simulation.frames() {
-            one.check_frame()?;
-            one.problem.check_inputs()?;
+            one.problem.fits()?;
         }
         let (mut first, mut behind) = (simulation, 0);
         let mut growth: Option<Growth> = None;

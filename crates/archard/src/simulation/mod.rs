@@ -5,7 +5,6 @@ mod builder;
 mod checkpoint;
 mod collector;
 mod companion;
-mod compatibility;
 mod cycles;
 mod evolution;
 mod friction;
@@ -14,6 +13,7 @@ pub mod history;
 mod march;
 mod passing;
 mod periodic;
+mod refusal;
 mod rolling;
 mod run;
 mod scar;
@@ -31,15 +31,15 @@ use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
+pub use builder::Builder;
 pub use builder::line_of_contact;
-pub use builder::{BuildError, Builder};
 pub use checkpoint::NotResumed;
 pub use checkpoint::digest;
 pub use companion::{Companion, Companions, Regularity};
-pub use compatibility::{crossed, inclined, lacks, lacks_cycles};
 pub use history::row;
 pub use march::March;
 pub use periodic::repeats;
+pub use refusal::{Part, Refusal, Refused, across_symmetry, curved, inclined, of_laws};
 pub use run::Run;
 pub use scar::{worn_extent, worn_middle};
 use surroundings::Surroundings;
@@ -50,7 +50,7 @@ pub use wider::can_widen;
 use crate::closed_form::flash_temperature::FAST;
 use crate::motion::{Control, Progress, Schedule, Stepping};
 use crate::numerics::upwind::DegenerateCloud;
-use crate::problem::{ContactProblem, ContactState, NoTemperature};
+use crate::problem::{ContactProblem, ContactState};
 use crate::solve::Solver;
 use crate::solve::tangential::FrictionSolver;
 
@@ -239,27 +239,6 @@ pub enum Error {
         /// Length of the last step tried.
         step: f64,
     },
-    /// A motion across a plane of symmetry.
-    #[error(
-        "{axis} = 0 is a plane of symmetry of the frame, and bodies that move along {axis} are not symmetric about it; mesh both sides"
-    )]
-    NotSymmetric {
-        /// The axis across the plane.
-        axis: &'static str,
-    },
-    /// Axes of friction at an angle to a plane of symmetry.
-    #[error(
-        "the axes of friction lie at an angle to a plane of symmetry of the frame, and friction is not symmetric about it; mesh both sides"
-    )]
-    FrictionNotSymmetric,
-    /// Rolling, or a track, on a curved frame.
-    #[error(
-        "bodies roll, and surfaces pass, only where the frame, or the zone of the mesh, is plane"
-    )]
-    NotPlane,
-    /// Surfaces that swing on a frame that is no uniform grid.
-    #[error("surfaces swing on a uniform frame only, not on a mesh")]
-    NotUniform,
     /// An amplitude that a part of the contact follows elastically.
     #[error(
         "the bodies do not slide all over: of the amplitude of {amplitude:.3e} m their elasticity takes up {elastic:.3e} m where they touch; surfaces that stay (`surfaces = \"stay\"`) tell where they slip"
@@ -278,9 +257,9 @@ pub enum Error {
         /// Where (the motion's unit).
         progress: f64,
     },
-    /// A track on pairs without rows.
-    #[error("a track needs pairs in rows along it: take a grid, or a zone with `elements`")]
-    NoRows,
+    /// Parts that do not fit together.
+    #[error(transparent)]
+    Refused(#[from] Refused),
     /// Rolling on pairs that determine no derivative along the direction of rolling.
     #[error("particles do not pass from pair to pair: {0}")]
     NotPassed(#[from] DegenerateCloud),
@@ -289,37 +268,6 @@ pub enum Error {
         "friction on a curved surface acts on the pressures; use a `friction_solver` that finds both at once: newton"
     )]
     NotMonolithic,
-    /// A wear law of friction's work, without friction.
-    #[error("the wear law of `{body}` goes by the work of friction: give a `friction` table")]
-    NoFriction {
-        /// The body's name.
-        body: String,
-    },
-    /// A wear law of the speed, which the motion does not tell.
-    #[error(
-        "the wear law of `{body}` goes by the speed of sliding, and the motion does not tell it"
-    )]
-    NoSpeed {
-        /// The body's name.
-        body: String,
-    },
-    /// A law of friction that goes by the speed of sliding, in a motion that does not tell it.
-    #[error("the law of friction goes by the speed of sliding, and the motion does not tell it")]
-    NoSpeedOfFriction,
-    /// A law of friction that goes by the temperature, which is not known.
-    #[error("the law of friction goes by the temperature: {reason}")]
-    NoTemperatureOfFriction {
-        /// Why it is not known.
-        reason: NoTemperature,
-    },
-    /// A wear law of the temperature, which is not known.
-    #[error("the wear law of `{body}` goes by the temperature: {reason}")]
-    NoTemperature {
-        /// The body's name.
-        body: String,
-        /// Why it is not known.
-        reason: NoTemperature,
-    },
     /// A wear law of the temperature, in a contact that is passed too slowly for it to be known.
     #[error(
         "at {} the Peclet number of the contact is {peclet:.3}: laws that go by the temperature need {FAST} at least, since the flash temperature of fast surfaces does not hold below",
@@ -332,20 +280,6 @@ pub enum Error {
         progress: f64,
         /// The Peclet number.
         peclet: f64,
-    },
-    /// A wear law of the distance rolled, where nothing rolls.
-    #[error("the wear law of `{body}` goes by the distance rolled, and the bodies do not roll")]
-    NotRolling {
-        /// The body's name.
-        body: String,
-    },
-    /// A wear law of whole cycles, where there are none.
-    #[error(
-        "the wear law of `{body}` takes a whole cycle at once, and bodies that slide on the same spot have none"
-    )]
-    NoCycle {
-        /// The body's name.
-        body: String,
     },
     /// A run that was kept does not go on.
     #[error(transparent)]

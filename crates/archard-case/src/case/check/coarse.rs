@@ -101,7 +101,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)
-        .map_err(simulation::BuildError::from)?;
+        .map_err(simulation::Refused::from)?;
     let areas: Vec<f64> = (0..contact.frame.len()).map(|pair| contact.frame.area(pair)).collect();
     let (pressure, mut displacement) = (vec![1.0; areas.len()], vec![0.0; areas.len()]);
     contact.compliance.apply_normal(&pressure, &mut displacement);

@@ -116,25 +116,3 @@ fn slow(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         Problem::warning(key, message)
     })
 }
-
-/// A law, at that key, that goes by a temperature that is not known.
-pub(super) fn unknown(parts: &Parts<'_>, law: Key) -> Option<Problem> {
-    let heating = Heating::for_laws(&parts.bodies, &parts.motion, parts.friction.is_some());
-    let reason = heating.err()?;
-    let help = match reason {
-        // Said at its own place.
-        NoTemperature::NoShare { .. } | NoTemperature::TwoShares { .. } => return None,
-        NoTemperature::NoBody | NoTemperature::Stays { .. } => {
-            "for example `thermal = { conductivity = \"50 W/(m K)\", diffusivity = \"13 mm^2/s\", temperature = \"20 degC\" }`".to_owned()
-        }
-        NoTemperature::NoBulk { body } => {
-            let key = thermal(parts, body).child("temperature");
-            format!("give `{key}`, for example \"20 degC\"")
-        }
-        NoTemperature::NoSpeed => format!("give `motion.{}.speed`", parts.case.motion.choice.name),
-        NoTemperature::NoFriction => "give a `friction` table".to_owned(),
-        _ => "take another law".to_owned(),
-    };
-    let message = format!("goes by the temperature: {reason}");
-    Some(Problem::error(law, message).help(help))
-}

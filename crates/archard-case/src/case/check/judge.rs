@@ -7,12 +7,11 @@ use super::{
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::verdict::{self, Word};
-use archard::body::{Body, Elasticity};
+use archard::body::Elasticity;
 use archard::estimate::Contact;
-use archard::friction::Circumstance;
 use archard::motion::Stepping;
 use archard::problem;
-use archard::simulation::{lacks, lacks_cycles};
+use archard::simulation::of_laws;
 use archard::wear::Input;
 
 /// Pressure (Pa) at which laws are read off where no other is known.
@@ -34,8 +33,8 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(density::problems(parts));
     problems.extend(heat::problems(parts, forecast));
     problems.extend(useless_friction(parts));
-    problems.extend(lacking(parts));
-    problems.extend(friction_lacks(parts));
+    let refused = of_laws(&parts.bodies, parts.friction.as_deref(), &parts.motion);
+    problems.extend(refused.into_iter().filter_map(|one| parts.refused(one)));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
@@ -93,56 +92,6 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
             Problem::warning(Key::of(["friction"]), message).at_name()
         },
     )
-}
-
-/// Wear laws that ask for something that is not there.
-fn lacking(parts: &Parts<'_>) -> Vec<Problem> {
-    let problem = |body: &Body| {
-        let law = &**body.wear.as_ref()?;
-        let at = |message: &str, help: &str| {
-            Problem::error(Key::of(["body", &body.name, "wear"]), message).help(help)
-        };
-        let friction = parts.friction.is_some();
-        let Some(missing) = lacks(law, &parts.bodies, friction, &parts.motion) else {
-            return lacks_cycles(law, &parts.motion).then(|| {
-                at(
-                    "takes a whole cycle at once, and bodies that slide on the same spot have none",
-                    "give the motion a track or a stroke, or take a law of every increment",
-                )
-            });
-        };
-        let (message, help) = match missing {
-            Input::Speed => (
-                "goes by the speed of sliding, which the motion does not tell",
-                "give the `speed`, or the `time`, of a motion that takes it",
-            ),
-            Input::Temperature => {
-                return heat::unknown(parts, Key::of(["body", &body.name, "wear"]));
-            }
-            Input::Rolled => (
-                "goes by the distance rolled, and the bodies do not roll",
-                "this law is one of `motion.rolling`",
-            ),
-            _ => ("goes by the work of friction, and there is none", "give a `friction` table"),
-        };
-        Some(at(message, help))
-    };
-    parts.bodies.iter().filter_map(problem).collect()
-}
-
-/// A law of friction that goes by something that is not there.
-fn friction_lacks(parts: &Parts<'_>) -> Option<Problem> {
-    let law = parts.friction.as_ref()?;
-    let lacks = |one: &Circumstance| match one {
-        Circumstance::Speed if !parts.motion.tells_speed() => {
-            let message = "goes by the speed of sliding, which the motion does not tell";
-            let help = "give the `speed`, or the `time`, of a motion that takes it";
-            Some(Problem::error(Key::of(["friction"]), message).help(help))
-        }
-        Circumstance::Temperature => heat::unknown(parts, Key::of(["friction"])),
-        Circumstance::Speed | Circumstance::Distance => None,
-    };
-    law.inputs().iter().find_map(lacks)
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.

@@ -9,15 +9,18 @@ use archard::body::Body;
 use archard::compliance::bem::Undetermined;
 use archard::compliance::bem::contact::{ContactError, Meeting};
 use archard::frame::Pairs;
-use archard::simulation::{Error, crossed, inclined};
+use archard::simulation::{across_symmetry, curved, inclined};
 
 const AXES: [&str; 2] = ["x", "y"];
 
 /// What is wrong with meshed bodies, of which there is one at least.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = on_the_zone(parts);
-    problems.extend(across(parts));
-    problems.extend(askew(parts));
+    if let Some((_, mirrored)) = parts.halved() {
+        let across = across_symmetry(&parts.motion, mirrored);
+        let askew = parts.friction.as_deref().and_then(|law| inclined(law, mirrored));
+        problems.extend(across.into_iter().chain(askew).filter_map(|one| parts.refused(one)));
+    }
     match Meeting::of(parts.bodies.each_ref()) {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
@@ -25,17 +28,11 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
             if (parts.motion.rolling().is_some() || parts.motion.passing().is_some())
                 && !meeting.is_plane()
             {
-                problems.push(on_a_curve(parts));
+                problems.extend(parts.refused(curved()));
             }
         }
     }
     problems
-}
-
-/// Rolling, or a track, on a curved zone.
-fn on_a_curve(parts: &Parts<'_>) -> Problem {
-    let key = Key::of(["motion", parts.case.motion.choice.name]);
-    Problem::error(key, Error::NotPlane.to_string()).at_name()
 }
 
 /// The key of something of a body.
@@ -141,32 +138,6 @@ fn on_the_zone(parts: &Parts<'_>) -> Vec<Problem> {
         }
     }
     problems
-}
-
-/// A motion across a plane of symmetry.
-fn across(parts: &Parts<'_>) -> Option<Problem> {
-    let (body, mirrored) = parts.halved()?;
-    let axis = AXES[crossed(&parts.motion, mirrored)?];
-    let message = format!(
-        "moves the bodies along {axis}, but the plane {axis} = 0 halves the body `{}`",
-        body.name
-    );
-    let key = Key::of(["motion", parts.case.motion.choice.name]);
-    let help = format!("take \"{axis}\" out of `body.{}.symmetry`", body.name);
-    Some(Problem::error(key, message).at_name().help(help))
-}
-
-/// Axes of friction at an angle to a plane of symmetry.
-fn askew(parts: &Parts<'_>) -> Option<Problem> {
-    let (body, mirrored) = parts.halved()?;
-    let law = parts.case.friction.as_ref()?.choice.name;
-    let message = format!(
-        "its axes lie at an angle to the plane of symmetry of the body `{}`: friction is not the same on both sides",
-        body.name
-    );
-    let help = format!("leave `body.{}.symmetry` out, or turn the axes along x and y", body.name);
-    inclined(parts.friction.as_deref()?, mirrored)
-        .then(|| Problem::error(Key::of(["friction", law]), message).at_name().help(help))
 }
 
 /// A profile that is not symmetric where a mesh is.

@@ -45,6 +45,7 @@ use archard::estimate::{Course, Estimate, Estimator, Subject};
 use archard::friction::Friction;
 use archard::motion::{Control, Motion, Schedule};
 use archard::parameters::Values;
+use archard::simulation::{Part, Refusal};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
@@ -137,6 +138,23 @@ impl<'a> Parts<'a> {
             let mirrored = body.finite.as_ref()?.mirrored;
             (mirrored != [false; 2]).then_some((body, mirrored))
         })
+    }
+
+    /// A refusal where it can be put right; `None` where that is said there anyhow.
+    fn refused(&self, refusal: Refusal) -> Option<Problem> {
+        let Refusal { part, what, help } = refusal;
+        let (key, at_name) = match part {
+            Part::Wear(body) => (Key::of(["body", &body, "wear"]), false),
+            Part::Friction => {
+                let law = self.case.friction.as_ref().map_or("", |law| law.choice.name);
+                (Key::of(["friction", law]), true)
+            }
+            Part::Motion => (Key::of(["motion", self.case.motion.choice.name]), true),
+            Part::Share(_) | Part::Bodies | Part::Value(_) => return None,
+        };
+        let problem = Problem::error(key, what);
+        let problem = if help.is_empty() { problem } else { problem.help(help) };
+        Some(if at_name { problem.at_name() } else { problem })
     }
 
     /// The key of the frame's `size` or `elements`; where a body is meshed, that of its zone.

@@ -1,0 +1,275 @@
+//! What does not fit together: laws that depend on what a motion does not define, motions and friction that planes of symmetry or
+//! the pairs do not allow. The builder, a case and the engine refuse by the same words.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use crate::body::Body;
+use crate::compliance::bem::contact::ContactError;
+use crate::frame::{ContactFrame, OffTheSurface};
+use crate::friction::{Circumstance, Friction};
+use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
+use crate::parameters::Invalid;
+use crate::problem::{ContactProblem, Heating, NoTemperature};
+use crate::wear::{Input, Per, WearLaw};
+
+/// The axes of the frame.
+const AXES: [&str; 2] = ["x", "y"];
+
+/// The part of a problem that is refused.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Part {
+    /// The wear law of the body of that name.
+    Wear(String),
+    /// The share of the heat that flows into the body of that name.
+    Share(String),
+    /// The law of friction.
+    Friction,
+    /// The motion.
+    Motion,
+    /// The shape or the mesh of the bodies.
+    Bodies,
+    /// A value of that name.
+    Value(Cow<'static, str>),
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Wear(body) => write!(f, "the wear law of `{body}`"),
+            Self::Share(body) => write!(f, "the share of the heat of `{body}`"),
+            Self::Friction => f.write_str("the law of friction"),
+            Self::Motion => f.write_str("the motion"),
+            Self::Bodies => f.write_str("the bodies"),
+            Self::Value(name) => write!(f, "`{name}`"),
+        }
+    }
+}
+
+/// A part that does not fit the others.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Refusal {
+    /// The part to change.
+    pub part: Part,
+    /// What is wrong with it, as the end of a sentence about it.
+    pub what: String,
+    /// What to do; empty where `what` says it.
+    pub help: String,
+}
+
+impl Refusal {
+    fn new(part: Part, what: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { part, what: what.into(), help: help.into() }
+    }
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { part, what, help } = self;
+        write!(f, "{part}: {what}")?;
+        if help.is_empty() { Ok(()) } else { write!(f, "; {help}") }
+    }
+}
+
+/// All parts that do not fit together.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub struct Refused(pub Vec<Refusal>);
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, refusal) in self.0.iter().enumerate() {
+            write!(f, "{}{refusal}", if index > 0 { "\n" } else { "" })?;
+        }
+        Ok(())
+    }
+}
+
+impl From<Invalid> for Refused {
+    fn from(invalid: Invalid) -> Self {
+        let Invalid { parameter, message, help, .. } = invalid;
+        Self(vec![Refusal::new(Part::Value(parameter), message, help.unwrap_or_default())])
+    }
+}
+
+impl From<OffTheSurface> for Refused {
+    fn from(error: OffTheSurface) -> Self {
+        Self(vec![Refusal::new(Part::Bodies, error.to_string(), "")])
+    }
+}
+
+impl From<ContactError> for Refused {
+    fn from(error: ContactError) -> Self {
+        Self(vec![Refusal::new(Part::Bodies, error.to_string(), "")])
+    }
+}
+
+impl ContactProblem {
+    /// Whether the laws have what they depend on, and the motion is possible on the frame.
+    pub(super) fn fits(&self) -> Result<(), Refused> {
+        let Self { bodies, frame, friction, motion, .. } = self;
+        let mut all = of_laws(bodies, friction.as_deref(), motion);
+        all.extend(across_symmetry(motion, frame.mirrored()));
+        all.extend(friction.as_deref().and_then(|law| inclined(law, frame.mirrored())));
+        all.extend(of_pairs(motion, frame));
+        if self.goes_by_temperature()
+            && let Err(reason @ NoTemperature::NoRows) = self.tells_temperature()
+        {
+            let what = format!("a law depends on the temperature: {reason}");
+            all.push(Refusal::new(Part::Motion, what, ""));
+        }
+        if all.is_empty() { Ok(()) } else { Err(Refused(all)) }
+    }
+}
+
+/// Laws that depend on what is not there.
+pub fn of_laws(
+    bodies: &[Body; 2],
+    friction: Option<&dyn Friction>,
+    motion: &Motion,
+) -> Vec<Refusal> {
+    let of_friction = friction.and_then(|law| {
+        let known = Subject { bodies, friction: true, motion };
+        law.inputs().iter().find_map(|input| match input {
+            Circumstance::Speed => known.speed(Part::Friction),
+            Circumstance::Temperature => known.temperature(Part::Friction),
+            Circumstance::Distance => None,
+        })
+    });
+    let known = Subject { bodies, friction: friction.is_some(), motion };
+    let of_wear = bodies
+        .iter()
+        .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
+    of_wear.chain(of_friction).collect()
+}
+
+/// What laws are asked about.
+#[derive(Clone, Copy)]
+struct Subject<'a> {
+    bodies: &'a [Body; 2],
+    friction: bool,
+    motion: &'a Motion,
+}
+
+impl Subject<'_> {
+    fn wear(self, law: &dyn WearLaw, part: Part) -> Option<Refusal> {
+        let lacks = |input: &Input| match input {
+            Input::Friction => (!self.friction).then(|| {
+                let what = "depends on the work of friction, and there is none";
+                Refusal::new(part.clone(), what, "give a `friction` table")
+            }),
+            Input::Speed => self.speed(part.clone()),
+            Input::Temperature => self.temperature(part.clone()),
+            Input::Rolled => self.motion.rolling().is_none().then(|| {
+                let what = "depends on the distance rolled, and the bodies do not roll";
+                Refusal::new(part.clone(), what, "this law is one of `motion.rolling`")
+            }),
+            Input::Vectors | Input::CrossShear | Input::Distance | Input::Depth => None,
+        };
+        law.inputs().iter().find_map(lacks).or_else(|| {
+            let slides = matches!(self.motion, Motion::Sliding(Sliding { track: None, .. }));
+            (slides && law.per() == Per::Cycle).then(|| {
+                let what =
+                    "takes a whole cycle at once, and bodies that slide on the same spot have none";
+                let help = "give the motion a track or a stroke, or take a law of every increment";
+                Refusal::new(part, what, help)
+            })
+        })
+    }
+
+    fn speed(self, part: Part) -> Option<Refusal> {
+        let what = "depends on the sliding speed, which this motion does not define";
+        let help = "give the `speed`, or the `time`, of a motion that takes it";
+        (!self.motion.tells_speed()).then(|| Refusal::new(part, what, help))
+    }
+
+    fn temperature(self, part: Part) -> Option<Refusal> {
+        let reason = Heating::for_laws(self.bodies, self.motion, self.friction).err()?;
+        let part = match reason {
+            NoTemperature::NoShare { body } | NoTemperature::TwoShares { body } => {
+                Part::Share(self.bodies[body].name.clone())
+            }
+            _ => part,
+        };
+        let help = match reason {
+            NoTemperature::NoShare { .. } | NoTemperature::TwoShares { .. } => String::new(),
+            NoTemperature::NoBody | NoTemperature::Stays { .. } => {
+                "for example `thermal = { conductivity = \"50 W/(m K)\", diffusivity = \"13 mm^2/s\", temperature = \"20 degC\" }`".to_owned()
+            }
+            NoTemperature::NoBulk { body } => format!(
+                "give `body.{}.thermal.temperature`, for example \"20 degC\"",
+                self.bodies[body].name
+            ),
+            NoTemperature::NoSpeed => "give the `speed` of the motion".to_owned(),
+            NoTemperature::NoFriction => "give a `friction` table".to_owned(),
+            NoTemperature::NoStream | NoTemperature::NoRows => "take another law".to_owned(),
+        };
+        Some(Refusal::new(part, format!("depends on the temperature: {reason}"), help))
+    }
+}
+
+/// Axes of friction at an angle to planes of symmetry (x = 0, y = 0), so that it differs on both sides.
+pub fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> Option<Refusal> {
+    let what =
+        "its axes lie at an angle to a plane of symmetry: friction is not the same on both sides";
+    let help = "model both sides (leave `symmetry` out), or turn the axes along x and y";
+    (mirrored != [false; 2] && !friction.map().is_aligned())
+        .then(|| Refusal::new(Part::Friction, what, help))
+}
+
+/// A motion that takes the bodies across planes of symmetry (x = 0, y = 0).
+pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> {
+    let rolls = motion.rolling().map(rolls);
+    let shifts = motion.shift().map(shifts);
+    let passing = motion.sliding().and_then(|_| motion.passing());
+    let passes = passing.map(|passing| [0, 1].map(|axis| axis == passing.direction.axis));
+    let all = [rolls, shifts, passes];
+    let moves = |axis: usize| all.into_iter().flatten().any(|moves| moves[axis]);
+    let axis = AXES[(0..2).find(|&axis| mirrored[axis] && moves(axis))?];
+    let what = format!("moves the bodies along {axis}, across their plane of symmetry {axis} = 0");
+    let help = format!("model both sides: take \"{axis}\" out of `symmetry`");
+    Some(Refusal::new(Part::Motion, what, help))
+}
+
+/// A motion that the pairs do not allow.
+fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
+    let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
+    if motion.swing().is_some() && !frame.is_uniform() {
+        return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
+    }
+    let rolling = motion.rolling().map(|rolling| rolling.direction);
+    let direction = motion.passing().map(|passing| passing.direction).or(rolling)?;
+    if !frame.is_plane() {
+        return Some(curved());
+    }
+    match frame.flow(direction) {
+        Err(error) => {
+            let what = format!("particles do not pass from pair to pair: {error}");
+            refusal(&what, "")
+        }
+        Ok(flow) if !flow.has_rows() && rolling.is_none() => {
+            let help = "take a grid, or a zone with `elements`";
+            refusal("a track needs pairs in rows along it", help)
+        }
+        Ok(_) => None,
+    }
+}
+
+/// Rolling, or a track, on a curved frame.
+pub fn curved() -> Refusal {
+    let what =
+        "bodies roll, and surfaces pass, only where the frame, or the zone of the mesh, is plane";
+    Refusal::new(Part::Motion, what, "")
+}
+
+/// Along which axes bodies that roll move.
+fn rolls(rolling: &Rolling) -> [bool; 2] {
+    let turns = rolling.lateral != Drive::Creepage(0.0) || rolling.spin != 0.0;
+    [0, 1].map(|axis| axis == rolling.direction.axis || turns)
+}
+
+/// Along which axes bodies are shifted, or pushed.
+fn shifts(shift: &Shift) -> [bool; 2] {
+    let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
+    let stations = || shift.lead.iter().chain(&shift.cycle);
+    [0, 1].map(|axis| !stations().all(|station| still(station.guides[axis])))
+}
