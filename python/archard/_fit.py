@@ -52,7 +52,7 @@ class Coefficient(NamedTuple):
     distance: Exponent | None
     """The exponent of the distance, 1 by the law; ``None`` where readings cannot tell."""
     load: Exponent | None
-    """The exponent of the load that the coefficient goes by, 0 by the law; ``None`` without several loads."""
+    """The exponent of the load that the coefficient depends on, 0 by the law; ``None`` without several loads."""
     budget: dict[str, float]
     """Relative standard uncertainties of the median by their sources."""
     rejected: str | None

@@ -145,7 +145,7 @@ class Result:
         """The folder of the results; ``None`` of a result in memory, which :meth:`save` writes."""
         summary = files.get("summary.json")
         self.summary: dict[str, Any] = json.loads(summary) if summary is not None else {}
-        """What ``summary.json`` holds: the last row, wear beside closed forms, effort, warnings."""
+        """What ``summary.json`` holds: the last row, wear compared with closed forms, effort, warnings."""
 
     @property
     def complete(self) -> bool:

@@ -269,7 +269,7 @@ fn tests(table: &Table, columns: &[Column], progress: &str) -> Result<(Vec<Test>
                 Some(Some(own)) if own > 0.0 => Some(own / value),
                 Some(_) => {
                     return Err(refuse(format!(
-                        "`u_{name}` has to be greater than zero beside a reading"
+                        "`u_{name}` has to be greater than zero where there is a reading"
                     )));
                 }
             };

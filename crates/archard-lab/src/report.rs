@@ -271,7 +271,7 @@ fn explain(
     if let Some(found) = loads {
         writeln!(
             text,
-            "  constant k      exponent of the load that k goes by, 0 by the law: {}",
+            "  constant k      exponent of the load that k depends on, 0 by the law: {}",
             found.in_words()
         )?;
     }

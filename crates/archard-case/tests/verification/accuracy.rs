@@ -249,5 +249,5 @@ fn what_is_given_is_kept() {
     assert_relative_eq!(size[0], size[1]);
     assert!(resolved(PIN, &["frame=", "motion.sliding.step=", "accuracy=0.5"]).is_err());
     let fixed = resolved(PIN, &["accuracy=0.01"]).unwrap_err();
-    assert!(fixed.contains("what a fixed step errs by is not known"), "{fixed}");
+    assert!(fixed.contains("the error of a fixed step is not known"), "{fixed}");
 }

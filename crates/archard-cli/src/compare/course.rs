@@ -59,7 +59,7 @@ pub(super) fn compare(results: &Results, table: &Table, body: usize) -> Result<C
     let places = table.all_numbers(course, &measure)?;
     let progress = results.history.column(column)?;
     let mut comparison = Comparison {
-        title: format!("{name} over the {course} beside `{}`", table.source()),
+        title: format!("{name} over the {course} compared with `{}`", table.source()),
         lines: vec![],
         remarks: vec![],
         panels: vec![],

@@ -27,7 +27,7 @@ pub(super) fn compare(
 ) -> Result<Comparison> {
     ensure!(
         !levelled,
-        "height maps are levelled by what lies beside the scar: leave --levelled out"
+        "height maps are levelled by the surface outside the scar: leave --levelled out"
     );
     let shape = profile::shape(results, body)?;
     let passes = results.passes(body);
@@ -61,7 +61,7 @@ fn level(scar: &Scar) -> Vec<[String; 2]> {
     let line = |name: &str, value: String| [name.to_owned(), value];
     let [x, y] = plane.tilt.map(|tilt| format!("{:.4}", 1e3 * tilt));
     let beside = format!(
-        "{} readings beside the scar, scatter {}",
+        "{} readings outside the scar, scatter {}",
         plane.used,
         quantity(plane.scatter, "m")
     );
@@ -156,7 +156,7 @@ fn bowl(
         .into_iter()
         .map(|axis| panel((name, body, axis), depths, (image, worn), scar))
         .collect();
-    let title = format!("{name} beside the map `{}`", surface.source());
+    let title = format!("{name} compared with the map `{}`", surface.source());
     Ok(Comparison { title, lines, remarks: vec![], panels })
 }
 

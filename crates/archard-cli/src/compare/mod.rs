@@ -138,7 +138,7 @@ fn body(results: &Results, options: &Options) -> Result<usize> {
     let others = (0..results.bodies.len()).filter(|body| *body != deepest);
     let alike =
         others.map(|body| depth(&body)).any(|other| other > 0.99 * depth(&deepest) && other > 0.0);
-    ensure!(!alike, "both bodies wear alike: say which was measured by --body");
+    ensure!(!alike, "both bodies wear equally: say which was measured by --body");
     Ok(deepest)
 }
 

@@ -81,7 +81,7 @@ pub(super) fn compare(
         lines.push(line(
             "levelled by",
             format!(
-                "{} readings beside the scar, scatter {}",
+                "{} readings outside the scar, scatter {}",
                 level.plane.used,
                 quantity(level.plane.scatter, "m")
             ),
@@ -140,20 +140,20 @@ pub(super) fn compare(
     let mut remarks = vec![];
     let beyond = readings.len() - inside.len();
     if beyond > 0 && levelled {
-        remarks.push(format!("readings beside the scar, not compared: {beyond}"));
+        remarks.push(format!("readings outside the scar, not compared: {beyond}"));
     }
     if !levelled {
         let debris = beyond.saturating_sub(level.plane.used);
         remarks
-            .push(format!("readings beside the scar, for the level alone: {}", level.plane.used));
-        remarks.push(format!("debris beside the scar, left out: {debris}"));
+            .push(format!("readings outside the scar, used for the level only: {}", level.plane.used));
+        remarks.push(format!("debris next to the scar, left out: {debris}"));
     }
     if !levelled && curved(&nominal, &section) {
         remarks.push("on a curved body a shift and a tilt are nearly the same: their sum counts, not each of them".to_owned());
     }
     let panels =
         vec![panel(results, (name, body, axis), &depths, (&along_all(&section), zone, profile))];
-    let title = format!("{name} along {} beside `{source}`", axis.name());
+    let title = format!("{name} along {} compared with `{source}`", axis.name());
     Ok(Comparison { title, lines, remarks, panels })
 }
 
@@ -243,7 +243,7 @@ fn align(
     let shift = least(range, cost);
     shift.and_then(fitted).with_context(|| {
         format!(
-            "fewer than {FEWEST} readings lie beside the scar, which the run has {} wide: measure wider, or say --levelled",
+            "fewer than {FEWEST} readings lie outside the scar, which the run has {} wide: measure wider, or say --levelled",
             quantity(section.scar[1] - section.scar[0], "m")
         )
     })

@@ -29,7 +29,7 @@ pub(super) fn compare(dir: &Path, results: &Results, others: &[PathBuf]) -> Resu
     }
     columns.push((PEAK_PRESSURE.to_owned(), "peak pressure".to_owned(), "Pa"));
     let mut comparison = Comparison {
-        title: format!("`{}` beside other runs, each at its end", dir.display()),
+        title: format!("`{}` compared with other runs, each at its end", dir.display()),
         lines: vec![],
         remarks: vec![],
         panels,

@@ -108,7 +108,7 @@ fn a_deeper_scar_is_told() {
     )
     .success();
     let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
-    assert!(page.contains("pin along x beside `scar.csv`") && page.contains("tilt taken off"));
+    assert!(page.contains("pin along x compared with `scar.csv`") && page.contains("tilt taken off"));
 }
 
 #[test]
@@ -160,7 +160,7 @@ fn what_cannot_be_compared_is_refused_in_words() {
     let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &["--body", "ball"]);
     assert!(message.contains("the bodies are pin and disc"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &[]);
-    assert!(message.contains("1 readings do not tell a scar"), "{message}");
+    assert!(message.contains("1 readings cannot separate a scar"), "{message}");
     let message = refused("x [mm],z [um]\n0,\n0.1,\n", &[]);
     assert!(message.contains("no place has a height"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &["--levelled"]);

@@ -79,7 +79,7 @@ fn other_runs_stand_beside_the_first() {
     run(&dir, "pin_on_disc_both", &PIN, &[]);
     archard(&dir, &["report", "pin_on_disc", "pin_on_disc_both"]).success();
     let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
-    assert!(page.contains("beside other runs"));
+    assert!(page.contains("compared with other runs"));
 }
 
 /// Every place of a plot, and whether something was drawn in it.

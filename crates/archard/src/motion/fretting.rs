@@ -53,7 +53,7 @@ fn swinging(values: &Values) -> Result<Planned, Invalid> {
         ["force_amplitude", "phase", "load_amplitude", "load_phase", "increments"];
     if let Some(other) = OTHERS.into_iter().find(|name| values.get(name).is_some()) {
         let message =
-            format!("surfaces that swing slide all over by an `amplitude`, without `{other}`");
+            format!("surfaces that swing are in gross slip by an `amplitude`, without `{other}`");
         return Err(Invalid::new(other, message).beside("surfaces"));
     }
     let amplitude = values

@@ -86,7 +86,7 @@ pub(super) const DIRECTION: Parameter = Parameter::optional(
 pub(super) const SPEED: Parameter = Parameter::optional(
     "speed",
     Quantity::Speed,
-    "speed of rolling, the mean of both surfaces; only for what goes by the speed or the temperature",
+    "speed of rolling, the mean of both surfaces; only for laws that depend on the speed or the temperature",
 );
 
 fn direction(values: &Values) -> Direction {

@@ -241,7 +241,7 @@ pub enum Error {
     },
     /// An amplitude that a part of the contact follows elastically.
     #[error(
-        "the bodies do not slide all over: of the amplitude of {amplitude:.3e} m their elasticity takes up {elastic:.3e} m where they touch; surfaces that stay (`surfaces = \"stay\"`) tell where they slip"
+        "no gross slip: the elastic deflection ({elastic:.3e} m) is too large for the amplitude ({amplitude:.3e} m); use `surfaces = \"stay\"` for partial slip"
     )]
     NoGrossSlip {
         /// The amplitude prescribed (m).

@@ -18,7 +18,7 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
                 let hardness = hardness.ok_or_else(|| {
                     Invalid::new(
                         "k_ad",
-                        "`k_ad` needs the `hardness` beside it: k = k_ad / hardness",
+                        "`k_ad` needs `hardness`, too: k = k_ad / hardness",
                     )
                 })?;
                 Archard::with_hardness(k_ad.unwrap_or_default(), hardness)?

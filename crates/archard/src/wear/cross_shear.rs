@@ -36,7 +36,7 @@ const ALONG: Parameter = Parameter::required(
 const ACROSS: Parameter = Parameter::required(
     "multidirectional_coefficient",
     Quantity::WearCoefficient,
-    "wear coefficient k1 of slip in all directions alike",
+    "wear coefficient k1 of slip, the same in all directions",
 )
 .bound(Bound::NonNegative);
 const EXPONENT: Parameter =

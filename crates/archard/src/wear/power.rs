@@ -29,7 +29,7 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
             [None, None] => law,
             [Some(exponent), Some(reference)] => law.with_speed(exponent, reference)?,
             [Some(_), None] => {
-                let message = "`speed_exponent` needs the `reference_speed` beside it";
+                let message = "`speed_exponent` needs `reference_speed`, too";
                 return Err(Invalid::new("speed_exponent", message));
             }
             [None, Some(_)] => {

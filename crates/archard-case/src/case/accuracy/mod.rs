@@ -150,7 +150,7 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
     if let Some(name) = fixed {
         let key = Key::of(["motion", case.motion.choice.name, name]);
         let message =
-            format!("what a fixed {name} errs by is not known, and an `accuracy` is asked for");
+            format!("the error of a fixed {name} is not known, and an `accuracy` is requested");
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
     }
     if let Some(loose) = given(grids::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
@@ -162,7 +162,7 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
     }
     if let Some(count) = increments::of_rubbing(&case).filter(|count| *count < increments::FEWEST) {
         let key = Key::of(["motion", case.motion.choice.name, "increments"]);
-        let message = format!("what {count} increments err by cannot be told by fewer");
+        let message = format!("the error of {count} increments cannot be estimated from fewer");
         let help = format!("take {} at least, or leave it out", increments::FEWEST);
         return Err(Problem::error(key, message).help(help));
     }

@@ -82,7 +82,7 @@ fn alike(parts: &Parts<'_>, what: &str) -> Problem {
     let word = parts.frame_word();
     let (key, why) = match parts.case.frame.elements.iter().all(|&elements| elements <= 2) {
         true => ("elements", "has too few elements"),
-        false => ("size", "is too small beside the shape of the bodies"),
+        false => ("size", "is too small compared with the shape of the bodies"),
     };
     Problem::error(parts.frame_key(key), format!("{what}: the {word} {why}"))
 }

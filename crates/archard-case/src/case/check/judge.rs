@@ -275,7 +275,7 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             let share = reach[axis] * curvatures[axis].abs();
             if reach[axis].is_finite() && share > verdict::HALF_SPACE {
                 let message = format!(
-                    "the contact reaches {} along {name}, {} of this body's radius: a half-space hardly stands for it",
+                    "the contact reaches {} along {name}, {} of this body's radius: a half-space is a poor model of it",
                     length(reach[axis]),
                     three(share)
                 );

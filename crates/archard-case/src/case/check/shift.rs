@@ -142,7 +142,7 @@ fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Pr
         if !given(parts, "amplitude") {
             return Problem::warning(key(parts, "file"), message);
         }
-        let help = "where they slide all over, `surfaces = \"swing\"` wears each where its own points are; staying, the scar comes out some 8 % too deep";
+        let help = "in gross slip, `surfaces = \"swing\"` wears each where its own points are; staying, the scar comes out some 8 % too deep";
         Problem::warning(key(parts, "amplitude"), message).help(help)
     })
 }

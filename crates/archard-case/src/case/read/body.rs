@@ -59,7 +59,7 @@ impl Reader<'_> {
         if let [.., last] = &entries[..]
             && entries.len() == 1
         {
-            let message = format!("a second body beside `{}` is missing", last.name);
+            let message = format!("the second body is missing: only `{}` is given", last.name);
             self.push(Problem::missing(section.key.child(&last.name), message));
         }
         for (place, surplus) in entries.iter().enumerate().skip(2) {
@@ -162,7 +162,7 @@ impl Reader<'_> {
             return Some(None);
         }
         let meaning = match body.get("layers") {
-            None => "`{ young = \"210 GPa\", poisson = 0.3 }`, or `rigid = true` beside it",
+            None => "`{ young = \"210 GPa\", poisson = 0.3 }`, or `rigid = true` next to it",
             Some(_) => "what the layers are on, or `substrate = \"rigid\"`",
         };
         let section = self.table(body, "material", meaning)?;

@@ -13,7 +13,7 @@ pub enum NoScar {
     Nothing,
     /// Next to no readings.
     #[error(
-        "{readings} readings do not tell a scar from what lies beside it: at least {least} are needed"
+        "{readings} readings cannot separate a scar from the surface next to it: at least {least} are needed"
     )]
     Few {
         /// How many there are.

@@ -101,7 +101,7 @@ impl Layout {
         let invalid = |message: String| Err(Invalid::new("divisions", message));
         match self {
             Self::Even(Divisions::Along(count)) if count < least => invalid(format!(
-                "elements of the wall would be too long beside its thickness: take {least} at least"
+                "elements of the wall would be too long compared with its thickness: take {least} at least"
             )),
             Self::Even(Divisions::Enough) if least > MOST_DIVISIONS => {
                 invalid("is missing, and the wall is too thin for boundary elements".to_owned())
