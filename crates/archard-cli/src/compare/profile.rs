@@ -144,8 +144,10 @@ pub(super) fn compare(
     }
     if !levelled {
         let debris = beyond.saturating_sub(level.plane.used);
-        remarks
-            .push(format!("readings outside the scar, used for the level only: {}", level.plane.used));
+        remarks.push(format!(
+            "readings outside the scar, used for the level only: {}",
+            level.plane.used
+        ));
         remarks.push(format!("debris next to the scar, left out: {debris}"));
     }
     if !levelled && curved(&nominal, &section) {

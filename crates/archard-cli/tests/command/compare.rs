@@ -108,7 +108,9 @@ fn a_deeper_scar_is_told() {
     )
     .success();
     let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
-    assert!(page.contains("pin along x compared with `scar.csv`") && page.contains("tilt taken off"));
+    assert!(
+        page.contains("pin along x compared with `scar.csv`") && page.contains("tilt taken off")
+    );
 }
 
 #[test]

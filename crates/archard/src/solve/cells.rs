@@ -138,3 +138,69 @@ impl Cells {
         Some(Opening { level, cell, least, most })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Cells;
+    use crate::body::Material;
+    use crate::body::profile::Flat;
+    use crate::compliance::{Compliance, HalfSpace};
+    use crate::frame::ContactFrame;
+
+    const ELEMENTS: [usize; 2] = [21, 13];
+
+    fn compliance() -> HalfSpace {
+        let steel = Material { young: 210e9, poisson: 0.3 };
+        let frame = ContactFrame::uniform([2.1e-3, 1.3e-3], ELEMENTS, [&Flat, &Flat]).unwrap();
+        HalfSpace::new([Some(&steel), None], &frame)
+    }
+
+    /// Pressures (Pa) that vary, on an ellipse off the middle.
+    fn pressures() -> Vec<f64> {
+        let pressure = |pair: usize| {
+            let (x, y) = ((pair % ELEMENTS[0]) as f64, (pair / ELEMENTS[0]) as f64);
+            let inside = 1.0 - ((x - 8.0) / 5.0).powi(2) - ((y - 6.0) / 3.0).powi(2);
+            1e9 * inside.max(0.0).sqrt() * (1.5 + (x * y).sin())
+        };
+        (0..ELEMENTS[0] * ELEMENTS[1]).map(pressure).collect()
+    }
+
+    /// What all elements open a gap by at least (m), one by one.
+    fn opened(compliance: &HalfSpace, pressure: &[f64], [low, high]: [[isize; 2]; 2]) -> f64 {
+        let of = |(pair, pressure): (usize, &f64)| {
+            let element = [pair % ELEMENTS[0], pair / ELEMENTS[0]].map(|one| one as isize);
+            let away = [0, 1].map(|axis| {
+                element[axis].abs_diff(low[axis]).max(element[axis].abs_diff(high[axis]))
+            });
+            pressure * compliance.least_displacement(away)
+        };
+        pressure.iter().enumerate().map(of).sum()
+    }
+
+    /// The tree decides as the sum over all elements does, of single elements and of blocks, within the grid and beyond.
+    #[test]
+    fn a_tree_of_cells_decides_as_all_elements_do() {
+        let (compliance, pressure) = (compliance(), pressures());
+        let cells = Cells::of(ELEMENTS, &pressure);
+        let places = (-9..30).step_by(3).flat_map(|x| (-7..20).step_by(2).map(move |y| [x, y]));
+        for [x, y] in places {
+            for [wide, high] in [[0, 0], [7, 7], [4, 0]] {
+                let block = [[x, y], [x + wide, y + high]];
+                let opened = opened(&compliance, &pressure, block);
+                for (share, stays) in [(0.999, true), (1.001, false), (1e-3, true), (50.0, false)] {
+                    let open = cells.leave_open(-share * opened, &compliance, block);
+                    assert_eq!(open, stays, "{block:?} {share}");
+                }
+            }
+        }
+    }
+
+    /// Without pressures nothing opens, and what is open stays so.
+    #[test]
+    fn nothing_is_opened_by_no_pressure() {
+        let cells = Cells::of(ELEMENTS, &[0.0; ELEMENTS[0] * ELEMENTS[1]]);
+        let block = [[30, 3]; 2];
+        assert!(!cells.leave_open(-1e-12, &compliance(), block));
+        assert!(cells.leave_open(0.0, &compliance(), block));
+    }
+}

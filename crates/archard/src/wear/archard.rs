@@ -16,10 +16,7 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
             (Some(coefficient), _) => Archard { hardness, ..Archard::new(coefficient)? },
             (None, k_ad) => {
                 let hardness = hardness.ok_or_else(|| {
-                    Invalid::new(
-                        "k_ad",
-                        "`k_ad` needs `hardness`, too: k = k_ad / hardness",
-                    )
+                    Invalid::new("k_ad", "`k_ad` needs `hardness`, too: k = k_ad / hardness")
                 })?;
                 Archard::with_hardness(k_ad.unwrap_or_default(), hardness)?
             }
