@@ -17,7 +17,8 @@ const LAYERS: &[&[&str]] = &[
     &["elastic", "problem"],
     &["solve"],
     &["simulation", "estimate"],
-    &["verdict", "files", "measured"],
+    &["verdict", "measured"],
+    &["files"],
     &["output"],
     &["case"],
 ];

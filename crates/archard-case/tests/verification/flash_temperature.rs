@@ -9,7 +9,8 @@ use archard::closed_form::flash_temperature::semi_ellipsoid;
 use archard::frame::Direction;
 use archard::friction::Coulomb;
 use archard::motion::{Control, Drive, Rolling, Sliding, Stepping, Track};
-use archard::simulation::{Error, Part, Refused, Simulation};
+use archard::simulation::refusal::Part;
+use archard::simulation::{Error, Refused, Simulation};
 use archard::wear::{Archard, Expression, Over, Per, Table, WearLaw};
 
 use crate::common::{Rows, case, peak, states};

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use approx::assert_relative_eq;
-use archard::simulation::{Error, Part};
+use archard::simulation::Error;
+use archard::simulation::refusal::Part;
 use archard::wear::{Input, Rubbing, WearLaw};
 
 use crate::common::{case, peak, states};

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use approx::assert_relative_eq;
 use archard::motion::Stepping;
-use archard::simulation::{Error, Part, Simulation};
+use archard::simulation::refusal::Part;
+use archard::simulation::{Error, Simulation};
 use archard::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 use crate::common::{Ball, Rows, case, peak, states};

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
 use archard::closed_form::worn_track::worn;
+use archard::simulation::Error;
 use archard::simulation::history::number;
-use archard::simulation::{Error, Part};
+use archard::simulation::refusal::Part;
 
 use crate::common::{Rows, case, states};
 

@@ -122,11 +122,12 @@ pub(crate) fn save(
             Format::Png => raster::png(&scene, millimetres.map_or(PNG_WIDTH, |mm| mm * DOTS)),
             Format::Pdf => pdf(&scene, millimetres),
         };
-        let bytes = bytes.with_context(|| format!("cannot draw `{}`", file.display()))?;
-        write_whole(&file, &bytes)?;
-        Ok(file)
+        Ok((bytes.with_context(|| format!("cannot draw `{}`", file.display()))?, file))
     };
-    formats.iter().map(draw).collect()
+    // All are drawn before one is written.
+    let drawn: Vec<(Vec<u8>, PathBuf)> = formats.iter().map(draw).collect::<anyhow::Result<_>>()?;
+    drawn.iter().try_for_each(|(bytes, file)| write_whole(file, bytes))?;
+    Ok(drawn.into_iter().map(|(_, file)| file).collect())
 }
 
 /// Panels laid out side by side, each of that size (px), below a mark if there is one.

@@ -128,29 +128,29 @@ pub fn of_laws(
     motion: &Motion,
 ) -> Vec<Refusal> {
     let of_friction = friction.and_then(|law| {
-        let known = Subject { bodies, friction: true, motion };
+        let known = Known { bodies, friction: true, motion };
         law.inputs().iter().find_map(|input| match input {
             Circumstance::Speed => known.speed(Part::Friction),
             Circumstance::Temperature => known.temperature(Part::Friction),
             Circumstance::Distance => None,
         })
     });
-    let known = Subject { bodies, friction: friction.is_some(), motion };
+    let known = Known { bodies, friction: friction.is_some(), motion };
     let of_wear = bodies
         .iter()
         .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
     of_wear.chain(of_friction).collect()
 }
 
-/// What laws are asked about.
+/// What laws can depend on.
 #[derive(Clone, Copy)]
-struct Subject<'a> {
+struct Known<'a> {
     bodies: &'a [Body; 2],
     friction: bool,
     motion: &'a Motion,
 }
 
-impl Subject<'_> {
+impl Known<'_> {
     fn wear(self, law: &dyn WearLaw, part: Part) -> Option<Refusal> {
         let lacks = |input: &Input| match input {
             Input::Friction => (!self.friction).then(|| {

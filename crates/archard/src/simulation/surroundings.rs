@@ -18,13 +18,15 @@ use crate::solve::Cells;
 /// Places along an axis on which shapes given by formulas are looked at far from the frame, relative to its size.
 const ACROSS: [f64; 5] = [-0.5, -0.25, 0.0, 0.25, 0.5];
 
-/// Elements along the side of a block that is asked for as one.
+/// Elements along the side of a block that is asked for as one: it costs a bound in the place of its 64 gaps, and is divided
+/// into elements where that does not keep it open. How large it is changes no result.
 const BLOCK: usize = 8;
 
 /// Open elements around the contact: its edge is told by two of them.
 const OPEN: isize = 2;
 
-/// Part of the frame that it grows by at least at a side, for fewer sizes to be met.
+/// Part of the frame that it grows by at least at a side: a contact that grows to n times its width then meets a number of
+/// frames like log n, each of which takes kernels and a step anew. How many there are changes no result.
 const ROOM: usize = 8;
 
 /// How many elements more a frame needs at the lower and the upper side along x, and along y.
@@ -180,7 +182,7 @@ fn room(problem: &ContactProblem, axis: usize) -> [usize; 2] {
     [first - low, high - last].map(|left| (left / spacing + ROUNDING) as usize)
 }
 
-/// Places agree to this part of an element.
+/// Places agree to this part of an element: far above what rounding makes of a place among thousands of elements.
 const ROUNDING: f64 = 1e-6;
 
 /// A range along an axis in blocks, of which none lies in part within the first `count` elements, and whether it lies there.
@@ -254,5 +256,86 @@ impl Simulation {
     /// What lies beyond its frame.
     pub(super) fn surroundings(&self) -> &Surroundings {
         self.surroundings.get_or_init(|| Surroundings::of(&self.problem))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Block, More, OPEN, gap};
+    use crate::body::profile::{Cylinder, Sphere};
+    use crate::body::{Body, Material};
+    use crate::frame::Rectangle;
+    use crate::motion::{Control, Sliding, Stepping};
+    use crate::problem::ContactState;
+    use crate::simulation::Simulation;
+
+    /// A ball on a cylinder, in a frame of 11 x 14 elements off the middle.
+    fn simulation() -> Simulation {
+        let steel = Material { young: 210e9, poisson: 0.3 };
+        let ball = Body::new("ball", Sphere::new(50e-3).unwrap()).material(steel);
+        let roller = Body::new("roller", Cylinder::along_y(30e-3).unwrap()).material(steel);
+        let sliding = Sliding::new();
+        let planned = sliding.over(1.0, Control::Load(1.0), Stepping::Implicit(1.0)).unwrap();
+        let rectangle = Rectangle { centre: [0.3e-3, -0.1e-3], size: [1.1e-3, 1.4e-3] };
+        Simulation::builder([ball, roller], planned).frame(rectangle, [11, 14]).build().unwrap()
+    }
+
+    /// Pressures (Pa) on an ellipse at a side of the frame, and an approach (m).
+    fn state(simulation: &Simulation, pressure: f64, approach: f64) -> ContactState {
+        let frame = &simulation.problem.frame;
+        let on = |pair: usize| {
+            let [x, y] = frame.place(pair);
+            pressure * (1.0 - (x / 0.3e-3).powi(2) - (y / 0.4e-3).powi(2)).max(0.0).sqrt()
+        };
+        let pressure = (0..frame.len()).map(on).collect();
+        ContactState { pressure, approach, ..ContactState::untouched(frame.gap()) }
+    }
+
+    /// The same by the sum over all pressures at each element, one by one.
+    fn one_by_one(simulation: &Simulation, state: &ContactState) -> Option<More> {
+        let (problem, surroundings) = (&simulation.problem, simulation.surroundings());
+        let elements = problem.frame.elements();
+        let [nx, ny] = elements.map(|count| count as isize);
+        let touches = |&[x, y]: &[isize; 2]| {
+            let beyond = x < 0 || y < 0 || x >= nx || y >= ny;
+            let of = |(pair, pressure): (usize, &f64)| {
+                let own = [pair % elements[0], pair / elements[0]].map(|one| one as isize);
+                let away = [own[0].abs_diff(x), own[1].abs_diff(y)];
+                pressure * problem.compliance.least_displacement(away)
+            };
+            let opened: f64 = state.pressure.iter().enumerate().map(of).sum();
+            let gap = gap(problem, [x, y]) - surroundings.touch;
+            let pressed = || state.pressure[(x + nx * y) as usize] > 0.0;
+            if beyond { gap + opened < state.approach } else { pressed() }
+        };
+        let places = (-ny..2 * ny).flat_map(|y| (-nx..2 * nx).map(move |x| [x, y]));
+        let reach = places.filter(touches).map(Block::of).reduce(Block::and)?;
+        let more = [(0, nx), (1, ny)].map(|(axis, count)| {
+            let sides = [OPEN - reach.low[axis], reach.high[axis] + 1 + OPEN - count];
+            sides.map(|side| side.max(0) as usize)
+        });
+        surroundings.roomy(problem, more)
+    }
+
+    /// Blocks, and cells of pressures, find the elements beyond the frame that each element by itself finds.
+    #[test]
+    fn blocks_find_what_each_element_does() {
+        let simulation = simulation();
+        let mut found = vec![];
+        for pressure in [0.0, 1e6, 1e8, 1e9] {
+            for approach in [0.2e-6, 2e-6, 8e-6, 25e-6, 60e-6] {
+                let state = state(&simulation, pressure, approach);
+                let missed = simulation.surroundings().missed(&simulation.problem, &state);
+                if pressure > 0.0 {
+                    assert_eq!(missed, one_by_one(&simulation, &state), "{pressure} {approach}");
+                    found.push(missed);
+                } else {
+                    assert_eq!(missed, None);
+                }
+            }
+        }
+        found.sort_unstable();
+        found.dedup();
+        assert!(found.len() > 4, "{found:?}");
     }
 }

@@ -1,10 +1,9 @@
-//! Whether pressures keep open what lies beside them.
+//! Whether pressures keep open what lies next to them.
 //!
-//! The pressures of a cell open a gap by more than they would if all of them stood as far away as the farthest of the cell, and
-//! by less than if all stood as near as the nearest. Cells are divided in four, the one first between whose bounds the most
-//! lies, until one of both sums decides.
-
-use std::collections::BinaryHeap;
+//! What a pressure opens a gap by has a bound below, which falls with the distance (`Compliance::least_displacement`). The
+//! pressures of a cell of elements together open it by no less than if all of them stood at the farthest of those elements, and
+//! however small the parts are that the cell is divided into, their bounds come to no more than if all stood at the nearest.
+//! Cells are divided in four, the one first whose division can gain most, until the gap is kept open or no division can do that.
 
 use crate::compliance::Compliance;
 
@@ -32,7 +31,7 @@ impl Level {
     }
 }
 
-/// A cell, and between which values (m) its pressures open a gap.
+/// A cell, and what its pressures open a gap by (m): at least, and the most that this can become by division.
 struct Opening {
     level: usize,
     cell: [usize; 2],
@@ -41,30 +40,11 @@ struct Opening {
 }
 
 impl Opening {
-    fn between(&self) -> f64 {
+    /// What a division can gain (m).
+    fn gain(&self) -> f64 {
         self.most - self.least
     }
 }
-
-impl Ord for Opening {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.between().total_cmp(&other.between())
-    }
-}
-
-impl PartialOrd for Opening {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Opening {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-
-impl Eq for Opening {}
 
 impl Cells {
     /// Those of the pressures (Pa) of so many elements along x and y.
@@ -76,8 +56,8 @@ impl Cells {
         Self { levels }
     }
 
-    /// Whether the gaps of elements stay open, the first and the last of which are given, that are at least so wide (m) without
-    /// the pressures. They lie beside the contact, maybe beyond the grid.
+    /// Whether the gaps of a block of elements stay open that are at least so wide (m) without the pressures; the first and the
+    /// last element of the block are given, in the grid or beyond.
     pub fn leave_open(
         &self,
         apart: f64,
@@ -88,21 +68,27 @@ impl Cells {
             return true;
         }
         let quarters = [[0, 0], [1, 0], [0, 1], [1, 1]];
-        let mut openings = BinaryHeap::new();
-        let mut between = [apart; 2];
+        let mut openings: Vec<Opening> = vec![];
+        let [mut least, mut most] = [apart; 2];
         let mut divided = vec![(self.levels.len() - 1, [0; 2])];
         loop {
             for (level, cell) in divided {
                 let Some(one) = self.opening(compliance, block, level, cell) else { continue };
-                between = [between[0] + one.least, between[1] + one.most];
+                least += one.least;
+                most += one.most;
                 openings.push(one);
             }
-            if between[0] >= 0.0 {
-                return true;
+            if least >= 0.0 || most < 0.0 {
+                return least >= 0.0;
             }
-            let largest = openings.pop().filter(|one| between[1] >= 0.0 && one.between() > 0.0);
-            let Some(one) = largest else { return false };
-            between = [between[0] - one.least, between[1] - one.most];
+            let gains = |one: &usize, other: &usize| {
+                openings[*one].gain().total_cmp(&openings[*other].gain())
+            };
+            let next = (0..openings.len()).max_by(gains);
+            let next = next.filter(|&next| openings[next].gain() > 0.0);
+            let Some(one) = next.map(|next| openings.swap_remove(next)) else { return false };
+            least -= one.least;
+            most -= one.most;
             let cell = |quarter: [usize; 2]| [0, 1].map(|axis| 2 * one.cell[axis] + quarter[axis]);
             divided = quarters.map(|quarter| (one.level - 1, cell(quarter))).to_vec();
         }

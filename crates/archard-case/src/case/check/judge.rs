@@ -11,7 +11,7 @@ use archard::body::Elasticity;
 use archard::estimate::Contact;
 use archard::motion::Stepping;
 use archard::problem;
-use archard::simulation::of_laws;
+use archard::simulation::refusal;
 use archard::wear::Input;
 
 /// Pressure (Pa) at which laws are read off where no other is known.
@@ -33,7 +33,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(density::problems(parts));
     problems.extend(heat::problems(parts, forecast));
     problems.extend(useless_friction(parts));
-    let refused = of_laws(&parts.bodies, parts.friction.as_deref(), &parts.motion);
+    let refused = refusal::of_laws(&parts.bodies, parts.friction.as_deref(), &parts.motion);
     problems.extend(refused.into_iter().filter_map(|one| parts.refused(one)));
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));

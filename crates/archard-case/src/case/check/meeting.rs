@@ -9,7 +9,7 @@ use archard::body::Body;
 use archard::compliance::bem::Undetermined;
 use archard::compliance::bem::contact::{ContactError, Meeting};
 use archard::frame::Pairs;
-use archard::simulation::{across_symmetry, curved, inclined};
+use archard::simulation::refusal;
 
 const AXES: [&str; 2] = ["x", "y"];
 
@@ -17,8 +17,8 @@ const AXES: [&str; 2] = ["x", "y"];
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     let mut problems = on_the_zone(parts);
     if let Some((_, mirrored)) = parts.halved() {
-        let across = across_symmetry(&parts.motion, mirrored);
-        let askew = parts.friction.as_deref().and_then(|law| inclined(law, mirrored));
+        let across = refusal::across_symmetry(&parts.motion, mirrored);
+        let askew = parts.friction.as_deref().and_then(|law| refusal::inclined(law, mirrored));
         problems.extend(across.into_iter().chain(askew).filter_map(|one| parts.refused(one)));
     }
     match Meeting::of(parts.bodies.each_ref()) {
@@ -28,7 +28,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
             if (parts.motion.rolling().is_some() || parts.motion.passing().is_some())
                 && !meeting.is_plane()
             {
-                problems.extend(parts.refused(curved()));
+                problems.extend(parts.refused(refusal::curved()));
             }
         }
     }

@@ -45,7 +45,7 @@ use archard::estimate::{Course, Estimate, Estimator, Subject};
 use archard::friction::Friction;
 use archard::motion::{Control, Motion, Schedule};
 use archard::parameters::Values;
-use archard::simulation::{Part, Refusal};
+use archard::simulation::refusal::{Part, Refusal};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
