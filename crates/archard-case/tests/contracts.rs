@@ -126,6 +126,8 @@ const MOTION_EXAMPLES: Examples = &[
     ("indentation", &[("load", 10.2), ("increments", 5.0), ("cycles", 20.0), ("jump", 4.0)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("step", 0.005)]),
     ("sliding", &[("load", 10.2), ("distance", 0.5), ("tolerance", 1e-3)]),
+    ("rotation", &[("load", 10.2), ("revolutions", 100.0), ("step", 5.0)]),
+    ("rotation", &[("load", 10.2), ("amplitude", 0.1), ("cycles", 300.0), ("tolerance", 1e-3)]),
     ("rolling", &[("load", 300.0), ("creepage", 5e-3), ("revolutions", 3e4), ("step", 100.0)]),
     ("rolling", &[("load", 300.0), ("force", -90.0), ("revolutions", 3e4), ("tolerance", 3e-3)]),
     ("creepage_sweep", &[("load", 300.0), ("spin", 0.2), ("increments", 5.0)]),

@@ -66,13 +66,13 @@ fn wrong(report: &Report<'_>, tolerance: f64) -> Option<String> {
         return Some(format!("{column} is {value}"));
     }
     let gap = state.gap_of(report.problem);
-    let fields = [&state.pressure[..], &gap, &state.worn[0], &state.worn[1]];
+    let [one, other] = [state.worn(0), state.worn(1)];
+    let fields = [&state.pressure[..], &gap, &one, &other];
     if fields.iter().any(|field| field.iter().any(|value| !value.is_finite())) {
         return Some("a field is not finite".to_owned());
     }
-    let negative = |field: &Vec<f64>| field.iter().any(|&value| value < 0.0);
-    let fields =
-        [("pressure", &state.pressure), ("wear", &state.worn[0]), ("wear", &state.worn[1])];
+    let negative = |field: &[f64]| field.iter().any(|&value| value < 0.0);
+    let fields = [("pressure", &state.pressure[..]), ("wear", fields[2]), ("wear", fields[3])];
     fields.iter().find(|(_, field)| negative(field)).map(|(name, _)| format!("negative {name}"))
 }
 

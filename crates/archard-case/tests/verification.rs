@@ -39,6 +39,7 @@ mod verification {
     mod rolling_on_triangles;
     mod rolling_order;
     mod rolling_wear;
+    mod rotation;
     mod rough;
     mod running_in;
     mod similarity;

@@ -46,7 +46,7 @@ impl Observer for Worn {
             (0..elements[axis]).map(place).collect()
         });
         if report.output && state.progress > 0.0 {
-            self.at.push((state.progress, state.worn[self.body].clone()));
+            self.at.push((state.progress, state.worn(self.body).into_owned()));
         }
         Ok(())
     }

@@ -20,8 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     while run.step()? {}
 
     let (state, frame) = (run.report().state, &run.simulation().problem.frame);
-    let volume = frame.integrate(&state.worn[0]);
-    let depth = state.worn[0].iter().copied().fold(0.0, f64::max);
+    let volume = frame.integrate(&state.worn(0));
+    let depth = state.worn(0).iter().copied().fold(0.0, f64::max);
     let rigid = pin_on_disc::depth(radius, k * load * distance);
     println!("worn volume {volume:.4e} m^3, depth {depth:.4e} m; of a rigid pin {rigid:.4e} m");
     assert!((volume / (k * load * distance) - 1.0).abs() < 1e-9);

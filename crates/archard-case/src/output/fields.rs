@@ -36,8 +36,8 @@ pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
         Field::new("pressure_Pa", state.pressure.clone()),
         Field::new("gap_m", state.gap_of(problem).into_owned()),
     ];
-    for (body, worn) in problem.bodies.iter().zip(&state.worn) {
-        fields.push(Field::new(format!("wear_{}_m", body.name), worn.clone()));
+    for (index, body) in problem.bodies.iter().enumerate() {
+        fields.push(Field::new(format!("wear_{}_m", body.name), state.worn(index).into_owned()));
     }
     fields.push(Field::new("wear_m", state.total_worn()));
     for (index, body) in problem.bodies.iter().enumerate() {
@@ -80,8 +80,9 @@ fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
 
 /// Worn height (m) of a body, one value a pair.
 fn heights(problem: &ContactProblem, state: &ContactState, body: usize) -> Vec<f64> {
-    let worn = state.worn[body].iter().enumerate();
-    worn.map(|(pair, worn)| height(problem, body, problem.frame.place(pair), *worn)).collect()
+    let worn = state.worn(body);
+    let at = |pair| height(problem, body, problem.frame.place(pair), worn[pair]);
+    (0..worn.len()).map(at).collect()
 }
 
 /// Height (m) of a body at a place (m) where that depth (m) is worn off.

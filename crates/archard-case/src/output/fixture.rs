@@ -10,7 +10,7 @@ use archard::frame::{ContactFrame, Direction, VectorField};
 use archard::friction::{FRICTION as FRICTION_LAWS, Grip};
 use archard::motion::{Control, Drive, MOTIONS, Motion, Rolling, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
 use archard::simulation::{Effort, Observer, Report};
 use archard::wear::WEAR_LAWS;
 
@@ -242,10 +242,8 @@ impl Run {
                 grip: Grip::default(),
             }),
             pressure,
-            worn,
-            slid: [vec![], vec![]],
-            swung: None,
-            ..ContactState::untouched(frame.gap())
+            surfaces: worn.map(|depth| Surface::of_pairs(frame.elements(), depth)),
+            ..ContactState::untouched(frame)
         }
     }
 
@@ -273,9 +271,8 @@ impl Run {
                 .map(|(b, gap)| if *b > 0.0 { 0.0 } else { *gap })
                 .collect::<Vec<_>>()
                 .into(),
-            worn: COEFFICIENTS.map(|k| scaled(k * LOAD * distance)),
-            slid: [vec![], vec![]],
-            swung: None,
+            surfaces: COEFFICIENTS
+                .map(|k| Surface::of_pairs(frame.elements(), scaled(k * LOAD * distance))),
             tangential: None,
         }
     }

@@ -141,7 +141,10 @@ impl Inside {
 impl Observer for Inside {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         if (0..2).any(|which| self.wants(which)) {
-            self.last = Some((report.state.tractions(), report.state.worn.clone()));
+            self.last = Some((
+                report.state.tractions(),
+                [0, 1].map(|body| report.state.worn(body).into_owned()),
+            ));
         }
         Ok(())
     }

@@ -2,20 +2,20 @@
 
 use super::Error;
 use super::table::{Table, number};
-use archard::problem::{ContactProblem, ContactState, Swung};
+use archard::problem::{ContactProblem, ContactState};
 
 /// Adds a row for each place along the motion of a surface that swings: its worn section across, and the deepest wear there.
 pub(super) fn write(
     table: &mut Table,
     (problem, state): (&ContactProblem, &ContactState),
-    swung: &Swung,
+    (body, axis): (usize, usize),
 ) -> Result<(), Error> {
-    let axis = swung.grid.axis;
+    let surface = &state.surfaces[body];
     let (element, width) = (problem.frame.spacing()[axis], problem.frame.size()[1 - axis]);
-    let middle = 0.5 * (swung.grid.elements()[axis] as f64 - 1.0);
-    let name = &problem.bodies[swung.body].name;
+    let middle = 0.5 * (surface.grid.elements()[axis] as f64 - 1.0);
+    let name = &problem.bodies[body].name;
     let [section, depth] = [format!("section_{name}_m2"), format!("depth_{name}_m")];
-    for (index, [mean, most]) in swung.along().into_iter().enumerate() {
+    for (index, [mean, most]) in surface.along(axis).into_iter().enumerate() {
         let place = (index as f64 - middle) * element;
         table.row(&[
             (problem.motion.progress().column, number(state.progress)),

@@ -60,9 +60,9 @@ impl<'a> WornProfiles<'a> {
 
     /// How deep (m) a body is worn on a line.
     fn depth(&self, line: &Line, body: usize) -> f64 {
-        let (frame, worn) = (&self.problem.frame, &self.state.worn[body]);
+        let (frame, worn) = (&self.problem.frame, self.state.worn(body));
         if self.passes[body] {
-            return line.mean(worn);
+            return line.mean(&worn);
         }
         // The middle runs through a pair of the line, or between two.
         let axis = self.direction.axis;

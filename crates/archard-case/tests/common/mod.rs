@@ -11,7 +11,7 @@ use archard::body::{Body, Material};
 use archard::frame::ContactFrame;
 use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
 use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
@@ -179,8 +179,10 @@ fn within(frame: &ContactFrame, report: &Report<'_>) -> ContactState {
     ContactState {
         pressure,
         gap: cut(&state.gap_of(report.problem)).into(),
-        worn: both(&state.worn),
-        slid: both(&state.slid),
+        surfaces: [0, 1].map(|body| Surface {
+            slid: cut(&state.surfaces[body].distance()),
+            ..Surface::of_pairs(frame.elements(), cut(&state.worn(body)))
+        }),
         tangential: state.tangential.as_ref().map(|own| Tangential {
             traction: both(&own.traction),
             slip: both(&own.slip),

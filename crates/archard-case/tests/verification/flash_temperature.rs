@@ -218,7 +218,7 @@ fn worn(motion: &str, law: Option<Box<dyn WearLaw>>) -> ([Vec<f64>; 2], Simulati
         .build()
         .unwrap();
     let state = states(&simulation).unwrap().pop().unwrap().0;
-    (state.worn, simulation)
+    ([0, 1].map(|body| state.worn(body).into_owned()), simulation)
 }
 
 /// The pin, the disc and a roller wear by k at the temperature of the surfaces; on a disc and in rolling summed along the

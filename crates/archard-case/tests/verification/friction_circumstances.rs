@@ -68,8 +68,8 @@ fn a_constant_table_is_coulombs_law() {
             let law = table(over, [1e-3, 1e3], [0.3, 0.3]);
             let found = states(&with(ball(flat, motion, &[]), law)).unwrap();
             let (found, ..) = found.last().unwrap();
-            let deepest = peak(&coulomb.worn[0]);
-            for (found, expected) in found.worn[0].iter().zip(&coulomb.worn[0]) {
+            let deepest = peak(&coulomb.worn(0));
+            for (found, expected) in found.worn(0).iter().zip(coulomb.worn(0).iter()) {
                 assert_relative_eq!(found, expected, epsilon = 1e-9 * deepest);
             }
             let [found, expected] = [found, coulomb].map(|state| &state.tangential);
@@ -286,7 +286,7 @@ fn fretting_runs_in() {
             let mut slips = 0;
             for (pair, pressure) in state.pressure.iter().enumerate() {
                 let [x, y] = [0, 1].map(|axis| tangential.traction[axis][pair]);
-                let slid = before.slid[0][pair].max(before.slid[1][pair]);
+                let slid = before.surfaces[0].slid[pair].max(before.surfaces[1].slid[pair]);
                 let limit = (0.4 - 0.2 * (slid / 20e-6).min(1.0)) * pressure;
                 assert!(x.hypot(y) <= limit + 1e-4 * most, "{} {limit}", x.hypot(y));
                 slips += usize::from(limit > 0.0 && x.hypot(y) > 0.9999 * limit);

@@ -96,7 +96,8 @@ fn run(text: &str, law: Option<fn() -> Box<dyn WearLaw>>) -> (Vec<f64>, [Vec<f64
     }
     let mut states = states(&simulation).expect("it converges");
     let state = states.pop().expect("a state").0;
-    (state.pressure, state.worn)
+    let worn = [0, 1].map(|body| state.worn(body).into_owned());
+    (state.pressure, worn)
 }
 
 /// Pairs that stay slide the distance; a point of a track slides the contact's length a turn; one of a wheel the creepage on

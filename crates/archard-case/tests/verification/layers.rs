@@ -207,7 +207,7 @@ fn layers_and_what_is_below_share_load_times_distance() {
     let frame = &simulation.problem.frame;
     let between = |top: f64, bottom: f64| -> f64 {
         let part = |depth: &f64| (depth.min(bottom) - top).max(0.0);
-        frame.integrate(&state.worn[1].iter().map(part).collect::<Vec<_>>())
+        frame.integrate(&state.worn(1).iter().map(part).collect::<Vec<_>>())
     };
     let strata = [between(0.0, 0.4e-6), between(0.4e-6, 0.7e-6), between(0.7e-6, f64::INFINITY)];
     let rubbed: f64 = strata.iter().zip([1e-15, 3e-15, 2e-15]).map(|(volume, k)| volume / k).sum();

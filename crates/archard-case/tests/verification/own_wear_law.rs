@@ -43,14 +43,14 @@ fn implicit_steps_obey_the_law_and_the_contact() {
         assert_eq!(states.len(), 11);
         for pair in states.windows(2) {
             let (before, after) = (&pair[0].0, &pair[1].0);
-            let deepest = peak(&after.worn[0]);
+            let deepest = peak(&after.worn(0));
             let mut displacement = vec![0.0; after.pressure.len()];
             simulation.problem.compliance.apply_normal(&after.pressure, &mut displacement);
             for (i, &pressure) in after.pressure.iter().enumerate() {
-                let worn = after.worn[0][i] - before.worn[0][i];
+                let worn = after.worn(0)[i] - before.worn(0)[i];
                 let expected = law().depth(Rubbing::new(pressure, step));
                 assert!((worn - expected).abs() < 1e-12 * deepest);
-                let gap = simulation.problem.frame.gap()[i] + after.worn[0][i] + displacement[i]
+                let gap = simulation.problem.frame.gap()[i] + after.worn(0)[i] + displacement[i]
                     - after.approach;
                 assert!(pressure >= 0.0 && gap > -1e-6 * deepest, "{gap:e}");
                 assert!(
@@ -194,8 +194,8 @@ fn worn(motion: &str, threshold: f64, per: Per) -> Vec<f64> {
     let mut simulation = case(&format!("{BODIES}{motion}"), &[]);
     simulation.problem.bodies[0].wear = Some(Arc::new(Beyond { alpha: 1e-18, threshold, per }));
     let states = states(&simulation).expect("it converges");
-    let [first, last] = [&states[0].0.worn[0], &states[states.len() - 1].0.worn[0]];
-    first.iter().zip(last).map(|(first, last)| last - first).collect()
+    let [first, last] = [states[0].0.worn(0), states[states.len() - 1].0.worn(0)];
+    first.iter().zip(&*last).map(|(first, last)| last - first).collect()
 }
 
 /// A law that takes a cycle at once sees all the work that a point has gone through in it: a cycle of fretting, or a

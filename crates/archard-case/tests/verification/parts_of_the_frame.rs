@@ -332,7 +332,7 @@ fn the_gap_is_known_everywhere() {
     "#;
     let track = case(track, &[]);
     let states = states(&track).unwrap();
-    assert!(states.len() == 5 && peak(&states[4].0.worn[1]) > 0.0);
+    assert!(states.len() == 5 && peak(&states[4].0.worn(1)) > 0.0);
     for (state, ..) in states {
         assert_gap(&track, &state, 1e-5);
     }

@@ -174,7 +174,7 @@ fn measured_surfaces_bring_their_frame() {
     let (state, ..) = states(&simulation).unwrap().pop().unwrap();
     let load = 20e6 * 0.32e-3 * 0.48e-3;
     assert_relative_eq!(state.load, load, max_relative = 1e-8);
-    let volume = simulation.problem.frame.integrate(&state.worn[0]);
+    let volume = simulation.problem.frame.integrate(&state.worn(0));
     assert_relative_eq!(volume, 1e-15 * load * 10.0, max_relative = 1e-8);
     // Coarser runs see no place beyond the readings.
     let options = ["accuracy=0.2", "motion.sliding.tolerance="];

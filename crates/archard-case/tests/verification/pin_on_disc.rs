@@ -60,7 +60,7 @@ fn thirty_cells_and_five_millimetres() {
             );
         }
         assert_relative_eq!(
-            frame.integrate(&state.worn[0]),
+            frame.integrate(&state.worn(0)),
             1.33e-13 * 10.2 * state.progress,
             max_relative = 1e-10
         );
@@ -99,7 +99,7 @@ fn explicit_steps_are_rough_beyond_their_bound_only() {
         let simulation = Ball::pin_on_disc(30).sliding(0.1, Stepping::Explicit(step), &[]);
         let state = states(&simulation).unwrap().pop().unwrap().0;
         assert_relative_eq!(
-            simulation.problem.frame.integrate(&state.worn[0]),
+            simulation.problem.frame.integrate(&state.worn(0)),
             1.33e-13 * 10.2 * 0.1,
             max_relative = 1e-10
         );
@@ -137,9 +137,9 @@ fn both_bodies_share_by_their_coefficients() {
             Ball { wear, ..Ball::pin_on_disc(30) }.sliding(0.5, Stepping::Implicit(10e-3), &[]);
         let both = states(&both).unwrap().pop().unwrap().0;
         assert_relative_eq!(depth(&both), depth(&alone), max_relative = 1e-9);
-        assert_relative_eq!(peak(&both.worn[0]), share * depth(&both), max_relative = 1e-12);
+        assert_relative_eq!(peak(&both.worn(0)), share * depth(&both), max_relative = 1e-12);
         assert_relative_eq!(
-            peak(&both.worn[1]),
+            peak(&both.worn(1)),
             (1.0 - share) * depth(&both),
             max_relative = 1e-12
         );
@@ -165,7 +165,7 @@ fn steps_by_error_on_a_fine_grid() {
             assert_relative_eq!(state.approach * 1e6, approach, max_relative = 0.001);
         }
         assert_relative_eq!(
-            frame.integrate(&state.worn[0]),
+            frame.integrate(&state.worn(0)),
             1.33e-13 * 10.2 * state.progress,
             max_relative = 1e-10
         );

@@ -30,7 +30,7 @@ fn run(simulation: &Simulation) -> Run {
     let states = states(simulation).expect("it converges");
     let outputs = states.iter().filter(|(state, _, due)| *due && state.progress > 0.0);
     Run {
-        worn: outputs.map(|(state, ..)| [depth(state), frame.integrate(&state.worn[1])]).collect(),
+        worn: outputs.map(|(state, ..)| [depth(state), frame.integrate(&state.worn(1))]).collect(),
         effort: states.last().expect("a state").1,
     }
 }

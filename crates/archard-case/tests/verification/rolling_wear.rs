@@ -228,7 +228,7 @@ fn creepage_follows_the_worn_radii() {
         pairs.map(|(pair, pressure)| pressure * creepage(pair)).sum::<f64>() * frame.element_area()
     };
     let follows =
-        sum(&|pair| 0.005 - before.worn[0][pair] / 0.0325 + before.worn[1][pair] / 0.0323);
+        sum(&|pair| 0.005 - before.worn(0)[pair] / 0.0325 + before.worn(1)[pair] / 0.0323);
     assert_relative_eq!(worn, WEAR * follows, max_relative = 1e-3);
     assert!(follows < 0.99 * sum(&|_| 0.005), "the radii hardly changed");
 }

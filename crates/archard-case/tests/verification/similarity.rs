@@ -56,8 +56,8 @@ proptest! {
         let base = scaled(1.0, 1.0, 1.0, by_error);
         let other = scaled(length, modulus, coefficient, by_error);
         assert_similar(&other.pressure, &base.pressure, modulus)?;
-        assert_similar(&other.worn[0], &base.worn[0], length)?;
-        assert_similar(&other.worn[1], &base.worn[1], length)?;
+        assert_similar(&other.worn(0), &base.worn(0), length)?;
+        assert_similar(&other.worn(1), &base.worn(1), length)?;
         assert_similar(&[other.approach], &[base.approach], length)?;
     }
 

@@ -376,8 +376,8 @@ fn wear_only_grows() {
     let frame = Ball::pin_on_disc(CELLS).problem().frame;
     for pair in states.windows(2) {
         let (before, after) = (&pair[0].0, &pair[1].0);
-        assert!(before.worn[0].iter().zip(&after.worn[0]).all(|(before, after)| after >= before));
-        let volume = frame.integrate(&after.worn[0]);
+        assert!(before.worn(0).iter().zip(&*after.worn(0)).all(|(before, after)| after >= before));
+        let volume = frame.integrate(&after.worn(0));
         assert!((volume / (1.33e-13 * 10.2 * after.progress) - 1.0).abs() < 1e-10);
     }
 }

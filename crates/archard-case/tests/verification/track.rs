@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use approx::assert_relative_eq;
 use archard::closed_form::worn_track::worn;
+use archard::problem::Surface;
 use archard::simulation::Error;
 use archard::simulation::history::number;
 use archard::simulation::refusal::Part;
@@ -153,10 +154,10 @@ fn bodies_and_axes_may_be_swapped() {
 fn what_passes_wears_alike_along_the_track() {
     let simulation = case(&text(1e-7, 5e-6, TRACK), &["motion.sliding.step=100 m"]);
     let (last, ..) = states(&simulation).expect("it converges").pop().expect("states");
-    for row in last.worn[1].chunks(41) {
+    for row in last.worn(1).chunks(41) {
         assert!(row.iter().all(|depth| *depth == row[0]));
     }
-    assert!(last.worn[0].chunks(41).any(|row| row.iter().any(|depth| *depth != row[0])));
+    assert!(last.worn(0).chunks(41).any(|row| row.iter().any(|depth| *depth != row[0])));
 }
 
 /// The error stated is no smaller than the true one, over five tolerances, and with its margin below 2.5 times them.
@@ -241,8 +242,9 @@ fn along(text: &str, options: &[&str]) -> (Rows, Vec<(f64, f64)>) {
     let mut states = crate::common::States::of(&simulation);
     simulation.run(&mut [&mut rows, &mut states]).expect("it converges");
     let state = &states.0[states.0.len() - 1].0;
-    let swung = state.swung.as_ref().expect("a surface that swings");
-    let means = swung.along();
+    let swings = |surface: &&Surface| surface.grid.swings().is_some();
+    let surface = state.surfaces.iter().find(swings).expect("a surface that swings");
+    let means = surface.along(0);
     let frame = &simulation.problem.frame;
     let middle = 0.5 * (means.len() as f64 - 1.0);
     let place = |index: usize| (index as f64 - middle) * frame.spacing()[0];

@@ -88,13 +88,13 @@ fn a_quarter_is_the_whole() {
     assert_relative_eq!(of_quarter.load, 10.2, max_relative = 1e-12);
     assert_relative_eq!(of_whole.approach, of_quarter.approach, max_relative = 1e-6);
     let half = ELEMENTS / 2;
-    let (most, deepest) = (peak(&of_whole.pressure), peak(&of_whole.worn[0]));
+    let (most, deepest) = (peak(&of_whole.pressure), peak(&of_whole.worn(0)));
     for pair in 0..half * half {
         let (x, y) = (pair % half + half, pair / half + half);
         let other = x + ELEMENTS * y;
         let [one, two] = [of_quarter.pressure[pair], of_whole.pressure[other]];
         assert_relative_eq!(one, two, epsilon = 1e-5 * most);
-        let [one, two] = [of_quarter.worn[0][pair], of_whole.worn[0][other]];
+        let [one, two] = [of_quarter.worn(0)[pair], of_whole.worn(0)[other]];
         assert_relative_eq!(one, two, epsilon = 1e-5 * deepest);
     }
     let [whole, quarter] = &simulations;
@@ -115,11 +115,11 @@ fn wear_on_unequal_pairs() {
     let (uneven, _) = slide(&mut other, Some(Uneven::new(SIDE, ELEMENTS)));
     let [one, other] = [&one, &other].map(|simulation| &simulation.problem.frame);
     assert_relative_eq!(
-        other.integrate(&uneven.worn[0]),
+        other.integrate(&uneven.worn(0)),
         1.33e-13 * 5.0 * 0.02,
         max_relative = 1e-7
     );
-    for (a, b) in [(&even.pressure, &uneven.pressure), (&even.worn[0], &uneven.worn[0])] {
+    for (a, b) in [(&even.pressure[..], &uneven.pressure[..]), (&even.worn(0), &uneven.worn(0))] {
         assert_relative_eq!(one.at_centre(a), other.at_centre(b), max_relative = 5e-3);
     }
 }
@@ -229,7 +229,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
     let friction = |state: &ContactState| state.tangential.clone().expect("friction");
     let [of_level, of_tilted] = [friction(&level), friction(&tilted)];
     let [one, other] = [&of_level.traction, &of_tilted.traction];
-    let deepest = peak(&level.worn[1]);
+    let deepest = peak(&level.worn(1));
     assert!(deepest > 0.0 && level_rows.last("dissipated_J") > 0.0);
     assert!(peak(&one[0]) > 0.04 * most, "{}", peak(&one[0]) / most);
     for pair in 0..level.pressure.len() {
@@ -239,7 +239,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
             let [slip, turned] = [&of_level, &of_tilted].map(|own| own.slip[axis][pair]);
             assert_relative_eq!(slip, turned, epsilon = 1e-5 * down * sine);
         }
-        assert_relative_eq!(level.worn[1][pair], tilted.worn[1][pair], epsilon = 1e-4 * deepest);
+        assert_relative_eq!(level.worn(1)[pair], tilted.worn(1)[pair], epsilon = 1e-4 * deepest);
     }
     let frame = &simulation.problem.frame;
     let [along, normal] = [frame.integrate(&one[0]), frame.integrate(&level.pressure)];

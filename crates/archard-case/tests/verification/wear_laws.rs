@@ -34,7 +34,8 @@ fn worn_by(law: &str, body: &str, motion: &str) -> Simulation {
 fn run(law: &str, body: &str, motion: &str) -> (Vec<f64>, [Vec<f64>; 2]) {
     let mut states = states(&worn_by(law, body, motion)).expect("it converges");
     let state = states.pop().expect("a state").0;
-    (state.pressure, state.worn)
+    let worn = [0, 1].map(|body| state.worn(body).into_owned());
+    (state.pressure, worn)
 }
 
 /// Both depths agree, relative to the deepest.
@@ -107,7 +108,7 @@ fn implicit_steps_of_powers_obey_the_law() {
         for pair in states.windows(2) {
             let (before, after) = (&pair[0].0, &pair[1].0);
             let worn: Vec<f64> =
-                after.worn[0].iter().zip(&before.worn[0]).map(|(a, b)| a - b).collect();
+                after.worn(0).iter().zip(&*before.worn(0)).map(|(a, b)| a - b).collect();
             let law = |p: &f64| 1e-13 * 1e8 * (p / 1e8).powf(exponent) * 0.02;
             let linear = exponent < 1.0;
             let expected: Vec<f64> = after

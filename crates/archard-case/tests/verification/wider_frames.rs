@@ -15,7 +15,7 @@ fn simulation(text: &str, options: &[&str]) -> Simulation {
 /// Area of an element times the depths worn off a body (m^3).
 fn volume(simulation: &Run, body: usize) -> f64 {
     let report = simulation.report();
-    report.problem.frame.integrate(&report.state.worn[body])
+    report.problem.frame.integrate(&report.state.worn(body))
 }
 
 /// Volumes are k F s in every row, whichever frame they were worn in, and the rest is what one fine frame finds but for
@@ -45,7 +45,7 @@ fn volumes_stay_and_depths_are_those_of_one_frame() {
             assert!(found > before);
             before = found;
             sizes.push(report.problem.frame.size()[0]);
-            depths.push((report.state.progress, peak(&report.state.worn[0])));
+            depths.push((report.state.progress, peak(&report.state.worn(0))));
         }
         let (narrow, wider) = (sizes[0], *sizes.last().unwrap());
         assert!((narrow, wider) == (0.6e-3, 1.2e-3), "{narrow} {wider}");
@@ -54,13 +54,13 @@ fn volumes_stay_and_depths_are_those_of_one_frame() {
         if explicit {
             for ((at, depth), (state, ..)) in depths.iter().zip(&one[1..]) {
                 assert_eq!(*at, state.progress);
-                let expected = peak(&state.worn[0]);
+                let expected = peak(&state.worn(0));
                 // Before, the same elements; after, those twice as large.
                 let allowed = if *at < 0.0601 { 1e-8 } else { 1.5e-3 };
                 assert!((depth / expected - 1.0).abs() < allowed, "{at} {depth:e} {expected:e}");
             }
         }
-        let expected = peak(&one.last().unwrap().0.worn[0]);
+        let expected = peak(&one.last().unwrap().0.worn(0));
         let (_, depth) = depths.last().unwrap();
         assert!((depth / expected - 1.0).abs() < 1e-3, "{depth:e} {expected:e}");
     }
@@ -78,19 +78,19 @@ fn grooves_go_on() {
         let doubles = of(&["frame.size=[\"0.36 mm\", \"0.36 mm\"]", "frame.doubles=[\"60 m\"]"]);
         let [one, other] = [run(wide), run(doubles)];
         for body in 0..2 {
-            let (expected, found) = (peak(&one.worn[body]), peak(&other.worn[body]));
+            let (expected, found) = (peak(&one.worn(body)), peak(&other.worn(body)));
             assert!((found / expected - 1.0).abs() < 3e-3, "{body} {found:e} {expected:e}");
             let section = |worn: &[f64], n: usize| {
                 let middle = n / 2;
                 let at = |i: usize| if along == "x" { middle + n * i } else { i + n * middle };
                 (0..n).map(|i| worn[at(i)]).sum::<f64>() * 0.72e-3 / n as f64
             };
-            let [expected, found] = [section(&one.worn[body], 120), section(&other.worn[body], 60)];
+            let [expected, found] = [section(&one.worn(body), 120), section(&other.worn(body), 60)];
             if body == 1 {
                 assert!((found / expected - 1.0).abs() < 1e-6, "{found:e} {expected:e}");
                 // The groove is the same along its way, to the edge.
                 let first = if along == "x" { 60 * 30 } else { 30 };
-                let (edge, middle) = (other.worn[1][first], other.worn[1][30 + 60 * 30]);
+                let (edge, middle) = (other.worn(1)[first], other.worn(1)[30 + 60 * 30]);
                 assert!((edge - middle).abs() < 1e-12 * middle, "{edge:e} {middle:e}");
             }
         }
@@ -121,7 +121,7 @@ fn points_keep_the_distance_they_slid() {
     ]);
     let volume = |state: &ContactState, side: f64| -> f64 {
         let element = side * side;
-        state.worn[0].iter().map(|worn| worn * element).sum()
+        state.worn(0).iter().map(|worn| worn * element).sum()
     };
     let side = |state: &ContactState| if state.progress < 0.025 { 15e-6 } else { 30e-6 };
     for (state, other) in one.iter().zip(&doubles).skip(1) {

@@ -20,7 +20,7 @@ use archard::compliance::Compliance;
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::{Control, MOTIONS, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState};
+use archard::problem::{ContactProblem, ContactState, Surface};
 use archard::simulation::{Effort, Observer, Report, Simulation};
 use archard::wear::Archard;
 use archard_case::output::{ResultFolder, Totals};
@@ -92,10 +92,9 @@ fn state(problem: &ContactProblem, load: f64, volume: f64, shares: [f64; 2]) -> 
         approach: 0.445e-6 * (load / 10.2).powf(2.0 / 3.0) + depth,
         load,
         pressure: scaled(&bowl, load),
-        worn: shares.map(|share| scaled(&cap, share * volume)),
-        slid: [vec![], vec![]],
-        swung: None,
-        ..ContactState::untouched(frame.gap())
+        surfaces: shares
+            .map(|share| Surface::of_pairs(frame.elements(), scaled(&cap, share * volume))),
+        ..ContactState::untouched(frame)
     }
 }
 
@@ -205,7 +204,7 @@ fn an_indentation_is_drawn_beside_hertz() {
 fn a_run_that_has_only_begun_is_drawn() {
     let dir = tempdir().unwrap();
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
-    write(dir.path(), "", &problem, &[ContactState::untouched(problem.frame.gap())], false);
+    write(dir.path(), "", &problem, &[ContactState::untouched(&problem.frame)], false);
     // There is no load yet to draw over the approach.
     assert_eq!(drawn(dir.path()).len(), 6);
 }
@@ -281,9 +280,10 @@ fn worn_shapes_reach_over_the_scar() {
     let numbers = [("load", 10.2), ("distance", 0.5), ("step", 5e-3)];
     let problem = problem([1e-13; 2], "sliding", &numbers);
     let mut worn = state(&problem, 10.2, 0.0, [0.0; 2]);
-    worn.worn = [0.4e-3, 9.0].map(|reach| {
+    worn.surfaces = [0.4e-3, 9.0].map(|reach| {
         let depth = |pair: usize| f64::from(problem.frame.place(pair)[0].abs() < reach) * 1e-6;
-        (0..problem.frame.len()).map(depth).collect()
+        let depths = (0..problem.frame.len()).map(depth).collect();
+        Surface::of_pairs(problem.frame.elements(), depths)
     });
     write(dir.path(), "", &problem, &[worn], true);
     let results = Results::read(dir.path()).unwrap();
@@ -337,7 +337,7 @@ fn runs_that_cannot_be_compared_are_refused_in_words() {
     let [slid, pressed] = ["slid", "pressed"].map(|name| dir.path().join(name));
     slide(&slid, [1.33e-13, 0.0], true);
     let problem = problem([0.0; 2], "indentation", &[("load", 10.2)]);
-    write(&pressed, "", &problem, &[ContactState::untouched(problem.frame.gap())], true);
+    write(&pressed, "", &problem, &[ContactState::untouched(&problem.frame)], true);
     let refused = |dir: &PathBuf, other: &PathBuf| {
         run(dir, std::slice::from_ref(other), &Paper::default()).unwrap_err().to_string()
     };

@@ -27,7 +27,8 @@ impl WornCap {
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
         let curvatures = subject.curvatures().filter(|both| both.iter().all(|&one| one > 0.0))?;
         let coefficient = subject.total_wear_coefficient()?;
-        if subject.motion.sliding()?.track.is_some() || subject.motion.swing().is_some() {
+        let even = subject.motion.swing().is_none() && !subject.motion.turns();
+        if subject.motion.sliding()?.track.is_some() || !even {
             return None;
         }
         let radius = 1.0 / (curvatures[0] * curvatures[1]).sqrt();

@@ -7,6 +7,7 @@ mod fretting;
 mod indentation;
 mod path;
 mod rolling;
+mod rotation;
 mod shift;
 mod similar;
 mod sliding;
@@ -17,6 +18,7 @@ pub use fretting::Fretting;
 pub use indentation::Indentation;
 pub use path::Path;
 pub use rolling::{Drive, Rolling};
+pub use rotation::Rotation;
 pub use shift::{Cycles, Guide, Shift, Station};
 pub use sliding::{Sliding, Track};
 
@@ -29,7 +31,7 @@ use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 /// cycles or seconds for increments.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Motion {
-    /// All pairs in contact slide the same distance (gross sliding); progress is that distance (m).
+    /// All pairs in contact slide (gross sliding), the same distance or in proportion to the radius.
     Sliding(Sliding),
     /// Bodies roll: slip follows from the tractions, and all pairs on a line along the motion wear alike.
     Rolling(Rolling),
@@ -68,7 +70,9 @@ impl Motion {
             Self::Rolling(Rolling { direction, speed, .. }) => {
                 Some(Stream { direction: *direction, bodies: [true; 2], speed: *speed })
             }
-            Self::Sliding(Sliding { swing: None, track: Some(track), direction, speed }) => {
+            Self::Sliding(Sliding {
+                swing: None, track: Some(track), direction, speed, ..
+            }) => {
                 // Body 2 slides along the direction over body 1: over body 2 the contact moves back.
                 let direction = if track.body == 1 { direction.back() } else { *direction };
                 let bodies = [0, 1].map(|body| body == track.body);
@@ -99,6 +103,18 @@ impl Motion {
         }
     }
 
+    /// Along which axes it moves the bodies over planes of symmetry: sliding of surfaces that stay is the same on both sides.
+    pub fn moves(&self) -> [bool; 2] {
+        match self {
+            Self::Rolling(rolling) => rolling.moves(),
+            Self::Shift(shift) => shift.moves_along(),
+            Self::Sliding(_) => {
+                let along = self.passing().map(|passing| passing.direction.axis);
+                [0, 1].map(|axis| along == Some(axis))
+            }
+        }
+    }
+
     /// Along which direction the surface of a body is worn alike, at least far from the ends of a stroke, and which bodies are.
     pub fn worn_along(&self) -> Option<(Direction, [bool; 2])> {
         let passing = self.passing().map(|passing| (passing.direction, passing.bodies));
@@ -110,16 +126,28 @@ impl Motion {
         passing.or_else(stroke)
     }
 
-    /// Distance (m) that all pairs in contact slide over each other while the motion advances by that
-    /// much; zero where what they slide depends on the place.
+    /// Distance (m) that pairs in contact slide over each other while the motion advances by that much, at a unit
+    /// [lever](Self::lever); zero where friction decides it.
     pub fn slip(&self, advance: f64) -> f64 {
         match self {
+            Self::Sliding(Sliding { rotation: Some(rotation), .. }) => rotation.angle * advance,
             Self::Sliding(Sliding { swing: Some(amplitude), track: None, .. }) => {
                 4.0 * amplitude * advance
             }
             Self::Sliding(_) => advance,
             Self::Rolling(_) | Self::Shift(_) => 0.0,
         }
+    }
+
+    /// How far a pair at a place (m) slides beside the [slip](Self::slip): one, or where bodies turn the distance from the
+    /// axis (m).
+    pub fn lever(&self, [x, y]: [f64; 2]) -> f64 {
+        if self.turns() { x.hypot(y) } else { 1.0 }
+    }
+
+    /// Whether one body turns on the other about the normal.
+    pub fn turns(&self) -> bool {
+        self.sliding().is_some_and(|sliding| sliding.rotation.is_some())
     }
 
     /// Speed at which bodies slide that slide the same distance everywhere (m/s), where it is known.
@@ -132,8 +160,11 @@ impl Motion {
         self.speed().is_some() || self.rolling().is_some_and(|rolling| rolling.speed.is_some())
     }
 
-    /// Unit vector along which bodies slide that slide the same distance everywhere.
-    pub fn slides(&self) -> [f64; 2] {
+    /// Along which vector body 2 slides over body 1 at a place (m), if all pairs in contact do.
+    pub fn slides(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        if self.turns() && [x, y] != [0.0; 2] {
+            return [-y, x];
+        }
         self.sliding().map_or(Direction::X, |sliding| sliding.direction).forward()
     }
 
@@ -182,6 +213,7 @@ impl Motion {
     /// What progress measures, for result columns and messages.
     pub fn progress(&self) -> Progress {
         match self {
+            Self::Sliding(Sliding { rotation: Some(rotation), .. }) => rotation.progress,
             Self::Sliding(Sliding { swing: Some(_), track: None, .. }) => Progress::CYCLES,
             Self::Sliding(_) => Progress::DISTANCE,
             Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
@@ -308,6 +340,7 @@ pub const MOTIONS: &[Choice<Planned>] = &[
     fretting::CHOICE,
     path::CHOICE,
     sliding::CHOICE,
+    rotation::CHOICE,
     rolling::CHOICE,
     creepage_sweep::CHOICE,
 ];

@@ -243,6 +243,12 @@ impl Rolling {
         Ok(Self { speed: values.number("speed"), ..rolling })
     }
 
+    /// Along which axes the bodies move.
+    pub(super) fn moves(&self) -> [bool; 2] {
+        let turns = self.lateral != Drive::Creepage(0.0) || self.spin != 0.0;
+        [0, 1].map(|axis| axis == self.direction.axis || turns)
+    }
+
     /// The motion at some progress.
     pub fn at(&self, progress: f64) -> Self {
         if !self.swept {

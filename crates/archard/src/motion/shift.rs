@@ -94,6 +94,13 @@ impl Shift {
         self.lead.iter().chain(&self.cycle).any(|station| !station.is_still())
     }
 
+    /// Along which axes the bodies are shifted, or pushed.
+    pub(super) fn moves_along(&self) -> [bool; 2] {
+        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
+        let stations = || self.lead.iter().chain(&self.cycle);
+        [0, 1].map(|axis| !stations().all(|station| still(station.guides[axis])))
+    }
+
     /// The way to the first cycle where pressing alone leaves no friction: bodies are pressed together at once.
     pub fn lead(&self, pressing_rubs: bool) -> &[Station] {
         let pressing = self.lead.iter().take_while(|station| station.is_still()).count();

@@ -5,8 +5,8 @@
 //! once a turn, or once a stroke, and all points on a line along the motion wear alike.
 
 use super::{
-    APPROACH, Control, LOAD, Motion, Planned, Schedule, Stepping, TOLERANCE, control, few_steps,
-    pressing,
+    APPROACH, Control, LOAD, Motion, Planned, Rotation, Schedule, Stepping, TOLERANCE, control,
+    few_steps, pressing,
 };
 use crate::frame::Direction;
 use crate::parameters::{Choice, Invalid, Parameter, Quantity, Values};
@@ -76,7 +76,11 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         let axis = usize::from(values.word("direction") == Some("y"));
         let direction = Direction { axis, reversed: false };
         let swing = ends(values, track.as_ref(), explicit)?;
-        Sliding { direction, track, speed, swing }.over(distance, control(values)?, stepping)
+        Sliding { direction, track, speed, swing, rotation: None }.over(
+            distance,
+            control(values)?,
+            stepping,
+        )
     },
 };
 
@@ -94,7 +98,7 @@ const STROKE: Parameter =
 const SPEED: Parameter = Parameter::optional("speed", Quantity::Speed, "mean speed of sliding");
 const STEP: Parameter = Parameter::optional("step", Quantity::Length, "distance slid in one step");
 
-/// How bodies slide: every pair in contact slides the same distance.
+/// How bodies slide: every pair in contact slides the same distance, or where they turn in proportion to the radius.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sliding {
     /// Along which axis of the frame.
@@ -106,6 +110,8 @@ pub struct Sliding {
     /// Amplitude (m) of bodies that slide to and fro past each other so that their surfaces swing: by lengths comparable
     /// with the contact, when progress is cycles, or by half the stroke of a track whose ends are resolved.
     pub swing: Option<f64>,
+    /// How one body turns on the other instead, about the normal through x = y = 0.
+    pub rotation: Option<Rotation>,
 }
 
 /// A track.

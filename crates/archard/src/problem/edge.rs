@@ -118,8 +118,7 @@ impl Edge<'_> {
     /// How much less an edge is worn than the pair behind, over what pressures rise by from there: cot(pi n), with n the power of
     /// the distance by which they do. Zero where wear does not fall to the edge.
     fn steepness(&self, inside: usize, behind: usize, spacing: f64) -> f64 {
-        let worn = |pair: usize| self.state.worn[0][pair] + self.state.worn[1][pair];
-        let slope = (worn(behind) - worn(inside)).max(0.0) / spacing;
+        let slope = (self.state.worn_at(behind) - self.state.worn_at(inside)).max(0.0) / spacing;
         0.5 * self.modulus * slope / self.state.pressure[behind]
     }
 

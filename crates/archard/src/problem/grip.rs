@@ -32,11 +32,11 @@ impl ContactProblem {
     }
 
     /// The grip in a state: that under which its tractions were found, or of bodies that slide, after points slid so much
-    /// further (m).
+    /// further (m), which is told by the pair.
     ///
     /// # Errors
     /// With what it was last, if heat and friction do not settle.
-    pub fn grip(&self, state: &ContactState, further: f64) -> Result<Grip, Grip> {
+    pub fn grip(&self, state: &ContactState, further: impl Fn(usize) -> f64) -> Result<Grip, Grip> {
         if let Some(tangential) = &state.tangential {
             return Ok(tangential.grip.clone());
         }
@@ -45,8 +45,10 @@ impl ContactProblem {
         };
         let speed = self.motion.speed().unwrap_or_default();
         let under = |flash: Option<Flash>| {
-            let at =
-                |pair| Circumstances { speed, ..self.circumstances(state, &flash, further, pair) };
+            let at = |pair| Circumstances {
+                speed,
+                ..self.circumstances(state, &flash, further(pair), pair)
+            };
             Grip::of(law, (0..self.frame.len()).map(at))
         };
         let mut grip = under(None);
@@ -114,7 +116,7 @@ impl ContactProblem {
         further: f64,
         pair: usize,
     ) -> Circumstances {
-        let slid = [0, 1].map(|body| state.slid[body].get(pair).copied().unwrap_or_default());
+        let slid = state.surfaces.each_ref().map(|one| one.before(one.grid.at(pair, 0))[0]);
         let warm = |flash: &Flash| Some(flash.bulk? + flash.rise[pair]);
         let temperature = flash.as_ref().and_then(warm).or_else(|| self.bulk()).unwrap_or_default();
         Circumstances { speed: 0.0, distance: slid[0].max(slid[1]) + further, temperature }

@@ -208,7 +208,7 @@ impl ContactProblem {
 
     /// How the heat of friction warms the surfaces in a state; `None` where that is not known, or nothing rubs.
     pub fn flash(&self, state: &ContactState) -> Option<Flash> {
-        self.flash_with(state, &self.grip(state, 0.0).unwrap_or_else(|last| last))
+        self.flash_with(state, &self.grip(state, |_| 0.0).unwrap_or_else(|last| last))
     }
 
     /// The same with that grip on bodies that slide.
@@ -238,7 +238,7 @@ impl ContactProblem {
 
     /// Heat (W/m^2) of pairs that all slide at a speed (m/s), one value a pair.
     fn heat_of_sliding(&self, state: &ContactState, speed: f64, grip: &Grip) -> Vec<f64> {
-        let slides = self.motion.slides();
+        let slides = self.motion.slides([0.0; 2]);
         // The work over a metre.
         let heat = |(pair, &pressure): (usize, &f64)| {
             speed * grip.at(pair) * self.rubbing(pressure, 1.0, slides).work

@@ -5,12 +5,12 @@ mod even;
 mod gap;
 mod grip;
 mod heat;
-mod swung;
+mod surface;
 
 pub(crate) use edge::GROWS;
 pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
-pub use swung::{Long, Swung};
+pub use surface::{Grid, Surface};
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -196,13 +196,8 @@ pub struct ContactState {
     pub pressure: Vec<f64>,
     /// Normal gap: see [`ContactState::gap_of`].
     pub gap: Gap,
-    /// Depth worn off body 1 and body 2 (m), one value a pair.
-    pub worn: [Vec<f64>; 2],
-    /// Distance (m) that points of body 1 and body 2 slid under pressure, one value a pair; empty where no wear law asks
-    /// for it.
-    pub slid: [Vec<f64>; 2],
-    /// The whole surface of a body that swings; in `worn` and `slid` is what lies in the frame in the middle position.
-    pub swung: Option<Swung>,
+    /// The worn surfaces of body 1 and body 2.
+    pub surfaces: [Surface; 2],
     /// Friction, where the motion tells slip from stick.
     pub tangential: Option<Tangential>,
 }
@@ -278,19 +273,23 @@ impl Tangential {
 }
 
 impl ContactState {
-    /// Bodies of that many pairs, apart and unworn.
-    pub fn untouched(gap: &[f64]) -> Self {
+    /// Bodies apart and unworn, whose surfaces stay.
+    pub fn untouched(frame: &ContactFrame) -> Self {
+        let surface = || Surface::unworn(Grid::of_pairs(frame.elements()), false);
         Self {
             progress: 0.0,
             approach: 0.0,
             load: 0.0,
-            pressure: vec![0.0; gap.len()],
-            gap: gap.to_vec().into(),
-            worn: [vec![0.0; gap.len()], vec![0.0; gap.len()]],
-            slid: [vec![], vec![]],
-            swung: None,
+            pressure: vec![0.0; frame.len()],
+            gap: frame.gap().to_vec().into(),
+            surfaces: [surface(), surface()],
             tangential: None,
         }
+    }
+
+    /// Depth worn off a body (m), one value a pair; of one that swings, in the middle position.
+    pub fn worn(&self, body: usize) -> Cow<'_, [f64]> {
+        self.surfaces[body].worn()
     }
 
     /// Normal gap (m) in a problem, one value a pair; zero in contact. Far from it it is computed from the pressures.
@@ -308,36 +307,16 @@ impl ContactState {
         VectorField { t1, t2, n }
     }
 
-    /// How far (m) a point of a body slid and how deep (m) it wore so far: an element of a surface that swings, otherwise a
-    /// pair.
-    pub fn before(&self, body: usize, point: usize) -> [f64; 2] {
-        let fields = match &self.swung {
-            Some(swung) if swung.body == body => [&swung.slid, &swung.worn],
-            _ => [&self.slid[body], &self.worn[body]],
-        };
-        fields.map(|field| field.get(point).copied().unwrap_or_default())
-    }
-
-    /// Depths (m) worn off a body so far: of all elements of a surface that swings, otherwise of the pairs.
-    pub fn worn_off(&self, body: usize) -> &[f64] {
-        match &self.swung {
-            Some(swung) if swung.body == body => &swung.worn,
-            _ => &self.worn[body],
-        }
-    }
-
-    /// Brings what lies in the frame up to date with the surface that swings.
-    pub fn show_swung(&mut self) {
-        let Some(swung) = &self.swung else { return };
-        self.worn[swung.body] = swung.in_frame(&swung.worn);
-        if !swung.slid.is_empty() {
-            self.slid[swung.body] = swung.in_frame(&swung.slid);
-        }
+    /// Depth worn off both bodies (m) at a pair.
+    pub fn worn_at(&self, pair: usize) -> f64 {
+        let [one, two] = self.surfaces.each_ref().map(|one| one.depth[one.grid.at(pair, 0)]);
+        one + two
     }
 
     /// Total wear depth (m), one value a pair.
     pub fn total_worn(&self) -> Vec<f64> {
-        self.worn[0].iter().zip(&self.worn[1]).map(|(a, b)| a + b).collect()
+        let [one, two] = [self.worn(0), self.worn(1)];
+        one.iter().zip(&*two).map(|(a, b)| a + b).collect()
     }
 
     /// Number of pairs under pressure.

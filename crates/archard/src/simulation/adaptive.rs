@@ -19,12 +19,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::evolution::{Evolution, Increment};
-use super::trial::{STATED, Trial, Way, extrapolate, relative_change, slides};
+use super::trial::{STATED, Trial, Way, depths, extrapolate, relative_change, slides};
 use super::wider::widened;
 use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Schedule};
 use crate::numerics::vector::Values;
-use crate::problem::{ContactProblem, ContactState, Swung};
+use crate::problem::{ContactProblem, ContactState, Surface};
 
 /// Aim of the controller relative to the tolerance.
 const AIM: f64 = 0.9;
@@ -54,10 +54,8 @@ pub(super) struct Adaptive {
     tolerance: f64,
     coarse: Evolution,
     fine: Evolution,
-    /// Wear put out: the extrapolation, never falling anywhere, its volume exact (m).
-    worn: [Vec<f64>; 2],
-    /// The same of the whole surface of a body that swings.
-    swung: Option<Swung>,
+    /// Surfaces put out: worn by the extrapolation, never falling anywhere, its volume exact.
+    surfaces: [Surface; 2],
     /// Length of the next step (the motion's unit).
     step: f64,
     /// Length of the last step (the motion's unit), and its error relative to what was allowed.
@@ -89,8 +87,7 @@ impl Adaptive {
             tolerance,
             coarse: initial.clone(),
             fine: initial.clone(),
-            worn: initial.state.worn.clone(),
-            swung: initial.state.swung.clone(),
+            surfaces: initial.state.surfaces.clone(),
             step: if first.is_finite() { first.clamp(probe, extent) } else { extent },
             last: None,
             truncation: 0.0,
@@ -173,18 +170,16 @@ impl Adaptive {
         [&self.coarse, &self.fine]
     }
 
-    /// The same in another frame: `history` takes a history there, `worn` what is worn off both bodies.
+    /// The same in another frame: `history` takes a history there, `surfaces` those of both bodies.
     pub fn moved(
         &self,
         history: impl Fn(&Evolution) -> Evolution,
-        worn: impl Fn(&[Vec<f64>; 2]) -> [Vec<f64>; 2],
-        swung: impl Fn(&Swung) -> Option<Swung>,
+        surfaces: impl Fn(&[Surface; 2]) -> [Surface; 2],
     ) -> Self {
         Self {
             coarse: history(&self.coarse),
             fine: history(&self.fine),
-            worn: worn(&self.worn),
-            swung: self.swung.as_ref().and_then(swung),
+            surfaces: surfaces(&self.surfaces),
             ..*self
         }
     }
@@ -199,9 +194,7 @@ impl Adaptive {
         for history in [&mut self.coarse, &mut self.fine] {
             *history = history.widened(from, to, effort)?;
         }
-        for (body, worn) in self.worn.iter_mut().enumerate() {
-            *worn = widened(worn, body, from);
-        }
+        self.surfaces = self.surfaces.each_ref().map(widened);
         Ok(())
     }
 
@@ -223,7 +216,7 @@ impl Adaptive {
         coarse.implicit(simulation, increment(length, end), effort)?;
         fine.implicit(simulation, increment(0.5 * length, half), effort)?;
         let middle = fine.state.pressure.clone();
-        let worn = fine.state.worn.clone();
+        let worn = depths(&fine.state).map(|worn| worn.into_owned().into());
         fine.implicit(simulation, increment(0.5 * length, end), effort)?;
         let way = Way {
             problem: &simulation.problem,
@@ -253,18 +246,22 @@ impl Adaptive {
         let factor = if slides { STATED } else { 1.0 };
         let error = self.ripple.max(factor * self.truncation);
         effort.time_error = Some(if trial.depth > 0.0 { error / trial.depth } else { 0.0 });
-        for (shown, worn) in self.worn.iter_mut().zip(&trial.worn) {
-            raise(shown, worn, weight);
-        }
         (self.coarse, self.fine) = (trial.coarse, trial.fine);
-        let histories = self.coarse.state.swung.as_ref().zip(self.fine.state.swung.as_ref());
-        if let Some((shown, (coarse, fine))) = self.swung.as_mut().zip(histories) {
-            raise(&mut shown.worn, &extrapolate(&coarse.worn, &fine.worn), Values::All(1.0));
+        let histories = self.coarse.state.surfaces.iter().zip(&self.fine.state.surfaces);
+        for (shown, (coarse, fine)) in self.surfaces.iter_mut().zip(histories) {
+            let worn = extrapolate(&coarse.depth, &fine.depth);
+            match weight {
+                Values::All(_) => raise(&mut shown.depth, &worn, weight),
+                Values::Each(weights) => {
+                    let weights = fine.gathered(weights);
+                    raise(&mut shown.depth, &worn, Values::Each(&weights));
+                }
+            }
+            shown.slid.clone_from(&fine.slid);
         }
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
-        let (worn, swung) = (self.worn.clone(), self.swung.clone());
-        let mut state = ContactState { worn, swung, ..self.fine.state.clone() };
-        state.show_swung();
+        let surfaces = self.surfaces.clone();
+        let state = ContactState { surfaces, ..self.fine.state.clone() };
         // Nothing goes on from the state shown: it needs no displacement.
         let forward = self.fine.forward;
         Evolution { state, displacement: vec![], known: None, load_distance, forward }

@@ -6,6 +6,7 @@
 
 use super::Error;
 use super::passing::{Lines, OfLines};
+use super::swing::Position;
 use crate::friction::Circumstance;
 use crate::motion::Passing;
 use crate::numerics::vector::{self, Values};
@@ -25,15 +26,6 @@ pub(super) struct Collector<'a> {
     stays: [bool; 2],
     /// The lines of those that pass.
     lines: Option<Lines<'a>>,
-}
-
-/// How far pairs of surfaces that stay slide, and which points lie there.
-#[derive(Clone, Copy)]
-pub(super) struct Slides<'a> {
-    /// Distances (m).
-    pub distance: Values<'a>,
-    /// The point of a body that lies at a pair now.
-    pub point: &'a dyn Fn(usize, usize) -> usize,
 }
 
 /// What a step wears.
@@ -59,16 +51,11 @@ impl<'a> Collector<'a> {
     /// If surfaces do not pass along the frame.
     pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
         let Some(Passing { direction, bodies, passages, .. }) = problem.motion.passing() else {
-            return Ok(Self::of_pairs(problem));
+            return Ok(Self { problem, stays: [true; 2], lines: None });
         };
         let flow = problem.frame.flow(direction)?;
         let lines = Some(Lines { problem, flow, bodies, passages });
         Ok(Self { problem, stays: bodies.map(|passes| !passes), lines })
-    }
-
-    /// Of surfaces that both stay where they are, at least for a while.
-    pub fn of_pairs(problem: &'a ContactProblem) -> Self {
-        Self { problem, stays: [true; 2], lines: None }
     }
 
     /// The lines of surfaces that pass.
@@ -76,33 +63,28 @@ impl<'a> Collector<'a> {
         self.lines
     }
 
-    /// What an advance (the motion's unit) wears under the contact as it is.
-    pub fn collect(&self, state: &ContactState, advance: f64) -> Collected {
-        let distance = Values::All(self.problem.motion.slip(advance));
-        self.collect_sliding(state, advance, Slides { distance, point: &|_, pair| pair })
-    }
-
-    /// The same where pairs of surfaces that stay slide like that.
-    pub fn collect_sliding(
-        &self,
-        state: &ContactState,
-        advance: f64,
-        Slides { distance, point }: Slides<'_>,
-    ) -> Collected {
+    /// What an advance (the motion's unit) wears under the contact as it is, in a position.
+    pub fn collect(&self, state: &ContactState, advance: f64, position: &Position) -> Collected {
+        let (distance, offset) = (position.slips(), position.offset);
         let pairs = self.any_stays().then(|| {
-            let slides = self.problem.motion.slides();
+            let motion = &self.problem.motion;
+            let slides = |pair| motion.slides(self.problem.frame.place(pair));
             let flash = self.problem.flash_for_laws(state);
             let warm = flash.as_ref().and_then(Flash::temperatures);
-            let half = 0.5 * self.problem.motion.slip(advance);
-            let grip = self.problem.grip(state, half).unwrap_or_else(|last| last);
+            let half = 0.5 * motion.slip(advance);
+            let further = |pair| half * motion.lever(self.problem.frame.place(pair));
+            let grip = self.problem.grip(state, further).unwrap_or_else(|last| last);
             let rubbing = |&pair: &usize| {
                 self.problem
-                    .rubbing(state.pressure[pair], distance.at(pair), slides)
+                    .rubbing(state.pressure[pair], distance.at(pair), slides(pair))
                     .gripping(grip.at(pair))
                     .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
             };
             let wear = |pairs: &[usize]| {
-                let before = |body, index: usize| state.before(body, point(body, pairs[index]));
+                let before = |body: usize, index: usize| {
+                    let surface = &state.surfaces[body];
+                    surface.before(surface.grid.at(pairs[index], offset))
+                };
                 self.problem.wear(pairs.iter().map(rubbing), self.stays, before)
             };
             let pairs = state.pressure.len();
@@ -145,30 +127,27 @@ impl<'a> Collector<'a> {
             })
     }
 
-    /// Wears both bodies.
-    pub fn wear(&self, state: &mut ContactState, made: &Collected) {
-        if let Some(wear) = &made.pairs {
-            for (worn, depths) in state.worn.iter_mut().zip(&wear.depths) {
-                vector::update(worn, [depths], |worn, [depth]| worn + depth);
-            }
-            let stays = state
-                .slid
-                .iter_mut()
-                .zip(self.stays)
-                .filter(|(slid, stays)| *stays && !slid.is_empty());
-            for (slid, _) in stays {
-                vector::update(slid, [&wear.slip], |slid, [slip]| slid + slip);
+    /// Wears both bodies in a position.
+    pub fn wear(&self, state: &mut ContactState, made: &Collected, position: &Position) {
+        let stays = state.surfaces.iter_mut().enumerate().filter(|(body, _)| self.stays[*body]);
+        for (body, surface) in stays {
+            let Some(wear) = &made.pairs else { break };
+            for (way, share) in &position.ways {
+                surface.wear((&wear.depths[body], &wear.slip), position.offset + way, *share);
             }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
-        for (index, line) in lines.flow.lines().iter().enumerate() {
-            for one in &line.passages {
-                for (worn, depth) in state.worn.iter_mut().zip(made.depths[index]) {
-                    worn[one.pair] += times * one.share * depth;
-                }
-                for (slid, passes) in state.slid.iter_mut().zip(lines.bodies) {
-                    if passes && !slid.is_empty() {
-                        slid[one.pair] += times * one.share * made.slips[index];
+        let passes = state.surfaces.iter_mut().enumerate().filter(|(body, _)| !self.stays[*body]);
+        for (body, surface) in passes {
+            let rows = surface.grid.passes().is_some();
+            for (index, line) in lines.flow.lines().iter().enumerate() {
+                // All pairs of a row have one element.
+                let met = if rows { 1 } else { line.passages.len() };
+                for one in &line.passages[..met.min(line.passages.len())] {
+                    let element = surface.grid.at(one.pair, 0);
+                    surface.depth[element] += times * one.share * made.depths[index][body];
+                    if let Some(slid) = surface.slid.get_mut(element) {
+                        *slid += times * one.share * made.slips[index];
                     }
                 }
             }

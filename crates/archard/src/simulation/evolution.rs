@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::swing::unworn;
+use super::swing::Swing;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::frame::Part;
-use crate::motion::{Control, Motion};
+use crate::motion::{Control, Motion, Passing};
 use crate::numerics::vector;
-use crate::problem::{ContactProblem, ContactState, Gap, Tangential};
+use crate::problem::{ContactProblem, ContactState, Gap, Grid, Surface, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
 
 /// Where a history has arrived.
@@ -37,16 +37,29 @@ pub(super) struct Increment {
     pub control: Control,
 }
 
+/// The surfaces of both bodies before any wear.
+pub(super) fn unworn(problem: &ContactProblem) -> [Surface; 2] {
+    let frame = problem.frame.elements();
+    let mut grids = [Grid::of_pairs(frame); 2];
+    if let Some(Passing { direction, bodies, .. }) = problem.motion.passing()
+        && problem.frame.flow(direction).is_ok_and(|flow| flow.has_rows())
+    {
+        for (grid, _) in grids.iter_mut().zip(bodies).filter(|(_, passes)| *passes) {
+            *grid = Grid::passing(frame, direction.axis);
+        }
+    }
+    if let Some((body, grid)) = Swing::of(problem).map(|swing| swing.moved()) {
+        grids[body] = grid;
+    }
+    grids.map(|grid| Surface::unworn(grid, problem.counts_distance()))
+}
+
 impl Evolution {
     /// Unworn bodies, just touching.
     pub fn new(problem: &ContactProblem) -> Self {
-        let gap = problem.frame.gap();
-        let mut state = ContactState::untouched(gap);
-        if problem.counts_distance() {
-            state.slid = [vec![0.0; gap.len()], vec![0.0; gap.len()]];
-        }
-        state.swung = unworn(problem);
-        let displacement = vec![0.0; gap.len()];
+        let untouched = ContactState::untouched(&problem.frame);
+        let state = ContactState { surfaces: unworn(problem), ..untouched };
+        let displacement = vec![0.0; problem.frame.len()];
         Self { state, displacement, known: None, load_distance: 0.0, forward: false }
     }
 
@@ -91,10 +104,11 @@ impl Evolution {
 
     /// Gap of the worn, undeformed surfaces at zero approach (m), shifted as they are.
     pub(super) fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
-        let [first, second] = &self.state.worn;
+        let [first, second] = [self.state.worn(0), self.state.worn(1)];
         let frame = &problem.frame;
-        let mut gap =
-            vector::map([frame.gap(), first, second], |[gap, first, second]| gap + first + second);
+        let mut gap = vector::map([frame.gap(), &first, &second], |[gap, first, second]| {
+            gap + first + second
+        });
         if let Some(Tangential { shift: [x, y], .. }) = &self.state.tangential
             && !frame.is_plane()
         {
@@ -138,13 +152,9 @@ impl Evolution {
         let gap = Gap { values: gap, part };
         (self.displacement, self.known) = (displacement, part);
         let load = simulation.problem.frame.measure().load(&pressure);
-        let worn = std::mem::take(&mut self.state.worn);
-        let slid = std::mem::take(&mut self.state.slid);
-        let swung = self.state.swung.take();
-        let tangential = self.state.tangential.take();
-        let progress = increment.progress;
-        self.state =
-            ContactState { progress, approach, load, pressure, gap, worn, slid, swung, tangential };
+        let state = &mut self.state;
+        (state.progress, state.approach, state.load) = (increment.progress, approach, load);
+        (state.pressure, state.gap) = (pressure, gap);
     }
 
     /// Finds the pressures that close a gap (m).

@@ -9,13 +9,12 @@ use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
-use super::evolution::Evolution;
+use super::evolution::{Evolution, unworn};
 use super::surroundings::More;
-use super::swing::unworn;
 use super::{Error, Simulation};
 use crate::frame::{ContactFrame, Part};
 use crate::numerics::vector::map;
-use crate::problem::{ContactProblem, ContactState, Gap, Swung, Tangential};
+use crate::problem::{ContactProblem, ContactState, Gap, Surface, Tangential};
 
 /// A frame that has grown.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -152,54 +151,17 @@ impl<'a> Moved<'a> {
             .collect()
     }
 
-    /// What a surface has: where it passes, the same all along its way.
-    pub fn of_body(&self, field: &[f64], body: usize) -> Vec<f64> {
-        let moved = self.field(field);
-        let passing = self.problem.motion.passing().filter(|passing| passing.bodies[body]);
-        let Some(axis) = passing.map(|passing| passing.direction.axis) else { return moved };
-        if moved.is_empty() {
-            return moved;
-        }
-        let [nx, _] = self.part.frame();
-        let middle = self.part.extent()[axis].start;
-        let on_line = |pair: usize| match axis {
-            0 => moved[middle + nx * (pair / nx)],
-            _ => moved[pair % nx + nx * middle],
-        };
-        (0..moved.len()).map(on_line).collect()
-    }
-
-    /// What both surfaces have.
-    pub fn of_bodies(&self, fields: &[Vec<f64>; 2]) -> [Vec<f64>; 2] {
-        [0, 1].map(|body| self.of_body(&fields[body], body))
-    }
-
-    /// A surface that swings.
-    pub fn swung(&self, swung: &Swung) -> Option<Swung> {
-        let mut moved = unworn(self.problem)?;
-        let [from, to] = [swung.grid, moved.grid];
+    /// The surfaces of both bodies, unworn beyond.
+    pub fn surfaces(&self, surfaces: &[Surface; 2]) -> [Surface; 2] {
         let first = self.part.extent().map(|range| range.start);
-        let place = |element: usize| {
-            let [nx, _] = from.elements();
-            let mut place = [element % nx + first[0], element / nx + first[1]];
-            place[to.axis] += to.margin;
-            place[to.axis].checked_sub(from.margin)?;
-            place[to.axis] -= from.margin;
-            Some(place[0] + to.elements()[0] * place[1])
-        };
-        for (field, own) in [(&mut moved.worn, &swung.worn), (&mut moved.slid, &swung.slid)] {
-            for (element, value) in own.iter().enumerate() {
-                if let Some(there) = place(element).and_then(|there| field.get_mut(there)) {
-                    *there = *value;
-                }
-            }
-        }
-        Some(moved)
+        let grids = unworn(self.problem).map(|one| one.grid);
+        [0, 1].map(|body| surfaces[body].moved(first, grids[body]))
     }
 
     /// A state. Its gap beyond is that without what the pressures open it by.
     pub fn state(&self, state: &ContactState) -> ContactState {
-        let worn = self.of_bodies(&state.worn);
+        let surfaces = self.surfaces(&state.surfaces);
+        let worn = surfaces.each_ref().map(Surface::worn);
         let apart = map([self.problem.frame.gap(), &worn[0], &worn[1]], |[gap, one, two]| {
             gap + one + two - state.approach
         });
@@ -210,9 +172,7 @@ impl<'a> Moved<'a> {
             load: state.load,
             pressure: self.field(&state.pressure),
             gap: Gap { values: self.part.pasted(&state.gap.values, apart), part: Some(known) },
-            worn,
-            slid: self.of_bodies(&state.slid),
-            swung: state.swung.as_ref().and_then(|swung| self.swung(swung)),
+            surfaces,
             tangential: state.tangential.as_ref().map(|tangential| Tangential {
                 traction: self.both(&tangential.traction),
                 slip: self.both(&tangential.slip),

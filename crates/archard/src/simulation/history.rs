@@ -219,7 +219,7 @@ pub const COLUMNS: &[Column] = &[
         mass_loss,
     ),
     column(BODY_DEPTH, "m", Class::Depth, "deepest wear of each body", |r, i| {
-        Some(maximum(r.state.worn_off(i)))
+        Some(maximum(&r.state.surfaces[i].depth))
     }),
     column(WEAR_DEPTH, "m", Class::Depth, "deepest total wear", |r, _| Some(deepest(r.state))),
     column(WEAR_RATE, "m3_per_Nm", Class::Volume, "its volume over load and distance", wear_rate),
@@ -478,7 +478,7 @@ fn force(Report { problem, state, .. }: &Report<'_>, own: &Tangential) -> [f64; 
 
 /// Deepest total wear (m).
 fn deepest(state: &ContactState) -> f64 {
-    state.worn[0].iter().zip(&state.worn[1]).map(|(a, b)| a + b).fold(0.0, f64::max)
+    maximum(&state.total_worn())
 }
 
 /// Largest value, zero at least.

@@ -196,7 +196,8 @@ fn ages(
     let age = |(line, slip): (&Line, &f64)| {
         let mut sums = [0.0; 3];
         for one in &line.passages {
-            let [distance, depth] = state.before(body, one.pair);
+            let surface = &state.surfaces[body];
+            let [distance, depth] = surface.before(surface.grid.at(one.pair, 0));
             let parts = [one.share, distance, depth];
             sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += one.share * part);
         }
@@ -214,7 +215,7 @@ fn grip_of_passages(
     flow: Flow<'_>,
     further: f64,
 ) -> Grip {
-    let grip = problem.grip(state, further).unwrap_or_else(|last| last);
+    let grip = problem.grip(state, |_| further).unwrap_or_else(|last| last);
     let (Some(friction), Some(_)) = (&problem.friction, &state.tangential) else { return grip };
     grip.map(|factors| {
         let limits = Limits::new(&**friction, &grip).all(&state.pressure);

@@ -21,6 +21,11 @@ pub fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
             "surfaces that pass or swing do not stay opposite each other: `frame.periodic` is for those that do",
         );
     }
+    if motion.turns() {
+        return wrong(
+            "bodies that turn have one axis: `frame.periodic` is for surfaces without one",
+        );
+    }
     let elements = frame.elements();
     let axes = if frame.is_line() { 1 } else { 2 };
     for axis in 0..axes {

@@ -8,7 +8,7 @@ use crate::body::Body;
 use crate::compliance::bem::contact::ContactError;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::{Circumstance, Friction};
-use crate::motion::{Drive, Guide, Motion, Rolling, Shift, Sliding};
+use crate::motion::{Motion, Sliding};
 use crate::parameters::Invalid;
 use crate::problem::{ContactProblem, Heating, NoTemperature};
 use crate::wear::{Input, Per, WearLaw};
@@ -218,13 +218,8 @@ pub fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> Option<Refusal>
 
 /// A motion that takes the bodies across planes of symmetry (x = 0, y = 0).
 pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> {
-    let rolls = motion.rolling().map(rolls);
-    let shifts = motion.shift().map(shifts);
-    let passing = motion.sliding().and_then(|_| motion.passing());
-    let passes = passing.map(|passing| [0, 1].map(|axis| axis == passing.direction.axis));
-    let all = [rolls, shifts, passes];
-    let moves = |axis: usize| all.into_iter().flatten().any(|moves| moves[axis]);
-    let axis = AXES[(0..2).find(|&axis| mirrored[axis] && moves(axis))?];
+    let moves = motion.moves();
+    let axis = AXES[(0..2).find(|&axis| mirrored[axis] && moves[axis])?];
     let what = format!("moves the bodies along {axis}, across their plane of symmetry {axis} = 0");
     let help = format!("model both sides: take \"{axis}\" out of `symmetry`");
     Some(Refusal::new(Part::Motion, what, help))
@@ -235,6 +230,9 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
     if motion.swing().is_some() && !frame.is_uniform() {
         return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
+    }
+    if motion.turns() && (!frame.is_uniform() || frame.is_line()) {
+        return refusal("bodies turn on a uniform frame only, not on a mesh", "");
     }
     let rolling = motion.rolling().map(|rolling| rolling.direction);
     let direction = motion.passing().map(|passing| passing.direction).or(rolling)?;
@@ -259,17 +257,4 @@ pub fn curved() -> Refusal {
     let what =
         "bodies roll, and surfaces pass, only where the frame, or the zone of the mesh, is plane";
     Refusal::new(Part::Motion, what, "")
-}
-
-/// Along which axes bodies that roll move.
-fn rolls(rolling: &Rolling) -> [bool; 2] {
-    let turns = rolling.lateral != Drive::Creepage(0.0) || rolling.spin != 0.0;
-    [0, 1].map(|axis| axis == rolling.direction.axis || turns)
-}
-
-/// Along which axes bodies are shifted, or pushed.
-fn shifts(shift: &Shift) -> [bool; 2] {
-    let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
-    let stations = || shift.lead.iter().chain(&shift.cycle);
-    [0, 1].map(|axis| !stations().all(|station| still(station.guides[axis])))
 }

@@ -268,10 +268,10 @@ impl Evolution {
             let curvature =
                 |body: usize| problem.bodies[body].curvatures().map_or(0.0, |both| both[axis]);
             let [one, two] = [curvature(0), curvature(1)];
-            let worn = &self.state.worn;
+            let [worn_1, worn_2] = [self.state.worn(0), self.state.worn(1)];
             let all = || vec![flow.advance(); problem.frame.len()];
             let advances = flow.advances().unwrap_or_else(all);
-            let fields = [&advances[..], &worn[0], &worn[1]];
+            let fields = [&advances[..], &worn_1, &worn_2];
             vector::update(&mut slip[axis], fields, |slip, [advance, first, second]| {
                 slip + advance * forward[axis] * (two * second - one * first)
             });

@@ -15,7 +15,7 @@ pub(super) fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
     let track = sliding.track?;
     let stays = 1 - track.body;
     problem.bodies[stays].wear.as_ref()?;
-    Some(zone(&problem.frame, &state.worn[stays], sliding.direction.axis))
+    Some(zone(&problem.frame, &state.worn(stays), sliding.direction.axis))
 }
 
 /// Extent (m) of the worn zone of a body that keeps its place under the contact, along the motion and across, as that of a
@@ -25,18 +25,19 @@ pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
     problem.bodies[body].wear.as_ref()?;
     let passes = problem.motion.passing().is_some_and(|passing| passing.bodies[body]);
     let endless = problem.frame.is_uniform() && problem.frame.measure().closed;
-    if passes || endless || state.swung.is_some() || problem.motion.rolling().is_some() {
+    let swings = state.surfaces.iter().any(|one| one.grid.swings().is_some());
+    if passes || endless || swings || problem.motion.rolling().is_some() {
         return None;
     }
     let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);
-    Some(zone(&problem.frame, &state.worn[body], axis))
+    Some(zone(&problem.frame, &state.worn(body), axis))
 }
 
 /// What is worn off the section through the middle of the frame along an axis (m^2), of a body that keeps its place under the
 /// contact on a uniform frame; `None` of any other.
 pub fn worn_middle(report: &Report<'_>, (body, axis): (usize, usize)) -> Option<f64> {
     worn_extent(report, body)?;
-    let (frame, worn) = (&report.problem.frame, &report.state.worn[body]);
+    let (frame, worn) = (&report.problem.frame, report.state.worn(body));
     if !frame.is_uniform() || frame.is_line() && axis == 1 {
         return None;
     }
@@ -131,14 +132,14 @@ pub(super) fn track_width(report: &Report<'_>) -> Option<f64> {
     let sliding = problem.motion.sliding()?;
     let track = sliding.track?;
     problem.bodies[track.body].wear.as_ref()?;
-    let (frame, worn) = (&problem.frame, &state.worn[track.body]);
+    let (frame, worn) = (&problem.frame, state.worn(track.body));
     if frame.is_line() {
         return Some(frame.size()[1 - sliding.direction.axis]);
     }
     let Ok(flow) = frame.flow(sliding.direction) else { return Some(f64::NAN) };
     let lines = flow.lines();
     let mut section: Vec<[f64; 2]> =
-        lines.iter().map(|line| [line.place, line.mean(worn)]).collect();
+        lines.iter().map(|line| [line.place, line.mean(&worn)]).collect();
     section.sort_by(|one, other| other[0].total_cmp(&one[0]));
     let high = edge(&section);
     if frame.mirrored()[1 - sliding.direction.axis] {

@@ -1,13 +1,14 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
-use super::collector::{Collected, Collector, Foreseen, Slides};
+use super::collector::{Collected, Collector, Foreseen};
 use super::evolution::{Evolution, Increment};
+use super::swing::{Position, Swing};
 use super::{Effort, Error, Simulation};
 use crate::closed_form::flash_temperature::FAST;
 use crate::compliance::WornLines;
 use crate::frame::Part;
 use crate::motion::{Control, Motion};
-use crate::numerics::vector::{self, Values};
+use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap};
 
 /// Times a step's wear is foreseen before it counts as not converged.
@@ -28,43 +29,56 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        if let Some(swung) = self.swing(simulation, increment, effort) {
-            return swung;
-        }
-        if !rubs(problem, increment.advance) {
+        let slip = problem.motion.slip(increment.advance);
+        let swing = Swing::of(problem);
+        // What swings dissipates, whether it wears or not.
+        if swing.is_none() && !rubs(problem, increment.advance) {
             self.press(simulation, increment, effort)?;
-            self.load_distance += self.distance(simulation, increment, increment)?;
+            let position = Position::middle(problem, slip);
+            self.load_distance += self.work(simulation, increment, &position)?;
             return Ok(());
         }
         let collector = Collector::of(problem)?;
-        let undeformed = self.undeformed_gap(problem);
-        let distance = Values::All(problem.motion.slip(increment.advance));
-        let slides = Slides { distance, point: &|_, pair| pair };
-        let made = self.contact_and_wear(
-            simulation,
-            (increment, slides),
-            &collector,
-            &undeformed,
-            effort,
-        )?;
-        collector.wear(&mut self.state, &made);
-        self.load_distance += self.distance(simulation, increment, increment)?;
+        let way = match &swing {
+            Some(swing) => {
+                self.forward = !self.forward;
+                swing.way(self, increment.advance)?
+            }
+            None => Position::middle(problem, slip).into(),
+        };
+        for position in &way.positions {
+            let gap = match &swing {
+                Some(swing) => swing.gap(&self.state, position.offset),
+                None => Some(self.undeformed_gap(problem)),
+            };
+            let gap = gap.ok_or_else(|| swung_out(problem, increment))?;
+            let made =
+                self.contact_and_wear(simulation, increment, position, (&collector, &gap), effort)?;
+            if swing.as_ref().is_some_and(|swing| swing.touches_an_end(&self.state.pressure)) {
+                return Err(swung_out(problem, increment));
+            }
+            collector.wear(&mut self.state, &made, position);
+            self.load_distance += self.work(simulation, increment, position)?;
+        }
+        if let Some(swing) = swing {
+            // What is shown is the contact in the middle.
+            self.press(simulation, increment, effort)?;
+            effort.dissipated[0] = swing.dissipated(&self.state, &way);
+        }
         Ok(())
     }
 
-    /// The contact at the end of an increment in which pairs of surfaces that stay slide, from an undeformed gap (m), and the
-    /// wear it makes.
-    pub(super) fn contact_and_wear(
+    /// The contact at the end of an increment in a position, from an undeformed gap (m), and the wear it makes.
+    fn contact_and_wear(
         &mut self,
         simulation: &Simulation,
-        (increment, slides): (Increment, Slides<'_>),
-        collector: &Collector<'_>,
-        undeformed: &[f64],
+        increment: Increment,
+        position: &Position,
+        (collector, undeformed): (&Collector<'_>, &[f64]),
         effort: &mut Effort,
     ) -> Result<Collected, Error> {
         let problem = &simulation.problem;
-        let collect =
-            |state: &ContactState| collector.collect_sliding(state, increment.advance, slides);
+        let collect = |state: &ContactState| collector.collect(state, increment.advance, position);
         let mut made = collect(&self.state);
         for pass in 0..PASSES {
             let foreseen = made.foresee(&self.state.pressure);
@@ -159,19 +173,21 @@ impl Evolution {
         increment: Increment,
         effort: &mut Effort,
     ) -> Result<(), Error> {
-        let collector = Collector::of(&simulation.problem)?;
+        let problem = &simulation.problem;
+        let collector = Collector::of(problem)?;
         let before = simulation.schedule.control_at(self.state.progress);
-        self.is_fast(&simulation.problem)?;
-        let made = collector.collect(&self.state, increment.advance);
-        collector.wear(&mut self.state, &made);
-        self.load_distance +=
-            self.distance(simulation, increment, Increment { control: before, ..increment })?;
+        self.is_fast(problem)?;
+        let position = Position::middle(problem, problem.motion.slip(increment.advance));
+        let made = collector.collect(&self.state, increment.advance, &position);
+        collector.wear(&mut self.state, &made, &position);
+        let at_start = Increment { control: before, ..increment };
+        self.load_distance += self.work(simulation, at_start, &position)?;
         self.press(simulation, increment, effort)
     }
 
     /// Whether heat and friction settle, and the contact is passed fast enough, where laws go by the temperature.
     fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
-        if problem.grip(&self.state, 0.0).is_err() {
+        if problem.grip(&self.state, |_| 0.0).is_err() {
             let passes = PASSES;
             let (measure, progress) = (problem.motion.progress(), self.state.progress);
             return Err(Error::NotConsistent { measure, progress, passes });
@@ -189,7 +205,8 @@ impl Evolution {
 
     /// Deepest wear (m) that an advance under the present contact makes.
     pub fn deepest_wear(&self, problem: &ContactProblem, advance: f64) -> Result<f64, Error> {
-        Ok(Collector::of(problem)?.collect(&self.state, advance).deepest())
+        let position = Position::middle(problem, problem.motion.slip(advance));
+        Ok(Collector::of(problem)?.collect(&self.state, advance, &position).deepest())
     }
 
     /// The contact under a gap (m) while wear gives way to the pressures.
@@ -226,12 +243,13 @@ impl Evolution {
         Ok(())
     }
 
-    /// What a step adds to the [integral of the load over the distance](Effort::load_distance), with the load of an increment.
-    fn distance(
+    /// What a position adds to the [integral of the load over the distance](Effort::load_distance), with the load of an
+    /// increment.
+    fn work(
         &self,
         simulation: &Simulation,
         increment: Increment,
-        at: Increment,
+        position: &Position,
     ) -> Result<f64, Error> {
         let problem = &simulation.problem;
         Ok(match &problem.motion {
@@ -240,9 +258,13 @@ impl Evolution {
                 increment.advance * self.creep_work(problem, rolling, flow)
             }
             Motion::Rolling(_) => 0.0,
-            motion => self.prescribed_load(at) * motion.slip(increment.advance),
+            _ => self.prescribed_load(increment) * position.distance(&self.state.pressure),
         })
     }
+}
+
+fn swung_out(problem: &ContactProblem, increment: Increment) -> Error {
+    Error::SwungOut { measure: problem.motion.progress(), progress: increment.progress }
 }
 
 /// Whether an advance (the motion's unit) wears anything.

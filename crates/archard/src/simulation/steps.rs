@@ -9,7 +9,7 @@ use super::march::SAME;
 use super::window::Window;
 use super::{Effort, Error, Simulation};
 use crate::motion::Stepping;
-use crate::problem::{ContactProblem, ContactState, Swung};
+use crate::problem::{ContactProblem, ContactState, Surface};
 
 /// A motion in steps of wear.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -62,11 +62,9 @@ impl Steps {
     pub fn moved(&self, moved: &Moved<'_>, simulation: &Simulation) -> Self {
         let mut within = self.clone();
         within.leave_window(moved.smaller());
-        let histories = within.histories.moved(
-            |history| moved.history(history),
-            |worn| moved.of_bodies(worn),
-            |swung| moved.swung(swung),
-        );
+        let histories = within
+            .histories
+            .moved(|history| moved.history(history), |surfaces| moved.surfaces(surfaces));
         Self { histories, window: None, effort: self.effort }.in_a_window(simulation)
     }
 
@@ -83,11 +81,9 @@ impl Steps {
     fn move_to(&mut self, window: Option<Window>) {
         let Some(window) = window else { return };
         let shown = self.histories.evolution.state.clone();
-        let field = |field: &[f64]| window.cut(field);
         self.histories = self.histories.moved(
             |history| window.cut_history(history),
-            |worn| worn.each_ref().map(|worn| field(worn)),
-            |_| None,
+            |surfaces| surfaces.each_ref().map(|one| window.cut_surface(one)),
         );
         self.window = Some((window, shown));
     }
@@ -95,10 +91,10 @@ impl Steps {
     /// Brings histories in a window back to the frame; returns the window.
     fn leave_window(&mut self, problem: &ContactProblem) -> Option<Window> {
         let (window, _) = self.window.take()?;
-        let field = |field: &[f64]| window.put(field);
-        let history = |history: &Evolution| window.put_history(history, &problem.frame);
-        let worn = |worn: &[Vec<f64>; 2]| worn.each_ref().map(|worn| field(worn));
-        self.histories = self.histories.moved(history, worn, |_| None);
+        self.histories = self.histories.moved(
+            |history| window.put_history(history, &problem.frame),
+            |surfaces| surfaces.each_ref().map(|one| window.put_surface(one)),
+        );
         Some(window)
     }
 
@@ -188,12 +184,11 @@ impl Histories {
     fn moved(
         &self,
         history: impl Fn(&Evolution) -> Evolution,
-        worn: impl Fn(&[Vec<f64>; 2]) -> [Vec<f64>; 2],
-        swung: impl Fn(&Swung) -> Option<Swung>,
+        surfaces: impl Fn(&[Surface; 2]) -> [Surface; 2],
     ) -> Self {
         Self {
             evolution: history(&self.evolution),
-            adaptive: self.adaptive.as_ref().map(|adaptive| adaptive.moved(history, worn, swung)),
+            adaptive: self.adaptive.as_ref().map(|adaptive| adaptive.moved(history, surfaces)),
         }
     }
 

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use super::Simulation;
 use crate::body::Body;
 use crate::frame::extent;
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Surface};
 use crate::solve::Cells;
 
 /// Places along an axis on which shapes given by formulas are looked at far from the frame, relative to its size.
@@ -123,7 +123,6 @@ impl Surroundings {
         };
         let close = self.blocks.partition_point(|(least, _)| *least < state.approach);
         let cells = Cells::of(elements, &state.pressure);
-        let worn = Worn::of(problem, state);
         let touches = |&(least, block): &(f64, Block)| {
             let open = |apart: f64, Block { low, high }: Block| {
                 cells.leave_open(apart, &*problem.compliance, [low, high])
@@ -132,7 +131,7 @@ impl Surroundings {
                 return None;
             }
             let touches = |place: &[isize; 2]| {
-                let gap = gap(problem, *place) - self.touch + worn.beyond(*place);
+                let gap = gap(problem, *place) - self.touch + worn_beyond(state, *place);
                 gap.is_finite() && !open(gap - state.approach, Block::of(*place))
             };
             block.places().filter(touches).map(Block::of).reduce(Block::and)
@@ -222,34 +221,14 @@ fn readings(problem: &ContactProblem, grows: [bool; 2]) -> impl Iterator<Item = 
     all.filter(move |_| any)
 }
 
-/// Depths worn off beyond the frame: along lines of surfaces that pass.
-struct Worn<'a> {
-    elements: [usize; 2],
-    /// The axis along which a body passes, and its depths (m), one value a pair.
-    lines: Vec<(usize, &'a [f64])>,
-}
-
-impl<'a> Worn<'a> {
-    fn of(problem: &ContactProblem, state: &'a ContactState) -> Self {
-        let passing = problem.motion.passing();
-        let of_body = |body: usize| {
-            let passing = passing.filter(|passing| passing.bodies[body])?;
-            Some((passing.direction.axis, &state.worn[body][..]))
-        };
-        let lines = (0..2).filter_map(of_body).collect();
-        Self { elements: problem.frame.elements(), lines }
-    }
-
-    /// The depth (m) worn off both bodies at an element, counted from the first one of the frame.
-    fn beyond(&self, place: [isize; 2]) -> f64 {
-        let [nx, ny] = self.elements;
-        let of_line = |&(axis, worn): &(usize, &[f64])| {
-            let across = usize::try_from(place[1 - axis]).ok()?;
-            let [x, y] = if axis == 0 { [nx / 2, across] } else { [across, ny / 2] };
-            (x < nx && y < ny).then(|| worn[x + nx * y])
-        };
-        self.lines.iter().filter_map(of_line).sum()
-    }
+/// The depth (m) worn off both bodies at an element beyond the frame, counted from its first: of surfaces that pass.
+fn worn_beyond(state: &ContactState, place: [isize; 2]) -> f64 {
+    let of = |surface: &Surface| {
+        let along = surface.grid.passes()?;
+        let across = usize::try_from(place[1 - along]).ok()?;
+        surface.depth.get(across).copied()
+    };
+    state.surfaces.iter().filter_map(of).sum()
 }
 
 impl Simulation {
@@ -288,7 +267,7 @@ mod tests {
             pressure * (1.0 - (x / 0.3e-3).powi(2) - (y / 0.4e-3).powi(2)).max(0.0).sqrt()
         };
         let pressure = (0..frame.len()).map(on).collect();
-        ContactState { pressure, approach, ..ContactState::untouched(frame.gap()) }
+        ContactState { pressure, approach, ..ContactState::untouched(frame) }
     }
 
     /// The same by the sum over all pressures at each element, one by one.

@@ -13,13 +13,12 @@
 //! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
-use super::collector::{Collector, Slides};
-use super::evolution::{Evolution, Increment};
-use super::{Effort, Error, Simulation};
+use super::Error;
+use super::evolution::Evolution;
 use crate::friction::Limits;
 use crate::motion::Sliding;
-use crate::numerics::vector::{Values, update};
-use crate::problem::{ContactProblem, ContactState, Long, Swung, Wear};
+use crate::numerics::vector::Values;
+use crate::problem::{ContactProblem, ContactState, Grid};
 
 /// Positions on either side of the middle, at most: beyond, they lie several elements apart.
 const MOST: usize = 8;
@@ -34,105 +33,64 @@ const CLOSE: usize = 6;
 /// Positions to a contact's length from which wear is laid down where it was worn.
 const DENSE: usize = 12;
 
-/// The frame, and the body that is moved over it.
-struct Course<'a> {
+/// How surfaces swing past each other.
+pub(super) struct Swing<'a> {
     problem: &'a ContactProblem,
     sliding: &'a Sliding,
-    /// The body that keeps its place, and the one that is moved.
+    /// The body that keeps its place, and the one that is moved over it.
     bodies: [usize; 2],
     /// The elements of the one that is moved.
-    long: Long,
+    grid: Grid,
 }
 
-/// The surface that is moved, unworn; `None` where none is.
-pub(super) fn unworn(problem: &ContactProblem) -> Option<Swung> {
-    let Course { bodies: [_, moves], long, .. } = Course::of(problem)?;
-    let mut swung = Swung::new(moves, long);
-    if problem.counts_distance() {
-        swung.slid = vec![0.0; swung.worn.len()];
-    }
-    Some(swung)
+/// What surfaces go through in a step.
+pub(super) struct Way {
+    pub positions: Vec<Position>,
+    /// How far pairs slide to both sides (m), the mean over the load.
+    reach: f64,
 }
 
-impl Evolution {
-    /// A step of surfaces that swing; `None` where none do.
-    pub(super) fn swing(
-        &mut self,
-        simulation: &Simulation,
-        increment: Increment,
-        effort: &mut Effort,
-    ) -> Option<Result<(), Error>> {
-        let course = Course::of(&simulation.problem)?;
-        let outcome = self.move_over(simulation, increment, &course, effort);
-        self.state.show_swung();
-        let show = |reach: f64| {
-            // What is shown is the contact in the middle.
-            self.press(simulation, increment, effort)?;
-            let friction = course.coefficient(&self.state);
-            effort.dissipated[0] = friction * self.state.load * 4.0 * reach;
-            Ok(())
-        };
-        Some(outcome.and_then(show))
+/// A position of the surfaces, and how far pairs slide there in a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Position {
+    /// How far (elements) the surface that swings is moved.
+    pub offset: isize,
+    /// Distance (m), the mean over the load; where it is not known that of the pressures.
+    mean: Option<f64>,
+    /// Distance (m) of each pair; the mean for all if empty.
+    slips: Vec<f64>,
+    /// Where (elements from the offset) the surface that swings is meanwhile, and for which share of the distance.
+    pub ways: Vec<(isize, f64)>,
+}
+
+impl From<Position> for Way {
+    fn from(position: Position) -> Self {
+        Self { positions: vec![position], reach: 0.0 }
+    }
+}
+
+impl Position {
+    /// That of surfaces that do not swing, whose pairs slide that far (m) at a unit lever.
+    pub fn middle(problem: &ContactProblem, slip: f64) -> Self {
+        let ways = vec![(0, 1.0)];
+        if !problem.motion.turns() {
+            return Self { offset: 0, mean: Some(slip), slips: vec![], ways };
+        }
+        let slip = |pair| slip * problem.motion.lever(problem.frame.place(pair));
+        Self { offset: 0, mean: None, slips: (0..problem.frame.len()).map(slip).collect(), ways }
     }
 
-    /// Moves the surface over the frame and wears both; returns the mean of the way to both sides (m).
-    fn move_over(
-        &mut self,
-        simulation: &Simulation,
-        increment: Increment,
-        course: &Course<'_>,
-        effort: &mut Effort,
-    ) -> Result<f64, Error> {
-        let problem = &simulation.problem;
-        let amplitude = course.amplitude();
-        let elastic = course.elastic(&self.state);
-        let pressed = elastic.iter().zip(&self.state.pressure).filter(|(_, p)| **p > 0.0);
-        let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
-        if most >= amplitude {
-            return Err(Error::NoGrossSlip { amplitude, elastic: most });
+    /// Distance (m) that pairs slide.
+    pub fn slips(&self) -> Values<'_> {
+        match self.mean {
+            Some(mean) if self.slips.is_empty() => Values::All(mean),
+            _ => Values::Each(&self.slips),
         }
-        let reach = amplitude - mean(&elastic, &self.state.pressure);
-        // Of the mean way, those of the pairs.
-        let shares: Vec<f64> =
-            elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
-        let element = problem.frame.spacing()[course.axis()];
-        let contact = course.contact_length(&self.state.pressure);
-        let stride = stride(course.sliding, element, contact);
-        let mut positions =
-            positions(reach, element, stride, stride > 1 && contact < DENSE * stride);
-        self.forward = !self.forward;
-        if !self.forward {
-            positions.reverse();
-        }
-        let back = course.back();
-        let there = positions.iter().map(|one| (one, 1.0 - back));
-        let and_back = positions.iter().rev().map(|one| (one, back));
-        let collector = Collector::of_pairs(problem);
-        // Each half cycle goes through all positions.
-        let passes = problem.motion.slip(increment.advance) / (2.0 * amplitude);
-        for (position, part) in there.chain(and_back).filter(|(_, part)| *part > 0.0) {
-            let &Position { offset, length, .. } = position;
-            let out = || {
-                let measure = problem.motion.progress();
-                Error::SwungOut { measure, progress: increment.progress }
-            };
-            let gap = course.gap(&self.state, offset).ok_or_else(out)?;
-            let distance = part * passes * length;
-            let slip: Vec<f64> = shares.iter().map(|share| share * distance).collect();
-            let there = |body: usize, pair: usize| {
-                if body == course.bodies[1] { course.long.at(pair, offset) } else { pair }
-            };
-            let slides = Slides { distance: Values::Each(&slip), point: &there };
-            let rubbed = (increment, slides);
-            let made = self.contact_and_wear(simulation, rubbed, &collector, &gap, effort)?;
-            if course.touches_an_end(&self.state.pressure) {
-                return Err(out());
-            }
-            self.load_distance += self.prescribed_load(increment) * distance;
-            let Some(wear) = made.pairs else { continue };
-            course.lay_down(&wear, &mut self.state, position);
-        }
-        Ok(reach)
+    }
+
+    /// Their mean, weighted by the pressures (Pa).
+    pub fn distance(&self, pressure: &[f64]) -> f64 {
+        self.mean.unwrap_or_else(|| mean(&self.slips, pressure))
     }
 }
 
@@ -145,7 +103,7 @@ fn mean(field: &[f64], pressure: &[f64]) -> f64 {
 
 /// A place at which the contact is solved on the way from one end to the other.
 #[derive(Debug, Clone, PartialEq)]
-struct Position {
+struct Place {
     /// How far (elements) the surface is moved.
     offset: isize,
     /// Distance (m) that a half cycle slides there: a hat over the way.
@@ -154,9 +112,9 @@ struct Position {
     ways: Vec<(isize, f64)>,
 }
 
-/// Positions on elements of that length (m), so many elements apart; the reach is half the sum of their lengths. What is
+/// Places on elements of that length (m), so many elements apart; the reach is half the sum of their lengths. What is
 /// worn there is spread over the elements between them, or laid down at the position.
-fn positions(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Position> {
+fn places(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Place> {
     let side = stride as f64 * element;
     let most = (reach / side).ceil() as isize;
     // The integral of a hat of base two, from its middle on, as far as a place.
@@ -164,7 +122,7 @@ fn positions(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Posit
         let to = to.clamp(-1.0, 1.0);
         to - 0.5 * to * to.abs()
     };
-    let position = |number: isize| {
+    let place = |number: isize| {
         let middle = number as f64 * side;
         // Within the reach.
         let integral = |from: f64, to: f64| {
@@ -174,17 +132,17 @@ fn positions(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Posit
         let length = integral(-reach, reach);
         let reach = stride as isize;
         let share = |way: isize| {
-            let place = middle + way as f64 * element;
-            (way, integral(place - 0.5 * element, place + 0.5 * element) / length)
+            let here = middle + way as f64 * element;
+            (way, integral(here - 0.5 * element, here + 0.5 * element) / length)
         };
         let ways = if spread {
             (-reach..=reach).map(share).filter(|(_, share)| *share > 0.0).collect()
         } else {
             vec![(0, 1.0)]
         };
-        Position { offset: number * reach, length, ways }
+        Place { offset: number * reach, length, ways }
     };
-    (-most..=most).map(position).filter(|one| one.length > 0.0).collect()
+    (-most..=most).map(place).filter(|one| one.length > 0.0).collect()
 }
 
 /// Contact solves of a step of a problem: one, or one a position of surfaces that swing, with a contact of that length (m).
@@ -205,10 +163,11 @@ fn stride(sliding: &Sliding, element: f64, contact: usize) -> usize {
     }
 }
 
-impl<'a> Course<'a> {
-    fn of(problem: &'a ContactProblem) -> Option<Self> {
+impl<'a> Swing<'a> {
+    /// Of a problem; `None` where no surface swings.
+    pub fn of(problem: &'a ContactProblem) -> Option<Self> {
         let sliding = problem.motion.sliding()?;
-        sliding.swing?;
+        let amplitude = sliding.swing?;
         let axis = sliding.direction.axis;
         let curvature = |body: usize| {
             problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
@@ -221,8 +180,56 @@ impl<'a> Course<'a> {
         // As far as the amplitude in positions of any stride.
         let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
         let longest = stride(sliding, element, frame[axis]);
-        let margin = (sliding.swing? / element).ceil() as usize + longest;
-        Some(Self { problem, sliding, bodies, long: Long { axis, frame, margin } })
+        let margin = (amplitude / element).ceil() as usize + longest;
+        Some(Self { problem, sliding, bodies, grid: Grid::swinging(frame, axis, margin) })
+    }
+
+    /// The body whose surface is moved, and its elements.
+    pub fn moved(&self) -> (usize, Grid) {
+        (self.bodies[1], self.grid)
+    }
+
+    /// The way of a step, from one end to the other and, with a share of the cycles, back.
+    ///
+    /// # Errors
+    /// If elasticity takes up the amplitude somewhere.
+    pub fn way(&self, history: &Evolution, advance: f64) -> Result<Way, Error> {
+        let (state, amplitude) = (&history.state, self.amplitude());
+        let elastic = self.elastic(state);
+        let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
+        let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
+        if most >= amplitude {
+            return Err(Error::NoGrossSlip { amplitude, elastic: most });
+        }
+        let reach = amplitude - mean(&elastic, &state.pressure);
+        // Of the mean way, those of the pairs.
+        let shares: Vec<f64> =
+            elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
+        let element = self.problem.frame.spacing()[self.axis()];
+        let contact = self.contact_length(&state.pressure);
+        let stride = stride(self.sliding, element, contact);
+        let mut places = places(reach, element, stride, stride > 1 && contact < DENSE * stride);
+        if !history.forward {
+            places.reverse();
+        }
+        // Each half cycle goes through all places.
+        let passes = self.problem.motion.slip(advance) / (2.0 * amplitude);
+        let back = self.back();
+        let position = |(place, part): (&Place, f64)| {
+            let distance = part * passes * place.length;
+            let slips = shares.iter().map(|share| share * distance).collect();
+            let (offset, ways) = (place.offset, place.ways.clone());
+            Position { offset, mean: Some(distance), slips, ways }
+        };
+        let there = places.iter().map(|one| (one, 1.0 - back));
+        let and_back = places.iter().rev().map(|one| (one, back));
+        let both = there.chain(and_back).filter(|(_, part)| *part > 0.0);
+        Ok(Way { positions: both.map(position).collect(), reach })
+    }
+
+    /// Energy (J) that the contact in the middle dissipates in a cycle of a way.
+    pub fn dissipated(&self, state: &ContactState, way: &Way) -> f64 {
+        self.coefficient(state) * state.load * 4.0 * way.reach
     }
 
     fn axis(&self) -> usize {
@@ -248,7 +255,7 @@ impl<'a> Course<'a> {
     }
 
     /// Whether pairs at an end of the frame along the motion are pressed.
-    fn touches_an_end(&self, pressure: &[f64]) -> bool {
+    pub fn touches_an_end(&self, pressure: &[f64]) -> bool {
         let (elements, axis) = (self.problem.frame.elements(), self.axis());
         let end = |pair: usize| {
             let along = [pair % elements[0], pair / elements[0]][axis];
@@ -258,7 +265,7 @@ impl<'a> Course<'a> {
     }
 
     /// Gap (m) of the worn, undeformed surfaces at zero approach; `None` where the moved one does not reach over the frame.
-    fn gap(&self, state: &ContactState, offset: isize) -> Option<Vec<f64>> {
+    pub fn gap(&self, state: &ContactState, offset: isize) -> Option<Vec<f64>> {
         let frame = &self.problem.frame;
         let [stays, moves] = self.bodies;
         let profile = &self.problem.bodies[moves].profile;
@@ -268,40 +275,21 @@ impl<'a> Course<'a> {
             let mut moved = place;
             moved[self.axis()] -= shift;
             let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
-            let [_, depth] = state.before(moves, self.long.at(pair, offset));
-            let gap = frame.gap()[pair] + rises + state.worn[stays][pair] + depth;
+            let [stays, moves] = [stays, moves].map(|body| {
+                let surface = &state.surfaces[body];
+                surface.depth[surface.grid.at(pair, offset)]
+            });
+            let gap = frame.gap()[pair] + rises + stays + moves;
             gap.is_finite().then_some(gap)
         };
         (0..frame.len()).map(at).collect()
     }
 
-    /// Adds wear to both surfaces, the one moved to a position.
-    fn lay_down(&self, wear: &Wear, state: &mut ContactState, position: &Position) {
-        let [stays, moves] = self.bodies;
-        let lay = |there: &mut Vec<f64>, values: &[f64]| {
-            for (pair, value) in values.iter().enumerate().filter(|(_, value)| **value != 0.0) {
-                for (way, share) in &position.ways {
-                    there[self.long.at(pair, position.offset + way)] += share * value;
-                }
-            }
-        };
-        let ages = !state.slid[stays].is_empty();
-        update(&mut state.worn[stays], [&wear.depths[stays]], |worn, [depth]| worn + depth);
-        if ages {
-            update(&mut state.slid[stays], [&wear.slip], |slid, [slip]| slid + slip);
-        }
-        let Some(swung) = &mut state.swung else { return };
-        lay(&mut swung.worn, &wear.depths[moves]);
-        if ages {
-            lay(&mut swung.slid, &wear.slip);
-        }
-    }
-
     /// What resists slip along the motion (Pa), one value a pair.
     fn resistance(&self, state: &ContactState) -> Vec<f64> {
         let Some(friction) = &self.problem.friction else { return vec![0.0; state.pressure.len()] };
-        let resistance = friction.map().resistance(self.problem.motion.slides());
-        let grip = self.problem.grip(state, 0.0).unwrap_or_else(|last| last);
+        let resistance = friction.map().resistance(self.problem.motion.slides([0.0; 2]));
+        let grip = self.problem.grip(state, |_| 0.0).unwrap_or_else(|last| last);
         let limits = Limits::new(&**friction, &grip).all(&state.pressure);
         limits.iter().map(|limit| resistance * limit).collect()
     }
@@ -334,12 +322,12 @@ impl<'a> Course<'a> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Course, positions, unworn};
+    use super::{Swing, places};
     use crate::body::profile::Cylinder;
     use crate::body::{Body, Material};
     use crate::motion::{Control, Motion, Schedule, Sliding, Stepping};
-    use crate::problem::ContactState;
     use crate::simulation::Simulation;
+    use crate::simulation::evolution::Evolution;
 
     /// Cylinders of 6 and 30 mm on a line of 1 mm in 100 elements.
     fn cylinders() -> Simulation {
@@ -358,18 +346,17 @@ mod tests {
     #[test]
     fn shape_and_wear_move_together() {
         let simulation = cylinders();
-        let course = Course::of(&simulation.problem).unwrap();
-        assert_eq!(course.bodies, [0, 1]);
-        let mut state = ContactState::untouched(simulation.problem.frame.gap());
-        state.swung = unworn(&simulation.problem);
-        let place = course.long.at(40, 0);
-        state.swung.as_mut().unwrap().worn[place] = 1e-6;
-        let gaps = course.gap(&state, 10).unwrap();
-        state.swung.as_mut().unwrap().worn[place] = 0.0;
-        let smooth = course.gap(&state, 10).unwrap();
+        let swing = Swing::of(&simulation.problem).unwrap();
+        assert_eq!(swing.bodies, [0, 1]);
+        let mut state = Evolution::new(&simulation.problem).state;
+        let place = swing.grid.at(40, 0);
+        state.surfaces[1].depth[place] = 1e-6;
+        let gaps = swing.gap(&state, 10).unwrap();
+        state.surfaces[1].depth[place] = 0.0;
+        let smooth = swing.gap(&state, 10).unwrap();
         let opened: Vec<usize> = (0..100).filter(|&pair| gaps[pair] != smooth[pair]).collect();
         assert_eq!(opened, [50]);
-        assert_eq!(course.long.at(50, 10), place);
+        assert_eq!(swing.grid.at(50, 10), place);
         // Two parabolas of curvatures c and c', one moved by d, are nearest at d c' / (c + c').
         let nearest = (0..100).min_by(|&one, &two| smooth[one].total_cmp(&smooth[two])).unwrap();
         let place = simulation.problem.frame.place(nearest)[0];
@@ -380,16 +367,13 @@ mod tests {
     #[test]
     fn positions_share_the_way() {
         for (reach, stride) in [(2e-6, 1), (9e-6, 1), (24.6e-6, 2), (300e-6, 4)] {
-            let positions = positions(reach, 1e-5, stride, false);
+            let places = places(reach, 1e-5, stride, false);
             let sum = |power: i32| -> f64 {
-                positions
-                    .iter()
-                    .map(|one| one.length * (one.offset as f64 * 1e-5).powi(power))
-                    .sum()
+                places.iter().map(|one| one.length * (one.offset as f64 * 1e-5).powi(power)).sum()
             };
             assert_relative_eq!(sum(0), 2.0 * reach, max_relative = 1e-12);
             assert!(sum(1).abs() < 1e-12 * reach * reach);
-            assert!(positions.iter().all(|one| one.ways == [(0, 1.0)]));
+            assert!(places.iter().all(|one| one.ways == [(0, 1.0)]));
         }
     }
 
@@ -399,9 +383,9 @@ mod tests {
         let (reach, element) = (305e-6, 1e-5);
         for stride in [2, 4, 7] {
             let mut ways = vec![0.0; 81];
-            for position in positions(reach, element, stride, true) {
-                for (way, share) in position.ways {
-                    ways[(40 + position.offset + way) as usize] += share * position.length;
+            for place in places(reach, element, stride, true) {
+                for (way, share) in place.ways {
+                    ways[(40 + place.offset + way) as usize] += share * place.length;
                 }
             }
             assert_relative_eq!(ways.iter().sum::<f64>(), 2.0 * reach, max_relative = 1e-12);

@@ -15,6 +15,8 @@
 //! joined stays in the depths, and the two histories do not agree on it: of what extrapolation removes a share counts
 //! as an error that remains.
 
+use std::borrow::Cow;
+
 use super::evolution::Evolution;
 use crate::problem::{ContactProblem, ContactState};
 
@@ -42,8 +44,6 @@ const LAG: f64 = 1.4;
 pub(super) struct Trial {
     pub coarse: Evolution,
     pub fine: Evolution,
-    /// Extrapolated depths worn off body 1 and body 2 (m).
-    pub worn: [Vec<f64>; 2],
     /// Deepest total wear (m), its errors by truncation and by ripples (m).
     pub depth: f64,
     pub truncation: f64,
@@ -54,6 +54,14 @@ pub(super) struct Trial {
     pub lag: f64,
 }
 
+/// Depths worn off body 1 and body 2 (m), one value a pair.
+pub(super) type Depths<'a> = [Cow<'a, [f64]>; 2];
+
+/// Those of a state.
+pub(super) fn depths(state: &ContactState) -> Depths<'_> {
+    [state.worn(0), state.worn(1)]
+}
+
 /// What a step began with and came through, as far as its error asks for it.
 pub(super) struct Way<'a> {
     pub problem: &'a ContactProblem,
@@ -61,7 +69,7 @@ pub(super) struct Way<'a> {
     pub before: [&'a ContactState; 2],
     /// Pressures (Pa) and depths (m) of the fine history after its first half.
     pub pressure: &'a [f64],
-    pub worn: &'a [Vec<f64>; 2],
+    pub worn: &'a Depths<'a>,
 }
 
 impl Way<'_> {
@@ -72,7 +80,8 @@ impl Way<'_> {
             return [0.0; 2];
         }
         let started = &self.before[1].pressure;
-        let of = |pair: usize| [both(&end.worn, pair) - both(self.worn, pair), end.pressure[pair]];
+        let worn = depths(end);
+        let of = |pair: usize| [both(&worn, pair) - both(self.worn, pair), end.pressure[pair]];
         let joining = (0..started.len()).filter(|&pair| started[pair] == 0.0).map(of);
         let [worn, pressure] = joining.fold([0.0; 2], |sum, one| [0, 1].map(|i| sum[i] + one[i]));
         let [deepest_worn, deepest_pressure] = of(deepest);
@@ -85,7 +94,9 @@ impl Way<'_> {
 impl Trial {
     /// Extrapolates both histories and estimates the error.
     pub fn of(coarse: Evolution, fine: Evolution, way: &Way<'_>) -> Self {
-        let worn = [0, 1].map(|body| extrapolate(&coarse.state.worn[body], &fine.state.worn[body]));
+        let [coarse_worn, fine_worn] = [depths(&coarse.state), depths(&fine.state)];
+        let [coarse_began, fine_began] = way.before.map(depths);
+        let worn = [0, 1].map(|body| extrapolate(&coarse_worn[body], &fine_worn[body]).into());
         let fine_pressure = &fine.state.pressure;
         let (mut deepest, mut depth, mut square) = (0, 0.0, 0.0);
         for pair in 0..fine_pressure.len() {
@@ -101,13 +112,11 @@ impl Trial {
         let [before, middle] =
             [&fine_before.pressure, way.pressure].map(|pressure| pressure[deepest]);
         // Where a law is not straight in the pressure, or changes by itself, the wear of both halves tells more.
-        let worn_in =
-            |from: &[Vec<f64>; 2], to: &[Vec<f64>; 2]| both(to, deepest) - both(from, deepest);
-        let halves = [worn_in(&fine_before.worn, way.worn), worn_in(way.worn, &fine.state.worn)];
+        let worn_in = |from: &Depths<'_>, to: &Depths<'_>| both(to, deepest) - both(from, deepest);
+        let halves = [worn_in(&fine_began, way.worn), worn_in(way.worn, &fine_worn)];
         let of_wear = relative_change(halves[0], halves[1]);
         let was_is = [removed(coarse_before, fine_before), removed(&coarse.state, &fine.state)];
-        let there =
-            (2.0 * (both(&fine.state.worn, deepest) - both(&coarse.state.worn, deepest))).abs();
+        let there = (2.0 * (both(&fine_worn, deepest) - both(&coarse_worn, deepest))).abs();
         let [was, everywhere] = was_is
             .map(|removed| if square > 0.0 { depth * removed / f64::sqrt(square) } else { 0.0 });
         // Elsewhere the edge that counts moves by whole elements: that of what sticks, or of a surface that swings.
@@ -121,7 +130,7 @@ impl Trial {
             // Where coefficients change with the distance, the first half wears otherwise under the same pressure.
             let ages = way.problem.remembers() && middle > 0.0;
             let first = if ages { halves[0] * last / middle } else { halves[1] };
-            let differ = worn_in(&coarse_before.worn, &coarse.state.worn) - (first + halves[1]);
+            let differ = worn_in(&coarse_began, &coarse_worn) - (first + halves[1]);
             let less = way.less_wear(&fine.state, deepest);
             let joining = less.iter().zip(JOINING).map(|(less, share)| share * less);
             let joining = joining.sum::<f64>().min(1.0);
@@ -133,7 +142,7 @@ impl Trial {
         };
         let truncation = resolved * everywhere.max(there);
         let lag = relative_change(coarse.state.pressure[deepest], last);
-        Self { coarse, fine, worn, depth, truncation, ripple, added, lag }
+        Self { coarse, fine, depth, truncation, ripple, added, lag }
     }
 
     /// Error relative to what the tolerance allows; of second order in the step.
@@ -159,7 +168,8 @@ pub(super) fn slides(problem: &ContactProblem) -> bool {
 
 /// What extrapolation removes from the coarse history's wear (m): the root of the sum of its squares over all pairs.
 fn removed(coarse: &ContactState, fine: &ContactState) -> f64 {
-    let [one, two] = [0, 1].map(|body| coarse.worn[body].iter().zip(&fine.worn[body]));
+    let (coarse, fine) = (depths(coarse), depths(fine));
+    let [one, two] = [0, 1].map(|body| coarse[body].iter().zip(&*fine[body]));
     let square = |((c1, f1), (c2, f2)): ((&f64, &f64), (&f64, &f64))| {
         (((2.0 * f1 - c1) + (2.0 * f2 - c2)) - (c1 + c2)).powi(2)
     };
@@ -174,7 +184,7 @@ fn remaining(change: f64, [was, is]: [f64; 2]) -> f64 {
 }
 
 /// Depth worn off both bodies at a pair (m).
-fn both(worn: &[Vec<f64>; 2], pair: usize) -> f64 {
+fn both(worn: &Depths<'_>, pair: usize) -> f64 {
     worn[0][pair] + worn[1][pair]
 }
 

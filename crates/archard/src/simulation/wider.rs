@@ -12,7 +12,7 @@ use super::{Effort, Error, Simulation};
 use crate::frame::ContactFrame;
 use crate::motion::Motion;
 use crate::parameters::Invalid;
-use crate::problem::{ContactProblem, ContactState};
+use crate::problem::{ContactProblem, ContactState, Surface};
 
 /// Frames agree to this, relative to their size.
 const SAME: f64 = 1e-9;
@@ -105,9 +105,8 @@ impl Evolution {
             progress: state.progress,
             approach: state.approach,
             load: state.load,
-            pressure: means(&state.pressure, &from.frame),
-            worn: [0, 1].map(|body| widened(&state.worn[body], body, from)),
-            slid: [0, 1].map(|body| widened(&state.slid[body], body, from)),
+            pressure: means(&state.pressure, from.frame.elements()),
+            surfaces: state.surfaces.each_ref().map(widened),
             ..evolution.state
         };
         (evolution.load_distance, evolution.forward) = (self.load_distance, self.forward);
@@ -119,56 +118,37 @@ impl Evolution {
     }
 }
 
-/// What a body is to have on the elements of a frame twice as wide as that of a problem: of a surface that passes, the same
-/// all along its way.
-pub(super) fn widened(field: &[f64], body: usize, from: &ContactProblem) -> Vec<f64> {
-    let passing = from.motion.passing().filter(|passing| passing.bodies[body]);
-    match passing.map(|passing| passing.direction.axis) {
-        _ if field.is_empty() => vec![],
-        Some(axis) => lines(field, &from.frame, axis),
-        None => means(field, &from.frame),
-    }
+/// A surface on the elements of a frame twice as wide; unworn beside the smaller one.
+pub(super) fn widened(surface: &Surface) -> Surface {
+    surface.map(surface.grid, |field| means(field, surface.grid.elements()))
 }
 
-/// Values of elements, as those of elements twice as large in a frame twice as wide; 0 beside the smaller one.
-fn means(field: &[f64], frame: &ContactFrame) -> Vec<f64> {
-    let [nx, ny] = frame.elements();
+/// Values of elements, as those of elements twice as large in a frame twice as wide; 0 beside the smaller one. Along an axis
+/// with one element that is all there is.
+fn means(field: &[f64], elements: [usize; 2]) -> Vec<f64> {
+    let [nx, ny] = elements;
     let mut wide = vec![0.0; field.len()];
-    for (pair, value) in field.iter().enumerate() {
+    let share = elements.map(|count| if count == 1 { 1.0 } else { 0.5 });
+    for (element, value) in field.iter().enumerate() {
         let [x, y] =
-            [(pair % nx, nx), (pair / nx, ny)].map(|(index, count)| (index + count / 2) / 2);
-        wide[x + nx * y] += 0.25 * value;
+            [(element % nx, nx), (element / nx, ny)].map(|(index, count)| (index + count / 2) / 2);
+        wide[x + nx * y] += share[0] * share[1] * value;
     }
     wide
 }
 
-/// The same of values that do not change along an axis, beside the smaller frame neither.
-fn lines(field: &[f64], frame: &ContactFrame, axis: usize) -> Vec<f64> {
-    let wide = means(field, frame);
-    let elements = frame.elements();
-    let stride = [1, elements[0]];
-    // The middle of the wider frame is covered by the smaller one.
-    let middle = elements[axis] / 2;
-    let on_line = |pair: usize| {
-        let across = (pair / stride[1 - axis]) % elements[1 - axis];
-        wide[across * stride[1 - axis] + middle * stride[axis]]
-    };
-    (0..field.len()).map(on_line).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{lines, means};
-    use crate::body::profile::Flat;
-    use crate::frame::ContactFrame;
+    use super::{means, widened};
+    use crate::problem::{Grid, Surface};
 
     /// Sums over elements of four times the area are those of the parts, wherever these are.
     #[test]
     fn volumes_stay() {
         for elements in [[8, 8], [6, 10], [2, 4]] {
-            let frame = ContactFrame::uniform([1.0, 1.0], elements, [&Flat, &Flat]).unwrap();
-            let field: Vec<f64> = (0..frame.len()).map(|pair| (1.7 * pair as f64).sin()).collect();
-            let wide = means(&field, &frame);
+            let field: Vec<f64> =
+                (0..elements[0] * elements[1]).map(|pair| (1.7 * pair as f64).sin()).collect();
+            let wide = means(&field, elements);
             let [before, after] = [field.iter().sum::<f64>(), 4.0 * wide.iter().sum::<f64>()];
             assert!((before - after).abs() < 1e-12, "{before} {after}");
             if elements.iter().all(|count| count.is_multiple_of(4)) {
@@ -181,22 +161,15 @@ mod tests {
         }
     }
 
-    /// Lines along an axis go on beside the frame they come from, and keep their section.
+    /// Of a surface that passes, the section stays.
     #[test]
-    fn lines_go_on() {
-        let frame = ContactFrame::uniform([1.0, 1.0], [8, 12], [&Flat, &Flat]).unwrap();
+    fn sections_stay() {
         for axis in [0, 1] {
-            let across = |pair: usize| [pair % 8, pair / 8][1 - axis];
-            let field: Vec<f64> = (0..96).map(|pair| (0.3 + across(pair) as f64).sin()).collect();
-            let wide = lines(&field, &frame, axis);
-            let section = |field: &[f64]| -> f64 {
-                (0..96).filter(|pair| [pair % 8, pair / 8][axis] == 0).map(|pair| field[pair]).sum()
-            };
-            assert!((section(&field) - 2.0 * section(&wide)).abs() < 1e-12);
-            for pair in 0..96 {
-                let first = [across(pair) * 8, across(pair)][axis.min(1)];
-                assert!((wide[pair] - wide[first]).abs() < 1e-15);
-            }
+            let mut surface = Surface::unworn(Grid::passing([8, 12], axis), false);
+            surface.depth.iter_mut().enumerate().for_each(|(i, depth)| *depth = (i as f64).cos());
+            let wide = widened(&surface);
+            let section = |one: &Surface| one.depth.iter().sum::<f64>();
+            assert!((section(&surface) - 2.0 * section(&wide)).abs() < 1e-12);
         }
     }
 }

@@ -15,7 +15,7 @@ use super::evolution::Evolution;
 use crate::frame::{ContactFrame, Part, extent};
 use crate::motion::Motion;
 use crate::numerics::vector::map;
-use crate::problem::{ContactProblem, ContactState, Gap};
+use crate::problem::{ContactProblem, ContactState, Gap, Grid, Surface};
 
 /// Gaps, over the approach, up to which pairs lie in a window.
 const AMPLE: f64 = 2.0;
@@ -85,9 +85,18 @@ impl Window {
         if field.is_empty() { vec![] } else { self.part.put(field) }
     }
 
-    /// What lies in the window of a field of the frame.
-    pub fn cut(&self, field: &[f64]) -> Vec<f64> {
+    fn cut(&self, field: &[f64]) -> Vec<f64> {
         if field.is_empty() { vec![] } else { self.part.cut(field) }
+    }
+
+    /// A surface of the window in the frame, unworn beside it.
+    pub fn put_surface(&self, surface: &Surface) -> Surface {
+        surface.map(Grid::of_pairs(self.part.frame()), |field| self.part.put(field))
+    }
+
+    /// What lies in the window of a surface of the frame.
+    pub fn cut_surface(&self, surface: &Surface) -> Surface {
+        surface.map(Grid::of_pairs(self.part.size()), |field| self.part.cut(field))
     }
 
     /// A state of the window in the frame.
@@ -100,9 +109,7 @@ impl Window {
             load: state.load,
             pressure: self.put(&state.pressure),
             gap: Gap { values: self.part.pasted(&state.gap.values, apart), part: Some(part) },
-            worn: state.worn.each_ref().map(|worn| self.put(worn)),
-            slid: state.slid.each_ref().map(|slid| self.put(slid)),
-            swung: None,
+            surfaces: state.surfaces.each_ref().map(|one| self.put_surface(one)),
             tangential: None,
         }
     }
@@ -133,9 +140,7 @@ impl Window {
                 load: state.load,
                 pressure: self.cut(&state.pressure),
                 gap: Gap { values: self.cut(&state.gap.values), part: known(state.gap.part) },
-                worn: state.worn.each_ref().map(|worn| self.cut(worn)),
-                slid: state.slid.each_ref().map(|slid| self.cut(slid)),
-                swung: None,
+                surfaces: state.surfaces.each_ref().map(|one| self.cut_surface(one)),
                 tangential: None,
             },
             displacement: self.cut(&history.displacement),
@@ -155,7 +160,7 @@ fn stays_apart(problem: &ContactProblem) -> bool {
         && motion.swing().is_none();
     let plain = frame.is_uniform() && !frame.is_line() && !frame.measure().closed;
     let open = || {
-        let rubbing = problem.rubbing(0.0, SLIP, motion.slides());
+        let rubbing = problem.rubbing(0.0, SLIP, motion.slides([0.0; 2]));
         problem.wear(std::iter::once(rubbing), [true; 2], |_, _| [0.0; 2])
     };
     stay && plain && !problem.goes_by_temperature() && open().depth(0) == 0.0

@@ -36,12 +36,14 @@ fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f
     match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
         (Some(length), _) => Some(length * section(report, body, of)?),
         (None, Some(_)) => None,
-        (None, None) => Some(match &state.swung {
-            Some(swung) if swung.body == body => {
-                problem.frame.area(0) * swung.worn.iter().map(|&depth| of(depth)).sum::<f64>()
-            }
-            _ => problem.frame.integrate(&each(&state.worn[body], of)),
-        }),
+        (None, None) => {
+            let surface = &state.surfaces[body];
+            let of_all = each(&surface.depth, of);
+            Some(match surface.grid.swings() {
+                Some(_) => problem.frame.area(0) * of_all.iter().sum::<f64>(),
+                None => problem.frame.integrate(&of_all),
+            })
+        }
     }
 }
 
@@ -70,7 +72,7 @@ fn section(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<
     let direction = passes.map(|(direction, _)| direction).or(rolling)?;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
-    let worn = each(&report.state.worn[body], of);
+    let worn = each(&report.state.worn(body), of);
     let section = |line: &Line| line.width * line.mean(&worn);
     Some(images * flow.lines().iter().map(section).sum::<f64>())
 }

@@ -111,7 +111,8 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
 
 /// Depth worn off both bodies per pressure and distance slid (1/Pa).
 pub(super) fn wear_slope(parts: &Parts<'_>) -> f64 {
-    let rubbing = problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, parts.motion.slides());
+    let rubbing =
+        problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, parts.motion.slides([0.0; 2]));
     let laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
     laws.map(|law| law.slope(rubbing)).sum()
 }

@@ -35,6 +35,11 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
         let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
         return Some(Problem::error(key, message));
     }
+    if parts.motion.turns() {
+        let message = "bodies turn about a point, and a line of contact has none";
+        let key = Key::of(["motion", parts.case.motion.choice.name]);
+        return Some(Problem::error(key, message).at_name());
+    }
     let rolling = parts.motion.rolling()?;
     let (name, message) = if rolling.direction.axis == 1 {
         ("direction", "the line of contact lies along y: bodies roll along x")

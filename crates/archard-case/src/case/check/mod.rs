@@ -85,8 +85,8 @@ impl<'a> Parts<'a> {
     pub(super) fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
         let control = self.schedule.control;
         let load_distance = match control {
-            Control::Load(load) => Some(load * self.motion.slip(progress)),
-            Control::Approach(_) => None,
+            Control::Load(load) if !self.motion.turns() => Some(load * self.motion.slip(progress)),
+            _ => None,
         };
         estimator.of(&self.subject(), &Course { control, progress, load_distance })
     }

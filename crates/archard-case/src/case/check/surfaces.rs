@@ -52,7 +52,7 @@ impl fmt::Display for Surfaces {
 pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
     const MOST: f64 = 4096.0 * 4096.0;
     let amplitude = parts.motion.swing()?;
-    let axis = usize::from(parts.motion.slides()[1] != 0.0);
+    let axis = usize::from(parts.motion.slides([0.0; 2])[1] != 0.0);
     let frame = &parts.case.frame;
     let along = 2.0 * amplitude / frame.spacing()[axis] + frame.elements[axis] as f64;
     let elements = along * frame.elements[1 - axis] as f64;

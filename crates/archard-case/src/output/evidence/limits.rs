@@ -39,7 +39,7 @@ impl Limits {
         let Report { problem, state, .. } = report;
         let peak = state.pressure.iter().copied().fold(0.0, f64::max);
         for (i, body) in problem.bodies.iter().enumerate() {
-            let deepest = state.worn_off(i).iter().copied().fold(0.0, f64::max);
+            let deepest = state.surfaces[i].depth.iter().copied().fold(0.0, f64::max);
             if let Some(gone) = gone(body, deepest) {
                 worst_of(&mut self.layers, gone, body);
             }

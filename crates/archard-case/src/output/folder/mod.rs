@@ -258,9 +258,10 @@ impl ResultFolder {
     /// Writes the fields and sections of a report.
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
-        if let Some(swung) = &report.state.swung {
+        let swings = |body: usize| Some((body, report.state.surfaces[body].grid.swings()?));
+        if let Some(swinging) = (0..2).find_map(swings) {
             let table = begun(&mut self.length_profiles, (&mut self.manifest, LENGTH_PROFILES))?;
-            length_profiles::write(table, (report.problem, report.state), swung)?;
+            length_profiles::write(table, (report.problem, report.state), swinging)?;
         }
         match WornProfiles::of(report.problem, report.state) {
             Some(profiles) => {
@@ -318,7 +319,7 @@ impl Observer for ResultFolder {
 fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
     let missing = |column: &str, value: f64| value.is_nan() && column == TIME_ERROR;
     let wrong = row.iter().find(|(column, value)| !value.is_finite() && !missing(column, *value));
-    let [one, other] = &report.state.worn;
+    let [one, other] = report.state.surfaces.each_ref().map(|surface| &surface.depth);
     let fields = [("pressure_Pa", &report.state.pressure), ("wear_m", one), ("wear_m", other)];
     let spoilt = |(_, values): &(&str, &Vec<f64>)| values.iter().any(|value| !value.is_finite());
     let field = || fields.into_iter().find(spoilt).map(|(name, _)| name);

@@ -122,8 +122,8 @@ fn a_body_that_stays_on_a_track_shows_its_section() {
                 .collect();
             let count = elements[0];
             let middle = 0.5
-                * [(count - 1) / 2, count / 2].map(|i| state.worn[0][line[i]]).iter().sum::<f64>();
-            let mean = line.iter().map(|&pair| state.worn[1][pair]).sum::<f64>() / count as f64;
+                * [(count - 1) / 2, count / 2].map(|i| state.worn(0)[line[i]]).iter().sum::<f64>();
+            let mean = line.iter().map(|&pair| state.worn(1)[pair]).sum::<f64>() / count as f64;
             assert_relative_eq!(row[pin], middle, max_relative = 1e-12);
             assert_relative_eq!(row[disc], mean, max_relative = 1e-12);
         }
@@ -375,7 +375,7 @@ fn numbers_that_are_none_are_refused() {
         (|state| state.load = f64::NAN) as fn(&mut ContactState),
         |state| state.approach = f64::INFINITY,
         |state| state.pressure[3] = f64::NAN,
-        |state| state.worn[1][0] = f64::NEG_INFINITY,
+        |state| state.surfaces[1].depth[0] = f64::NEG_INFINITY,
     ] {
         let dir = tempdir().unwrap();
         let run = Run::pin_on_disc([6, 5]);

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 use std::fs;
 
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
-use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
 use archard_case::CaseFile;
 use tempfile::tempdir;
 
@@ -54,10 +54,9 @@ fn state(problem: &ContactProblem, cycles: f64, depth: f64) -> ContactState {
             ..Tangential::default()
         }),
         pressure: field(&|r| ball.pressure(r)),
-        worn: [field(&|r| if r < 0.12e-3 { 0.0 } else { depth }), none()],
-        slid: [vec![], vec![]],
-        swung: None,
-        ..ContactState::untouched(frame.gap())
+        surfaces: [field(&|r| if r < 0.12e-3 { 0.0 } else { depth }), none()]
+            .map(|depth| Surface::of_pairs(frame.elements(), depth)),
+        ..ContactState::untouched(frame)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use archard::problem::{ContactProblem, ContactState, Tangential};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
 use archard_case::CaseFile;
 use tempfile::tempdir;
 
@@ -68,10 +68,8 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
             ..Tangential::default()
         }),
         pressure: scaled(peak),
-        worn: [worn.clone(), worn],
-        slid: [vec![], vec![]],
-        swung: None,
-        ..ContactState::untouched(frame.gap())
+        surfaces: [worn.clone(), worn].map(|depth| Surface::of_pairs(frame.elements(), depth)),
+        ..ContactState::untouched(frame)
     }
 }
 

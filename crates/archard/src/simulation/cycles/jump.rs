@@ -11,7 +11,7 @@ use super::shifted::Shifted;
 use super::spread::spread;
 use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Surface};
 use crate::simulation::evolution::{Evolution, Increment};
 use crate::simulation::{Effort, Error, Simulation};
 
@@ -79,10 +79,8 @@ struct Line {
 /// Worn depths and what goes with them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Wear {
-    /// Depths of body 1 and body 2 (m), one value a pair.
-    pub worn: [Vec<f64>; 2],
-    /// Distances slid under pressure (m), one value a pair; empty where no wear law asks for them.
-    pub slid: [Vec<f64>; 2],
+    /// The surfaces of body 1 and body 2.
+    pub surfaces: [Surface; 2],
     /// Integral of pressure and slip (N m).
     pub load_distance: f64,
     /// Energy dissipated (J).
@@ -93,7 +91,7 @@ impl Wear {
     /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear: over all, and
     /// over those that stuck in one of two cycles and not in the other.
     pub fn since(&self, earlier: &Wear, stuck: [&[f64]; 2]) -> [f64; 2] {
-        let ([a, b], [c, d]) = (&self.worn, &earlier.worn);
+        let [a, b, c, d] = self.depths_since(earlier);
         sum([a, b, c, d, stuck[0], stuck[1]], |[a, b, c, d, one, other]| {
             let square = (a + b - c - d).powi(2);
             [square, square * (one - other).abs()]
@@ -101,16 +99,23 @@ impl Wear {
         .map(f64::sqrt)
     }
 
+    fn depths_since<'a>(&'a self, earlier: &'a Wear) -> [&'a [f64]; 4] {
+        let [[a, b], [c, d]] =
+            [self, earlier].map(|wear| wear.surfaces.each_ref().map(|one| &one.depth[..]));
+        [a, b, c, d]
+    }
+
     /// 2-norm over the pairs of the depth (m) worn off both bodies since an earlier wear.
     pub fn norm_since(&self, earlier: &Wear) -> f64 {
-        let ([a, b], [c, d]) = (&self.worn, &earlier.worn);
+        let [a, b, c, d] = self.depths_since(earlier);
         let [squares] = sum([a, b, c, d], |[a, b, c, d]| [(a + b - c - d).powi(2)]);
         squares.sqrt()
     }
 
     /// 2-norm over the pairs of the depth (m) worn off both bodies.
     pub fn total(&self) -> f64 {
-        let [squares] = sum([&self.worn[0], &self.worn[1]], |[a, b]| [(a + b).powi(2)]);
+        let [squares] =
+            sum(self.surfaces.each_ref().map(|one| &one.depth[..]), |[a, b]| [(a + b).powi(2)]);
         squares.sqrt()
     }
 }
@@ -192,7 +197,7 @@ impl Rate {
     ) -> Result<Wear, Error> {
         let problem = &simulation.problem;
         let mut evolution = self.reference.clone();
-        evolution.state.worn.clone_from(&start.worn);
+        evolution.state.surfaces.clone_from(&start.surfaces);
         if problem.compliance.couples() {
             evolution.find_displacement(problem, effort);
         }
@@ -229,9 +234,9 @@ impl Rate {
                 effort,
             )?;
             let pressure = &evolution.state.pressure;
-            for (body, worn) in evolution.state.worn.iter_mut().enumerate() {
+            for (body, surface) in evolution.state.surfaces.iter_mut().enumerate() {
                 let fields: [&[f64]; 3] = [&line.constant[body], &line.slope[body], pressure];
-                update(worn, fields, |worn, [constant, slope, pressure]| {
+                update(&mut surface.depth, fields, |worn, [constant, slope, pressure]| {
                     worn + weight * (constant + slope * pressure).max(0.0)
                 });
             }
@@ -242,11 +247,13 @@ impl Rate {
                 });
             wear.load_distance += weight * work * measure.area;
             wear.dissipated += weight * line.dissipated;
-            for slid in wear.slid.iter_mut().filter(|slid| !slid.is_empty()) {
-                update(slid, [&line.distance], |slid, [distance]| slid + weight * distance);
+            for surface in evolution.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
+                update(&mut surface.slid, [&line.distance], |slid, [distance]| {
+                    slid + weight * distance
+                });
             }
         }
-        wear.worn = evolution.state.worn;
+        wear.surfaces = evolution.state.surfaces;
         Ok(wear)
     }
 }

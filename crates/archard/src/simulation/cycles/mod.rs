@@ -86,8 +86,7 @@ impl Position {
     fn wear(&self) -> Wear {
         let evolution = &self.shifted.evolution;
         Wear {
-            worn: evolution.state.worn.clone(),
-            slid: evolution.state.slid.clone(),
+            surfaces: evolution.state.surfaces.clone(),
             load_distance: evolution.load_distance,
             dissipated: self.dissipated,
         }
@@ -95,8 +94,7 @@ impl Position {
 
     fn take(&mut self, wear: Wear) {
         let evolution = &mut self.shifted.evolution;
-        (evolution.state.worn, evolution.load_distance) = (wear.worn, wear.load_distance);
-        evolution.state.slid = wear.slid;
+        (evolution.state.surfaces, evolution.load_distance) = (wear.surfaces, wear.load_distance);
         self.dissipated = wear.dissipated;
     }
 }

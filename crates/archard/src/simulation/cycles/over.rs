@@ -190,15 +190,13 @@ impl Cycles {
         let dissipated = corrected.dissipated - foreseen.dissipated;
         let states = rows.iter_mut().map(|row| &mut row.state);
         for state in states.chain([&mut self.position.shifted.evolution.state]) {
-            for (body, worn) in state.worn.iter_mut().enumerate() {
-                let change = [&corrected.worn[body], &foreseen.worn[body]];
-                update(worn, [change[0], change[1]], |worn, [new, old]| worn + (new - old));
-            }
-            for (body, slid) in
-                state.slid.iter_mut().enumerate().filter(|(_, slid)| !slid.is_empty())
-            {
-                let change = [&corrected.slid[body], &foreseen.slid[body]];
-                update(slid, [change[0], change[1]], |slid, [new, old]| slid + (new - old));
+            for (body, surface) in state.surfaces.iter_mut().enumerate() {
+                let [new, old] = [corrected, foreseen].map(|wear| &wear.surfaces[body]);
+                let change = |field: &mut [f64], [new, old]: [&[f64]; 2]| {
+                    update(field, [new, old], |field, [new, old]| field + (new - old));
+                };
+                change(&mut surface.depth, [&new.depth, &old.depth]);
+                change(&mut surface.slid, [&new.slid, &old.slid]);
             }
         }
         self.position.shifted.evolution.load_distance += further;

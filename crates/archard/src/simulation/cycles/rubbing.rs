@@ -65,8 +65,8 @@ impl Rubbed {
             evolution.load_distance += work * area;
         }
         self.wear(evolution, &strokes, Per::Increment, problem);
-        for slid in evolution.state.slid.iter_mut().filter(|slid| !slid.is_empty()) {
-            strokes.iter().for_each(|&(pair, rubbing)| slid[pair] += rubbing.slip);
+        for surface in evolution.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
+            strokes.iter().for_each(|&(pair, rubbing)| surface.slid[pair] += rubbing.slip);
         }
         if problem.wearing([true; 2], Per::Cycle) != [false; 2] {
             self.whole.resize(before.pressure.len(), None);
@@ -99,11 +99,11 @@ impl Rubbed {
             let state = &evolution.state;
             let wear = problem.wear(points(), problem.wearing(one, per), |body, point| {
                 let (pair, rubbing) = rubbed[point];
-                let [slid, depth] = state.before(body, pair);
+                let [slid, depth] = state.surfaces[body].before(pair);
                 // What a cycle slid was added while it went on.
                 [if per == Per::Cycle { slid - rubbing.slip } else { slid }, depth]
             });
-            let worn = &mut evolution.state.worn[index];
+            let worn = &mut evolution.state.surfaces[index].depth;
             for (point, &(pair, rubbing)) in rubbed.iter().enumerate() {
                 let depth = wear.depths[index][point];
                 self.depths[index][pair] += depth;

@@ -104,17 +104,16 @@ impl Shifted {
 
     /// Takes the bodies apart without rubbing.
     pub fn release(&mut self, problem: &ContactProblem) {
-        let worn = self.evolution.state.worn.clone();
+        let surfaces = self.evolution.state.surfaces.clone();
         let load_distance = self.evolution.load_distance;
         let rubbed = std::mem::take(&mut self.rubbed);
         let course = self.course.take();
         *self = Self { rubbed, course, ..Self::new(problem) };
         self.evolution.load_distance = load_distance;
         let state = &mut self.evolution.state;
-        for (gap, (one, two)) in state.gap.values.iter_mut().zip(worn[0].iter().zip(&worn[1])) {
-            *gap += one + two;
-        }
-        state.worn = worn;
+        state.surfaces = surfaces;
+        let worn = state.total_worn();
+        update(&mut state.gap.values, [&worn], |gap, [worn]| gap + worn);
     }
 
     /// Begins a new cycle.
@@ -146,7 +145,11 @@ impl Shifted {
 
     /// Pressures, tractions and gaps before an increment.
     pub fn clone_contact(&self) -> ContactState {
-        ContactState { worn: [vec![], vec![]], ..self.evolution.state.clone() }
+        let state = &self.evolution.state;
+        let bare = state.surfaces.each_ref().map(|one| one.map(one.grid, |_| vec![]));
+        let tangential = state.tangential.clone();
+        let (pressure, gap) = (state.pressure.clone(), state.gap.clone());
+        ContactState { pressure, gap, surfaces: bare, tangential, ..*state }
     }
 
     /// Finds the pressures under a gap (m) that friction opens beside.

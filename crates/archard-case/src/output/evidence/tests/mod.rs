@@ -92,8 +92,8 @@ fn volumes_are_held_against_the_load_over_the_distance() {
 fn volumes_of_cycles_are_held_against_what_was_dissipated() {
     let (run, slid) = (Run::fretting([9, 8]), Run::pin_on_disc([9, 8]).state(0.5));
     let volume = |progress: f64, cycles: f64, worn_by: f64| {
-        let worn = slid.worn.clone();
-        let state = ContactState { worn, ..run.state(progress) };
+        let surfaces = slid.surfaces.clone();
+        let state = ContactState { surfaces, ..run.state(progress) };
         let mut report = report(&run, &state);
         // k F s = k W / mu.
         report.effort.dissipated = [DISSIPATED, FRICTION * worn_by * LOAD];

@@ -1,0 +1,263 @@
+//! The worn surface of a body, in its own coordinates.
+//!
+//! A surface that stays has an element under each pair of the frame. One that passes along an axis has one for all the pairs
+//! of a row along it, since they wear alike. One that swings is longer than the frame, and is moved over it.
+
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
+use crate::numerics::vector;
+
+/// What is worn off a body, one value an element of its surface, x running fastest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Where its elements lie.
+    pub grid: Grid,
+    /// Depth worn off (m).
+    pub depth: Vec<f64>,
+    /// Distance (m) that its points slid under pressure; empty where nothing depends on it.
+    pub slid: Vec<f64>,
+}
+
+/// The elements of a surface, and which of them lies at a pair of the frame.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Grid {
+    /// Pairs of the frame along x and y.
+    frame: [usize; 2],
+    /// How it lies along both axes.
+    along: [Along; 2],
+}
+
+/// The elements of a surface along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+enum Along {
+    /// One a pair.
+    Stays,
+    /// One for all pairs.
+    Passes,
+    /// One a pair, and so many more at each end.
+    Swings(usize),
+}
+
+impl Grid {
+    /// An element a pair of a frame of so many along x and y.
+    pub fn of_pairs(frame: [usize; 2]) -> Self {
+        Self { frame, along: [Along::Stays; 2] }
+    }
+
+    /// One element for all pairs of a row along an axis.
+    pub fn passing(frame: [usize; 2], axis: usize) -> Self {
+        Self::of_pairs(frame).lying(axis, Along::Passes)
+    }
+
+    /// As many more elements than pairs at both ends of an axis.
+    pub fn swinging(frame: [usize; 2], axis: usize, margin: usize) -> Self {
+        Self::of_pairs(frame).lying(axis, Along::Swings(margin))
+    }
+
+    fn lying(mut self, axis: usize, along: Along) -> Self {
+        self.along[axis] = along;
+        self
+    }
+
+    /// The axis along which it swings.
+    pub fn swings(self) -> Option<usize> {
+        (0..2).find(|&axis| matches!(self.along[axis], Along::Swings(_)))
+    }
+
+    /// The axis along which it passes.
+    pub fn passes(self) -> Option<usize> {
+        (0..2).find(|&axis| self.along[axis] == Along::Passes)
+    }
+
+    /// Its elements along x and y.
+    pub fn elements(self) -> [usize; 2] {
+        [0, 1].map(|axis| match self.along[axis] {
+            Along::Stays => self.frame[axis],
+            Along::Passes => 1,
+            Along::Swings(margin) => self.frame[axis] + 2 * margin,
+        })
+    }
+
+    /// The element that lies at a pair of the frame when the surface is moved by so many elements along the axis on which it
+    /// swings, not more than its margin.
+    pub fn at(self, pair: usize, offset: isize) -> usize {
+        let place = [pair % self.frame[0], pair / self.frame[0]];
+        let [x, y] = [0, 1].map(|axis| match self.along[axis] {
+            Along::Stays => place[axis],
+            Along::Passes => 0,
+            Along::Swings(margin) => (place[axis] + margin).saturating_add_signed(-offset),
+        });
+        x + self.elements()[0] * y
+    }
+
+    /// Where an element lies on the same surface over a larger frame, in which this one's begins at a pair; `None` beyond its
+    /// ends.
+    fn moved(self, element: usize, first: [usize; 2], to: Self) -> Option<usize> {
+        let [nx, _] = self.elements();
+        let own = [element % nx, element / nx];
+        let along = |axis: usize| {
+            let place = match (self.along[axis], to.along[axis]) {
+                (Along::Passes, _) => own[axis],
+                (Along::Swings(from), Along::Swings(to)) => {
+                    (own[axis] + first[axis] + to).checked_sub(from)?
+                }
+                _ => own[axis] + first[axis],
+            };
+            Some(place).filter(|&place| place < to.elements()[axis])
+        };
+        Some(along(0)? + to.elements()[0] * along(1)?)
+    }
+}
+
+impl Surface {
+    /// An unworn one; whether the distance that its points slide is counted.
+    pub fn unworn(grid: Grid, counts: bool) -> Self {
+        let [nx, ny] = grid.elements();
+        let none = vec![0.0; nx * ny];
+        Self { grid, slid: if counts { none.clone() } else { vec![] }, depth: none }
+    }
+
+    /// One with an element a pair, worn by those depths (m).
+    pub fn of_pairs(frame: [usize; 2], depth: Vec<f64>) -> Self {
+        Self { grid: Grid::of_pairs(frame), depth, slid: vec![] }
+    }
+
+    /// Depth worn off (m) at each pair of the frame, in the middle of a swing.
+    pub fn worn(&self) -> Cow<'_, [f64]> {
+        self.in_frame(&self.depth)
+    }
+
+    /// Distance slid (m) there; empty where it is not counted.
+    pub fn distance(&self) -> Cow<'_, [f64]> {
+        self.in_frame(&self.slid)
+    }
+
+    fn in_frame<'a>(&self, field: &'a [f64]) -> Cow<'a, [f64]> {
+        let Grid { frame: [nx, ny], along } = self.grid;
+        match along {
+            _ if field.is_empty() => Cow::Borrowed(field),
+            [Along::Stays, Along::Stays] => Cow::Borrowed(field),
+            [Along::Passes, _] => {
+                field.iter().flat_map(|value| std::iter::repeat_n(*value, nx)).collect()
+            }
+            [_, Along::Passes] => Cow::Owned(field.repeat(ny)),
+            _ => (0..nx * ny).map(|pair| field[self.grid.at(pair, 0)]).collect(),
+        }
+    }
+
+    /// How far (m) the point at an element slid and how deep (m) it wore so far.
+    pub fn before(&self, element: usize) -> [f64; 2] {
+        [&self.slid, &self.depth].map(|field| field.get(element).copied().unwrap_or_default())
+    }
+
+    /// Wears the surface, moved by so many elements, by a share of depths (m) at the pairs of the frame and distances (m) slid
+    /// there.
+    pub fn wear(&mut self, (depths, slip): (&[f64], &[f64]), offset: isize, share: f64) {
+        let grid = self.grid;
+        let lay = |field: &mut Vec<f64>, values: &[f64]| {
+            if grid.along == [Along::Stays; 2] {
+                return vector::update(field, [values], |worn, [value]| worn + share * value);
+            }
+            for (pair, value) in values.iter().enumerate().filter(|(_, value)| **value != 0.0) {
+                field[grid.at(pair, offset)] += share * value;
+            }
+        };
+        lay(&mut self.depth, depths);
+        if !self.slid.is_empty() {
+            lay(&mut self.slid, slip);
+        }
+    }
+
+    /// The sum of a field of the frame over the pairs at each element, in the middle of a swing.
+    pub fn gathered(&self, field: &[f64]) -> Vec<f64> {
+        let mut sums = vec![0.0; self.depth.len()];
+        field.iter().enumerate().for_each(|(pair, value)| sums[self.grid.at(pair, 0)] += value);
+        sums
+    }
+
+    /// The same with its fields changed.
+    #[must_use]
+    pub fn map(&self, grid: Grid, change: impl Fn(&[f64]) -> Vec<f64>) -> Self {
+        let field = |field: &[f64]| if field.is_empty() { vec![] } else { change(field) };
+        Self { grid, depth: field(&self.depth), slid: field(&self.slid) }
+    }
+
+    /// The same over a larger frame, in which its own begins at a pair; unworn beyond.
+    #[must_use]
+    pub fn moved(&self, first: [usize; 2], grid: Grid) -> Self {
+        let [nx, ny] = grid.elements();
+        self.map(grid, |field| {
+            let mut moved = vec![0.0; nx * ny];
+            for (element, value) in field.iter().enumerate() {
+                if let Some(there) = self.grid.moved(element, first, grid) {
+                    moved[there] = *value;
+                }
+            }
+            moved
+        })
+    }
+
+    /// Mean and largest depth (m) of each row of elements across an axis, from end to end.
+    pub fn along(&self, axis: usize) -> Vec<[f64; 2]> {
+        let elements = self.grid.elements();
+        let across = elements[1 - axis];
+        let depth = |along: usize, other: usize| match axis {
+            0 => self.depth[along + elements[0] * other],
+            _ => self.depth[other + elements[0] * along],
+        };
+        let row = |along: usize| {
+            let depths = (0..across).map(|other| depth(along, other));
+            [depths.clone().sum::<f64>() / across as f64, depths.fold(0.0, f64::max)]
+        };
+        (0..elements[axis]).map(row).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Grid, Surface};
+
+    #[test]
+    fn a_pair_meets_what_was_moved_to_it() {
+        let grid = Grid::swinging([4, 2], 0, 3);
+        assert_eq!(grid.elements(), [10, 2]);
+        assert_eq!([grid.at(0, 0), grid.at(0, 3), grid.at(7, -3)], [3, 0, 19]);
+        let along_y = Grid::swinging([4, 2], 1, 3);
+        assert_eq!(along_y.elements(), [4, 8]);
+        assert_eq!([along_y.at(0, 0), along_y.at(0, 3), along_y.at(7, -3)], [12, 0, 31]);
+        let mut surface = Surface::unworn(grid, false);
+        surface.depth[13] = 2.0;
+        assert_eq!(surface.worn()[..], [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
+        assert_eq!(surface.along(0)[3], [1.0, 2.0]);
+    }
+
+    #[test]
+    fn all_pairs_of_a_row_meet_what_passes() {
+        let mut surface = Surface::unworn(Grid::passing([3, 2], 0), true);
+        surface.depth = vec![1.0, 2.0];
+        assert_eq!(surface.worn()[..], [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
+        let larger = surface.moved([4, 1], Grid::passing([9, 4], 0));
+        assert_eq!(larger.depth, [0.0, 1.0, 2.0, 0.0]);
+        assert_eq!(larger.slid, [0.0; 4]);
+    }
+
+    /// Wear that is laid down at an offset is met there again, and a larger frame meets it where the smaller one did.
+    #[test]
+    fn what_is_worn_stays_where_it_was_worn() {
+        let mut surface = Surface::unworn(Grid::swinging([4, 2], 0, 3), false);
+        let depths: Vec<f64> = (1..9).map(f64::from).collect();
+        surface.wear((&depths, &[]), 2, 0.5);
+        for (pair, depth) in depths.iter().enumerate() {
+            assert_eq!(surface.depth[surface.grid.at(pair, 2)], 0.5 * depth);
+        }
+        let larger = surface.moved([1, 1], Grid::swinging([6, 4], 0, 5));
+        let pair = |x: usize, y: usize| [x + 4 * y, x + 1 + 6 * (y + 1)];
+        for place in 0..8 {
+            let [small, large] = pair(place % 4, place / 4);
+            assert_eq!(surface.worn()[small], larger.worn()[large]);
+        }
+        assert_eq!(surface.depth.iter().sum::<f64>(), larger.depth.iter().sum::<f64>());
+    }
+}
