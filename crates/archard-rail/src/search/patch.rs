@@ -1,0 +1,264 @@
+//! The stretches of overlap, and the place and the direction of the contact in each.
+//!
+//! The reference point of a patch is the mean of the points of the locus, each weighted by the overlap there, and then
+//! put onto the rail. Its contact angle is the mean of the rail's inclination with the same weights.
+
+use std::f64::consts::FRAC_PI_2;
+
+use glam::{DMat3, DVec3};
+
+use super::Search;
+use crate::invalid::Invalid;
+use crate::roots;
+
+/// Points by which the means over a stretch are taken.
+const POINTS: usize = 200;
+
+/// When two stretches of overlap are one patch.
+///
+/// Stretches nearer than `joined_below` become one patch. From there to `apart_beyond` each keeps a patch of its own,
+/// whose place and angle move from the common ones to its own in proportion to the distance. Stretches whose angles
+/// differ by more than `angle` never join.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joining {
+    /// Distance (m) from edge to edge up to which two stretches are one.
+    pub joined_below: f64,
+    /// Distance (m) from edge to edge beyond which neither knows of the other.
+    pub apart_beyond: f64,
+    /// Difference (rad) of the contact angles up to which stretches join.
+    pub angle: f64,
+}
+
+impl Default for Joining {
+    /// Joined below 4 mm, apart beyond 8 mm, up to a right angle.
+    fn default() -> Self {
+        Self { joined_below: 4e-3, apart_beyond: 8e-3, angle: FRAC_PI_2 }
+    }
+}
+
+impl Joining {
+    /// The same, checked.
+    ///
+    /// # Errors
+    /// If a value is negative or not finite, or if `apart_beyond` is less than `joined_below`.
+    pub fn checked(self) -> Result<Self, Invalid> {
+        let least = [
+            ("joined_below", self.joined_below, 0.0),
+            ("apart_beyond", self.apart_beyond, self.joined_below),
+            ("angle", self.angle, 0.0),
+        ];
+        for (parameter, value, least) in least {
+            if !(Invalid::finite(parameter, value)? >= least) {
+                let message = format!("{value} has to be {least} or more");
+                return Err(Invalid::new(parameter, message));
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// A patch of overlap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Patch {
+    /// The reference point (m) in the track: on the rail, and ahead of the axle where the wheel yaws.
+    pub reference: DVec3,
+    /// The contact angle (rad): the turn about x from the track to the frame of the contact; negative towards the flange.
+    pub angle: f64,
+    /// Where the overlap begins and ends (m) along s, the reference point at 0.
+    pub extent: [f64; 2],
+    /// The largest vertical overlap (m).
+    pub depth: f64,
+    /// Where the overlap is largest (m along the curve of the wheel).
+    pub deepest: f64,
+    /// The height (m) of the wheelset at which the patch was found.
+    pub height: f64,
+}
+
+impl Patch {
+    /// The frame of the contact: its columns are x, s (to the field side along the surfaces) and n (into the rail), in
+    /// the axes of the track.
+    pub fn frame(&self) -> DMat3 {
+        DMat3::from_rotation_x(self.angle)
+    }
+}
+
+/// A stretch of the locus in which wheel and rail overlap.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// Ends (m) along the curve of the wheel, in its order: the first lies on the field side.
+    ends: [f64; 2],
+    /// The points of the rail (y and z, m) at the ends.
+    edges: [[f64; 2]; 2],
+    /// The sums below divided by it are means.
+    weight: f64,
+    /// Weighted sum of the points (m).
+    point: DVec3,
+    /// Weighted sum of the angles (rad).
+    angle: f64,
+    depth: f64,
+    deepest: f64,
+}
+
+impl Stretch {
+    fn centre(&self) -> DVec3 {
+        self.point / self.weight
+    }
+
+    fn mean_angle(&self) -> f64 {
+        self.angle / self.weight
+    }
+
+    /// Distance (m) to the next stretch of the wheel.
+    fn distance(&self, next: &Self) -> f64 {
+        crate::curve::distance(self.edges[1], next.edges[0])
+    }
+
+    fn with(self, next: Self) -> Self {
+        let deeper = if next.depth > self.depth { next } else { self };
+        Self {
+            ends: [self.ends[0], next.ends[1]],
+            edges: [self.edges[0], next.edges[1]],
+            weight: self.weight + next.weight,
+            point: self.point + next.point,
+            angle: self.angle + next.angle,
+            ..deeper
+        }
+    }
+}
+
+impl Search<'_> {
+    /// The patches of overlap at that height (m) of the wheelset, in the order of the profile of the wheel: from the field
+    /// side to the flange.
+    ///
+    /// # Errors
+    /// If the height is not finite, or a value of the joining is out of its bounds.
+    pub fn patches(&self, height: f64, joining: &Joining) -> Result<Vec<Patch>, Invalid> {
+        let height = Invalid::finite("height", height)?;
+        let joining = joining.checked()?;
+        let near = |a: &Stretch, b: &Stretch, most: f64| {
+            a.distance(b) <= most && (a.mean_angle() - b.mean_angle()).abs() <= joining.angle
+        };
+        let mut joined: Vec<Stretch> = vec![];
+        for stretch in self.stretches(height) {
+            match joined.last_mut() {
+                Some(last) if near(last, &stretch, joining.joined_below) => *last = last.with(stretch),
+                _ => joined.push(stretch),
+            }
+        }
+        let patches = (0..joined.len()).map(|at| {
+            let own = joined[at];
+            let others = [at.checked_sub(1).map(|at| joined[at]), joined.get(at + 1).copied()];
+            let mut view = View { centre: own.centre(), angle: own.mean_angle() };
+            for other in others.into_iter().flatten() {
+                let [left, right] = if other.ends[0] < own.ends[0] { [other, own] } else { [own, other] };
+                if near(&left, &right, joining.apart_beyond) {
+                    let range = joining.apart_beyond - joining.joined_below;
+                    let share = ((joining.apart_beyond - left.distance(&right)) / range).clamp(0.0, 1.0);
+                    view = view.towards(&left.with(right), 0.5 * share);
+                }
+            }
+            self.patch(&own, &view, height)
+        });
+        Ok(patches.collect())
+    }
+
+    fn patch(&self, stretch: &Stretch, view: &View, height: f64) -> Patch {
+        let rail = self.setup.rail();
+        let on_rail = self.top.below(rail, view.centre.y).map(|along| rail.point(along)[1]);
+        let reference = DVec3::new(view.centre.x, view.centre.y, on_rail.unwrap_or(view.centre.z));
+        let (sin, cos) = view.angle.sin_cos();
+        let along = |[y, z]: [f64; 2]| (y - reference.y) * cos + (z - reference.z) * sin;
+        let extent = [along(stretch.edges[1]), along(stretch.edges[0])];
+        let Stretch { depth, deepest, .. } = *stretch;
+        Patch { reference, angle: view.angle, extent, depth, deepest, height }
+    }
+
+    /// The stretches of the locus whose gap is below the height.
+    fn stretches(&self, height: f64) -> Vec<Stretch> {
+        let mut found = vec![];
+        let mut start = None;
+        for at in 0..self.locus.len() {
+            let inside = self.locus[at].gap < height;
+            if inside && start.is_none() {
+                start = Some(at);
+            }
+            let last = at + 1 == self.locus.len() || !self.follows(at);
+            if let Some(first) = start.filter(|_| !inside || last) {
+                start = None;
+                let end = if inside { at } else { at - 1 };
+                found.extend(self.stretch(first, end, height));
+            }
+        }
+        found
+    }
+
+    /// Whether the sample after this one is the next place of the wheel and has rail below it.
+    fn follows(&self, at: usize) -> bool {
+        self.locus[at + 1].on_wheel - self.locus[at].on_wheel < 1.5 * super::STEP
+    }
+
+    /// The stretch that holds the samples from the first to the last.
+    fn stretch(&self, first: usize, last: usize, height: f64) -> Option<Stretch> {
+        let cross = |inside: usize, outside: usize| {
+            let [a, b] = [inside, outside].map(|at| self.locus[at].on_wheel);
+            roots::zero(a, b, |along| self.gap_at(along) - height)
+        };
+        let from = match first.checked_sub(1) {
+            Some(before) if self.follows(before) => cross(first, before),
+            _ => self.locus[first].on_wheel,
+        };
+        let to = match last + 1 < self.locus.len() && self.follows(last) {
+            true => cross(last, last + 1),
+            false => self.locus[last].on_wheel,
+        };
+        self.weigh([from, to], height)
+    }
+
+    /// The stretch between those places of the wheel (m), with its means.
+    fn weigh(&self, ends: [f64; 2], height: f64) -> Option<Stretch> {
+        let rail = self.setup.rail();
+        let place = |share: f64| self.possible(ends[0] + share * (ends[1] - ends[0]));
+        let edge = |share: f64| place(share).map(|at| rail.point(at.on_rail));
+        let mut stretch = Stretch {
+            ends,
+            edges: [edge(0.0)?, edge(1.0)?],
+            weight: 0.0,
+            point: DVec3::ZERO,
+            angle: 0.0,
+            depth: 0.0,
+            deepest: ends[0],
+        };
+        let mut last = place(0.0)?.point.y;
+        for at in 0..POINTS {
+            let Some(possible) = place((at as f64 + 0.5) / POINTS as f64) else { continue };
+            let step = place((at + 1) as f64 / POINTS as f64).map_or(0.0, |next| last - next.point.y);
+            last -= step;
+            let depth = height - possible.gap;
+            let weight = (depth * step.abs()).max(0.0);
+            let [along_y, along_z] = rail.place(possible.on_rail).tangent;
+            stretch.weight += weight;
+            stretch.point += weight * (possible.point + DVec3::Z * height);
+            stretch.angle += weight * along_z.atan2(along_y);
+            if depth > stretch.depth {
+                (stretch.depth, stretch.deepest) = (depth, possible.on_wheel);
+            }
+        }
+        (stretch.weight > 0.0).then_some(stretch)
+    }
+}
+
+/// From where and under which angle a patch is looked at.
+struct View {
+    centre: DVec3,
+    angle: f64,
+}
+
+impl View {
+    /// The view moved by a share towards that of the stretch.
+    fn towards(self, stretch: &Stretch, share: f64) -> Self {
+        Self {
+            centre: self.centre.lerp(stretch.centre(), share),
+            angle: self.angle + share * (stretch.mean_angle() - self.angle),
+        }
+    }
+}
