@@ -3,12 +3,14 @@
 
 pub mod creepage;
 pub mod curve;
+pub mod file;
 pub mod invalid;
 pub mod oddity;
 pub mod profile;
 mod roots;
 pub mod search;
 pub mod setup;
+pub mod standard;
 
 pub use invalid::Invalid;
 pub use profile::{Part, Profile};

@@ -1,57 +1,108 @@
-//! Held against the field's reference program on the Manchester benchmark, if `ARCHARD_WHEEL_RAIL` names the folder with
-//! its profiles and results.
+//! The right side of the Manchester benchmark against the field's reference program, at eight shifts of the wheelset, if
+//! `ARCHARD_WHEEL_RAIL` names the folder with its profiles and results.
 
-use std::path::PathBuf;
-use archard_rail::{Profile, setup::*, search::*, curve::*, creepage::*};
+mod common;
 
-fn points(p: &PathBuf, mirror: f64, rev: bool) -> Profile {
-    let text = std::fs::read_to_string(p).unwrap();
-    let mut on = false;
-    let mut pts = vec![];
-    for l in text.lines() {
-        let l = l.trim();
-        if l == "point.begin" { on = true; continue }
-        if l == "point.end" { break }
-        if !on || l.starts_with('!') { continue }
-        let v: Vec<f64> = l.split_whitespace().map(|x| x.parse().unwrap()).collect();
-        pts.push([v[0] * mirror * 1e-3, v[1] * 1e-3]);
+use std::collections::HashMap;
+
+use archard_rail::Part;
+use archard_rail::creepage::Creepage;
+use archard_rail::curve::Smoothing;
+use archard_rail::file::Format;
+use archard_rail::search::{Joining, Search};
+use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
+
+/// A row of the table: values by the names of their columns (mm, N, rad).
+struct Row(HashMap<String, f64>);
+
+impl Row {
+    fn get(&self, name: &str) -> f64 {
+        self.0[name]
     }
-    if rev { pts.reverse() }
-    Profile::new(pts).unwrap()
+}
+
+fn rows(text: &str) -> Vec<Row> {
+    let mut lines = text.lines();
+    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let row = |line: &str| {
+        let cells = names.iter().zip(line.split(','));
+        let cells = cells.filter_map(|(name, cell)| Some(((*name).to_owned(), cell.parse().ok()?)));
+        Row(cells.collect())
+    };
+    lines.map(row).collect()
+}
+
+/// The distance of a value from the reference, held against what is allowed.
+struct Difference {
+    name: &'static str,
+    off: f64,
+    most: f64,
+}
+
+/// A difference of at most one in a hundred, or one in the last of four digits.
+fn relative(name: &'static str, value: f64, reference: f64) -> Difference {
+    let last = if reference == 0.0 { 1e-9 } else { 10f64.powf(reference.abs().log10().floor() - 3.0) };
+    Difference { name, off: value - reference, most: (reference.abs() * 0.01).max(last) }
+}
+
+fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
+    let attitude = Attitude { shift: row.get("Y_WS") * 1e-3, roll: row.get("ROLL_WS"), yaw: row.get("YAW_WS") };
+    let velocity =
+        Velocity { forward: row.get("VX_WS") * 1e-3, pitch: row.get("VPITCH_WS"), ..Velocity::default() };
+    let search = Search::new(setup, attitude).unwrap();
+    let onset = search.onset().unwrap().height * 1e3;
+    let patches = search.patches(row.get("Z_WS") * 1e-3, &Joining::default()).unwrap();
+    let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
+    let creepage = Creepage::new(&search, patch, &velocity, patch.approach());
+    let length = |name, value: f64, column: &str, most| Difference { name, off: value - row.get(column), most };
+    let point = patch.reference * 1e3;
+    let wheel = search.in_wheel(patch.reference, patch.height) * 1e3;
+    let rail = point.y - (751.8726 + 8.66);
+    let approach = patch.approach() * 1e3;
+    vec![
+        length("onset", onset, "Z_ONSET", 1e-3),
+        length("x", point.x, "XCP(TR)", 0.05),
+        length("y", point.y, "YCP(TR)", 0.05),
+        length("z", point.z, "ZCP(TR)", 0.05),
+        length("y on rail", rail, "YCP(R)", 0.05),
+        length("x on wheel", wheel.x, "XCP(W)", 0.05),
+        length("y on wheel", wheel.y, "YCP(W)", 0.05),
+        length("z on wheel", wheel.z, "ZCP(W)", 0.05),
+        length("angle", patch.angle, "DELTCP(TR)", 0.002),
+        relative("approach", approach, row.get("APPROACH")),
+        relative("xi", creepage.longitudinal, row.get("CKSI")),
+        relative("eta", creepage.lateral, row.get("CETA")),
+        relative("phi", creepage.spin * 1e-3, row.get("CPHI")),
+        relative("speed", creepage.speed * 1e3, row.get("VELOC")),
+    ]
 }
 
 #[test]
-fn rows() {
-    let Some(dir) = std::env::var_os("ARCHARD_WHEEL_RAIL").map(PathBuf::from) else { return };
-    let rail = points(&dir.join("MBench_UIC60_v3.prr"), 1.0, false).curve(Smoothing::NONE).unwrap();
-    let wheel = points(&dir.join("MBench_S1002_v3.prw"), -1.0, true).curve(Smoothing::NONE).unwrap();
-    let track = Track { gauge: 1.435, gauge_height: 14e-3, cant: 0.0 };
-    let ws = Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: 0.46 };
-    let setup = Setup::new(track, &rail, ws, &wheel).unwrap();
-    println!("rail first {:?} last {:?}; wheel first {:?} last {:?}", setup.rail().point(0.0), setup.rail().point(setup.rail().length()), wheel.point(0.0), wheel.point(wheel.length()));
-    let csv = std::fs::read_to_string(dir.join("manchester_right.csv")).unwrap();
-    let head: Vec<&str> = csv.lines().next().unwrap().split(',').collect();
-    for line in csv.lines().skip(1) {
-        let cells: Vec<&str> = line.split(',').collect();
-        let get = |n: &str| cells[head.iter().position(|h| *h == n).unwrap()].parse::<f64>().unwrap();
-        let att = Attitude { shift: get("Y_WS") * 1e-3, roll: get("ROLL_WS"), yaw: get("YAW_WS") };
-        let vel = Velocity { forward: 2.0, pitch: get("VPITCH_WS"), ..Default::default() };
-        let search = Search::new(&setup, att).unwrap();
-        let onset = search.onset().unwrap();
-        let t = std::time::Instant::now();
-        let patches = search.patches(get("Z_WS") * 1e-3, &Joining::default()).unwrap();
-        println!("y {} onset err {:.5} mm; patches {} ({:?})", get("Y_WS"), onset.height * 1e3 - get("Z_ONSET"), patches.len(), t.elapsed());
-        for p in &patches {
-            let r = p.reference * 1e3;
-            let gap = search.gap(p).column(0.0, &[0.0])[0];
-            let c = search.gap(p);
-            let ss: Vec<f64> = (0..=400).map(|i| p.extent[0] + (p.extent[1]-p.extent[0]) * i as f64 / 400.0).collect();
-            let deep = c.column(0.0, &ss).into_iter().fold(0.0, f64::min);
-            println!("   dx {:.4} dy {:.4} dz {:.4} dangle {:.4} ({:.4}) extent {:?} depth {:.5} gap {:.5} deep {:.5} approach {}", r.x - get("XCP(TR)"), r.y - get("YCP(TR)"), r.z - get("ZCP(TR)"), p.angle - get("DELTCP(TR)"), p.angle, p.extent, p.depth*1e3*p.angle.cos(), gap*1e3, deep*1e3, get("APPROACH"));
-            for a in [get("APPROACH")*1e-3, -gap, p.depth*p.angle.cos()] {
-            let k = Creepage::new(&search, p, &vel, a);
-            println!("   xi {:.4e} / {:.4e}  eta {:.4e} / {:.4e} phi {:.4e} / {:.4e} V {:.5}/{}", k.longitudinal, get("CKSI"), k.lateral, get("CETA"), k.spin*1e-3, get("CPHI"), k.speed, get("VELOC"));
+fn eight_shifts_agree() {
+    let Some(folder) = common::folder() else { return };
+    let curve = |name, part| {
+        common::document(&folder, name, Format::Simpack(part)).profile.curve(Smoothing::NONE).unwrap()
+    };
+    let rail = curve("MBench_UIC60_v3.prr", Part::Rail);
+    let wheel = curve("MBench_S1002_v3.prw", Part::Wheel);
+    // The benchmark's rail is inclined already.
+    let track = Track { cant: 0.0, ..Track::standard() };
+    let wheelset =
+        Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: 0.46 };
+    let setup = Setup::new(track, &rail, wheelset, &wheel).unwrap();
+    let table = std::fs::read_to_string(folder.join("manchester_right.csv")).unwrap();
+    let rows = rows(&table);
+    assert_eq!(rows.len(), 8);
+    let mut wrong = vec![];
+    for row in &rows {
+        eprint!("y = {} mm:", row.get("Y_WS"));
+        for Difference { name, off, most } in differences(&setup, row) {
+            eprint!(" {name} {off:+.2e};");
+            if !(off.abs() <= most) {
+                wrong.push(format!("y = {}: {name} off by {off:.3e}", row.get("Y_WS")));
             }
         }
+        eprintln!();
     }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -35,13 +35,6 @@ impl<'a> Search<'a> {
     }
 }
 
-impl Patch {
-    /// A point of the track (m) in the frame of the contact: x, s and n from the reference point.
-    pub fn local(&self, point: DVec3) -> DVec3 {
-        self.frame().transpose() * (point - self.reference)
-    }
-}
-
 impl Gap<'_> {
     /// The gap (m) at that x (m) and each s (m) of the tangent plane, from the reference point; negative where the
     /// bodies overlap, infinite where the rail or the wheel does not reach.

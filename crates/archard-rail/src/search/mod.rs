@@ -78,6 +78,14 @@ impl<'a> Search<'a> {
         &self.attitude
     }
 
+    /// A point of the track (m) as the wheel has it at that height (m) of the wheelset: x forward, y and z as in its
+    /// profile, turned with roll and yaw.
+    pub fn in_wheel(&self, point: DVec3, height: f64) -> DVec3 {
+        let wheelset = self.setup.wheelset();
+        let own = self.rotation.transpose() * (point - self.setup.centre(&self.attitude, height));
+        own - DVec3::new(0.0, wheelset.arm(), wheelset.nominal_radius)
+    }
+
     /// The points of possible contact, in the order of the profile of the wheel; none where the wheel does not face
     /// downwards or has no rail below it.
     pub fn locus(&self) -> &[Possible] {

@@ -1,0 +1,48 @@
+//! The profiles of the standards against those of the Manchester benchmark, if `ARCHARD_WHEEL_RAIL` names their folder.
+
+mod common;
+
+use archard_rail::curve::{Curve, Smoothing};
+use archard_rail::file::Format;
+use archard_rail::setup::Track;
+use archard_rail::standard::{rail_60e1, wheel_s1002_depth};
+use archard_rail::Part;
+
+/// The file has eight digits: 1e-8 m is asked for.
+#[test]
+fn the_wheel_is_the_benchmarks() {
+    let Some(folder) = common::folder() else { return };
+    let document = common::document(&folder, "MBench_S1002_v3.prw", Format::Simpack(Part::Wheel));
+    assert_eq!(document.findings, []);
+    let off = |point: &[f64; 2]| wheel_s1002_depth(point[0]).map(|z| (z - point[1]).abs());
+    let worst = document.profile.points.iter().filter_map(off).fold(0.0, f64::max);
+    eprintln!("S1002: {} points, worst {:.1e} m", document.profile.points.len(), worst);
+    assert!(worst < 1e-8, "{worst}");
+}
+
+/// The least distance (m) from a point to the curve.
+fn distance(curve: &Curve, [y, z]: [f64; 2]) -> f64 {
+    let steps = (curve.length() / 1e-5) as usize;
+    let all = (0..=steps).map(|at| curve.point(at as f64 * 1e-5));
+    all.map(|point| (point[0] - y).hypot(point[1] - z)).fold(f64::MAX, f64::min)
+}
+
+/// The benchmark's rail is inclined and its arcs end 0.26 mm from those of the drawing: 0.04 mm is asked for down to the
+/// gauge height.
+#[test]
+fn the_rail_is_the_benchmarks() {
+    let Some(folder) = common::folder() else { return };
+    let document = common::document(&folder, "MBench_UIC60_v3.prr", Format::Simpack(Part::Rail));
+    for finding in &document.findings {
+        eprintln!("{finding}");
+    }
+    let track = Track::standard();
+    let upright = Track { cant: 0.0, ..track };
+    let drawn = track.place(&rail_60e1(1e-4).unwrap().curve(Smoothing::NONE).unwrap()).unwrap();
+    let file = upright.place(&document.profile.curve(Smoothing::NONE).unwrap()).unwrap();
+    let nodes = file.nodes().iter().map(|&along| file.point(along));
+    let compared: Vec<f64> = nodes.filter(|point| point[1] < 14e-3).map(|point| distance(&drawn, point)).collect();
+    let worst = compared.iter().copied().fold(0.0, f64::max);
+    eprintln!("60E1: {} points down to 14 mm, worst {:.4} mm", compared.len(), worst * 1e3);
+    assert!(worst < 4e-5, "{worst}");
+}
