@@ -63,7 +63,9 @@ impl fmt::Display for Oddity {
             Self::ZigZag { turn } => {
                 write!(f, "the profile turns back by {:.0} degrees", turn.to_degrees())
             }
-            Self::WrongHand => write!(f, "the material lies on the left hand: turn the order round"),
+            Self::WrongHand => {
+                write!(f, "the material lies on the left hand: turn the order round")
+            }
             Self::UpsideDown => write!(f, "the profile seems to stand upside down: mirror z"),
             Self::Flange => write!(f, "the flange lies on the field side: mirror y"),
             Self::Size { width } => {
@@ -110,8 +112,10 @@ impl Profile {
     /// All that looks wrong about the profile of that part.
     pub fn oddities(&self, part: Part) -> Vec<Finding> {
         let whole = [self.hand(part), self.upside_down(), self.flange(part), self.size()];
-        let whole = whole.into_iter().flatten().map(|oddity| Finding { point: None, line: None, oddity });
-        let at = |(at, oddity): (usize, Oddity)| Finding { point: Some(at + 1), line: None, oddity };
+        let whole =
+            whole.into_iter().flatten().map(|oddity| Finding { point: None, line: None, oddity });
+        let at =
+            |(at, oddity): (usize, Oddity)| Finding { point: Some(at + 1), line: None, oddity };
         whole
             .chain(self.doubled().map(at))
             .chain(self.zigzags().map(at))
@@ -174,7 +178,8 @@ impl Profile {
             let candidates = order[rank + 1..].iter().map(|&other| &steps[other]);
             let near = candidates.take_while(|other| other.across[0] <= step.across[1]);
             if let Some(other) = near.into_iter().find(|other| step.crosses(other)) {
-                let [first, second] = [step.number.min(other.number), step.number.max(other.number)];
+                let [first, second] =
+                    [step.number.min(other.number), step.number.max(other.number)];
                 found.push((second, Oddity::Loop { with: first + 1 }));
             }
         }

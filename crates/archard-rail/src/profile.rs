@@ -43,16 +43,19 @@ impl Profile {
     /// kilometre.
     pub fn new(points: Vec<[f64; 2]>) -> Result<Self, Invalid> {
         if points.len() < 3 {
-            let message = format!("a profile needs three points or more, and this has {}", points.len());
+            let message =
+                format!("a profile needs three points or more, and this has {}", points.len());
             return Err(Invalid::new("points", message));
         }
         if points.len() > MOST_POINTS {
-            let message = format!("{} points are more than {MOST_POINTS}: thin them out", points.len());
+            let message =
+                format!("{} points are more than {MOST_POINTS}: thin them out", points.len());
             return Err(Invalid::new("points", message));
         }
         match points.iter().position(|point| !point.iter().all(|value| value.abs() < 1e3)) {
             Some(at) => {
-                let message = format!("point {} is not finite, or farther than a kilometre", at + 1);
+                let message =
+                    format!("point {} is not finite, or farther than a kilometre", at + 1);
                 Err(Invalid::new("points", message))
             }
             None => Ok(Self { points }),

@@ -31,9 +31,7 @@ impl Side {
     pub fn velocity(self, of: Velocity) -> Velocity {
         match self {
             Self::Right => of,
-            Self::Left => {
-                Velocity { lateral: -of.lateral, roll: -of.roll, yaw: -of.yaw, ..of }
-            }
+            Self::Left => Velocity { lateral: -of.lateral, roll: -of.roll, yaw: -of.yaw, ..of },
         }
     }
 
@@ -71,14 +69,33 @@ impl Track {
         let half = Invalid::positive("gauge", self.gauge)? / 2.0;
         let depth = Invalid::positive("gauge_height", self.gauge_height)?;
         let cant = Invalid::within("cant", self.cant, std::f64::consts::FRAC_PI_2)?;
+        short("rail", rail)?;
         let turned = rail.clone().moved(-cant, [0.0; 2]);
         let places = turned.samples(2e-5);
         let top = least(&turned, &places, |point| point[1]);
-        let inner = least(&turned, &places, |point| {
-            if point[1] <= top + depth { point[0] } else { f64::INFINITY }
-        });
+        let inner =
+            least(
+                &turned,
+                &places,
+                |point| {
+                    if point[1] <= top + depth { point[0] } else { f64::INFINITY }
+                },
+            );
         Ok(turned.moved(0.0, [half - inner, -top]))
     }
+}
+
+/// Most length (m) of a profile that can stand in the track.
+const LONGEST: f64 = 2.0;
+
+/// Holds a profile against [`LONGEST`]: a longer one would take long to search, and is in another unit.
+fn short(parameter: &'static str, curve: &Curve) -> Result<(), Invalid> {
+    if curve.length() <= LONGEST {
+        return Ok(());
+    }
+    let message =
+        format!("a profile {} m long was probably read in the wrong unit", curve.length());
+    Err(Invalid::new(parameter, message))
 }
 
 /// The least value of a function of the points of the curve, between the places too.
@@ -194,11 +211,20 @@ impl Setup {
     ///
     /// # Errors
     /// If a length or an angle is out of its bounds, or if the wheel reaches to its axle.
-    pub fn new(track: Track, rail: &Curve, wheelset: Wheelset, wheel: &Curve) -> Result<Self, Invalid> {
+    pub fn new(
+        track: Track,
+        rail: &Curve,
+        wheelset: Wheelset,
+        wheel: &Curve,
+    ) -> Result<Self, Invalid> {
         let wheelset = wheelset.checked()?;
+        short("wheel", wheel)?;
         let lowest = wheel.samples(1e-3).into_iter().map(|along| wheel.point(along)[1]);
         if lowest.fold(f64::INFINITY, f64::min) <= -wheelset.nominal_radius {
-            return Err(Invalid::new("nominal_radius", "the profile of the wheel reaches to the axle"));
+            return Err(Invalid::new(
+                "nominal_radius",
+                "the profile of the wheel reaches to the axle",
+            ));
         }
         Ok(Self { rail: track.place(rail)?, wheel: wheel.clone(), wheelset })
     }

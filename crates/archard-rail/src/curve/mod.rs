@@ -66,13 +66,16 @@ impl Curve {
     /// # Errors
     /// As [`Profile::curve`](crate::Profile::curve).
     pub fn new(points: &[[f64; 2]], smoothing: Smoothing) -> Result<Self, Invalid> {
-        if !(smoothing.wavelength >= 0.0 && smoothing.wavelength < 1.0) {
+        if !(0.0..1.0).contains(&smoothing.wavelength) {
             let message = format!("{} m has to lie between 0 and 1 m", smoothing.wavelength);
             return Err(Invalid::new("wavelength", message));
         }
         let (nodes, points) = apart(points);
         if points.len() < 3 {
-            return Err(Invalid::new("points", "fewer than three points are apart from each other"));
+            return Err(Invalid::new(
+                "points",
+                "fewer than three points are apart from each other",
+            ));
         }
         let mut ends = vec![0];
         ends.extend(corners(&nodes, &points, smoothing));
@@ -109,9 +112,8 @@ impl Curve {
     /// Point, tangent and curvature at that length (m) along the polygon.
     pub fn place(&self, along: f64) -> Place {
         let (cubic, d) = self.piece(along);
-        let slope = [0, 1].map(|axis| {
-            cubic[1][axis] + d * (2.0 * cubic[2][axis] + d * 3.0 * cubic[3][axis])
-        });
+        let slope = [0, 1]
+            .map(|axis| cubic[1][axis] + d * (2.0 * cubic[2][axis] + d * 3.0 * cubic[3][axis]));
         let bend = [0, 1].map(|axis| 2.0 * cubic[2][axis] + 6.0 * d * cubic[3][axis]);
         let speed = slope[0].hypot(slope[1]).max(f64::MIN_POSITIVE);
         Place {

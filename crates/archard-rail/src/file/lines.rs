@@ -33,7 +33,10 @@ pub(super) fn number(line: usize, word: &str) -> Result<f64, ReadError> {
 }
 
 /// The first two numbers of a row.
-pub(super) fn pair<'a>(line: usize, mut words: impl Iterator<Item = &'a str>) -> Result<[f64; 2], ReadError> {
+pub(super) fn pair<'a>(
+    line: usize,
+    mut words: impl Iterator<Item = &'a str>,
+) -> Result<[f64; 2], ReadError> {
     match (words.next(), words.next()) {
         (Some(first), Some(second)) => Ok([number(line, first)?, number(line, second)?]),
         (first, _) => {

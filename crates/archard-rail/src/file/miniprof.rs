@@ -47,7 +47,10 @@ pub(super) fn read(text: &str, part: Part, mirrored: bool) -> Result<Document, R
     }
     let last = lines::count(text);
     if in_head {
-        return Err(ReadError { line: last, cause: Cause::Missing { what: "an empty line after the head" } });
+        return Err(ReadError {
+            line: last,
+            cause: Cause::Missing { what: "an empty line after the head" },
+        });
     }
     head.check(&mut points);
     let sign = if mirrored { -1.0 } else { 1.0 };
@@ -67,7 +70,9 @@ impl Head {
         match key {
             "ColumnDef" => self.columns = columns(line, value)?,
             "XYPoints" => self.stated = Some(Stated { line, count: lines::number(line, value)? }),
-            "XOffset" | "YOffset" | "RailAngle" if value.parse() != Ok(0.0) && !value.is_empty() => {
+            "XOffset" | "YOffset" | "RailAngle"
+                if value.parse() != Ok(0.0) && !value.is_empty() =>
+            {
                 points.odd(line, Oddity::Ignored { key: key.to_owned() });
             }
             _ => {}

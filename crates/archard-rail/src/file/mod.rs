@@ -61,8 +61,7 @@ impl Format {
     /// The part counts only where the extension does not tell it; columns are in that unit (m).
     pub fn of_extension(extension: &str, part: Part, unit: f64) -> Option<Self> {
         let miniprof = |part| Self::MiniProf { part, mirrored: false, flavour: Flavour::Keys };
-        let columns =
-            |comma| Self::Columns { part, unit, upwards: false, mirrored: false, comma };
+        let columns = |comma| Self::Columns { part, unit, upwards: false, mirrored: false, comma };
         Some(match extension.trim_start_matches('.').to_ascii_lowercase().as_str() {
             "prr" => Self::Simpack(Part::Rail),
             "prw" => Self::Simpack(Part::Wheel),

@@ -33,7 +33,13 @@ impl Keys {
     }
 
     /// Takes in a key of the spline block.
-    fn set(&mut self, line: usize, key: &str, word: &str, points: &mut Points) -> Result<(), ReadError> {
+    fn set(
+        &mut self,
+        line: usize,
+        key: &str,
+        word: &str,
+        points: &mut Points,
+    ) -> Result<(), ReadError> {
         let number = || lines::number(line, word);
         match key {
             "shift.y" => self.shift[0] = number()?,
@@ -71,13 +77,16 @@ impl Keys {
             let outside = |value: f64| value < least.value || value > most.value;
             let cut = points.values.iter().any(|point| outside(point[axis] + self.shift[axis]));
             if least.value <= most.value && cut {
-                let advice = "leave out the points beyond it and set the least bound above the largest";
+                let advice =
+                    "leave out the points beyond it and set the least bound above the largest";
                 let cause = Cause::Unsupported { key: name.to_owned(), advice };
                 return Err(ReadError { line: least.line.max(most.line), cause });
             }
         }
         let sign = self.mirror.map(|mirror| if mirror { -1.0 } else { 1.0 });
-        points.map(|point| [0, 1].map(|axis| (point[axis] + self.shift[axis]) * sign[axis] / self.unit));
+        points.map(|point| {
+            [0, 1].map(|axis| (point[axis] + self.shift[axis]) * sign[axis] / self.unit)
+        });
         if self.inversion {
             points.reverse();
         }
@@ -135,11 +144,16 @@ fn stated(line: usize, word: &str, wanted: Part) -> Result<(), ReadError> {
         0.0 => Part::Rail,
         1.0 => Part::Wheel,
         _ => {
-            let cause = Cause::Unsupported { key: "type".to_owned(), advice: "0 is a rail and 1 a wheel" };
+            let cause =
+                Cause::Unsupported { key: "type".to_owned(), advice: "0 is a rail and 1 a wheel" };
             return Err(ReadError { line, cause });
         }
     };
-    if found == wanted { Ok(()) } else { Err(ReadError { line, cause: Cause::Part { found, wanted } }) }
+    if found == wanted {
+        Ok(())
+    } else {
+        Err(ReadError { line, cause: Cause::Part { found, wanted } })
+    }
 }
 
 /// The line up to the first `!` that is not in quotes.

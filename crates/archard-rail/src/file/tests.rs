@@ -52,7 +52,10 @@ fn simpack_shifts_then_mirrors_then_divides_then_inverts() {
     assert_eq!(document.lines, [14, 13, 12]);
     assert!(document.findings.iter().any(|finding| finding.line == Some(14)));
     let error = read(text.as_bytes(), Format::Simpack(Part::Rail)).unwrap_err();
-    assert_eq!((error.line, error.cause), (2, Cause::Part { found: Part::Wheel, wanted: Part::Rail }));
+    assert_eq!(
+        (error.line, error.cause),
+        (2, Cause::Part { found: Part::Wheel, wanted: Part::Rail })
+    );
 }
 
 #[test]
@@ -62,7 +65,10 @@ fn miniprof_heads_may_be_quoted_and_columns_in_any_order() {
     let document = read(text.as_bytes(), format).unwrap();
     assert_eq!(document.profile.points[0], [-0.03, 0.002]);
     let told: Vec<String> = document.findings.iter().map(ToString::to_string).collect();
-    assert_eq!(told[..2], ["line 3: `XOffset` is not used", "line 1: the file states 4 points and holds 3"]);
+    assert_eq!(
+        told[..2],
+        ["line 3: `XOffset` is not used", "line 1: the file states 4 points and holds 3"]
+    );
 }
 
 #[test]

@@ -39,7 +39,7 @@ impl Gap<'_> {
     /// The gap (m) at that x (m) and each s (m) of the tangent plane, from the reference point; negative where the
     /// bodies overlap, infinite where the rail or the wheel does not reach.
     pub fn column(&self, x: f64, across: &[f64]) -> Vec<f64> {
-        let (rail, search) = (self.search.setup.rail(), self.search);
+        let rail = self.search.setup.rail();
         let on_rail = |along: f64| {
             let [y, z] = rail.point(along);
             self.patch.local(DVec3::new(self.patch.reference.x, y, z))
@@ -47,10 +47,8 @@ impl Gap<'_> {
         let on_wheel = |along: f64| self.on_wheel(x, along);
         let wheel = Depths::new(self.wheel.clone(), self.patch.deepest, on_wheel);
         let depth = |s: f64| {
-            let rail = self.rail.at(s, on_rail)?;
-            let wheel = wheel.at(s, on_wheel)?;
-            let gap = rail - wheel;
-            (gap.is_finite() && search.attitude.yaw.is_finite()).then_some(gap)
+            let gap = self.rail.at(s, on_rail)? - wheel.at(s, on_wheel)?;
+            gap.is_finite().then_some(gap)
         };
         across.iter().map(|&s| depth(s).unwrap_or(f64::INFINITY)).collect()
     }
@@ -103,7 +101,8 @@ impl Depths {
         if after == 0 || after == self.across.len() {
             return None;
         }
-        let along = roots::zero(self.places[after - 1], self.places[after], |along| local(along).y - s);
+        let along =
+            roots::zero(self.places[after - 1], self.places[after], |along| local(along).y - s);
         Some(local(along).z)
     }
 }

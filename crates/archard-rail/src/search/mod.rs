@@ -62,7 +62,8 @@ impl<'a> Search<'a> {
     pub fn new(setup: &'a Setup, attitude: Attitude) -> Result<Self, Invalid> {
         let attitude = attitude.checked()?;
         let top = Top::new(setup.rail());
-        let mut search = Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
+        let mut search =
+            Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
         let places = setup.wheel().samples(STEP);
         search.locus = places.into_iter().filter_map(|along| search.possible(along)).collect();
         Ok(search)

@@ -9,7 +9,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use glam::{DMat3, DVec3};
 
-use super::Search;
+use super::{Possible, Search};
 use crate::invalid::Invalid;
 use crate::roots;
 
@@ -20,9 +20,9 @@ const POWER: f64 = 2.5;
 
 /// When two stretches of overlap are one patch.
 ///
-/// Stretches nearer than `joined_below` become one patch. From there to `apart_beyond` each keeps a patch of its own,
-/// whose place and angle move from the common ones to its own in proportion to the distance. Stretches whose angles
-/// differ by more than `angle` never join.
+/// Stretches nearer than `joined_below` become one patch. From there to `apart_beyond` each keeps a patch of its own; its
+/// place and its angle count the neighbour with a share that falls from 1 to 0, so that they do not jump where two
+/// patches part. Stretches whose angles differ by more than `angle` never join.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Joining {
     /// Distance (m) from edge to edge up to which two stretches are one.
@@ -52,12 +52,18 @@ impl Joining {
             ("angle", self.angle, 0.0),
         ];
         for (parameter, value, least) in least {
-            if !(Invalid::finite(parameter, value)? >= least) {
+            if Invalid::finite(parameter, value)? < least {
                 let message = format!("{value} has to be {least} or more");
                 return Err(Invalid::new(parameter, message));
             }
         }
         Ok(self)
+    }
+
+    /// How much a stretch at that distance (m) counts: from 1 where stretches join to 0 where they are apart.
+    fn share(&self, distance: f64) -> f64 {
+        let range = self.apart_beyond - self.joined_below;
+        if range > 0.0 { ((self.apart_beyond - distance) / range).clamp(0.0, 1.0) } else { 0.0 }
     }
 }
 
@@ -68,8 +74,10 @@ pub struct Patch {
     pub reference: DVec3,
     /// The contact angle (rad): the turn about x from the track to the frame of the contact; negative towards the flange.
     pub angle: f64,
+    /// Where the overlap begins and ends (m) along x, the reference point at 0: from the parabola of the wheel's circle.
+    pub along: [f64; 2],
     /// Where the overlap begins and ends (m) along s, the reference point at 0.
-    pub extent: [f64; 2],
+    pub across: [f64; 2],
     /// The largest vertical overlap (m).
     pub depth: f64,
     /// Where the overlap is largest (m along the curve of the wheel).
@@ -96,32 +104,53 @@ impl Patch {
     }
 }
 
-/// A stretch of the locus in which wheel and rail overlap.
+/// Sums over points of overlap, each with its weight.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
-    /// Ends (m) along the curve of the wheel, in its order: the first lies on the field side.
-    ends: [f64; 2],
-    /// The points of the rail (y and z, m) at the ends.
-    edges: [[f64; 2]; 2],
-    /// The sums below divided by it are means.
+struct Means {
     weight: f64,
     /// Weighted sum of the points (m).
     point: DVec3,
     /// Weighted sum of the angles (rad).
     angle: f64,
+}
+
+impl Means {
+    const NONE: Self = Self { weight: 0.0, point: DVec3::ZERO, angle: 0.0 };
+
+    fn centre(&self) -> DVec3 {
+        self.point / self.weight
+    }
+
+    fn angle(&self) -> f64 {
+        self.angle / self.weight
+    }
+
+    fn times(self, share: f64) -> Self {
+        Self { weight: self.weight * share, point: self.point * share, angle: self.angle * share }
+    }
+
+    fn with(self, other: Self) -> Self {
+        Self {
+            weight: self.weight + other.weight,
+            point: self.point + other.point,
+            angle: self.angle + other.angle,
+        }
+    }
+}
+
+/// A stretch of the locus in which wheel and rail overlap.
+#[derive(Debug, Clone, Copy)]
+struct Stretch {
+    /// The points of the rail (y and z, m) at the ends, in the order of the wheel: the first lies on the field side.
+    edges: [[f64; 2]; 2],
+    /// Least and largest x (m) of the overlap.
+    along: [f64; 2],
+    means: Means,
     depth: f64,
     deepest: f64,
 }
 
 impl Stretch {
-    fn centre(&self) -> DVec3 {
-        self.point / self.weight
-    }
-
-    fn mean_angle(&self) -> f64 {
-        self.angle / self.weight
-    }
-
     /// Distance (m) to the next stretch of the wheel.
     fn distance(&self, next: &Self) -> f64 {
         crate::curve::distance(self.edges[1], next.edges[0])
@@ -130,11 +159,9 @@ impl Stretch {
     fn with(self, next: Self) -> Self {
         let deeper = if next.depth > self.depth { next } else { self };
         Self {
-            ends: [self.ends[0], next.ends[1]],
             edges: [self.edges[0], next.edges[1]],
-            weight: self.weight + next.weight,
-            point: self.point + next.point,
-            angle: self.angle + next.angle,
+            along: [self.along[0].min(next.along[0]), self.along[1].max(next.along[1])],
+            means: self.means.with(next.means),
             ..deeper
         }
     }
@@ -150,41 +177,53 @@ impl Search<'_> {
         let height = Invalid::finite("height", height)?;
         let joining = joining.checked()?;
         let near = |a: &Stretch, b: &Stretch, most: f64| {
-            a.distance(b) <= most && (a.mean_angle() - b.mean_angle()).abs() <= joining.angle
+            a.distance(b) <= most && (a.means.angle() - b.means.angle()).abs() <= joining.angle
         };
         let mut joined: Vec<Stretch> = vec![];
         for stretch in self.stretches(height) {
             match joined.last_mut() {
-                Some(last) if near(last, &stretch, joining.joined_below) => *last = last.with(stretch),
+                Some(last) if near(last, &stretch, joining.joined_below) => {
+                    *last = last.with(stretch)
+                }
                 _ => joined.push(stretch),
             }
         }
         let patches = (0..joined.len()).map(|at| {
             let own = joined[at];
-            let others = [at.checked_sub(1).map(|at| joined[at]), joined.get(at + 1).copied()];
-            let mut view = View { centre: own.centre(), angle: own.mean_angle() };
-            for other in others.into_iter().flatten() {
-                let [left, right] = if other.ends[0] < own.ends[0] { [other, own] } else { [own, other] };
-                if near(&left, &right, joining.apart_beyond) {
-                    let range = joining.apart_beyond - joining.joined_below;
-                    let share = ((joining.apart_beyond - left.distance(&right)) / range).clamp(0.0, 1.0);
-                    view = view.towards(&left.with(right), 0.5 * share);
-                }
-            }
-            self.patch(&own, &view, height)
+            let before = at
+                .checked_sub(1)
+                .map(|at| (joined[at], own))
+                .filter(|(a, b)| near(a, b, joining.apart_beyond));
+            let after = joined
+                .get(at + 1)
+                .map(|next| (own, *next))
+                .filter(|(a, b)| near(a, b, joining.apart_beyond));
+            let before = before.map(|(a, b)| a.means.times(joining.share(a.distance(&b))));
+            let after = after.map(|(a, b)| b.means.times(joining.share(a.distance(&b))));
+            let seen = [before, after].into_iter().flatten().fold(own.means, Means::with);
+            self.patch(&own, &seen, height)
         });
         Ok(patches.collect())
     }
 
-    fn patch(&self, stretch: &Stretch, view: &View, height: f64) -> Patch {
+    fn patch(&self, stretch: &Stretch, seen: &Means, height: f64) -> Patch {
         let rail = self.setup.rail();
-        let on_rail = self.top.below(rail, view.centre.y).map(|along| rail.point(along)[1]);
-        let reference = DVec3::new(view.centre.x, view.centre.y, on_rail.unwrap_or(view.centre.z));
-        let (sin, cos) = view.angle.sin_cos();
-        let along = |[y, z]: [f64; 2]| (y - reference.y) * cos + (z - reference.z) * sin;
-        let extent = [along(stretch.edges[1]), along(stretch.edges[0])];
-        let Stretch { depth, deepest, .. } = *stretch;
-        Patch { reference, angle: view.angle, extent, depth, deepest, height }
+        let centre = seen.centre();
+        let on_rail = self.top.below(rail, centre.y).map(|along| rail.point(along)[1]);
+        let reference = DVec3::new(centre.x, centre.y, on_rail.unwrap_or(centre.z));
+        let Stretch { depth, deepest, along, edges, .. } = *stretch;
+        let mut patch = Patch {
+            reference,
+            angle: seen.angle(),
+            along: along.map(|x| x - reference.x),
+            across: [0.0; 2],
+            depth,
+            deepest,
+            height,
+        };
+        patch.across =
+            [edges[1], edges[0]].map(|[y, z]| patch.local(DVec3::new(reference.x, y, z)).y);
+        patch
     }
 
     /// The stretches of the locus whose gap is below the height.
@@ -234,45 +273,39 @@ impl Search<'_> {
         let place = |share: f64| self.possible(ends[0] + share * (ends[1] - ends[0]));
         let edge = |share: f64| place(share).map(|at| rail.point(at.on_rail));
         let mut stretch = Stretch {
-            ends,
             edges: [edge(0.0)?, edge(1.0)?],
-            weight: 0.0,
-            point: DVec3::ZERO,
-            angle: 0.0,
+            along: [f64::INFINITY, f64::NEG_INFINITY],
+            means: Means::NONE,
             depth: 0.0,
             deepest: ends[0],
         };
-        let mut last = place(0.0)?.point.y;
         for at in 0..POINTS {
-            let Some(possible) = place((at as f64 + 0.5) / POINTS as f64) else { continue };
-            let step = place((at + 1) as f64 / POINTS as f64).map_or(0.0, |next| last - next.point.y);
-            last -= step;
-            let depth = height - possible.gap;
-            let weight = depth.max(0.0).powf(POWER) * step.abs();
-            let [along_y, along_z] = rail.place(possible.on_rail).tangent;
-            stretch.weight += weight;
-            stretch.point += weight * (possible.point + DVec3::Z * height);
-            stretch.angle += weight * along_z.atan2(along_y);
-            if depth > stretch.depth {
-                (stretch.depth, stretch.deepest) = (depth, possible.on_wheel);
+            let [before, middle, after] =
+                [0.0, 0.5, 1.0].map(|part| place((at as f64 + part) / POINTS as f64));
+            if let [Some(before), Some(middle), Some(after)] = [before, middle, after] {
+                self.take(&mut stretch, &middle, (before.point.y - after.point.y).abs(), height);
             }
         }
-        (stretch.weight > 0.0).then_some(stretch)
+        (stretch.means.weight > 0.0).then_some(stretch)
     }
-}
 
-/// From where and under which angle a patch is looked at.
-struct View {
-    centre: DVec3,
-    angle: f64,
-}
-
-impl View {
-    /// The view moved by a share towards that of the stretch.
-    fn towards(self, stretch: &Stretch, share: f64) -> Self {
-        Self {
-            centre: self.centre.lerp(stretch.centre(), share),
-            angle: self.angle + share * (stretch.mean_angle() - self.angle),
+    /// Adds a point of overlap that stands for a width (m) along y.
+    fn take(&self, stretch: &mut Stretch, at: &Possible, width: f64, height: f64) {
+        let depth = (height - at.gap).max(0.0);
+        let [along_y, along_z] = self.setup.rail().place(at.on_rail).tangent;
+        let own = Means {
+            weight: 1.0,
+            point: at.point + DVec3::Z * height,
+            angle: along_z.atan2(along_y),
+        };
+        stretch.means = stretch.means.with(own.times(depth.powf(POWER) * width));
+        let radius =
+            self.setup.wheelset().nominal_radius + self.setup.wheel().point(at.on_wheel)[1];
+        let half = (2.0 * radius * depth).sqrt();
+        stretch.along =
+            [stretch.along[0].min(at.point.x - half), stretch.along[1].max(at.point.x + half)];
+        if depth > stretch.depth {
+            (stretch.depth, stretch.deepest) = (depth, at.on_wheel);
         }
     }
 }

@@ -27,7 +27,9 @@ fn half(step: f64) -> Vec<[f64; 2]> {
             None => 20f64.atan(),
         };
         let arc = super::between(start, end, step / radius).skip(1);
-        points.extend(arc.map(|angle| [centre[0] + radius * angle.sin(), centre[1] - radius * angle.cos()]));
+        points.extend(
+            arc.map(|angle| [centre[0] + radius * angle.sin(), centre[1] - radius * angle.cos()]),
+        );
         start = end;
     }
     let [y, z] = points[points.len() - 1];

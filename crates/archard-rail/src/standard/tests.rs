@@ -5,7 +5,8 @@ use crate::profile::Part;
 /// 5e-10 of itself.
 #[test]
 fn the_wheel_has_no_steps() {
-    for joint in [32.15796e-3, -26e-3, -35e-3, -38.426669e-3, -39.7645e-3, -49.6629e-3, -62.7647e-3] {
+    for joint in [32.15796e-3, -26e-3, -35e-3, -38.426669e-3, -39.7645e-3, -49.6629e-3, -62.7647e-3]
+    {
         let [before, after] = [-1e-10, 1e-10].map(|off| wheel_s1002_depth(joint + off).unwrap());
         assert!((before - after).abs() < 2e-7, "{joint}: {}", before - after);
     }

@@ -33,7 +33,7 @@ const ROOT: [f64; 8] = [
 const FACE: [f64; 2] = [-93.576667419, -2.747477419];
 /// The arcs round the flange (mm): centre and radius, from the face to the back.
 const FLANGE: [Arc; 3] = [
-    Arc { centre: [-58.558326, 8.834985], radius: 20.0 },
+    Arc { centre: [-58.558326, 8.834924], radius: 20.0 },
     Arc { centre: [-55.0, 16.0], radius: 12.0 },
     Arc { centre: [-49.5, 9.519259], radius: 20.5 },
 ];
@@ -102,8 +102,9 @@ pub fn wheel_s1002(step: f64) -> Result<Profile, Invalid> {
     let back = &FLANGE[2];
     // Near the back the profile is upright, and equal steps of the angle keep the points together.
     let angle = |y: f64| ((y - back.centre[0]) / back.radius).clamp(-1.0, 1.0).asin();
-    let turned = super::between(angle(tip), angle(ENDS[1]), step / back.radius)
-        .map(|angle| [back.radius * angle.sin() + back.centre[0], back.centre[1] + back.radius * angle.cos()]);
+    let turned = super::between(angle(tip), angle(ENDS[1]), step / back.radius).map(|angle| {
+        [back.radius * angle.sin() + back.centre[0], back.centre[1] + back.radius * angle.cos()]
+    });
     let points = super::between(ENDS[0], tip, step).map(|y| [y, depth(y)]).chain(turned.skip(1));
     Profile::new(points.map(|[y, z]| [y * 1e-3, z * 1e-3]).collect())
 }
