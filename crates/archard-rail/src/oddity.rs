@@ -150,7 +150,7 @@ impl Profile {
             values.clone().fold(f64::MIN, f64::max) - values.fold(f64::MAX, f64::min)
         };
         let width = extent(0).max(extent(1));
-        (width < WIDTHS[0] || width > WIDTHS[1]).then_some(Oddity::Size { width })
+        (!(WIDTHS[0]..=WIDTHS[1]).contains(&width)).then_some(Oddity::Size { width })
     }
 
     fn doubled(&self) -> impl Iterator<Item = (usize, Oddity)> {

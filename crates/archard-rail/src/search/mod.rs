@@ -7,10 +7,12 @@
 //! height the wheel touches, and at a lower height each stretch of negative gap is a patch.
 
 mod gap;
+mod joining;
 mod patch;
 
 pub use gap::Gap;
-pub use patch::{Joining, Patch};
+pub use joining::Joining;
+pub use patch::Patch;
 
 use glam::{DMat3, DVec3};
 
