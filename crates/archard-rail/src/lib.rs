@@ -31,7 +31,7 @@
 //!
 //! # The way of a profile
 //!
-//! [`file`] reads a [`Profile`] and tells what looks wrong about it ([`oddity`]); [`standard`] draws one. A [`curve`] goes
+//! [`mod@file`] reads a [`Profile`] and tells what looks wrong about it ([`oddity`]); [`standard`] draws one. A [`curve`] goes
 //! through its points or smooths them. [`setup`] puts rail and wheel into the track, [`search`] finds the patches of
 //! contact, and [`creepage`] says how the wheel slides in them.
 //!

@@ -69,14 +69,15 @@ fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
     };
     let point = patch.reference * 1e3;
     let wheel = search.in_wheel(patch.reference, patch.height) * 1e3;
-    let rail = point.y - (751.8726 + 8.66);
+    let rail = setup.placing().in_rail(patch.reference) * 1e3;
     let approach = patch.approach() * 1e3;
     vec![
         length("onset", onset, "Z_ONSET", 1e-3),
         length("x", point.x, "XCP(TR)", 0.05),
         length("y", point.y, "YCP(TR)", 0.05),
         length("z", point.z, "ZCP(TR)", 0.05),
-        length("y on rail", rail, "YCP(R)", 0.05),
+        length("y on rail", rail.y, "YCP(R)", 0.05),
+        length("z on rail", rail.z, "ZCP(R)", 0.05),
         length("x on wheel", wheel.x, "XCP(W)", 0.05),
         length("y on wheel", wheel.y, "YCP(W)", 0.05),
         length("z on wheel", wheel.z, "ZCP(W)", 0.05),
