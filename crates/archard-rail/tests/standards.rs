@@ -52,8 +52,10 @@ fn the_rail_is_the_benchmarks() {
     assert!(worst < 4.1e-5, "{worst}");
 }
 
-/// Where the curvature jumps from 1/80 to 1/13 mm a low pass of wavelength L rounds by (L/2 pi)^2/(2 sqrt 2) of half the
-/// jump, 0.0072 mm for 5 mm: the smoothed curve has to stay within that, down to points 50 nm apart.
+/// A filter 1/(1 + (a q)^4) moves a curve whose curvature jumps by J by at most 0.1612 J a^2: J a^2/2 times the largest
+/// exp(-u) sin(u). With a = 5 mm/2 pi that is 0.0066 mm between the arcs of 80 and 13 mm, where the file's points are 0.2 mm
+/// apart, and 0.0079 mm between that of 13 mm and the straight side, where they are 1.5 mm apart and the curve through them
+/// waves. A twentieth of the larger one is left for both.
 #[test]
 fn smoothing_keeps_the_benchmarks_rail() {
     let Some(folder) = common::folder() else { return };
@@ -68,5 +70,5 @@ fn smoothing_keeps_the_benchmarks_rail() {
     });
     let worst = off.fold(0.0, f64::max);
     eprintln!("smoothed by 5 mm: moved by up to {:.4} mm", worst * 1e3);
-    assert!(worst < 7.2e-6, "{worst}");
+    assert!(worst < 1.05 * 7.9e-6, "{worst}");
 }
