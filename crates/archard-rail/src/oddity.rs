@@ -169,7 +169,12 @@ impl Profile {
 
     /// The first crossing of each step of the way with one that is not next to it.
     fn loops(&self) -> Vec<(usize, Oddity)> {
-        let steps: Vec<Step> = self.points.windows(2).enumerate().map(Step::new).collect();
+        let steps: Vec<Step> = self
+            .points
+            .windows(2)
+            .enumerate()
+            .map(|(number, pair)| Step::new(number, pair))
+            .collect();
         let mut order: Vec<usize> = (0..steps.len()).collect();
         order.sort_by(|&a, &b| steps[a].across[0].total_cmp(&steps[b].across[0]));
         let mut found = vec![];
@@ -197,7 +202,7 @@ struct Step {
 }
 
 impl Step {
-    fn new((number, pair): (usize, &[[f64; 2]])) -> Self {
+    fn new(number: usize, pair: &[[f64; 2]]) -> Self {
         let (a, b) = (pair[0], pair[1]);
         Self { number, ends: [a, b], across: [a[0].min(b[0]), a[0].max(b[0])] }
     }

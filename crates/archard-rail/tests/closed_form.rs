@@ -88,6 +88,29 @@ fn a_cone_touches_where_the_slopes_agree() {
     }
 }
 
+/// Under any attitude, the rail's circle less the gap has to lie on the cone: at its radius about the axle.
+#[test]
+fn the_gap_ends_on_the_cone() {
+    let slope = 0.2;
+    let setup = setup(&cone(slope));
+    let attitude = Attitude { shift: -3e-3, roll: 0.02, yaw: -0.03 };
+    let search = Search::new(&setup, attitude).unwrap();
+    let height = search.onset().unwrap().height + DEPTH;
+    let patch = search.patches(height, &Joining::default()).unwrap().remove(0);
+    let gap = search.gap(&patch);
+    let across = [-4e-3, -1e-3, 0.0, 2e-3];
+    for x in [-6e-3, 0.0, 5e-3] {
+        for (s, gap) in across.into_iter().zip(gap.column(x, &across)) {
+            // The middle of the rail's circle in the frame of the contact.
+            let middle = patch.local(DVec3::new(patch.reference.x, ARM, HEAD));
+            let rail = middle.z - (HEAD * HEAD - (s - middle.y).powi(2)).sqrt();
+            let point = patch.reference + patch.frame() * DVec3::new(x, s, rail - gap);
+            let own = search.in_wheel(point, height);
+            close!(own.x.hypot(own.z + WHEEL), WHEEL - slope * own.y, epsilon = 1e-10);
+        }
+    }
+}
+
 #[test]
 fn a_cylinder_creeps_as_a_driven_yawed_roller() {
     let setup = setup(&cone(0.0));

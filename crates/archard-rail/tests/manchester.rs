@@ -39,13 +39,16 @@ struct Difference {
     most: f64,
 }
 
-/// A difference of at most one in a hundred, or one in the last of four digits.
+/// A difference of at most one in a hundred, or one in the last of four digits. A hundredth is for the approaches on the
+/// flange, which are 0.8 % greater here; all else differs by 0.1 % or less.
 fn relative(name: &'static str, value: f64, reference: f64) -> Difference {
     let last =
         if reference == 0.0 { 1e-9 } else { 10f64.powf(reference.abs().log10().floor() - 3.0) };
     Difference { name, off: value - reference, most: (reference.abs() * 0.01).max(last) }
 }
 
+/// What is allowed is one digit of the table (0.0001 mm) for the onset, and 0.002 mm for the places: at the shift 0 the patch is
+/// 18 mm wide, and its middle 0.001 mm off.
 fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
     let attitude = Attitude {
         shift: row.get("Y_WS") * 1e-3,
@@ -72,16 +75,16 @@ fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
     let rail = setup.placing().in_rail(patch.reference) * 1e3;
     let approach = patch.approach() * 1e3;
     vec![
-        length("onset", onset, "Z_ONSET", 1e-3),
-        length("x", point.x, "XCP(TR)", 0.05),
-        length("y", point.y, "YCP(TR)", 0.05),
-        length("z", point.z, "ZCP(TR)", 0.05),
-        length("y on rail", rail.y, "YCP(R)", 0.05),
-        length("z on rail", rail.z, "ZCP(R)", 0.05),
-        length("x on wheel", wheel.x, "XCP(W)", 0.05),
-        length("y on wheel", wheel.y, "YCP(W)", 0.05),
-        length("z on wheel", wheel.z, "ZCP(W)", 0.05),
-        length("angle", patch.angle, "DELTCP(TR)", 0.002),
+        length("onset", onset, "Z_ONSET", 1e-4),
+        length("x", point.x, "XCP(TR)", 2e-3),
+        length("y", point.y, "YCP(TR)", 2e-3),
+        length("z", point.z, "ZCP(TR)", 2e-3),
+        length("y on rail", rail.y, "YCP(R)", 2e-3),
+        length("z on rail", rail.z, "ZCP(R)", 2e-3),
+        length("x on wheel", wheel.x, "XCP(W)", 2e-3),
+        length("y on wheel", wheel.y, "YCP(W)", 2e-3),
+        length("z on wheel", wheel.z, "ZCP(W)", 2e-3),
+        length("angle", patch.angle, "DELTCP(TR)", 1e-4),
         relative("approach", approach, row.get("APPROACH")),
         relative("xi", creepage.longitudinal, row.get("CKSI")),
         relative("eta", creepage.lateral, row.get("CETA")),

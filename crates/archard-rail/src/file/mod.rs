@@ -26,7 +26,8 @@ pub enum Format {
     MiniProf {
         /// Which part was measured.
         part: Part,
-        /// Whether X points to the middle of the track.
+        /// Whether X points to the middle of the track. The file does not tell, and the extension neither: it depends on
+        /// the rail and on how the instrument was put on. [`Oddity::Flange`](crate::oddity::Oddity) warns of a wheel.
         mirrored: bool,
         /// How a file is written; a reader finds out by itself.
         flavour: Flavour,
