@@ -6,7 +6,7 @@
 //! ```
 //! use archard_rail::creepage::Creepage;
 //! use archard_rail::curve::Smoothing;
-//! use archard_rail::search::{Joining, Search};
+//! use archard_rail::search::{JOIN, Search};
 //! use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
 //! use archard_rail::standard::{rail_60e1, wheel_s1002};
 //!
@@ -20,7 +20,7 @@
 //! let search = Search::new(&setup, Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 })?;
 //! let onset = search.onset().expect("the wheel stands over the rail");
 //! let velocity = Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() };
-//! for patch in search.patches(onset.height + 25e-6, &Joining::default())? {
+//! for patch in search.patches(onset.height + 25e-6, JOIN)? {
 //!     let gap = search.gap(&patch).grid(&[-1e-3, 0.0, 1e-3], &[-1e-3, 0.0, 1e-3]);
 //!     let creepage = Creepage::new(&search, &patch, &velocity, patch.approach());
 //!     assert!(gap[4] < 0.0 && creepage.lateral > 0.0);

@@ -4,7 +4,7 @@ use approx::assert_abs_diff_eq as close;
 use archard_rail::Profile;
 use archard_rail::creepage::Creepage;
 use archard_rail::curve::{Curve, Smoothing};
-use archard_rail::search::{Joining, Search};
+use archard_rail::search::{JOIN, Search};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Velocity, Wheelset};
 use glam::DVec3;
 
@@ -47,7 +47,7 @@ fn a_yawed_cylinder_overlaps_as_circles_do() {
         let search = Search::new(&setup, Attitude { shift: 1e-3, roll: 0.0, yaw }).unwrap();
         // What is left is the interpolation of the head: its spline is 1e-12 m off.
         close!(search.onset().unwrap().height, 0.0, epsilon = 1e-10);
-        let patches = search.patches(DEPTH, &Joining::default()).unwrap();
+        let patches = search.patches(DEPTH, JOIN).unwrap();
         let [patch] = &patches[..] else { panic!("{patches:?}") };
         let width = (2.0 * HEAD * DEPTH - DEPTH * DEPTH).sqrt();
         close!(patch.reference.x, -(ARM - 1e-3) * yaw.tan(), epsilon = 1e-7);
@@ -80,7 +80,7 @@ fn a_cone_touches_where_the_slopes_agree() {
         let onset = search.onset().unwrap();
         // The gap is flat at its least: the place is known to the root of what the height is known to.
         close!(onset.at.point.y, ARM + HEAD * angle.sin(), epsilon = 1e-6);
-        let patches = search.patches(onset.height + DEPTH, &Joining::default()).unwrap();
+        let patches = search.patches(onset.height + DEPTH, JOIN).unwrap();
         let [patch] = &patches[..] else { panic!("{patches:?}") };
         // Overlap along the vertical leans to one side of the normal by a part of depth.
         close!(patch.angle, angle, epsilon = 1e-4);
@@ -96,7 +96,7 @@ fn the_gap_ends_on_the_cone() {
     let attitude = Attitude { shift: -3e-3, roll: 0.02, yaw: -0.03 };
     let search = Search::new(&setup, attitude).unwrap();
     let height = search.onset().unwrap().height + DEPTH;
-    let patch = search.patches(height, &Joining::default()).unwrap().remove(0);
+    let patch = search.patches(height, JOIN).unwrap().remove(0);
     let gap = search.gap(&patch);
     let across = [-4e-3, -1e-3, 0.0, 2e-3];
     for x in [-6e-3, 0.0, 5e-3] {
@@ -116,7 +116,7 @@ fn a_cylinder_creeps_as_a_driven_yawed_roller() {
     let setup = setup(&cone(0.0));
     let (yaw, driven, speed, rate) = (0.02f64, 0.003, 2.0, 0.5);
     let search = Search::new(&setup, Attitude { yaw, ..Attitude::default() }).unwrap();
-    let patches = search.patches(DEPTH, &Joining::default()).unwrap();
+    let patches = search.patches(DEPTH, JOIN).unwrap();
     let velocity =
         Velocity { forward: speed, pitch: -speed * (1.0 + driven) / WHEEL, ..Velocity::default() };
     let creepage = Creepage::new(&search, &patches[0], &velocity, patches[0].approach());
@@ -145,7 +145,7 @@ fn left_is_right_in_a_mirror() {
     let seen = Side::Left.attitude(attitude);
     let search = Search::new(&setup, seen).unwrap();
     let height = search.onset().unwrap().height + DEPTH;
-    let patch = search.patches(height, &Joining::default()).unwrap().remove(0);
+    let patch = search.patches(height, JOIN).unwrap().remove(0);
     let creepage = Creepage::new(&search, &patch, &Side::Left.velocity(velocity), 0.0);
     // The left wheel rises with a positive roll: the mirror shows it negative.
     close!(patch.angle, -attitude.roll - 0.1f64.atan(), epsilon = 1e-4);
@@ -172,30 +172,20 @@ fn bumps() -> Setup {
 }
 
 #[test]
-fn patches_join_by_their_distance_without_a_jump() {
+fn patches_join_by_their_distance() {
     let setup = bumps();
     // Bumps on an arched rail are as deep as a wheel that leans against the slope: here 0, so they are alike.
     let search = Search::new(&setup, Attitude::default()).unwrap();
     let height = search.onset().unwrap().height + 5e-6;
-    let find = |joined_below: f64, apart_beyond: f64| {
-        search.patches(height, &Joining { joined_below, apart_beyond, angle: 1.5 }).unwrap()
-    };
-    let apart = find(0.0, 0.0);
+    let find = |join: f64| search.patches(height, join).unwrap();
+    let apart = find(0.0);
     assert_eq!(apart.len(), 2);
-    let distance = (apart[0].reference - apart[1].reference).length()
-        - apart[0].across[1]
-        - apart[1].across[1];
-    let joined = find(distance * 1.1, distance * 2.0);
+    let between = (apart[0].reference - apart[1].reference).length();
+    let distance = between - apart[0].across[1] - apart[1].across[1];
+    assert_eq!(find(distance * 0.98), apart);
+    let joined = find(distance * 1.02);
     assert_eq!(joined.len(), 1);
     close!(joined[0].reference.y, ARM, epsilon = 1e-7);
-    let near = find(distance * 0.98, distance * 2.0);
-    assert_eq!(near.len(), 2);
-    close!(near[0].reference.y, ARM, epsilon = distance * 0.05);
-    let far = find(distance * 0.5, distance * 0.9);
-    assert_eq!(far, apart);
-    let angle = (apart[0].angle - apart[1].angle).abs();
-    let turned = Joining { joined_below: 1.0, apart_beyond: 1.0, angle: angle * 0.9 };
-    assert_eq!(search.patches(height, &turned).unwrap().len(), 2);
 }
 
 /// Random wheels over random rails: an error, or patches with finite values.
@@ -230,8 +220,7 @@ fn nothing_that_is_given_does_harm() {
         let attitude = Attitude { shift: any(0.02), roll: any(0.2), yaw: any(0.3) };
         let Ok(search) = Search::new(&setup, attitude) else { continue };
         let Some(onset) = search.onset() else { continue };
-        let Ok(patches) = search.patches(onset.height + any(1e-3).abs(), &Joining::default())
-        else {
+        let Ok(patches) = search.patches(onset.height + any(1e-3).abs(), JOIN) else {
             continue;
         };
         found += patches.len();

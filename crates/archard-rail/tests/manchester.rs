@@ -9,7 +9,7 @@ use archard_rail::Part;
 use archard_rail::creepage::Creepage;
 use archard_rail::curve::Smoothing;
 use archard_rail::file::Format;
-use archard_rail::search::{Joining, Search};
+use archard_rail::search::{JOIN, Search};
 use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
 
 /// A row of the table: values by the names of their columns (mm, N, rad).
@@ -62,7 +62,7 @@ fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
     };
     let search = Search::new(setup, attitude).unwrap();
     let onset = search.onset().unwrap().height * 1e3;
-    let patches = search.patches(row.get("Z_WS") * 1e-3, &Joining::default()).unwrap();
+    let patches = search.patches(row.get("Z_WS") * 1e-3, JOIN).unwrap();
     let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
     let creepage = Creepage::new(&search, patch, &velocity, patch.approach());
     let length = |name, value: f64, column: &str, most| Difference {

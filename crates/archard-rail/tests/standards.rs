@@ -27,8 +27,9 @@ fn distance(curve: &Curve, [y, z]: [f64; 2]) -> f64 {
     all.map(|point| (point[0] - y).hypot(point[1] - z)).fold(f64::MAX, f64::min)
 }
 
-/// The benchmark's rail is not drawn with the widths of the standard, and its shoulders lie up to 0.0406 mm higher with the
-/// tops and the gauge faces put together: 0.041 mm is asked for down to the gauge height.
+/// Distances of the benchmark's points down to the gauge height from the drawing, the tops put together. The file's place
+/// along y is its own, so the drawing is moved there to where the largest distance is least: 0.04 mm is asked for. The
+/// file's arcs end 10.49 and 25.99 mm beside the middle, the drawing's 10.23 and 26.03.
 #[test]
 fn the_rail_is_the_benchmarks() {
     let Some(folder) = common::folder() else { return };
@@ -45,11 +46,19 @@ fn the_rail_is_the_benchmarks() {
     let drawn = place(track, &rail_60e1(1e-4).unwrap());
     let file = place(upright, &document.profile);
     let nodes = file.nodes().iter().map(|&along| file.point(along));
-    let compared: Vec<f64> =
-        nodes.filter(|point| point[1] < 14e-3).map(|point| distance(&drawn, point)).collect();
-    let worst = compared.iter().copied().fold(0.0, f64::max);
-    eprintln!("60E1: {} points down to 14 mm, worst {:.4} mm", compared.len(), worst * 1e3);
-    assert!(worst < 4.1e-5, "{worst}");
+    let compared: Vec<[f64; 2]> = nodes.filter(|point| point[1] < 14e-3).collect();
+    let worst = |aside: f64| {
+        let distances = compared.iter().map(|[y, z]| distance(&drawn, [y + aside, *z]));
+        distances.fold(0.0, f64::max)
+    };
+    let least = (-4..=4).map(|step| worst(f64::from(step) * 1e-6)).fold(f64::MAX, f64::min);
+    eprintln!(
+        "60E1: {} points down to 14 mm, worst {:.4} mm, {:.4} mm with the gauge faces put together",
+        compared.len(),
+        least * 1e3,
+        worst(0.0) * 1e3
+    );
+    assert!(least < 4e-5, "{least}");
 }
 
 /// A filter 1/(1 + (a q)^4) moves a curve whose curvature jumps by J by at most 0.1612 J a^2: J a^2/2 times the largest

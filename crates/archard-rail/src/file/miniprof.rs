@@ -1,8 +1,12 @@
 //! MiniProf `.ban` and `.whl`.
 //!
-//! A head, an empty line, and rows of X and Y in millimetres, Y upwards. The head is lines of `Key=Value`, or a line with
-//! `#` and lines of any text. Lines of the head may stand in quotes, and rows may begin with a stray quote. The order of
-//! the points is turned so that the material lies on the right hand.
+//! Two ways of writing them are read: a head of lines `Key=Value`, and the older one, a line with `#` and lines of any
+//! text. After an empty line come rows of X and Y in millimetres, Y upwards. `ColumnDef` says where X and Y stand; of the
+//! other keys `XYPoints` is checked, and offsets and angles that are not zero are told as not used. Quotes round lines of
+//! the head and before rows are taken off. The order of the points is turned so that the material lies on the right hand.
+//!
+//! The files of segments, `.mpt`, are not read. The tests are of text made up after descriptions of the format, not of files
+//! that an instrument wrote.
 
 use std::fmt::Write;
 

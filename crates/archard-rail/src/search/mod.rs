@@ -7,12 +7,10 @@
 //! height the wheel touches, and at a lower height each stretch of negative gap is a patch.
 
 mod gap;
-mod joining;
 mod patch;
 
 pub use gap::Gap;
-pub use joining::Joining;
-pub use patch::Patch;
+pub use patch::{JOIN, Patch};
 
 use glam::{DMat3, DVec3};
 

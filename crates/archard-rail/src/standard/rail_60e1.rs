@@ -1,31 +1,42 @@
 //! The head of the rail 60E1, formerly UIC 60 (EN 13674-1).
 //!
-//! Arcs of radius 300 mm over a width of 20.456 mm and 80 mm over 52.053 mm, then 13 mm to sides of slope 20:1, each
-//! touching the next. The head is 72 mm wide 14.3 mm below its top: the drawing states it too, and the arcs meet it.
+//! Arcs of radius 300, 80 and 13 mm touch each other, and the last one touches a side of slope 20:1. It does so 14.3 mm
+//! below the top, where the head is 72 mm wide. That leaves nothing free. The centre of the last arc follows from where
+//! it ends. The centres of the first and the last arc are the ends of a chain of two links, 300 - 80 and 80 - 13 mm
+//! long, whose directions are the normals at which the arcs meet. The first two arcs are then 20.456 and 52.053 mm
+//! wide, as the drawing states.
 
 use crate::invalid::Invalid;
 use crate::profile::Profile;
 
 /// Radii (mm) from the top outwards.
 const RADII: [f64; 3] = [300.0, 80.0, 13.0];
-/// Half the widths (mm) at which the first two arcs end.
-const HALF_WIDTHS: [f64; 2] = [20.456 / 2.0, 52.053 / 2.0];
+/// y and z (mm) at which the last arc ends on the side.
+const SIDE: [f64; 2] = [36.0, 14.3];
 /// Depth (mm) below the top at which the sides are left off; the drawing goes on.
 const FOOT: f64 = 30.0;
+
+/// Angles (rad) from the vertical of the normals at which the arcs end.
+fn ends() -> [f64; 3] {
+    let side = 20f64.atan();
+    let (long, short) = (RADII[0] - RADII[1], RADII[1] - RADII[2]);
+    let across = SIDE[0] - RADII[2] * side.sin();
+    let up = RADII[0] - (SIDE[1] + RADII[2] * side.cos());
+    let turn = (across.powi(2) + up.powi(2) - long.powi(2) - short.powi(2)) / (2.0 * long * short);
+    let turn = turn.acos();
+    let first = across.atan2(up) - (short * turn.sin()).atan2(long + short * turn.cos());
+    [first, first + turn, side]
+}
 
 /// Half of the head (mm) as the drawing has it, from the top outwards, y positive.
 fn half(step: f64) -> Vec<[f64; 2]> {
     let mut points = vec![[0.0, 0.0]];
     let (mut centre, mut start) = ([0.0, RADII[0]], 0.0f64);
-    for (at, radius) in RADII.into_iter().enumerate() {
+    for (at, (radius, end)) in RADII.into_iter().zip(ends()).enumerate() {
         if at > 0 {
             let inward = RADII[at - 1] - radius;
             centre = [centre[0] + inward * start.sin(), centre[1] - inward * start.cos()];
         }
-        let end = match HALF_WIDTHS.get(at) {
-            Some(width) => ((width - centre[0]) / radius).asin(),
-            None => 20f64.atan(),
-        };
         let arc = super::between(start, end, step / radius).skip(1);
         points.extend(
             arc.map(|angle| [centre[0] + radius * angle.sin(), centre[1] - radius * angle.cos()]),

@@ -16,13 +16,12 @@ fn the_wheel_has_no_steps() {
     assert_eq!([61e-3, -70.1e-3, f64::NAN].map(wheel_s1002_depth), [None; 3]);
 }
 
-/// 72 mm of width 14.3 mm below the top, which the arcs do not know: the drawing rounds to 0.1 mm.
+/// The last arc ends 36 mm beside the middle, 14.3 mm below the top: the drawing's digits.
 #[test]
-fn the_rail_meets_its_width() {
+fn the_rail_ends_where_it_is_drawn() {
     let rail = rail_60e1(1e-4).unwrap();
-    let near = rail.points.iter().filter(|point| point[0] > 0.0);
-    let at = near.min_by(|a, b| (a[1] - 14.3e-3).abs().total_cmp(&(b[1] - 14.3e-3).abs())).unwrap();
-    assert!((at[0] - (36e-3 + (at[1] - 14.3e-3) / 20.0)).abs() < 2e-6, "{at:?}");
+    let end = |point: &&[f64; 2]| (point[0] - 36e-3).hypot(point[1] - 14.3e-3) < 1e-12;
+    assert_eq!(rail.points.iter().filter(end).count(), 1);
 }
 
 #[test]
