@@ -1,29 +1,34 @@
 //! Where a railway wheel touches its rail, and how it creeps there.
 //!
-//! The crate knows shapes and motions, and no forces: a solver of contact takes from it the undeformed gap in the tangent
-//! plane of each patch of contact, its frame and its creepages. Everything is in SI units.
+//! [`contact`](contact::contact) is the whole of it: a wheel under its load, and pressures and friction of each patch. The
+//! parts that it is made of can be used alone. Everything is in SI units.
 //!
 //! ```
-//! use archard_rail::creepage::Creepage;
+//! use std::sync::Arc;
+//!
+//! use archard::{Material, friction::Coulomb};
+//! use archard_rail::contact::{Bodies, Operation, Resolution, contact};
 //! use archard_rail::curve::Smoothing;
-//! use archard_rail::search::{JOIN, Search};
 //! use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
 //! use archard_rail::standard::{rail_60e1, wheel_s1002};
 //!
-//! # fn main() -> Result<(), archard_rail::Invalid> {
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
 //! let rail = rail_60e1(0.2e-3)?.curve(Smoothing::NONE)?;
 //! let wheel = wheel_s1002(0.2e-3)?.curve(Smoothing::NONE)?;
 //! let wheelset =
 //!     Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: 0.46 };
 //! let setup = Setup::new(Track::standard(), &rail, wheelset, &wheel)?;
 //!
-//! let search = Search::new(&setup, Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 })?;
-//! let onset = search.onset().expect("the wheel stands over the rail");
-//! let velocity = Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() };
-//! for patch in search.patches(onset.height + 25e-6, JOIN)? {
-//!     let gap = search.gap(&patch).grid(&[-1e-3, 0.0, 1e-3], &[-1e-3, 0.0, 1e-3]);
-//!     let creepage = Creepage::new(&search, &patch, &velocity, patch.approach());
-//!     assert!(gap[4] < 0.0 && creepage.lateral > 0.0);
+//! let steel = Material::new(210e9, 0.28)?;
+//! let bodies = Bodies { wheel: steel, rail: steel, friction: Arc::new(Coulomb::new(0.3)?) };
+//! let operation = Operation {
+//!     attitude: Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 },
+//!     velocity: Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() },
+//!     load: 10e3,
+//! };
+//! for patch in contact(&setup, &bodies, &operation, &Resolution::default())? {
+//!     let (of, error) = (patch.values, patch.errors);
+//!     assert!(of.lateral_creepage > 0.0 && of.force_s < 0.0 && error.force_s < 0.01 * of.force_s.abs());
 //! }
 //! # Ok(())
 //! # }
@@ -33,7 +38,7 @@
 //!
 //! [`mod@file`] reads a [`Profile`] and tells what looks wrong about it ([`oddity`]); [`standard`] draws one. A [`curve`] goes
 //! through its points or smooths them. [`setup`] puts rail and wheel into the track, [`search`] finds the patches of
-//! contact, and [`creepage`] says how the wheel slides in them.
+//! contact, [`creepage`] says how the wheel slides in them, and [`mod@contact`] what that makes of a load.
 //!
 //! # Coordinates
 //!
@@ -43,6 +48,7 @@
 
 #![warn(missing_docs)]
 
+pub mod contact;
 pub mod creepage;
 pub mod curve;
 pub mod file;

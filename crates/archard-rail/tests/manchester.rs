@@ -3,34 +3,10 @@
 
 mod common;
 
-use std::collections::HashMap;
-
-use archard_rail::Part;
 use archard_rail::creepage::Creepage;
-use archard_rail::curve::Smoothing;
-use archard_rail::file::Format;
 use archard_rail::search::{JOIN, Search};
-use archard_rail::setup::{Attitude, Setup, Track, Velocity, Wheelset};
-
-/// A row of the table: values by the names of their columns (mm, N, rad).
-struct Row(HashMap<String, f64>);
-
-impl Row {
-    fn get(&self, name: &str) -> f64 {
-        self.0[name]
-    }
-}
-
-fn rows(text: &str) -> Vec<Row> {
-    let mut lines = text.lines();
-    let names: Vec<&str> = lines.next().unwrap().split(',').collect();
-    let row = |line: &str| {
-        let cells = names.iter().zip(line.split(','));
-        let cells = cells.filter_map(|(name, cell)| Some(((*name).to_owned(), cell.parse().ok()?)));
-        Row(cells.collect())
-    };
-    lines.map(row).collect()
-}
+use archard_rail::setup::Setup;
+use common::Row;
 
 /// The distance of a value from the reference, held against what is allowed.
 struct Difference {
@@ -50,21 +26,11 @@ fn relative(name: &'static str, value: f64, reference: f64) -> Difference {
 /// What is allowed is one digit of the table (0.0001 mm) for the onset, and 0.002 mm for the places: at the shift 0 the patch is
 /// 18 mm wide, and its middle 0.001 mm off.
 fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
-    let attitude = Attitude {
-        shift: row.get("Y_WS") * 1e-3,
-        roll: row.get("ROLL_WS"),
-        yaw: row.get("YAW_WS"),
-    };
-    let velocity = Velocity {
-        forward: row.get("VX_WS") * 1e-3,
-        pitch: row.get("VPITCH_WS"),
-        ..Velocity::default()
-    };
-    let search = Search::new(setup, attitude).unwrap();
+    let search = Search::new(setup, row.attitude()).unwrap();
     let onset = search.onset().unwrap().height * 1e3;
     let patches = search.patches(row.get("Z_WS") * 1e-3, JOIN).unwrap();
     let [patch] = &patches[..] else { panic!("{} patches", patches.len()) };
-    let creepage = Creepage::new(&search, patch, &velocity, patch.approach());
+    let creepage = Creepage::new(&search, patch, &row.velocity(), patch.approach());
     let length = |name, value: f64, column: &str, most| Difference {
         name,
         off: value - row.get(column),
@@ -96,21 +62,8 @@ fn differences(setup: &Setup, row: &Row) -> Vec<Difference> {
 #[test]
 fn eight_shifts_agree() {
     let Some(folder) = common::folder() else { return };
-    let curve = |name, part| {
-        common::document(&folder, name, Format::Simpack(part))
-            .profile
-            .curve(Smoothing::NONE)
-            .unwrap()
-    };
-    let rail = curve("MBench_UIC60_v3.prr", Part::Rail);
-    let wheel = curve("MBench_S1002_v3.prw", Part::Wheel);
-    // The benchmark's rail is inclined already.
-    let track = Track { cant: 0.0, ..Track::standard() };
-    let wheelset =
-        Wheelset { flange_back_distance: 1.36, flange_back_position: -0.07, nominal_radius: 0.46 };
-    let setup = Setup::new(track, &rail, wheelset, &wheel).unwrap();
-    let table = std::fs::read_to_string(folder.join("manchester_right.csv")).unwrap();
-    let rows = rows(&table);
+    let setup = common::setup(&folder);
+    let rows = common::rows(&folder);
     assert_eq!(rows.len(), 8);
     let mut wrong = vec![];
     for row in &rows {

@@ -101,6 +101,13 @@ impl<'a> Search<'a> {
         Some(Onset { height: at.gap, at })
     }
 
+    /// The angle (rad) by which the top of the rail is turned about x at that y (m), if it reaches there.
+    pub fn inclination(&self, y: f64) -> Option<f64> {
+        let rail = self.setup.rail();
+        let [along_y, along_z] = rail.place(self.top.below(rail, y)?).tangent;
+        Some(along_z.atan2(along_y))
+    }
+
     /// The least gap next to a sample of the locus.
     fn least(&self, best: usize) -> Possible {
         let (left, right) = (best.saturating_sub(1), (best + 1).min(self.locus.len() - 1));
