@@ -19,7 +19,7 @@ pub(super) fn find<T>(
 ) -> Result<(f64, T), ContactError> {
     let (mut low, mut high) = (onset, f64::INFINITY);
     let (mut last, mut height) = ([onset, -1.0], guess);
-    let mut unmet = ContactError::Unbearable { load, found: 0.0 };
+    let (mut borne, mut end) = (0.0, None);
     for at in 0..MOST {
         let mut secant = f64::NAN;
         match bears(height) {
@@ -29,13 +29,13 @@ pub(super) fn find<T>(
                 secant = height - off * (height - last[0]) / (off - last[1]);
                 last = [height, off];
                 if off < 0.0 {
-                    low = height
+                    low = height;
                 } else {
-                    high = height
+                    (high, end) = (height, None);
                 }
-                unmet = ContactError::Unbearable { load, found };
+                borne = found;
             }
-            Err(short @ ContactError::Short { .. }) => (high, unmet) = (height, short),
+            Err(short @ ContactError::Short { .. }) => (high, end) = (height, Some(short)),
             Err(error) => return Err(error),
         }
         // Twice as deep as before at most, so that no step leaves the profiles by accident.
@@ -49,7 +49,7 @@ pub(super) fn find<T>(
             break;
         }
     }
-    Err(unmet)
+    Err(end.unwrap_or(ContactError::Unbearable { load, found: borne }))
 }
 
 #[cfg(test)]

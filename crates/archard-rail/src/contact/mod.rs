@@ -101,7 +101,7 @@ pub fn contact(
         return Err(Invalid::new("velocity", "a wheelset that stands still does not roll").into());
     }
     let elements = resolution.elements;
-    if !(16..=1024).contains(&elements) || elements % 4 != 0 {
+    if !(16..=1024).contains(&elements) || !elements.is_multiple_of(4) {
         let message = format!("{elements} has to be a multiple of 4 from 16 to 1024");
         return Err(Invalid::new("elements", message).into());
     }

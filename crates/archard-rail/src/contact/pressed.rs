@@ -64,6 +64,10 @@ impl Pressed {
         let tangential = state.tangential.as_ref();
         let row = |pair: usize| pair / lattice.elements[0];
         let pressed = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0).map(row);
+        let ends = [0, lattice.elements[1] - 1];
+        if pressed.clone().any(|row| [0, 1].iter().any(|&end| patch.cut[end] && row == ends[end])) {
+            return Err(short);
+        }
         let angles = pressed.filter_map(|row| {
             search.inclination(patch.reference.y + lattice.across(row) * patch.angle.cos())
         });

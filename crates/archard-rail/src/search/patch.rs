@@ -34,6 +34,8 @@ pub struct Patch {
     pub along: [f64; 2],
     /// Where the overlap begins and ends (m) along s, the reference point at 0.
     pub across: [f64; 2],
+    /// Whether a profile ends there, or stands upright, before the overlap ends.
+    pub cut: [bool; 2],
     /// The largest vertical overlap (m).
     pub depth: f64,
     /// Where the overlap is largest (m along the curve of the wheel).
@@ -95,6 +97,8 @@ impl Means {
 struct Stretch {
     /// The points of the rail (y and z, m) at the ends, in the order of the wheel: the first lies on the field side.
     edges: [[f64; 2]; 2],
+    /// Whether the locus ends there before the overlap does.
+    cut: [bool; 2],
     /// Least and largest x (m) of the overlap.
     along: [f64; 2],
     means: Means,
@@ -112,6 +116,7 @@ impl Stretch {
         let deeper = if next.depth > self.depth { next } else { self };
         Self {
             edges: [self.edges[0], next.edges[1]],
+            cut: [self.cut[0], next.cut[1]],
             along: [self.along[0].min(next.along[0]), self.along[1].max(next.along[1])],
             means: self.means.with(next.means),
             ..deeper
@@ -142,7 +147,7 @@ impl Search<'_> {
 
     fn patch(&self, stretch: &Stretch, height: f64) -> Patch {
         let rail = self.setup.rail();
-        let Stretch { means, depth, deepest, along, edges, .. } = *stretch;
+        let Stretch { means, depth, deepest, along, edges, cut } = *stretch;
         let centre = means.centre();
         let on_rail = self.top.below(rail, centre.y).map(|along| rail.point(along)[1]);
         let reference = DVec3::new(centre.x, centre.y, on_rail.unwrap_or(centre.z));
@@ -151,6 +156,7 @@ impl Search<'_> {
             angle: means.angle(),
             along: along.map(|x| x - reference.x),
             across: [0.0; 2],
+            cut: [cut[1], cut[0]],
             depth,
             deepest,
             height,
@@ -190,24 +196,22 @@ impl Search<'_> {
             let [a, b] = [inside, outside].map(|at| self.locus[at].on_wheel);
             roots::zero(a, b, |along| self.gap_at(along) - height)
         };
-        let from = match first.checked_sub(1) {
-            Some(before) if self.follows(before) => cross(first, before),
-            _ => self.locus[first].on_wheel,
-        };
-        let to = match last + 1 < self.locus.len() && self.follows(last) {
-            true => cross(last, last + 1),
-            false => self.locus[last].on_wheel,
-        };
-        self.weigh([from, to], height)
+        let before = first.checked_sub(1).filter(|&before| self.follows(before));
+        let after = (last + 1 < self.locus.len() && self.follows(last)).then_some(last + 1);
+        let own = |at: usize| self.locus[at].on_wheel;
+        let from = before.map_or_else(|| own(first), |before| cross(first, before));
+        let to = after.map_or_else(|| own(last), |after| cross(last, after));
+        self.weigh([from, to], [before.is_none(), after.is_none()], height)
     }
 
     /// The stretch between those places of the wheel (m), with its means.
-    fn weigh(&self, ends: [f64; 2], height: f64) -> Option<Stretch> {
+    fn weigh(&self, ends: [f64; 2], cut: [bool; 2], height: f64) -> Option<Stretch> {
         let rail = self.setup.rail();
         let place = |share: f64| self.possible(ends[0] + share * (ends[1] - ends[0]));
         let edge = |share: f64| place(share).map(|at| rail.point(at.on_rail));
         let mut stretch = Stretch {
             edges: [edge(0.0)?, edge(1.0)?],
+            cut,
             along: [f64::INFINITY, f64::NEG_INFINITY],
             means: Means::NONE,
             depth: 0.0,
