@@ -98,6 +98,34 @@ fn an_inclined_plane_bears_the_load() {
     assert_eq!(one(&setup, 0.3, &left).values, of);
 }
 
+/// Two bumps of the wheel, 100 mm in radius and 12 mm apart, on a nearly flat rail: with a plane and a grid each, pressed
+/// apart by each other, they are as on one grid, to what the pressures of a point leave out, the square of 2 over 12 mm.
+#[test]
+fn patches_press_each_other_apart() {
+    let angles = (-400..=400).map(|at| f64::from(at) * 1e-4);
+    let head = curve(angles.map(|angle| [angle, 0.5 * angle * angle]));
+    let places = (-150..=150).rev().map(|at| f64::from(at) * 1e-4);
+    let wheel = curve(places.map(|y| [y, -(y.abs() - 6e-3).powi(2) / 0.2]));
+    let track = Track { gauge: 2.0 * (ARM - 0.04), gauge_height: 1.0, cant: 0.0 };
+    let setup = Setup::new(track, &head, wheelset(), &wheel).unwrap();
+    let found = |join: f64| {
+        let resolution = Resolution { join, ..Resolution::default() };
+        contact(&setup, &bodies(0.3), &operation(0.0, 0.0, LOAD), &resolution).unwrap()
+    };
+    let (joined, apart) = (found(1.0), found(0.0));
+    let ([joined], [one, other]) = (&joined[..], &apart[..]) else {
+        panic!("{joined:?}, {apart:?}")
+    };
+    let depth = |patch: &Patch| patch.values.z_wheel - patch.values.onset;
+    let off = [
+        depth(one) / depth(joined) - 1.0,
+        one.values.peak_pressure / joined.values.peak_pressure - 1.0,
+        (one.values.contact_area + other.values.contact_area) / joined.values.contact_area - 1.0,
+    ];
+    eprintln!("apart over joined: {off:.4?}");
+    assert!(off.iter().all(|off| off.abs() < 0.03), "{off:?}");
+}
+
 #[test]
 fn what_is_no_contact_is_told() {
     let found = |setup: &Setup, coefficient: f64, operation: &Operation| {

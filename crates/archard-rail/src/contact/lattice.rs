@@ -15,23 +15,26 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
-    /// The grid of so many elements along x and as many along s over the rectangle that holds the overlap. Pressures open
-    /// gaps, so that nothing touches beside the overlap.
+    /// The grid over the rectangle that holds the overlap: so many elements along x, and along s as many over the widest
+    /// stretch. Pressures open gaps, so that nothing touches beside the overlap.
     pub fn over(search: &Search<'_>, patch: &Patch, elements: usize) -> Self {
         let ranges = [patch.along, patch.across];
+        let stretches = (patch.across[1] - patch.across[0]) / patch.widest;
+        // The overlap and its stretches are the same on all grids, and so is this number.
+        let counts = [elements, elements * stretches.round().max(1.0) as usize];
         let rectangle = Rectangle {
             centre: ranges.map(|[from, to]| 0.5 * (from + to)),
             size: ranges.map(|[from, to]| to - from),
         };
-        let middles = ranges.map(|[from, to]| {
-            let middle = |at: usize| from + (to - from) * (at as f64 + 0.5) / elements as f64;
-            (0..elements).map(middle).collect::<Vec<f64>>()
+        let [x, s] = [0, 1].map(|axis| {
+            let ([from, to], count) = (ranges[axis], counts[axis]);
+            let middle = |at: usize| from + (to - from) * (at as f64 + 0.5) / count as f64;
+            (0..count).map(middle).collect::<Vec<f64>>()
         });
-        let rows = search.gap(patch).grid(&middles[0], &middles[1]);
-        let gap = (0..elements * elements)
-            .map(|at| rows[(at % elements) * elements + at / elements])
-            .collect();
-        Self { rectangle, elements: [elements; 2], gap }
+        let columns = search.gap(patch).grid(&x, &s);
+        let turned = |at: usize| columns[(at % counts[0]) * counts[1] + at / counts[0]];
+        let gap = (0..columns.len()).map(turned).collect();
+        Self { rectangle, elements: counts, gap }
     }
 
     /// The largest overlap (m).

@@ -2,15 +2,15 @@
 //!
 //! A patch lies in its own tangent plane. Both bodies are half-spaces there (Kalker's three-dimensional theory of steady
 //! rolling), on a grid over the overlap, with the creepages and the spin at its reference point. The height of the wheel
-//! follows from the vertical force, to which friction in an inclined plane adds its part. Patches farther apart than
-//! `join` do not feel each other: a force F on one sinks the other at the distance d by (1 - nu) F/(pi G d), which is
-//! left out.
+//! follows from the vertical force, to which friction in an inclined plane adds its part. Stretches of overlap that are near
+//! each other share a plane and its grid; patches with planes of their own press each other apart.
 //!
 //! All of it is solved on three grids, each of elements half the size of those before. Errors of rolling contact are of
 //! first order or higher in the size, so that a halving changes a value by what is left after it, or by more. The error that is
 //! told is the last change, or half the one before where that is larger. It holds for the grid, not for the
 //! profiles, nor for the plane: [`Patch::angle_spread`] tells how far a patch bends. The onset depends on no grid.
 
+mod apart;
 mod error;
 mod height;
 mod lattice;
@@ -30,7 +30,7 @@ use archard::friction::Friction;
 use crate::invalid::Invalid;
 use crate::search::{JOIN, Search};
 use crate::setup::{Attitude, Setup, Velocity};
-use pressed::Pressed;
+use pressed::{Pressed, Site};
 
 /// Bending of a patch (rad) from which on a plane is an approximation: 10 degrees.
 pub const BENT: f64 = PI / 18.0;
@@ -110,9 +110,13 @@ pub fn contact(
     let bears = |elements: usize| {
         let search = &search;
         move |height: f64| {
-            let press =
-                |patch| Pressed::new(search, patch, (&operation.velocity, bodies), elements);
-            let patches = search.patches(height, resolution.join)?.into_iter().map(press);
+            let patches = search.patches(height, resolution.join)?.into_iter();
+            let sites = patches.map(|patch| Site::new(search, patch, elements));
+            let sites = sites.collect::<Result<Vec<Site>, _>>()?;
+            let apart = apart::by_the_others(&sites, bodies)?;
+            let with = (&operation.velocity, bodies);
+            let sites = sites.into_iter().zip(apart);
+            let patches = sites.map(|(site, apart)| site.press(search, with, apart));
             let patches = patches.collect::<Result<Vec<Pressed>, _>>()?;
             let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
             Ok((patches, borne))

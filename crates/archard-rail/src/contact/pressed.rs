@@ -4,7 +4,7 @@ use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
 use archard::motion::{Control, Drive, Rolling, Stepping};
-use archard::simulation::{Run, Simulation};
+use archard::simulation::{Refused, Run, Simulation};
 use archard::{Body, ContactFrame};
 
 use super::lattice::Lattice;
@@ -12,6 +12,13 @@ use super::{Bodies, ContactError};
 use crate::creepage::Creepage;
 use crate::search::{Patch, Search};
 use crate::setup::Velocity;
+
+/// A patch of overlap with its grid.
+#[derive(Debug)]
+pub(super) struct Site {
+    pub patch: Patch,
+    lattice: Lattice,
+}
 
 /// A patch under pressure. Forces and the moment are those on the rail, in the frame of the contact.
 #[derive(Debug, Clone)]
@@ -34,46 +41,50 @@ impl Pressed {
     pub fn vertical(&self) -> f64 {
         self.normal * self.patch.angle.cos() + self.tangential[1] * self.patch.angle.sin()
     }
+}
 
-    /// Presses the bodies of a patch together on so many elements along x and along s.
-    pub fn new(
-        search: &Search<'_>,
-        patch: Patch,
-        (velocity, bodies): (&Velocity, &Bodies),
-        elements: usize,
-    ) -> Result<Self, ContactError> {
+impl Site {
+    /// The patch on so many elements, as [`Lattice::over`] counts them.
+    pub fn new(search: &Search<'_>, patch: Patch, elements: usize) -> Result<Self, ContactError> {
         let lattice = Lattice::over(search, &patch, elements);
-        let short = ContactError::Short { y: patch.reference.y };
-        if !lattice.is_whole() {
-            return Err(short);
-        }
-        let approach = lattice.approach();
-        let creepage = Creepage::new(search, &patch, velocity, approach);
+        if lattice.is_whole() { Ok(Self { patch, lattice }) } else { Err(short(&patch)) }
+    }
+
+    /// Normal force (N) without friction, of bodies that others have pressed apart there by so much (m).
+    pub fn force(&self, bodies: &Bodies, apart: f64) -> Result<f64, ContactError> {
+        let approach = self.lattice.approach() - apart;
         if approach <= 0.0 {
-            // It lies between the middles of the elements.
-            return Ok(Self::light(patch, creepage));
+            return Ok(0.0);
+        }
+        let simulation = self.simulation(Rolling::along(Direction::X), approach, bodies)?;
+        Ok(Run::begin(simulation.build()?)?.report().state.load)
+    }
+
+    /// Presses the bodies together and rolls them, where others have pressed them apart by so much (m).
+    pub fn press(
+        self,
+        search: &Search<'_>,
+        (velocity, bodies): (&Velocity, &Bodies),
+        apart: f64,
+    ) -> Result<Pressed, ContactError> {
+        let approach = self.lattice.approach();
+        let creepage = Creepage::new(search, &self.patch, velocity, approach);
+        if approach <= apart {
+            return Ok(self.light(creepage));
         }
         let rolling = Rolling::along(Direction::X)
             .longitudinal(Drive::Creepage(creepage.longitudinal))
             .lateral(Drive::Creepage(creepage.lateral))
             .spin(creepage.spin)
             .at_speed(creepage.speed);
-        let run = Run::begin(simulation(&lattice, rolling, approach, bodies)?)?;
+        let mut builder = self.simulation(rolling, approach - apart, bodies)?;
+        builder.friction = Some(bodies.friction.clone());
+        let run = Run::begin(builder.build()?)?;
         let (problem, state) = (&run.simulation().problem, run.report().state);
-        let frame = &problem.frame;
-        let tangential = state.tangential.as_ref();
-        let row = |pair: usize| pair / lattice.elements[0];
-        let pressed = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0).map(row);
-        let ends = [0, lattice.elements[1] - 1];
-        if pressed.clone().any(|row| [0, 1].iter().any(|&end| patch.cut[end] && row == ends[end])) {
-            return Err(short);
-        }
-        let angles = pressed.filter_map(|row| {
-            search.inclination(patch.reference.y + lattice.across(row) * patch.angle.cos())
-        });
-        let [least, most] = angles
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], angle| [a.min(angle), b.max(angle)]);
-        Ok(Self {
+        let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
+        let rows = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0);
+        let angle_spread = self.spread(search, rows.map(|pair| pair / self.lattice.elements[0]))?;
+        Ok(Pressed {
             approach,
             normal: state.load,
             // Of friction the run knows what acts on the wheel.
@@ -82,16 +93,36 @@ impl Pressed {
             peak: state.pressure.iter().copied().fold(0.0, f64::max),
             area: state.contact_area(problem),
             power: tangential.map_or(0.0, |of| of.creep_power(problem, &rolling) * creepage.speed),
-            angle_spread: (most - least).max(0.0),
-            patch,
+            angle_spread,
+            patch: self.patch,
             creepage,
         })
     }
 
-    /// A patch that bears nothing.
-    fn light(patch: Patch, creepage: Creepage) -> Self {
-        Self {
-            patch,
+    /// How much the inclination of the rail (rad) differs over the rows in contact, which may not reach the end of a profile.
+    fn spread(
+        &self,
+        search: &Search<'_>,
+        rows: impl Iterator<Item = usize>,
+    ) -> Result<f64, ContactError> {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        let ends = [0, self.lattice.elements[1] - 1];
+        for row in rows {
+            if (0..2).any(|end| self.patch.cut[end] && row == ends[end]) {
+                return Err(short(&self.patch));
+            }
+            let aside = self.lattice.across(row) * self.patch.angle.cos();
+            if let Some(angle) = search.inclination(self.patch.reference.y + aside) {
+                (least, most) = (least.min(angle), most.max(angle));
+            }
+        }
+        Ok((most - least).max(0.0))
+    }
+
+    /// The patch where it bears nothing.
+    fn light(self, creepage: Creepage) -> Pressed {
+        Pressed {
+            patch: self.patch,
             creepage,
             approach: 0.0,
             normal: 0.0,
@@ -103,24 +134,25 @@ impl Pressed {
             angle_spread: 0.0,
         }
     }
+
+    fn simulation(
+        &self,
+        rolling: Rolling,
+        approach: f64,
+        bodies: &Bodies,
+    ) -> Result<archard::simulation::Builder, ContactError> {
+        let Lattice { rectangle, elements, .. } = self.lattice;
+        let frame = ContactFrame::uniform(rectangle, elements, [&self.lattice, &Flat]);
+        let frame = frame.map_err(Refused::from)?.closed();
+        let compliance = HalfSpace::new([Some(&bodies.wheel), Some(&bodies.rail)], &frame);
+        let wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
+        let rail = Body::new("rail", Flat).material(bodies.rail);
+        let steady = rolling.over(0.0, Control::Approach(approach), Stepping::Implicit(1.0));
+        let steady = steady.map_err(Refused::from)?;
+        Ok(Simulation::builder([wheel, rail], steady).contact(frame, compliance))
+    }
 }
 
-fn simulation(
-    lattice: &Lattice,
-    rolling: Rolling,
-    approach: f64,
-    bodies: &Bodies,
-) -> Result<Simulation, ContactError> {
-    let frame = ContactFrame::uniform(lattice.rectangle, lattice.elements, [lattice, &Flat])
-        .map_err(archard::simulation::Refused::from)?
-        .closed();
-    let compliance = HalfSpace::new([Some(&bodies.wheel), Some(&bodies.rail)], &frame);
-    let wheel = Body::new("wheel", lattice.clone()).material(bodies.wheel);
-    let rail = Body::new("rail", Flat).material(bodies.rail);
-    let steady = rolling
-        .over(0.0, Control::Approach(approach), Stepping::Implicit(1.0))
-        .map_err(archard::simulation::Refused::from)?;
-    let mut builder = Simulation::builder([wheel, rail], steady).contact(frame, compliance);
-    builder.friction = Some(bodies.friction.clone());
-    Ok(builder.build()?)
+fn short(patch: &Patch) -> ContactError {
+    ContactError::Short { y: patch.reference.y }
 }

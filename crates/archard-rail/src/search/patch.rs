@@ -20,8 +20,9 @@ use crate::roots;
 const POINTS: usize = 200;
 /// The power of the overlap that weighs a point of the locus.
 const POWER: f64 = 2.5;
-/// Distance (m) from edge to edge up to which two stretches are one patch where nobody says otherwise: CONTACT's own.
-pub const JOIN: f64 = 8e-3;
+/// Distance (m) from edge to edge up to which two stretches are one patch where nobody says otherwise: that up to which
+/// CONTACT combines them.
+pub const JOIN: f64 = 4e-3;
 
 /// A patch of overlap.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +35,8 @@ pub struct Patch {
     pub along: [f64; 2],
     /// Where the overlap begins and ends (m) along s, the reference point at 0.
     pub across: [f64; 2],
+    /// Width (m) of its widest stretch of overlap: less than that of the patch if it joins several.
+    pub widest: f64,
     /// Whether a profile ends there, or stands upright, before the overlap ends.
     pub cut: [bool; 2],
     /// The largest vertical overlap (m).
@@ -97,6 +100,8 @@ impl Means {
 struct Stretch {
     /// The points of the rail (y and z, m) at the ends, in the order of the wheel: the first lies on the field side.
     edges: [[f64; 2]; 2],
+    /// Width (m), that of the widest if it joins several.
+    widest: f64,
     /// Whether the locus ends there before the overlap does.
     cut: [bool; 2],
     /// Least and largest x (m) of the overlap.
@@ -116,6 +121,7 @@ impl Stretch {
         let deeper = if next.depth > self.depth { next } else { self };
         Self {
             edges: [self.edges[0], next.edges[1]],
+            widest: self.widest.max(next.widest),
             cut: [self.cut[0], next.cut[1]],
             along: [self.along[0].min(next.along[0]), self.along[1].max(next.along[1])],
             means: self.means.with(next.means),
@@ -147,7 +153,7 @@ impl Search<'_> {
 
     fn patch(&self, stretch: &Stretch, height: f64) -> Patch {
         let rail = self.setup.rail();
-        let Stretch { means, depth, deepest, along, edges, cut } = *stretch;
+        let Stretch { means, depth, deepest, along, edges, widest, cut } = *stretch;
         let centre = means.centre();
         let on_rail = self.top.below(rail, centre.y).map(|along| rail.point(along)[1]);
         let reference = DVec3::new(centre.x, centre.y, on_rail.unwrap_or(centre.z));
@@ -156,6 +162,7 @@ impl Search<'_> {
             angle: means.angle(),
             along: along.map(|x| x - reference.x),
             across: [0.0; 2],
+            widest,
             cut: [cut[1], cut[0]],
             depth,
             deepest,
@@ -209,8 +216,10 @@ impl Search<'_> {
         let rail = self.setup.rail();
         let place = |share: f64| self.possible(ends[0] + share * (ends[1] - ends[0]));
         let edge = |share: f64| place(share).map(|at| rail.point(at.on_rail));
+        let edges = [edge(0.0)?, edge(1.0)?];
         let mut stretch = Stretch {
-            edges: [edge(0.0)?, edge(1.0)?],
+            edges,
+            widest: crate::curve::distance(edges[0], edges[1]),
             cut,
             along: [f64::INFINITY, f64::NEG_INFINITY],
             means: Means::NONE,
