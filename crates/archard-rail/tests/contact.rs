@@ -12,7 +12,7 @@ use archard::friction::Coulomb;
 use archard::motion::{Control, Indentation};
 use archard::simulation::{Run, Simulation};
 use archard::{Body, Material};
-use archard_rail::contact::{Bodies, Operation, Patch, Resolution, contact};
+use archard_rail::contact::{Bodies, Operation, Patch, Resolution, contact, roll};
 use archard_rail::search::{Gap, JOIN, Search};
 use common::Row;
 
@@ -92,6 +92,25 @@ fn eight_shifts_bear_the_same() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+/// 2e-6 rad are 1.5 um at a wheel, as much as the heights of the wheel differ on the flange; on the tread it is 3e-7 rad.
+#[test]
+fn the_wheelset_rolls_until_both_wheels_carry() {
+    let Some(folder) = common::folder() else { return };
+    let setup = common::setup(&folder);
+    let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
+    let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
+    let bodies = Bodies { wheel: steel, rail: steel, friction };
+    for row in common::rows(&folder) {
+        let (attitude, velocity) = (row.attitude(), row.velocity());
+        let operation = Operation { attitude, velocity, load: 10e3 };
+        let resolution = Resolution { elements: 16, ..Resolution::default() };
+        let roll = roll(&setup, &bodies, &operation, &resolution).unwrap();
+        let off = roll - attitude.roll;
+        eprintln!("y = {} mm: roll {roll:.4e}, {off:+.1e} off", row.get("Y_WS"));
+        assert!(off.abs() < 2e-6);
+    }
 }
 
 /// The gap of a patch as the recess of the wheel.

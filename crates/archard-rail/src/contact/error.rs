@@ -32,6 +32,9 @@ pub enum ContactError {
         /// What was borne (N).
         found: f64,
     },
+    /// No roll makes both wheels carry their load at one height.
+    #[error("no `roll` makes both wheels carry their load at one height: give it")]
+    NoRoll,
     /// The parts of a contact do not fit together.
     #[error(transparent)]
     Refused(#[from] archard::simulation::Refused),

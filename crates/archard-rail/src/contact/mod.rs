@@ -16,9 +16,11 @@ mod height;
 mod lattice;
 mod pressed;
 mod quantities;
+mod roll;
 
 pub use error::ContactError;
 pub use quantities::Quantities;
+pub use roll::roll;
 
 use std::f64::consts::PI;
 use std::sync::Arc;

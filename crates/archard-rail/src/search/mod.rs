@@ -8,6 +8,7 @@
 
 mod gap;
 mod patch;
+mod roll;
 
 pub use gap::Gap;
 pub use patch::{JOIN, Patch};
