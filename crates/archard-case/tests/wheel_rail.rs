@@ -52,7 +52,7 @@ fn left_is_right_in_a_mirror() {
     assert_eq!(turned(1.0, "right"), turned(-1.0, "left"));
 }
 
-/// A roll that is not given brings both wheels onto their rails at one height.
+/// A roll that is not given brings both wheels onto their rails at one height: at first touch, then under their load.
 #[test]
 fn the_roll_is_found_from_both_wheels() {
     for shift in ["0 mm", "3 mm", "6 mm"] {
@@ -61,6 +61,10 @@ fn the_roll_is_found_from_both_wheels() {
         let forecast = resolve(MANCHESTER, &both).expect("a case").forecast;
         let [(_, left), (_, right)] = &forecast.sides[..] else { panic!("one side") };
         assert!((left.height - right.height).abs() < 1e-7, "{} {}", left.height, right.height);
+        let contacts = resolve(MANCHESTER, &both).expect("a case").case.solve().expect("contacts");
+        let [left, right] = &contacts[..] else { panic!("one side") };
+        let [left, right] = [left, right].map(|one| one.patches[0].values.z_wheel);
+        assert!((left - right).abs() < 1e-8, "{left} {right}");
     }
 }
 

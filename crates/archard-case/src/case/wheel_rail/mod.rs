@@ -11,7 +11,7 @@ use archard::friction::Friction;
 use archard::parameters::Invalid;
 use archard_rail::contact::{self, Bodies, ContactError, Operation, Patch, Resolution};
 use archard_rail::search::{Onset, Search};
-use archard_rail::setup::{Attitude, Setup, Side};
+use archard_rail::setup::{Setup, Side};
 
 pub use running::{Running, WHEEL_RAIL};
 pub use shape::{RAILS, Shape, WHEELS};
@@ -151,10 +151,13 @@ impl Prepared {
     /// # Errors
     /// If a contact cannot be found.
     pub fn contacts(&self, running: &Running) -> Result<Vec<RailContact>, RailError> {
-        let attitude = self.standing(running)?;
-        let mut velocity = running.velocity;
+        let (mut attitude, mut velocity) = (running.attitude, running.velocity);
         if velocity.pitch.is_nan() {
             velocity.pitch = -velocity.forward / self.setup.wheelset().nominal_radius;
+        }
+        if !running.rolls {
+            let operation = Operation { attitude, velocity, load: running.load };
+            attitude.roll = contact::roll(&self.setup, &self.bodies, &operation, &self.resolution)?;
         }
         let solve = |&side: &Side| {
             let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
@@ -166,21 +169,15 @@ impl Prepared {
         running.sides.iter().map(solve).collect()
     }
 
-    /// The attitude, its roll found where it is not given.
-    fn standing(&self, running: &Running) -> Result<Attitude, Invalid> {
-        let attitude = running.attitude;
-        match running.rolls {
-            true => Ok(attitude),
-            false => Ok(Attitude { roll: roll(&self.setup, attitude)?, ..attitude }),
-        }
-    }
-
     /// What the set-up tells before any elasticity.
     fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
-        let attitude = self.standing(&self.running)?;
+        let wrong = |error: archard_rail::Invalid| Invalid::new(error.parameter, error.message);
+        let mut attitude = self.running.attitude;
+        if !self.running.rolls {
+            attitude.roll = self.setup.roll(attitude.shift, attitude.yaw).map_err(wrong)?;
+        }
         let touch = |&side: &Side| {
-            let search = Search::new(&self.setup, side.attitude(attitude))
-                .map_err(|error| Invalid::new(error.parameter, error.message))?;
+            let search = Search::new(&self.setup, side.attitude(attitude)).map_err(wrong)?;
             let onset = search.onset();
             let onset =
                 onset.ok_or_else(|| Invalid::new("shift", "the wheel is not over its rail"))?;
@@ -190,38 +187,6 @@ impl Prepared {
         Ok(WheelRailForecast { roll: attitude.roll, sides })
     }
 }
-
-/// The heights (m) at which the left and the right wheel of an attitude first touch.
-fn heights(setup: &Setup, attitude: Attitude) -> Result<[f64; 2], Invalid> {
-    let height = |side: Side| {
-        let search = Search::new(setup, side.attitude(attitude))
-            .map_err(|error| Invalid::new(error.parameter, error.message))?;
-        search.onset().map(|onset| onset.height).ok_or_else(|| {
-            let which = if side == Side::Left { "left" } else { "right" };
-            Invalid::new("shift", format!("the {which} wheel is not over its rail"))
-        })
-    };
-    Ok([height(Side::Left)?, height(Side::Right)?])
-}
-
-/// The roll (rad) at which both wheels touch at the same height of the axle, by secants from the level one.
-fn roll(setup: &Setup, attitude: Attitude) -> Result<f64, Invalid> {
-    let arm = setup.wheelset().arm();
-    let mut roll = 0.0;
-    // The wheel that has to come down by d turns the axle by d over half the distance of both.
-    for _ in 0..ROLLS {
-        let [left, right] = heights(setup, Attitude { roll, ..attitude })?;
-        let change = 0.5 * (right - left) / arm;
-        roll += change;
-        if change.abs() <= f64::EPSILON.sqrt() {
-            return Ok(roll);
-        }
-    }
-    Err(Invalid::new("roll", "no roll was found at which both wheels touch: give one"))
-}
-
-/// Changes of the roll: each leaves a part of the slope of the profiles of the one before, .4 on a flange of 70 degrees.
-const ROLLS: usize = 60;
 
 /// The forecast of a case and what is wrong with it.
 pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
