@@ -10,6 +10,7 @@ A :class:`Case` is a built-in name, a file, a TOML text or a dict. Values with a
 their unit, or anything with ``magnitude`` and ``units`` (pint); results are in SI, each column with its unit.
 """
 
+from archard import rail
 from archard._archard import __version__
 from archard._errors import (
     ArchardWarning,
@@ -56,5 +57,6 @@ __all__ = [
     "__version__",
     "cases",
     "fit",
+    "rail",
     "sweep",
 ]

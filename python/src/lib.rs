@@ -11,6 +11,7 @@ mod fields;
 mod fit;
 mod friction;
 mod law;
+mod rail;
 mod run;
 
 use pyo3::prelude::*;
@@ -35,6 +36,8 @@ mod _archard {
     use super::fields::read_fields;
     #[pymodule_export]
     use super::fit::{fit, next_tests};
+    #[pymodule_export]
+    use super::rail::WheelRail;
     #[pymodule_export]
     use super::run::Run;
 

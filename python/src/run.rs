@@ -84,7 +84,9 @@ impl Run {
         let file = file.0.clone();
         let task = away(py, &wide, move || resolve(&file)).unless_interrupted()?;
         let Task::Contact(resolved) = task.map_err(refused)? else {
-            return Err(PyValueError::new_err("a body by itself has no steps"));
+            let why =
+                "a body by itself has no steps, and a wheel on a rail has none: `archard.rail`";
+            return Err(PyValueError::new_err(why));
         };
         let failed = Failed::default();
         let laws = Laws { wear: laws, friction, failed: failed.clone() };

@@ -30,7 +30,7 @@ use std::thread;
 
 use archard::elastic;
 use archard::units::{self, Dimension, Measure};
-use archard_case::output::Store;
+use archard_case::output::{Store, contact_row};
 use archard_case::{CaseFile, Task};
 use toml::de::{DeTable, DeValue};
 
@@ -154,6 +154,11 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             let points = body.points.iter().map(|point| point.name.clone()).collect();
             let rows = Rows(deformed.points.iter().map(elastic::row).collect());
             return Ok(Results { points, rows });
+        }
+        Task::WheelRail(resolved) => {
+            let contacts = resolved.case.solve().map_err(|error| error.to_string())?;
+            let patches = contacts.iter().flat_map(|contact| &contact.patches);
+            return Ok(Results { points: vec![], rows: Rows(patches.map(contact_row).collect()) });
         }
     };
     let settled = resolved.with_companions(Some(store), &mut Rows::default());

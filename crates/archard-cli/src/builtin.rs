@@ -24,6 +24,7 @@ pub struct Builtin {
 /// All of them.
 pub const CASES: &[Builtin] = &[
     without_files("hertz", include_str!("../cases/hertz/case.toml")),
+    without_files("manchester", include_str!("../cases/manchester/case.toml")),
     without_files("pin_on_disc", include_str!("../cases/pin_on_disc/case.toml")),
     without_files("pin_on_disc_both", include_str!("../cases/pin_on_disc_both/case.toml")),
     without_files("pin_on_disc_track", include_str!("../cases/pin_on_disc_track/case.toml")),

@@ -22,7 +22,9 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    if let Task::Elastic(_) = diagnose::resolve(&arguments.case, arguments.quiet)? {
+    if let Task::Elastic(_) | Task::WheelRail(_) =
+        diagnose::resolve(&arguments.case, arguments.quiet)?
+    {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
     let file = diagnose::read(&arguments.case)?;

@@ -35,6 +35,7 @@ mod sweep;
 mod table;
 mod underway;
 mod verdict;
+mod wheel_rail;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

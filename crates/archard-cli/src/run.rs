@@ -24,6 +24,7 @@ use crate::report;
 use crate::say::tell;
 use crate::underway::{self, Underway};
 use crate::verdict;
+use crate::wheel_rail;
 
 /// Threads a processor may be given at most.
 const MOST_THREADS: usize = 8;
@@ -59,11 +60,14 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
                 false => contact(),
             }
         }
-        Task::Elastic(_) if arguments.resume.is_some() => {
-            Err(Failure::wrong("a body by itself is solved at once: there is no run to go on with"))
+        Task::Elastic(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
+            Err(Failure::wrong("this case is solved at once: there is no run to go on with"))
         }
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
+        }
+        Task::WheelRail(resolved) => {
+            wheel_rail::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
     }
 }

@@ -17,6 +17,7 @@ use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
+use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
 use crate::files;
 use crate::output::{Inside, elastic_files};
 
@@ -68,6 +69,18 @@ pub struct ResolvedElastic {
     pub warnings: Vec<Problem>,
 }
 
+/// A case of a wheel on a rail that can be computed.
+#[non_exhaustive]
+#[derive(Debug, Clone)]
+pub struct ResolvedWheelRail {
+    /// The case in SI.
+    pub case: WheelRailCase,
+    /// What the set-up tells.
+    pub forecast: WheelRailForecast,
+    /// What may not be as it was meant.
+    pub warnings: Vec<Problem>,
+}
+
 /// What a case asks for.
 #[derive(Debug, Clone)]
 pub enum Task {
@@ -75,6 +88,8 @@ pub enum Task {
     Contact(Box<Resolved>),
     /// One elastic body by itself.
     Elastic(Box<ResolvedElastic>),
+    /// A railway wheel on its rail.
+    WheelRail(Box<ResolvedWheelRail>),
 }
 
 impl Resolved {
@@ -104,6 +119,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.expectations(),
             Task::Elastic(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
+            Task::WheelRail(resolved) => format!("# What to expect\n\n{}", resolved.forecast),
         }
     }
 
@@ -112,6 +128,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => resolved.case.to_string(),
             Task::Elastic(resolved) => resolved.case.to_string(),
+            Task::WheelRail(resolved) => resolved.case.to_string(),
         }
     }
 
@@ -127,6 +144,7 @@ impl Task {
             Task::Elastic(resolved) => {
                 elastic_files(&resolved.case.points, &resolved.case.sections)
             }
+            Task::WheelRail(_) => vec!["contacts.csv".to_owned()],
         }
     }
 
@@ -135,6 +153,7 @@ impl Task {
         match self {
             Task::Contact(resolved) => &resolved.warnings,
             Task::Elastic(resolved) => &resolved.warnings,
+            Task::WheelRail(resolved) => &resolved.warnings,
         }
     }
 }
@@ -212,12 +231,17 @@ impl CaseFile {
         format!("{place}: {}: {}", problem.severity, problem.title())
     }
 
-    /// Reads and checks the case: one of two bodies in contact, or of one body by itself.
+    /// Reads and checks the case: of two bodies in contact, of one body by itself, or of a wheel on a rail.
     ///
     /// # Errors
     /// All that is wrong with it, and the warnings besides.
     pub fn task(&self) -> Result<Task, Vec<Problem>> {
         let laid = self.laid();
+        if Reader::is_wheel_rail(&Section { key: Key::default(), table: &laid.table }) {
+            let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.wheel_rail(root);
+            let (case, forecast, warnings) = self.examine(laid, read, wheel_rail::check)?;
+            return Ok(Task::WheelRail(Box::new(ResolvedWheelRail { case, forecast, warnings })));
+        }
         if !Reader::is_elastic(&Section { key: Key::default(), table: &laid.table }) {
             return self.resolve_contact(laid).map(|resolved| Task::Contact(Box::new(resolved)));
         }

@@ -6,8 +6,11 @@ use super::check::{Forecast, Solves};
 use super::elastic::ElasticForecast;
 use super::file::{CaseFile, Task};
 use super::problem::{Location, Problem};
+use super::wheel_rail::WheelRailForecast;
 use crate::output::{estimate_json, verdict_json};
 use archard::body::mesh::Listed;
+use archard_rail::search::Onset;
+use archard_rail::setup::Side;
 
 impl CaseFile {
     /// What a check of the case finds, as the command's `check --json` writes it: whether it is `valid`, its `problems` with
@@ -25,6 +28,7 @@ impl CaseFile {
                 let expected = match &task {
                     Task::Contact(resolved) => contact(&resolved.forecast),
                     Task::Elastic(resolved) => elastic(&resolved.forecast),
+                    Task::WheelRail(resolved) => wheel_rail(&resolved.forecast),
                 };
                 if let (Value::Object(checked), Value::Object(expected)) = (&mut checked, expected)
                 {
@@ -95,6 +99,18 @@ fn elastic(forecast: &ElasticForecast) -> Value {
         "points": forecast.points,
         "memory_bytes": forecast.memory,
     })
+}
+
+fn wheel_rail(forecast: &WheelRailForecast) -> Value {
+    let side = |(side, onset): &(Side, Onset)| {
+        json!({
+            "side": if *side == Side::Left { "left" } else { "right" },
+            "onset_m": onset.height,
+            "first_touch_m": onset.at.point.to_array(),
+        })
+    };
+    let sides: Vec<Value> = forecast.sides.iter().map(side).collect();
+    json!({ "roll_rad": forecast.roll, "sides": sides })
 }
 
 /// The surfaces of a mesh, with the boxes around them (m).

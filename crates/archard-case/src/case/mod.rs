@@ -8,7 +8,8 @@
 //! [`Problem`]s at once.
 //!
 //! A case of one meshed body is an elastic problem without contact: an [`ElasticCase`], which builds an
-//! [`ElasticBody`](archard::elastic::ElasticBody). [`CaseFile::task`] tells the two apart.
+//! [`ElasticBody`](archard::elastic::ElasticBody). A case with `motion.wheel_rail` is a [`WheelRailCase`]. [`CaseFile::task`]
+//! tells them apart.
 //!
 //! # Case files
 //!
@@ -43,6 +44,7 @@ mod reader;
 mod similar;
 mod tree;
 mod unclosed;
+mod wheel_rail;
 
 pub use accuracy::{Chose, Following, Unsettled};
 pub use check::{
@@ -51,9 +53,12 @@ pub use check::{
 pub use chosen::Chosen;
 pub use definition::{BodyCase, BuildError, Case, FrameCase, LayerCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};
-pub use file::{CaseFile, Resolved, ResolvedElastic, Task, Unreadable};
+pub use file::{CaseFile, Resolved, ResolvedElastic, ResolvedWheelRail, Task, Unreadable};
 pub use key::Key;
 pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
 pub use similar::WearByKs;
+pub use wheel_rail::{
+    Prepared, RailContact, RailError, Running, Shape, WheelRailCase, WheelRailForecast,
+};

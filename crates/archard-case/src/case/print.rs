@@ -301,12 +301,12 @@ fn formula(text: &str, files: &[Columns]) -> String {
 }
 
 /// A value with its SI unit, in quotes.
-fn si(value: f64, unit: &str) -> String {
+pub(super) fn si(value: f64, unit: &str) -> String {
     format!("\"{} {unit}\"", digits(value))
 }
 
 /// A number that TOML takes for one with a broken part.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     let digits = digits(value);
     if digits.contains(['.', 'e']) { digits } else { digits + ".0" }
 }
@@ -318,7 +318,7 @@ fn digits(value: f64) -> String {
 }
 
 /// A text in quotes, as TOML writes it.
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let mut quoted = String::from('"');
     for c in text.chars() {
         match c {

@@ -22,10 +22,13 @@
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
 //!
+//! Of a wheel on a rail, [`write_contacts`] writes `case.toml`, `contacts.csv` with a row a patch, and `summary.json`.
+//!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
 
 mod closed_forms;
+mod contacts;
 mod derived;
 mod elastic;
 mod evidence;
@@ -58,6 +61,7 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
+pub use contacts::{contact_row, contacts_verdict, write_contacts};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};

@@ -244,3 +244,13 @@ pub fn slenderness(longest: f64) -> Line {
     let text = "of the thickness below it is the length of the longest element where the body can bend: take shorter ones, two thirds of the thickness at most";
     Line::new("bending", longest, bound, text)
 }
+
+/// How much the rail bends (degrees) within a patch of a wheel on a rail.
+///
+/// Each patch lies in a plane, where its bodies are half-spaces. From ten degrees on a conforming contact is stiffer and its
+/// spin is not the same all over; by how much is not known here.
+pub fn bent(degrees: f64) -> Line {
+    let text =
+        "degrees is how far the rail bends within a patch, which is computed in its tangent plane";
+    Line::new("bent", degrees, Bound::AtMost([10.0, f64::INFINITY]), text)
+}

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`.
-const GOOD: [(&str, &str, Number); 24] = [
+const GOOD: [(&str, &str, Number); 25] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -32,6 +32,7 @@ const GOOD: [(&str, &str, Number); 24] = [
     ("forces", "forces balance to {}", Number::Residual),
     ("moments", "moments balance to {}", Number::Residual),
     ("bending", "longest element {} of the thickness that bends", Number::Share),
+    ("bent", "the rail bends by {} degrees within a patch", Number::Plain),
     ("hardness", "largest pressure {} times the hardness", Number::Plain),
     ("strain", "largest pressure {} of Young's modulus", Number::Share),
     ("layers", "{} of a layer worn off", Number::Share),
@@ -195,6 +196,7 @@ mod tests {
             forces,
             moments,
             verdict::slenderness(0.5),
+            verdict::bent(3.0),
             verdict::hardness(0.5, "pin"),
             verdict::modulus(0.01, "pin"),
             verdict::layers(0.05, "disc"),

@@ -1,9 +1,14 @@
 //! Linear isotropic elasticity.
 
-use crate::parameters::{Bound, Invalid, Parameter, Quantity};
+use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
 
 pub(super) const YOUNG: Parameter =
     Parameter::required("young", Quantity::Pressure, "Young's modulus");
+/// Young's modulus where the shear modulus may stand in its place.
+const YOUNG_OR_SHEAR: Parameter =
+    Parameter::optional("young", Quantity::Pressure, "Young's modulus");
+const SHEAR: Parameter =
+    Parameter::optional("shear", Quantity::Pressure, "shear modulus, in place of `young`");
 pub(super) const POISSON: Parameter =
     Parameter::required("poisson", Quantity::Number, "Poisson's ratio")
         .bound(Bound::UpTo(-1.0, 0.5));
@@ -19,7 +24,7 @@ pub struct Material {
 
 impl Material {
     /// What a material takes, for readers of case files.
-    pub const PARAMETERS: &'static [Parameter] = &[YOUNG, POISSON];
+    pub const PARAMETERS: &'static [Parameter] = &[YOUNG_OR_SHEAR, SHEAR, POISSON];
 
     /// A material of that Young's modulus (Pa) and Poisson's ratio.
     ///
@@ -27,6 +32,18 @@ impl Material {
     /// If the modulus is not greater than zero, or the ratio not between -1 and 0.5, which it may be.
     pub fn new(young: f64, poisson: f64) -> Result<Self, Invalid> {
         Ok(Self { young: YOUNG.admit(young)?, poisson: POISSON.admit(poisson)? })
+    }
+
+    /// The material that values of its [parameters](Self::PARAMETERS) say.
+    ///
+    /// # Errors
+    /// If a value is missing, or both moduli are given.
+    pub fn read(values: &Values) -> Result<Self, Invalid> {
+        let poisson = values.require("poisson")?;
+        match values.one_of("young", "shear")? {
+            (Some(young), _) => Self::new(young, poisson),
+            (None, shear) => Self::new(2.0 * (1.0 + poisson) * shear.unwrap_or_default(), poisson),
+        }
     }
 
     /// Plane-strain compliance (1 - nu^2)/E (1/Pa); the sum over the bodies is 1/E*.

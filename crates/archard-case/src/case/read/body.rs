@@ -143,7 +143,7 @@ impl Reader<'_> {
     }
 
     /// The material of an elastic body, `Some(None)` where that is rigid; `None` if it is wrong.
-    fn material(&mut self, body: &Section<'_>) -> Option<Option<Material>> {
+    pub(super) fn material(&mut self, body: &Section<'_>) -> Option<Option<Material>> {
         if let Some((key, entry)) = body.get("substrate") {
             let known = matches!(&entry.node.item, Item::Text(word) if word == RIGID);
             if !known || body.get("layers").is_none() || body.get("material").is_some() {
@@ -166,9 +166,18 @@ impl Reader<'_> {
             Some(_) => "what the layers are on, or `substrate = \"rigid\"`",
         };
         let section = self.table(body, "material", meaning)?;
+        let before = self.problems.len();
         let (values, _) = self.values(&section, Material::PARAMETERS);
-        let (young, poisson) = (values.number("young")?, values.number("poisson")?);
-        Some(Some(Material { young, poisson }))
+        if self.problems.len() > before {
+            return None;
+        }
+        match Material::read(&values) {
+            Ok(material) => Some(Some(material)),
+            Err(invalid) => {
+                self.invalid(&section, invalid);
+                None
+            }
+        }
     }
 
     /// The layers of a body from its surface down; `None` if one is wrong.

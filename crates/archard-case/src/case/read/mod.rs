@@ -5,6 +5,7 @@ mod elastic;
 mod finite;
 mod frame;
 mod output;
+mod wheel_rail;
 
 use super::accuracy;
 use super::chosen::Chosen;

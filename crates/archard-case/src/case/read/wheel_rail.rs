@@ -1,0 +1,111 @@
+//! A case of a wheel on a rail.
+
+use super::super::key::is_bare;
+use super::super::problem::Problem;
+use super::super::reader::{Reader, Section};
+use super::super::tree::{Entry, Item};
+use super::super::wheel_rail::{RAILS, Rolled, Shape, WHEEL_RAIL, WHEELS, WheelRailCase};
+use archard::parameters::Choice;
+
+/// The tables of such a case.
+const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion"];
+/// What a wheel or a rail may have.
+const OF_BODIES: &[&str] = &["material", "profile"];
+
+impl Reader<'_> {
+    /// Whether a case is about a wheel on a rail.
+    pub fn is_wheel_rail(root: &Section<'_>) -> bool {
+        let Some((_, motion)) = root.get("motion") else { return false };
+        matches!(&motion.node.item, Item::Table(motion) if motion.get("wheel_rail").is_some())
+    }
+
+    /// The case, if nothing is wrong with it.
+    pub fn wheel_rail(&mut self, root: &Section<'_>) -> Option<WheelRailCase> {
+        self.unknown(root, "key", TABLES);
+        let title = self.title(root);
+        let bodies = self.table(root, "body", "a wheel and a rail, `[body.NAME]` each")?;
+        let wheel = self.rolled(&bodies, "wheel", WHEELS);
+        let rail = self.rolled(&bodies, "rail", RAILS);
+        for entry in &bodies.table.0 {
+            if kind(entry).is_none() {
+                let message = "is neither wheel nor rail: give `profile.wheel` or `profile.rail`";
+                self.push(Problem::error(bodies.key.child(&entry.name), message).at_name());
+            }
+        }
+        let motion = self.table(root, "motion", "how the wheelset stands and runs")?;
+        let motion = self.choice(&motion, "motion", WHEEL_RAIL).map(|(chosen, _)| chosen);
+        let friction = match root.get("friction") {
+            None => {
+                self.missing(root.key.child("friction"), "a friction law, `friction.coulomb`");
+                None
+            }
+            Some(_) => self.friction(root).flatten(),
+        };
+        let elements = self.elements_of_patches(root);
+        Some(WheelRailCase {
+            title: title?,
+            wheel: wheel?,
+            rail: rail?,
+            friction: friction?,
+            motion: motion?,
+            elements: elements?,
+        })
+    }
+
+    /// The body with that kind of profile.
+    fn rolled(
+        &mut self,
+        bodies: &Section<'_>,
+        which: &str,
+        choices: &'static [Choice<Shape>],
+    ) -> Option<Rolled> {
+        let mut found = bodies.table.0.iter().filter(|entry| kind(entry) == Some(which));
+        let Some(entry) = found.next() else {
+            self.missing(bodies.key.clone(), &format!("a body with `profile.{which}`"));
+            return None;
+        };
+        if let Some(second) = found.next() {
+            let message = format!("a second {which} next to `{}`: keep one", entry.name);
+            self.push(Problem::error(bodies.key.child(&second.name), message).at_name());
+        }
+        let key = bodies.key.child(&entry.name);
+        if !is_bare(&entry.name) {
+            let message = "names of bodies are of letters, digits, _ and -";
+            self.push(Problem::error(key.clone(), message).at_name());
+        }
+        let section = self.as_table(key, &entry.node)?;
+        self.unknown(&section, "key", OF_BODIES);
+        let material = self.material(&section);
+        let profile = self.table(&section, "profile", "the profile")?;
+        let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
+        let material = material?;
+        let Some(material) = material else {
+            let message = "wheel and rail are elastic";
+            self.push(Problem::error(section.key.child("rigid"), message).at_name());
+            return None;
+        };
+        Some(Rolled { name: entry.name.clone(), material, profile: profile? })
+    }
+
+    /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.
+    fn elements_of_patches(&mut self, root: &Section<'_>) -> Option<Option<usize>> {
+        let Some((key, entry)) = root.get("frame") else { return Some(None) };
+        let section = self.as_table(key, &entry.node)?;
+        self.unknown(&section, "key", &["elements"]);
+        let Some((key, entry)) = section.get("elements") else { return Some(None) };
+        let elements = self.count(key.clone(), &entry.node)?;
+        if !(8..=1024).contains(&elements) || elements % 2 == 1 {
+            let message = "an even number from 8 to 1024: elements over the overlap of a patch";
+            self.push(Problem::error(key, message));
+            return None;
+        }
+        Some(Some(elements))
+    }
+}
+
+/// Which of the two a body is, by its profile.
+fn kind(entry: &Entry) -> Option<&'static str> {
+    let Item::Table(body) = &entry.node.item else { return None };
+    let Item::Table(profile) = &body.get("profile")?.node.item else { return None };
+    ["wheel", "rail"].into_iter().find(|kind| profile.get(kind).is_some())
+}

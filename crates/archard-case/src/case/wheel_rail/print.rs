@@ -1,0 +1,26 @@
+//! A checked case of a wheel on a rail as a case file.
+
+use std::fmt::{self, Display, Formatter};
+
+use super::{Rolled, WheelRailCase};
+use crate::case::print::{number, print_chosen, quoted, si};
+
+impl Display for WheelRailCase {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if let Some(title) = &self.title {
+            writeln!(f, "title = {}\n", quoted(title))?;
+        }
+        for Rolled { name, material, profile } in [&self.wheel, &self.rail] {
+            let key = format!("body.{name}");
+            writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
+            writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
+            print_chosen(f, &format!("{key}.profile"), profile)?;
+            writeln!(f)?;
+        }
+        if let Some(elements) = self.elements {
+            writeln!(f, "frame.elements = {elements}")?;
+        }
+        print_chosen(f, "friction", &self.friction)?;
+        print_chosen(f, "motion", &self.motion)
+    }
+}

@@ -1,0 +1,181 @@
+//! The contact of a wheel with its rail: the height of the wheel under its load, and pressures and friction of each patch.
+//!
+//! A patch lies in its own tangent plane. Both bodies are half-spaces there (Kalker's three-dimensional theory of steady
+//! rolling), on a grid over the overlap, with the creepages and the spin at its reference point. The height of the wheel
+//! follows from the vertical force, to which friction in an inclined plane adds its part. Stretches of overlap that are near
+//! each other share a plane and its grid; patches with planes of their own press each other apart.
+//!
+//! All of it is solved on three grids, each of elements half the size of those before. Errors of rolling contact are of
+//! first order or higher in the size, so that a halving changes a value by what is left after it, or by more. The error that is
+//! told is the last change, or half the one before where that is larger. It holds for the grid, not for the
+//! profiles, nor for the plane: [`Patch::angle_spread`] tells how far a patch bends. The onset depends on no grid.
+
+mod apart;
+mod error;
+mod height;
+mod lattice;
+mod pressed;
+mod quantities;
+mod roll;
+
+pub use error::ContactError;
+pub use quantities::Quantities;
+pub use roll::roll;
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use archard::Material;
+use archard::body::contact_modulus;
+use archard::friction::Friction;
+
+use crate::invalid::Invalid;
+use crate::search::{JOIN, Search};
+use crate::setup::{Attitude, Setup, Velocity};
+use pressed::{Pressed, Site};
+
+/// Bending of a patch (rad) from which on a plane is an approximation: 10 degrees.
+pub const BENT: f64 = PI / 18.0;
+
+/// What wheel and rail are made of, and what friction they bear.
+#[derive(Debug, Clone)]
+pub struct Bodies {
+    /// Of the wheel.
+    pub wheel: Material,
+    /// Of the rail.
+    pub rail: Material,
+    /// Between both.
+    pub friction: Arc<dyn Friction>,
+}
+
+/// How the wheelset stands and moves, and what a wheel carries; as its side sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Operation {
+    /// Where it stands.
+    pub attitude: Attitude,
+    /// How it moves.
+    pub velocity: Velocity,
+    /// Vertical force (N) on the rail, greater than zero.
+    pub load: f64,
+}
+
+/// How finely patches are divided, and which stretches of overlap share a grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Resolution {
+    /// Elements along x and as many along s over the overlap of each patch; the contact fills about half of them. A
+    /// multiple of 4 from 16 on.
+    pub elements: usize,
+    /// Distance (m) from edge to edge up to which two stretches of overlap are one patch.
+    pub join: f64,
+}
+
+impl Default for Resolution {
+    fn default() -> Self {
+        Self { elements: 32, join: JOIN }
+    }
+}
+
+/// A patch of contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Patch {
+    /// What is known of it.
+    pub values: Quantities,
+    /// The error of each value, positive; not a number where coarser grids have other patches.
+    pub errors: Quantities,
+    /// How much the inclination of the rail (rad) differs within the contact: beyond [`BENT`] its plane is an
+    /// approximation.
+    pub angle_spread: f64,
+}
+
+/// The patches of contact of a wheel under its load, from the field side to the flange.
+///
+/// # Errors
+/// If a value cannot be used, the wheel does not stand over the rail, a contact comes to the end of a profile, no height
+/// of the wheel makes its contacts bear the load, or a contact cannot be solved.
+pub fn contact(
+    setup: &Setup,
+    bodies: &Bodies,
+    operation: &Operation,
+    resolution: &Resolution,
+) -> Result<Vec<Patch>, ContactError> {
+    let load = Invalid::positive("load", operation.load)?;
+    if operation.velocity.translation().length() == 0.0 && operation.velocity.pitch == 0.0 {
+        return Err(Invalid::new("velocity", "a wheelset that stands still does not roll").into());
+    }
+    let elements = resolution.elements;
+    if !(16..=1024).contains(&elements) || !elements.is_multiple_of(4) {
+        let message = format!("{elements} has to be a multiple of 4 from 16 to 1024");
+        return Err(Invalid::new("elements", message).into());
+    }
+    let search = Search::new(setup, operation.attitude)?;
+    let onset = search.onset().ok_or(ContactError::NoContact)?.height;
+    let bears = |elements: usize| {
+        let search = &search;
+        move |height: f64| {
+            let patches = search.patches(height, resolution.join)?.into_iter();
+            let sites = patches.map(|patch| Site::new(search, patch, elements));
+            let sites = sites.collect::<Result<Vec<Site>, _>>()?;
+            let apart = apart::by_the_others(&sites, bodies)?;
+            let with = (&operation.velocity, bodies);
+            let sites = sites.into_iter().zip(apart);
+            let patches = sites.map(|(site, apart)| site.press(search, with, apart));
+            let patches = patches.collect::<Result<Vec<Pressed>, _>>()?;
+            let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
+            Ok((patches, borne))
+        }
+    };
+    // As deep as a ball of the wheel's radius sinks into a plane.
+    let modulus = contact_modulus([Some(&bodies.wheel), Some(&bodies.rail)]);
+    let force = 4.0 / 3.0 * modulus * setup.wheelset().nominal_radius.sqrt();
+    let mut guess = onset + (load / force).cbrt().powi(2);
+    let mut grids = vec![];
+    for elements in [elements / 4, elements / 2, elements] {
+        let (height, pressed) = height::find(load, onset, guess, bears(elements))?;
+        guess = height;
+        grids.push(pressed);
+    }
+    let told = |pressed: &Pressed| tell(&search, onset, pressed);
+    let patches = grids[2].iter().enumerate().filter(|(_, pressed)| pressed.normal > 0.0);
+    let patches = patches.map(|(at, pressed)| {
+        let same = grids.iter().all(|grid| grid.len() == grids[2].len());
+        let [coarse, middle, fine] = [0, 1, 2].map(|grid| {
+            if same {
+                told(&grids[grid][at])
+            } else {
+                told(pressed).with(&told(pressed), |_, _| f64::NAN)
+            }
+        });
+        let [before, last] = [(coarse, middle), (middle, fine)]
+            .map(|(coarse, fine)| fine.with(&coarse, |fine, coarse| (fine - coarse).abs()));
+        let errors =
+            last.with(
+                &before,
+                |last, before| if before.is_nan() { before } else { last.max(0.5 * before) },
+            );
+        Patch { values: told(pressed), errors, angle_spread: pressed.angle_spread }
+    });
+    Ok(patches.collect())
+}
+
+fn tell(search: &Search<'_>, onset: f64, pressed: &Pressed) -> Quantities {
+    let Pressed { patch, creepage, .. } = pressed;
+    Quantities {
+        onset,
+        z_wheel: patch.height,
+        y_track: patch.reference.y,
+        y_rail: search.setup().placing().in_rail(patch.reference).y,
+        y_wheel: search.in_wheel(patch.reference, patch.height).y,
+        contact_angle: patch.angle,
+        creepage: creepage.longitudinal,
+        lateral_creepage: creepage.lateral,
+        spin: creepage.spin,
+        normal_force: pressed.normal,
+        force_x: pressed.tangential[0],
+        force_s: pressed.tangential[1],
+        moment: pressed.moment,
+        approach: pressed.approach,
+        peak_pressure: pressed.peak,
+        contact_area: pressed.area,
+        frictional_power: pressed.power,
+    }
+}

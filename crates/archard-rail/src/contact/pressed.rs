@@ -1,0 +1,158 @@
+//! One patch in its tangent plane: pressures and friction of half-spaces at a height of the wheel.
+
+use archard::body::profile::Flat;
+use archard::compliance::HalfSpace;
+use archard::frame::Direction;
+use archard::motion::{Control, Drive, Rolling, Stepping};
+use archard::simulation::{Refused, Run, Simulation};
+use archard::{Body, ContactFrame};
+
+use super::lattice::Lattice;
+use super::{Bodies, ContactError};
+use crate::creepage::Creepage;
+use crate::search::{Patch, Search};
+use crate::setup::Velocity;
+
+/// A patch of overlap with its grid.
+#[derive(Debug)]
+pub(super) struct Site {
+    pub patch: Patch,
+    lattice: Lattice,
+}
+
+/// A patch under pressure. Forces and the moment are those on the rail, in the frame of the contact.
+#[derive(Debug, Clone)]
+pub(super) struct Pressed {
+    pub patch: Patch,
+    pub creepage: Creepage,
+    pub approach: f64,
+    pub normal: f64,
+    pub tangential: [f64; 2],
+    pub moment: f64,
+    pub peak: f64,
+    pub area: f64,
+    pub power: f64,
+    /// How much the inclination of the rail (rad) differs within the contact.
+    pub angle_spread: f64,
+}
+
+impl Pressed {
+    /// What it takes of the vertical load (N).
+    pub fn vertical(&self) -> f64 {
+        self.normal * self.patch.angle.cos() + self.tangential[1] * self.patch.angle.sin()
+    }
+}
+
+impl Site {
+    /// The patch on so many elements, as [`Lattice::over`] counts them.
+    pub fn new(search: &Search<'_>, patch: Patch, elements: usize) -> Result<Self, ContactError> {
+        let lattice = Lattice::over(search, &patch, elements);
+        if lattice.is_whole() { Ok(Self { patch, lattice }) } else { Err(short(&patch)) }
+    }
+
+    /// Normal force (N) without friction, of bodies that others have pressed apart there by so much (m).
+    pub fn force(&self, bodies: &Bodies, apart: f64) -> Result<f64, ContactError> {
+        let approach = self.lattice.approach() - apart;
+        if approach <= 0.0 {
+            return Ok(0.0);
+        }
+        let simulation = self.simulation(Rolling::along(Direction::X), approach, bodies)?;
+        Ok(Run::begin(simulation.build()?)?.report().state.load)
+    }
+
+    /// Presses the bodies together and rolls them, where others have pressed them apart by so much (m).
+    pub fn press(
+        self,
+        search: &Search<'_>,
+        (velocity, bodies): (&Velocity, &Bodies),
+        apart: f64,
+    ) -> Result<Pressed, ContactError> {
+        let approach = self.lattice.approach();
+        let creepage = Creepage::new(search, &self.patch, velocity, approach);
+        if approach <= apart {
+            return Ok(self.light(creepage));
+        }
+        let rolling = Rolling::along(Direction::X)
+            .longitudinal(Drive::Creepage(creepage.longitudinal))
+            .lateral(Drive::Creepage(creepage.lateral))
+            .spin(creepage.spin)
+            .at_speed(creepage.speed);
+        let mut builder = self.simulation(rolling, approach - apart, bodies)?;
+        builder.friction = Some(bodies.friction.clone());
+        let run = Run::begin(builder.build()?)?;
+        let (problem, state) = (&run.simulation().problem, run.report().state);
+        let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
+        let rows = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0);
+        let angle_spread = self.spread(search, rows.map(|pair| pair / self.lattice.elements[0]))?;
+        Ok(Pressed {
+            approach,
+            normal: state.load,
+            // Of friction the run knows what acts on the wheel.
+            tangential: tangential.map_or([0.0; 2], |of| of.force(frame).map(|force| -force)),
+            moment: tangential.map_or(0.0, |of| -of.moment(frame)),
+            peak: state.pressure.iter().copied().fold(0.0, f64::max),
+            area: state.contact_area(problem),
+            power: tangential.map_or(0.0, |of| of.creep_power(problem, &rolling) * creepage.speed),
+            angle_spread,
+            patch: self.patch,
+            creepage,
+        })
+    }
+
+    /// How much the inclination of the rail (rad) differs over the rows in contact, which may not reach the end of a profile.
+    fn spread(
+        &self,
+        search: &Search<'_>,
+        rows: impl Iterator<Item = usize>,
+    ) -> Result<f64, ContactError> {
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        let ends = [0, self.lattice.elements[1] - 1];
+        for row in rows {
+            if (0..2).any(|end| self.patch.cut[end] && row == ends[end]) {
+                return Err(short(&self.patch));
+            }
+            let aside = self.lattice.across(row) * self.patch.angle.cos();
+            if let Some(angle) = search.inclination(self.patch.reference.y + aside) {
+                (least, most) = (least.min(angle), most.max(angle));
+            }
+        }
+        Ok((most - least).max(0.0))
+    }
+
+    /// The patch where it bears nothing.
+    fn light(self, creepage: Creepage) -> Pressed {
+        Pressed {
+            patch: self.patch,
+            creepage,
+            approach: 0.0,
+            normal: 0.0,
+            tangential: [0.0; 2],
+            moment: 0.0,
+            peak: 0.0,
+            area: 0.0,
+            power: 0.0,
+            angle_spread: 0.0,
+        }
+    }
+
+    fn simulation(
+        &self,
+        rolling: Rolling,
+        approach: f64,
+        bodies: &Bodies,
+    ) -> Result<archard::simulation::Builder, ContactError> {
+        let Lattice { rectangle, elements, .. } = self.lattice;
+        let frame = ContactFrame::uniform(rectangle, elements, [&self.lattice, &Flat]);
+        let frame = frame.map_err(Refused::from)?.closed();
+        let compliance = HalfSpace::new([Some(&bodies.wheel), Some(&bodies.rail)], &frame);
+        let wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
+        let rail = Body::new("rail", Flat).material(bodies.rail);
+        let steady = rolling.over(0.0, Control::Approach(approach), Stepping::Implicit(1.0));
+        let steady = steady.map_err(Refused::from)?;
+        Ok(Simulation::builder([wheel, rail], steady).contact(frame, compliance))
+    }
+}
+
+fn short(patch: &Patch) -> ContactError {
+    ContactError::Short { y: patch.reference.y }
+}

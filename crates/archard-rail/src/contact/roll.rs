@@ -1,0 +1,50 @@
+//! The roll of a wheelset that is carried by both rails.
+
+use super::{Bodies, ContactError, Operation, Resolution, contact};
+use crate::setup::{Attitude, Setup, Side};
+
+/// Change of the roll (rad) at which it is found: a wheel goes down by less than a nanometre with it.
+const SETTLED: f64 = 1e-9;
+/// Secants in which it is.
+const MOST: usize = 12;
+
+/// The roll (rad) at which both wheels carry the load of the operation at one height of the wheelset, for alike wheels on
+/// alike rails; the operation is that of the right side, and its own roll does not count.
+///
+/// # Errors
+/// As [`contact`], and if there is no such roll near that at which both wheels begin to touch.
+pub fn roll(
+    setup: &Setup,
+    bodies: &Bodies,
+    operation: &Operation,
+    resolution: &Resolution,
+) -> Result<f64, ContactError> {
+    let Attitude { shift, yaw, .. } = operation.attitude;
+    let difference = |roll: f64| {
+        let height = |side: Side| {
+            let attitude = side.attitude(Attitude { shift, roll, yaw });
+            let velocity = side.velocity(operation.velocity);
+            let patches = contact(
+                setup,
+                bodies,
+                &Operation { attitude, velocity, ..*operation },
+                resolution,
+            )?;
+            patches.first().map(|patch| patch.values.z_wheel).ok_or(ContactError::NoContact)
+        };
+        Ok::<f64, ContactError>(height(Side::Right)? - height(Side::Left)?)
+    };
+    let mut before = setup.roll(shift, yaw)?;
+    let mut off = difference(before)?;
+    // The right wheel goes down with the roll by its arm, the left one up.
+    let mut now = before + 0.5 * off / setup.wheelset().arm();
+    for _ in 0..MOST {
+        let next = difference(now)?;
+        if next == off || (now - before).abs() <= SETTLED {
+            return Ok(now);
+        }
+        let step = -next * (now - before) / (next - off);
+        (before, off, now) = (now, next, now + step);
+    }
+    Err(ContactError::NoRoll)
+}

@@ -1,0 +1,42 @@
+//! The creepages: how fast the wheel slides over the rail for each metre that it rolls.
+//!
+//! The wheel is a rigid body. Its point Q at the contact moves with v = v0 + w x (Q - C), v0 the velocity of the middle C
+//! of the axle and w the rotation. The rolling speed is V = (|v0| + |w x (Q - C)|)/2. In the frame of the contact the
+//! creepages are xi = -v_x/V and eta = -v_s/V, the spin creepage is phi = -w_n/V. Q lies on the undeformed wheel: below the
+//! reference point by the overlap along the normal. Without that, xi would be off by the overlap over the radius.
+
+use glam::DVec3;
+
+use crate::search::{Patch, Search};
+use crate::setup::Velocity;
+
+/// The creepages at a contact, the wheel's over the rail, in the frame of the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Creepage {
+    /// xi (-), along x: positive if the wheel is driven.
+    pub longitudinal: f64,
+    /// eta (-), along s.
+    pub lateral: f64,
+    /// phi (1/m), about n.
+    pub spin: f64,
+    /// Rolling speed V (m/s).
+    pub speed: f64,
+}
+
+impl Creepage {
+    /// The creepages of that patch with that velocity, as its side sees it, at Q `approach` (m) along n below the
+    /// reference point.
+    ///
+    /// They are not numbers if the wheelset stands still.
+    pub fn new(search: &Search, patch: &Patch, velocity: &Velocity, approach: f64) -> Self {
+        let attitude = search.attitude();
+        let centre = search.setup().centre(attitude, patch.height);
+        let frame = patch.frame();
+        let rotation = velocity.rotation(attitude);
+        let turning = rotation.cross(patch.reference + frame.z_axis * approach - centre);
+        let speed = 0.5 * (velocity.translation().length() + turning.length());
+        let DVec3 { x, y, .. } = frame.transpose() * (velocity.translation() + turning);
+        let spin = -frame.z_axis.dot(rotation) / speed;
+        Self { longitudinal: -x / speed, lateral: -y / speed, spin, speed }
+    }
+}

@@ -1,0 +1,193 @@
+//! Where a wheel of some attitude touches the rail.
+//!
+//! A wheel that yaws touches ahead of its axle or behind it. For each place on the profile of the wheel there is one
+//! point on its circle at which the surface has a normal without a part along x: with the angle t from the lowest point,
+//! sin t = -tan(yaw) t_z/t_y, where t_y and t_z are the tangent of the profile. These points are the locus of possible
+//! contact. Along it the gap to the rail is the rail's z less the wheel's at the same y. The least gap says at which
+//! height the wheel touches, and at a lower height each stretch of negative gap is a patch.
+
+mod gap;
+mod patch;
+mod roll;
+
+pub use gap::Gap;
+pub use patch::{JOIN, Patch};
+
+use glam::{DMat3, DVec3};
+
+use crate::curve::{Curve, Place};
+use crate::invalid::Invalid;
+use crate::roots;
+use crate::setup::{Attitude, Setup};
+
+/// Distance (m) between the places at which the gap is first looked at; patches narrower than that may be missed.
+pub const STEP: f64 = 5e-5;
+
+/// A point of the locus with the wheel at height 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Possible {
+    /// Where it lies on the profile of the wheel (m along its curve).
+    pub on_wheel: f64,
+    /// Where the rail has the same y (m along its curve).
+    pub on_rail: f64,
+    /// The point (m) in the track.
+    pub point: DVec3,
+    /// The vertical gap (m): the height at which the wheel touches here.
+    pub gap: f64,
+}
+
+/// The lowest height without overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Onset {
+    /// The height (m) of the wheelset, as [`Setup::centre`] counts it.
+    pub height: f64,
+    /// Where it touches first, with the wheel at height 0.
+    pub at: Possible,
+}
+
+/// A wheel over its rail.
+#[derive(Debug, Clone)]
+pub struct Search<'a> {
+    setup: &'a Setup,
+    attitude: Attitude,
+    rotation: DMat3,
+    top: Top,
+    locus: Vec<Possible>,
+}
+
+impl<'a> Search<'a> {
+    /// The wheel at that attitude, as its side sees it.
+    ///
+    /// # Errors
+    /// If the attitude is out of its bounds.
+    pub fn new(setup: &'a Setup, attitude: Attitude) -> Result<Self, Invalid> {
+        let attitude = attitude.checked()?;
+        let top = Top::new(setup.rail());
+        let mut search =
+            Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
+        let places = setup.wheel().samples(STEP);
+        search.locus = places.into_iter().filter_map(|along| search.possible(along)).collect();
+        Ok(search)
+    }
+
+    /// The set-up that is searched.
+    pub fn setup(&self) -> &'a Setup {
+        self.setup
+    }
+
+    /// The attitude of the wheelset, as the side sees it.
+    pub fn attitude(&self) -> &Attitude {
+        &self.attitude
+    }
+
+    /// A point of the track (m) as the wheel has it at that height (m) of the wheelset: x forward, y and z as in its
+    /// profile, turned with roll and yaw.
+    pub fn in_wheel(&self, point: DVec3, height: f64) -> DVec3 {
+        let wheelset = self.setup.wheelset();
+        let own = self.rotation.transpose() * (point - self.setup.centre(&self.attitude, height));
+        own - DVec3::new(0.0, wheelset.arm(), wheelset.nominal_radius)
+    }
+
+    /// The points of possible contact, in the order of the profile of the wheel; none where the wheel does not face
+    /// downwards or has no rail below it.
+    pub fn locus(&self) -> &[Possible] {
+        &self.locus
+    }
+
+    /// The height at which the wheel begins to touch; `None` if it is nowhere over the rail.
+    pub fn onset(&self) -> Option<Onset> {
+        let gap = |at: &usize| self.locus[*at].gap;
+        let best = (0..self.locus.len()).min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
+        let at = self.least(best);
+        Some(Onset { height: at.gap, at })
+    }
+
+    /// The angle (rad) by which the top of the rail is turned about x at that y (m), if it reaches there.
+    pub fn inclination(&self, y: f64) -> Option<f64> {
+        let rail = self.setup.rail();
+        let [along_y, along_z] = rail.place(self.top.below(rail, y)?).tangent;
+        Some(along_z.atan2(along_y))
+    }
+
+    /// The least gap next to a sample of the locus.
+    fn least(&self, best: usize) -> Possible {
+        let (left, right) = (best.saturating_sub(1), (best + 1).min(self.locus.len() - 1));
+        let [from, to] = [left, right].map(|at| self.locus[at].on_wheel);
+        let found = roots::least(from, to, |along| self.gap_at(along));
+        let found = self.possible(found).filter(|found| found.gap < self.locus[best].gap);
+        found.unwrap_or(self.locus[best])
+    }
+
+    /// The gap (m) at a place on the wheel, infinite where there is none.
+    fn gap_at(&self, along: f64) -> f64 {
+        self.possible(along).map_or(f64::INFINITY, |possible| possible.gap)
+    }
+
+    /// The point of the locus at a place on the wheel.
+    fn possible(&self, along: f64) -> Option<Possible> {
+        let place = self.setup.wheel().place(along);
+        let point = self.facing(&place)?;
+        let on_rail = self.top.below(self.setup.rail(), point.y)?;
+        let gap = self.setup.rail().point(on_rail)[1] - point.z;
+        Some(Possible { on_wheel: along, on_rail, point, gap })
+    }
+
+    /// The point of the circle through a place of the profile whose normal has no part along x, at height 0.
+    fn facing(&self, place: &Place) -> Option<DVec3> {
+        let [along_y, along_z] = place.tangent;
+        // The wheel faces down where its profile runs towards -y.
+        let sin = -self.attitude.yaw.tan() * along_z / along_y;
+        (along_y < 0.0 && sin.abs() < 1.0).then(|| self.on_circle(place.point, sin))
+    }
+
+    /// The point of the wheel's surface (m, in the track, at height 0) above a point of its profile, at the angle about
+    /// the axle with that sine.
+    fn on_circle(&self, [y, z]: [f64; 2], sin: f64) -> DVec3 {
+        let wheelset = self.setup.wheelset();
+        let radius = wheelset.nominal_radius + z;
+        let own = DVec3::new(radius * sin, wheelset.arm() + y, radius * (1.0 - sin * sin).sqrt());
+        self.rotation * own + self.setup.centre(&self.attitude, 0.0)
+    }
+
+    /// The sine of the angle about the axle at which the circle through a point of the profile passes the plane at that
+    /// x (m).
+    fn sine(&self, [y, z]: [f64; 2], x: f64) -> f64 {
+        let wheelset = self.setup.wheelset();
+        let (sin, cos) = self.attitude.yaw.sin_cos();
+        (x + (wheelset.arm() + y) * sin) / ((wheelset.nominal_radius + z) * cos)
+    }
+}
+
+/// The stretch of the rail that can be seen from above.
+#[derive(Debug, Clone)]
+struct Top {
+    /// Lengths (m) along the curve, rising, at which y rises too.
+    places: Vec<f64>,
+    /// y (m) there.
+    across: Vec<f64>,
+}
+
+impl Top {
+    fn new(rail: &Curve) -> Self {
+        let places = rail.samples(1e-4);
+        let points: Vec<[f64; 2]> = places.iter().map(|&along| rail.point(along)).collect();
+        let highest = (0..points.len()).min_by(|&a, &b| points[a][1].total_cmp(&points[b][1]));
+        let highest = highest.unwrap_or(0);
+        let rises = |at: usize| points[at + 1][0] > points[at][0];
+        let first = (0..highest).rev().find(|&at| !rises(at)).map_or(0, |at| at + 1);
+        let last = (highest..points.len() - 1).find(|&at| !rises(at)).unwrap_or(points.len() - 1);
+        let across = points[first..=last].iter().map(|point| point[0]).collect();
+        Self { places: places[first..=last].to_vec(), across }
+    }
+
+    /// Where the rail has that y (m along its curve), if it reaches there.
+    fn below(&self, rail: &Curve, y: f64) -> Option<f64> {
+        let after = self.across.partition_point(|&across| across <= y);
+        if after == 0 || after == self.across.len() {
+            return None;
+        }
+        Some(roots::zero(self.places[after - 1], self.places[after], |along| {
+            rail.point(along)[0] - y
+        }))
+    }
+}

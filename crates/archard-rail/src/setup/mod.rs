@@ -1,0 +1,91 @@
+//! How the rail and the wheel of one side stand in the track.
+//!
+//! Everything is written for the right side: x forward, y to the right and z downwards, from the middle of the track
+//! and the plane on top of the rails. The left side is its mirror image: [`Side::attitude`] and [`Side::velocity`] give
+//! the wheelset as the mirror shows it, and what is computed from them has y to the field side of the left rail.
+
+mod side;
+mod track;
+mod wheelset;
+
+pub use side::Side;
+pub use track::{Placing, Track};
+pub use wheelset::{Attitude, Velocity, Wheelset};
+
+use glam::DVec3;
+
+use crate::curve::Curve;
+use crate::invalid::Invalid;
+
+/// Most length (m) of a profile that can stand in the track.
+const LONGEST: f64 = 2.0;
+
+/// Holds a profile against [`LONGEST`]: a longer one would take long to search, and is in another unit.
+fn short(parameter: &'static str, curve: &Curve) -> Result<(), Invalid> {
+    if curve.length() <= LONGEST {
+        return Ok(());
+    }
+    let message =
+        format!("a profile {} m long was probably read in the wrong unit", curve.length());
+    Err(Invalid::new(parameter, message))
+}
+
+/// A rail in the track, and the wheel that runs on it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setup {
+    rail: Curve,
+    placing: Placing,
+    wheel: Curve,
+    wheelset: Wheelset,
+}
+
+impl Setup {
+    /// The rail and the wheel with those curves, in their own coordinates (m).
+    ///
+    /// # Errors
+    /// If a length or an angle is out of its bounds, or if the wheel reaches to its axle.
+    pub fn new(
+        track: Track,
+        rail: &Curve,
+        wheelset: Wheelset,
+        wheel: &Curve,
+    ) -> Result<Self, Invalid> {
+        let wheelset = wheelset.checked()?;
+        short("wheel", wheel)?;
+        let lowest = wheel.samples(1e-3).into_iter().map(|along| wheel.point(along)[1]);
+        if lowest.fold(f64::INFINITY, f64::min) <= -wheelset.nominal_radius {
+            return Err(Invalid::new(
+                "nominal_radius",
+                "the profile of the wheel reaches to the axle",
+            ));
+        }
+        let placing = track.place(rail)?;
+        Ok(Self { rail: placing.curve(rail), placing, wheel: wheel.clone(), wheelset })
+    }
+
+    /// The rail in the track (m).
+    pub fn rail(&self) -> &Curve {
+        &self.rail
+    }
+
+    /// Where the profile of the rail stands.
+    pub fn placing(&self) -> &Placing {
+        &self.placing
+    }
+
+    /// The wheel in its own coordinates (m).
+    pub fn wheel(&self) -> &Curve {
+        &self.wheel
+    }
+
+    /// The lengths of the wheelset.
+    pub fn wheelset(&self) -> &Wheelset {
+        &self.wheelset
+    }
+
+    /// The middle of the axle (m) for that attitude and height: at height 0 an upright wheel has z = 0 of its profile on
+    /// the plane of the tops of the rails, and a greater height is lower.
+    pub fn centre(&self, attitude: &Attitude, height: f64) -> DVec3 {
+        DVec3::new(0.0, attitude.shift, height - self.wheelset.nominal_radius)
+    }
+}

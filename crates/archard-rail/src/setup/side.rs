@@ -1,0 +1,40 @@
+//! The two sides of the track, of which the left one is the mirror image of the right one.
+
+use glam::DVec3;
+
+use super::{Attitude, Velocity};
+
+/// The right side of the track, or the left one seen in a mirror.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Side {
+    /// As the formulas are written.
+    Right,
+    /// The mirror image: y, roll, yaw and their rates change sign.
+    Left,
+}
+
+impl Side {
+    /// The attitude as this side sees it.
+    pub fn attitude(self, of: Attitude) -> Attitude {
+        match self {
+            Self::Right => of,
+            Self::Left => Attitude { shift: -of.shift, roll: -of.roll, yaw: -of.yaw },
+        }
+    }
+
+    /// The velocity as this side sees it.
+    pub fn velocity(self, of: Velocity) -> Velocity {
+        match self {
+            Self::Right => of,
+            Self::Left => Velocity { lateral: -of.lateral, roll: -of.roll, yaw: -of.yaw, ..of },
+        }
+    }
+
+    /// A point or a velocity of this side (x, y, z) as the track has it.
+    pub fn in_track(self, vector: DVec3) -> DVec3 {
+        match self {
+            Self::Right => vector,
+            Self::Left => DVec3::new(vector.x, -vector.y, vector.z),
+        }
+    }
+}
