@@ -9,7 +9,7 @@ import pytest
 
 def test_contacts_are_those_of_the_command(command, tmp_path: Path) -> None:
     """Every column of every patch, and the side."""
-    command("run", "manchester", "-o", str(tmp_path / "out"), "--quiet")
+    command("run", archard.case._CASES / "manchester", "-o", str(tmp_path / "out"), "--quiet")
     with (tmp_path / "out" / "contacts.csv").open() as file:
         rows = list(csv.DictReader(file))
     patches = archard.rail.contact("manchester")
