@@ -27,8 +27,6 @@ const MEDIAN: f64 = 0.6745;
 pub const FEWEST: usize = 6;
 /// Rounds in which debris is left out.
 const ROUNDS: usize = 8;
-/// Sums of squares below this share of the other axis are rounding.
-const FLAT: f64 = 1e-12;
 
 impl Plane {
     /// The horizontal plane at height zero: readings that are level already.
@@ -90,9 +88,11 @@ impl Plane {
         };
         let (xx, yy, xy) = (sum(0, 0), sum(1, 1), sum(0, 1));
         let (largest, whole) = (xx.max(yy), xx * yy - xy * xy);
-        let spread = if xx <= FLAT * largest {
+        // Of sums of so many terms.
+        let rounding = count * f64::EPSILON;
+        let spread = if xx <= rounding * largest {
             [[0.0, 0.0], [0.0, inverse(yy)]]
-        } else if yy <= FLAT * largest || whole <= FLAT * xx * yy {
+        } else if yy <= rounding * largest || whole <= rounding * xx * yy {
             [[inverse(xx), 0.0], [0.0, 0.0]]
         } else {
             [[yy / whole, -xy / whole], [-xy / whole, xx / whole]]

@@ -5,12 +5,11 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use archard_lab::{Coefficient, Fit, Shown};
 
+use super::SHOWN;
 use super::draw::{Paper, Sheet, save};
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::scale::Unit;
 
-/// Most panels of a picture.
-const MOST: usize = 6;
 /// How many times as high as all else the band of the next test may be shown.
 const BEYOND: f64 = 5.0;
 /// Size of a panel (px).
@@ -20,7 +19,7 @@ const SIZE: [f64; 2] = [640.0, 480.0];
 pub fn draw(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>> {
     let shown =
         fit.coefficients.iter().flat_map(|own| own.curves.iter().map(move |curve| (own, curve)));
-    let panels: Vec<Panel> = shown.take(MOST).map(|(own, curve)| panel(fit, own, curve)).collect();
+    let panels: Vec<Panel> = shown.take(SHOWN).map(|(own, curve)| panel(fit, own, curve)).collect();
     let columns = panels.len().clamp(1, 2);
     let sheet = Sheet { columns, size: SIZE, paper: &Paper::default() };
     save(&dir.join("fit"), &sheet, (panels, None))

@@ -8,14 +8,12 @@ use archard::simulation::history::{
     BODY_DEPTH, LOAD, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
 };
 
+use super::CELLS;
 use super::course::band;
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::results::{Results, WornSphere};
 use super::scale::{Unit, phrase};
 use super::tables::largest;
-
-/// Points of the curve of the closed form.
-const POINTS: usize = 200;
 
 /// Deepest wear, in all and of each body that wears.
 pub(crate) fn depth(results: &Results) -> Result<Panel> {
@@ -148,9 +146,9 @@ fn load_distance(distance: &[f64], load: &[f64]) -> Vec<(f64, f64)> {
         integral.push(integral[step - 1] + load[step] * slid);
     }
     let end = distance.last().copied().unwrap_or_default();
-    (0..=POINTS)
+    (0..=CELLS)
         .map(|point| {
-            let s = end * (point as f64 / POINTS as f64).powi(2);
+            let s = end * (point as f64 / CELLS as f64).powi(2);
             let next =
                 distance.partition_point(|&known| known < s).clamp(1, distance.len().max(2) - 1);
             match (distance.get(next), integral.get(next)) {

@@ -8,10 +8,9 @@ use super::{ContactProblem, ContactState, Flash, Heating};
 use crate::frame::Flow;
 use crate::friction::{Circumstance, Circumstances, Friction, Grip};
 use crate::motion::Rolling;
+use crate::numerics::SAME;
 use crate::wear::Input;
 
-/// Change of the grip below which heat and friction agree.
-const SETTLED: f64 = 1e-9;
 /// Turns between them.
 const TURNS: usize = 200;
 
@@ -57,7 +56,7 @@ impl ContactProblem {
             let next = under(self.flash_with(state, &grip));
             let apart = next.apart(&grip);
             grip = next;
-            if apart <= SETTLED {
+            if apart <= SAME {
                 return Ok(grip);
             }
         }

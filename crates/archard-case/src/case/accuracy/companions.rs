@@ -10,6 +10,7 @@ use crate::case::definition::{BuildError, Case};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::output::Store;
+use archard::numerics::SAME;
 use archard::simulation::history::{self, Row};
 use archard::simulation::{Companion, Companions, Error, Observer, Report, Simulation};
 
@@ -29,8 +30,6 @@ const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
 /// How much finer than the first grid one is whose error tells, with that of the first, what finer ones can reach.
 const TOLD: f64 = 2.0;
-/// Sizes agree to this, relative.
-const ROUNDING: f64 = 1e-9;
 
 /// What follows the runs of companions.
 pub trait Following {
@@ -222,7 +221,7 @@ impl Resolved {
         following: &mut dyn Following,
     ) -> Result<Judged, Unsettled> {
         let across = self.across();
-        if across < UNWORN * (1.0 - ROUNDING) {
+        if across < UNWORN * (1.0 - SAME) {
             return Err(Unsettled::Wrong(format!(
                 "{across:.1} elements across the first contact are too few to estimate their error: {UNWORN} at least"
             )));

@@ -5,9 +5,8 @@
 use std::collections::HashMap;
 
 use crate::body::mesh::{Corners, Face, Mesh};
+use crate::numerics::SAME;
 
-/// Corners closer than this, relative to the size of the body, are one vertex: far below any element, far above rounding.
-const SAME: f64 = 1e-9;
 /// Length of the cells that vertices are looked for in, in that distance: most corners lie within one.
 const CELL: f64 = 16.0;
 

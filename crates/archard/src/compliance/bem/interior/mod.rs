@@ -13,6 +13,8 @@
 //! are taken off before the integration and added after it: what is left is small where the kernels are large,
 //! and fields that are linear everywhere come out exactly.
 
+use crate::numerics::WRITTEN;
+
 mod hooke;
 mod nearest;
 mod slopes;
@@ -41,8 +43,6 @@ const OUTSIDE: f64 = 0.1;
 const SHALLOW: f64 = 0.25;
 /// What of that depth a point has to be away from all other sides.
 const CLEAR: f64 = 0.4;
-/// Distance from the surface, relative to the size of the nearest element, that is none.
-const NONE: f64 = 1e-6;
 
 /// Displacement and stress at a point of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +104,7 @@ impl<'a> Interior<'a> {
         let place = self.surface.locate(point)?;
         let fitted = self.linear(&place);
         let on_surface = self.hooke.stress(fitted.gradient);
-        if !place.inside || place.distance <= NONE * place.size {
+        if !place.inside || place.distance <= WRITTEN * place.size {
             let normal = place.image * self.surface.patches[place.face].normal(place.reference);
             let stress = self.shallow(&place, -normal, 0.0).unwrap_or(on_surface);
             return Some(Response { displacement: fitted.displacement, stress });
