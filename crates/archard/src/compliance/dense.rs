@@ -28,7 +28,7 @@ pub struct Dense {
 /// Rows that go through the columns together: as many as a thread has, for memory is read in long runs then, as long
 /// as their sums stay in the nearest cache.
 const ROWS: (usize, usize) = (128, 2048);
-/// Values of the matrix that are worth a thread.
+/// Values of the matrix that are worth a thread. A choice of cost.
 const WORK: usize = 1 << 21;
 /// Columns that are added at once.
 const AT_ONCE: usize = 4;
