@@ -11,9 +11,6 @@ use crate::motion::Rolling;
 use crate::numerics::SAME;
 use crate::wear::Input;
 
-/// Turns between them.
-const TURNS: usize = 200;
-
 impl ContactProblem {
     /// Whether the law of friction goes by that.
     pub fn grips_by(&self, circumstance: Circumstance) -> bool {
@@ -52,15 +49,20 @@ impl ContactProblem {
         if !law.inputs().contains(&Circumstance::Temperature) {
             return Ok(grip);
         }
-        for _ in 0..TURNS {
+        let mut before = f64::INFINITY;
+        loop {
             let next = under(self.flash_with(state, &grip));
             let apart = next.apart(&grip);
             grip = next;
             if apart <= SAME {
                 return Ok(grip);
             }
+            // Turns that settle change less and less.
+            if apart.is_nan() || apart >= before {
+                return Err(grip);
+            }
+            before = apart;
         }
-        Err(grip)
     }
 
     /// The grip of bodies that roll, by what a state shows so far; `rigid` is the slip (m) before any traction in a passage of

@@ -11,8 +11,6 @@ const PENALTY: f64 = 4.0;
 /// Weight of diffusion across the direction. A little below one, it decides between the two triangles
 /// of a square for the one that damps every oscillation.
 const ACROSS: f64 = 0.9;
-/// Sine of the angle below which two neighbours are in one direction.
-const PARALLEL: f64 = 1e-3;
 
 /// Neighbours with their coefficients (1 / unit of the places), which may be zero.
 pub(super) type Row = [(usize, f64); 2];
@@ -71,7 +69,7 @@ impl Stencil {
     fn of_two(first: &Neighbour, second: &Neighbour) -> Option<Self> {
         let (a, b) = (first.offset, second.offset);
         let area = a[0] * b[1] - a[1] * b[0];
-        let apart = area.abs() > PARALLEL * first.distance() * second.distance();
+        let apart = area.abs() > SAME * first.distance() * second.distance();
         apart.then(|| Self::new([(first, -b[1] / area), (second, a[1] / area)]))
     }
 

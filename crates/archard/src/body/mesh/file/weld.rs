@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn what_is_apart_stays_apart() {
         let vertices = |off, rounding| tetrahedron(1.0, 0.0, off).weld(rounding).vertices.len();
-        assert_eq!(vertices(4e-9, f64::EPSILON), 12);
+        assert_eq!(vertices(4e-8, f64::EPSILON), 12);
         assert_eq!(vertices(4e-8, f64::from(f32::EPSILON)), 4);
         assert_eq!(vertices(4e-7, f64::from(f32::EPSILON)), 12);
     }
