@@ -22,6 +22,8 @@ use archard::solve::Solver;
 use archard::solve::tangential::FrictionSolver;
 use archard::wear::{Layered, WearLaw};
 
+/// Most elements along an axis: so many by so many take some 4 GB.
+pub(in crate::case) const MOST: usize = 1 << 12;
 /// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
 /// takes far more of the processors' time.
 const FEW_ELEMENTS: usize = 60 * 60;

@@ -3,10 +3,10 @@
 use std::error::Error as StdError;
 use std::f64::consts::SQRT_2;
 
+use super::UNWORN;
 use super::regularity::{has_tip, order, regularity};
-use super::{MOST, UNWORN};
 use crate::case::check::{Parts, check};
-use crate::case::definition::{BuildError, Case};
+use crate::case::definition::{BuildError, Case, MOST};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::output::Store;
@@ -23,8 +23,6 @@ const OF_LINES: [(f64, [bool; 2]); 3] =
     [(2.0, [true, false]), (2.0 * SQRT_2, [false; 2]), (2.0 * SQRT_2, [true, false])];
 /// One more where a run shows one state only, so that nothing before or after it tells what agrees by chance.
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
-/// Times a grid is made finer.
-const ROUNDS: usize = 12;
 /// How much finer a grid becomes beside what the estimate asks for, and at most.
 const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
@@ -150,7 +148,7 @@ impl Resolved {
         let mut first: Option<[f64; 2]> = None;
         let mut reached: Option<(Self, Companions)> = None;
         let mut too_coarse = None;
-        for _ in 0..ROUNDS {
+        loop {
             if reached.is_some() && !following.goes_on() {
                 break;
             }
@@ -183,7 +181,7 @@ impl Resolved {
                 let observed = (off / error).ln() / (fineness / coarse).ln();
                 let needed = (error / accuracy).powf(1.0 / observed.max(0.0));
                 let elements = self.case.frame.elements.map(|n| needed * n as f64);
-                if fineness >= TOLD * coarse && elements.iter().any(|&n| n > MOST) {
+                if fineness >= TOLD * coarse && elements.iter().any(|&n| n > MOST as f64) {
                     break;
                 }
             }
