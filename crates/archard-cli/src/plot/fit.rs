@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use archard_lab::{Coefficient, Fit, Shown};
 
+use super::HIGH;
 use super::SHOWN;
 use super::draw::{Paper, Sheet, save};
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::scale::Unit;
 
-/// How many times as high as all else the band of the next test may be shown.
-const BEYOND: f64 = 5.0;
 /// Size of a panel (px).
 const SIZE: [f64; 2] = [640.0, 480.0];
 
@@ -34,7 +33,7 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
     let highest = |place: usize| shown.points.iter().map(|p| p.1[place]).fold(0.0, f64::max);
     let readings = own_readings().map(|reading| reading.value).fold(highest(3), f64::max);
     // Two tests may leave nothing to be seen of the readings.
-    let within = highest(4) <= BEYOND * readings;
+    let within = highest(4) <= HIGH * readings;
     let most = if within { highest(4).max(readings) } else { readings };
     let unit = Unit::of_readings((unit, *factor), most);
     let factor = unit.factor;

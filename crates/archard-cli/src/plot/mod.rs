@@ -56,6 +56,10 @@ pub(crate) const LINE: f64 = 1e-3;
 const NEGLIGIBLE: f64 = 10.0 * LINE;
 /// Most panels of a picture, and most curves of a panel.
 const SHOWN: usize = 6;
+/// How many times as high as all else a curve may be: above that it is cut off, or all else would lie flat.
+const HIGH: f64 = 4.0;
+/// Share of a limit that a curve has to come to for the limit to be shown.
+const NEAR: f64 = 0.25;
 /// Length over width from which a map is stretched across: to scale it would be a mere stroke.
 pub(crate) const SLENDER: f64 = 4.0;
 

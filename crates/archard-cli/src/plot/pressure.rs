@@ -7,6 +7,7 @@ use archard::simulation::history::LOAD;
 use archard_case::output::Surface;
 
 use super::CELLS;
+use super::HIGH;
 use super::SLENDER;
 use super::cells::Cells;
 use super::figure::{COLOURS, Curves, Map, Panel, Parts, Pen, View, moment};
@@ -15,9 +16,7 @@ use super::results::{Results, reach, within};
 use super::scale::{Unit, phrase};
 use super::tables::Axis;
 
-/// How far above the later pressures the first may be for all to be shown, and how far above them a picture reaches that
-/// cuts it off.
-const HIGH: f64 = 3.0;
+/// How far above the later pressures a picture reaches that cuts the first off.
 const ABOVE: f64 = 1.3;
 
 /// The pressure along an axis at that many outputs, and Hertz's for the unworn bodies.

@@ -9,6 +9,7 @@ use archard::simulation::history::{
 };
 
 use super::CELLS;
+use super::NEAR;
 use super::course::band;
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::results::{Results, WornSphere};
@@ -85,9 +86,6 @@ struct Quantity<'a> {
     end: Option<f64>,
 }
 
-/// Share of its end from which on a quantity is shown beside that.
-const NEAR_END: f64 = 0.25;
-
 /// Curves of a quantity, and its closed form.
 fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     let (name, progress) = results.progress();
@@ -104,7 +102,7 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
             .map(|(s, integral)| (s * along.factor, closed(integral) * unit.factor));
         curves.add(curve, Pen::closed_form(), Some(name));
     }
-    let near = |end: &f64| largest(quantity.total) > NEAR_END * end;
+    let near = |end: &f64| largest(quantity.total) > NEAR * end;
     if let Some(end) = quantity.end.filter(near) {
         let ends = [0.0, largest(progress)].map(|s| (s * along.factor, end * unit.factor));
         curves.add(ends, Pen::closed_form(), Some("closed-form end"));
