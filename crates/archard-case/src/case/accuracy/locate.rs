@@ -5,6 +5,7 @@ use crate::case::check::Parts;
 use crate::case::definition::{Case, FrameCase};
 use archard::frame::{Rectangle, extent};
 use archard::motion::Control;
+use archard::numerics::SAME;
 use archard::solve::{self, ConjugateGradient, Status, Step};
 
 /// Elements of the window along an axis, and those of a line of contact.
@@ -12,15 +13,8 @@ const WINDOW: usize = 64;
 const OF_A_LINE: usize = 512;
 /// Share of the window that the contact fills at least.
 const FILLED: f64 = 0.25;
-/// Size of the next window beside the contact in this one.
-const AROUND: f64 = 1.6;
-/// What is nothing beside the size of a rectangle.
-const ROUND: f64 = 1e-9;
 /// Windows, at most.
 const WINDOWS: usize = 40;
-/// Size of the first window where surfaces have no end, beside the root of load over modulus and beside the approach.
-const BY_LOAD: f64 = 10.0;
-const BY_APPROACH: f64 = 100.0;
 
 /// Where both surfaces are known: the least and the largest place along x and y (m).
 pub(super) type Known = [[f64; 2]; 2];
@@ -48,7 +42,7 @@ pub(super) fn within(rectangle: Rectangle, known: Known) -> Rectangle {
     });
     let centre = |[low, high]: [f64; 2]| {
         let centre = 0.5 * (low + high);
-        if centre.abs() > ROUND * (high - low) { centre } else { 0.0 }
+        if centre.abs() > SAME * (high - low) { centre } else { 0.0 }
     };
     Rectangle { centre: ends.map(centre), size: ends.map(|[low, high]| high - low) }
 }
@@ -84,7 +78,8 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
         }
         if next == ends {
             for axis in 0..axes {
-                let size = AROUND * (around.size[axis] + 2.0 * element[axis]);
+                // As much on either side of its edges as keeps the contact well above the least share.
+                let size = (around.size[axis] + 2.0 * element[axis]) / FILLED.sqrt();
                 let half = 0.5 * size.min(window.size[axis]);
                 let middle = around.centre[axis];
                 next[axis] =
@@ -97,14 +92,14 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
     Err(Lost::Nowhere)
 }
 
-/// The first window: where the surfaces are known, or a guess where they have no end.
+/// The first window: where the surfaces are known, or the one length that load or approach make, where they have no end.
 fn first(case: &Case, parts: &Parts<'_>, known: Known) -> Rectangle {
     let guess = match parts.schedule.control {
         Control::Load(load) if case.frame.line => {
-            BY_LOAD * load / case.frame.size[1] / parts.contact_modulus()
+            load / case.frame.size[1] / parts.contact_modulus()
         }
-        Control::Load(load) => BY_LOAD * (load / parts.contact_modulus()).sqrt(),
-        Control::Approach(approach) => BY_APPROACH * approach,
+        Control::Load(load) => (load / parts.contact_modulus()).sqrt(),
+        Control::Approach(approach) => approach,
     };
     let about = |axis: usize| {
         let [low, high] = known[axis];

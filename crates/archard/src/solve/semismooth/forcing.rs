@@ -12,7 +12,7 @@ const FACTOR: f64 = 0.9;
 const POWER: i32 = 2;
 /// Terms that the safeguard keeps from falling too fast.
 const GUARDED: f64 = 0.1;
-/// Share of the residual aimed at that a step may leave.
+/// Share of the residual aimed at that a step may leave (Kelley's).
 const ENOUGH: f64 = 0.5;
 
 /// The forcing term, step by step: what part of the residual the linear system of a step may leave.

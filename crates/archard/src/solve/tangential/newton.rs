@@ -2,7 +2,7 @@
 //!
 //! P. Alart and A. Curnier, *Comput. Methods Appl. Mech. Engrg.* 92 (1991) 353, for friction by projection. A step solves
 //! a [linear system](super::linear). One that does not lower the residual is shortened; where that does not help, steps
-//! of projection and contraction come between. Without a solution to start from, the problem is solved
+//! of projection and contraction come between until one does. Without a solution to start from, the problem is solved
 //! on elements of twice the size first, so that few steps remain on the finest whatever their number.
 
 use super::contraction::Contraction;
@@ -23,15 +23,6 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     parameters: PARAMETERS,
     build: |values| Ok(Box::new(Newton::new(Settings::read(values, Newton::default().settings)?))),
 };
-
-/// Shortest step tried before others come between.
-const SHORTEST: f64 = 0.1;
-/// Steps of projection and contraction that come between.
-const BETWEEN: usize = 5;
-/// Fewest pairs in contact that are worth coarser elements.
-const PAIRS: usize = 150;
-/// Residual that a coarser solution needs to start a finer one.
-const COARSE_TOLERANCE: f64 = 1e-3;
 
 /// Semismooth Newton with Krylov iterations, from coarse elements to fine, by default to 1e-6 in 200 iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,7 +74,7 @@ impl Newton {
     fn descend(&self, step: &Step<'_>) -> Outcome {
         let pairs = step.limit.iter().filter(|&&limit| limit > 0.0).count();
         let fewest = step.elements[0].min(step.elements[1]);
-        if pairs < PAIRS || fewest < FEWEST {
+        if pairs < FEWEST * FEWEST || fewest < FEWEST {
             return self.iterate(step, None);
         }
         let Some(Coarser { map, elements, slip: factor }) = step.map.coarser() else {
@@ -101,8 +92,8 @@ impl Newton {
             rigid: [&one, &two],
             prescribed: step.prescribed,
         };
-        let settings =
-            Settings { tolerance: self.settings.tolerance.max(COARSE_TOLERANCE), ..self.settings };
+        // Half of the digits: where a start is off by less, a Newton step doubles them.
+        let settings = Settings { tolerance: self.settings.tolerance.sqrt(), ..self.settings };
         let first = Newton { settings }.descend(&coarse);
         let [one, two] = first.traction.each_ref().map(|traction| blocks.interpolate(traction));
         let rigid_slip: Vec<f64> =
@@ -124,19 +115,23 @@ impl Newton {
             count += 1;
             let mut linear = Linear::about(&state, &mut pairs);
             let left = forcing.next(residual, self.settings.tolerance);
-            let change = linear.solve(left * residual);
+            let change = linear.solve(left * residual, self.settings.max_iterations);
             let moved = |length: f64| {
                 let next = state.moved(&change, length);
                 let residual = pairs.residual(&next);
                 (next, residual)
             };
-            match shorten(residual, SHORTEST, moved) {
+            match shorten(residual, moved) {
                 Some(next) => (state, residual) = next,
                 None => {
                     let mut between = Contraction::new(&pairs, state);
-                    (0..BETWEEN).for_each(|_| between.advance(&mut pairs));
+                    let before = residual;
+                    while residual >= before && count < self.settings.max_iterations {
+                        between.advance(&mut pairs);
+                        residual = pairs.residual(&between.state);
+                        count += 1;
+                    }
                     state = between.state;
-                    residual = pairs.residual(&state);
                 }
             }
         }
