@@ -28,7 +28,8 @@ use super::influence::Corner;
 use super::stack::{Scalars, Stack};
 use crate::numerics::SAME;
 
-/// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5.
+/// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
+/// missed is computed, and bounded by `MISSED`.
 const COUNT: usize = 32;
 /// Wave numbers that the weights are fitted on, for each image.
 const SAMPLES: usize = 25;
