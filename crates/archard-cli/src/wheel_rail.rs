@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use archard_case::output::{Totals, contacts_verdict, write_contacts};
-use archard_case::{RailContact, ResolvedWheelRail};
+use archard_case::ResolvedWheelRail;
+use archard_case::output::{RailContact, Totals, contacts_verdict, write_contacts};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
@@ -32,7 +32,8 @@ pub fn run(
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_contacts(&mut claim, case, &contacts, &totals).map_err(|error| wrong(&error))?;
+    write_contacts(&mut claim, &case.to_string(), &contacts, &totals)
+        .map_err(|error| wrong(&error))?;
     let judged = contacts_verdict(&contacts);
     if !quiet {
         contacts.iter().try_for_each(summarize)?;

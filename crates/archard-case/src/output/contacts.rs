@@ -5,12 +5,39 @@ use serde_json::{Value, json};
 use super::summary::json_of;
 use super::table::{Table, number};
 use super::{CASE, Claim, Error, SUMMARY, Totals, file};
-use crate::case::{RailContact, WheelRailCase};
 use crate::verdict::{self, Verdict};
 use archard_rail::contact::{Patch, Quantities};
+use archard_rail::setup::Side;
 
 /// The file of the patches.
 pub(super) const CONTACTS: &str = "contacts.csv";
+
+/// The contact of one wheel with its rail.
+#[derive(Debug, Clone)]
+pub struct RailContact {
+    /// The side of the track.
+    pub side: Side,
+    /// Vertical force (N) prescribed.
+    pub load: f64,
+    /// Its patches, from the field side to the flange, as this side sees them.
+    pub patches: Vec<Patch>,
+}
+
+impl RailContact {
+    /// What the side is called.
+    pub fn name(&self) -> &'static str {
+        if self.side == Side::Left { "left" } else { "right" }
+    }
+
+    /// How far the vertical force of all patches is off the one prescribed, relative to it.
+    pub fn off(&self) -> f64 {
+        let vertical = |patch: &Patch| {
+            let (sin, cos) = patch.values.contact_angle.sin_cos();
+            patch.values.normal_force * cos + patch.values.force_s * sin
+        };
+        (self.patches.iter().map(vertical).sum::<f64>() / self.load - 1.0).abs()
+    }
+}
 
 /// Writes `case.toml`, `contacts.csv` and `summary.json` into a folder; what earlier runs wrote there is removed.
 ///
@@ -18,14 +45,14 @@ pub(super) const CONTACTS: &str = "contacts.csv";
 /// If a file cannot be removed or written.
 pub fn write_contacts(
     claim: &mut Claim,
-    case: &WheelRailCase,
+    case_toml: &str,
     contacts: &[RailContact],
     totals: &Totals,
 ) -> Result<(), Error> {
     claim.admit()?;
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, CONTACTS])?;
-    file::write_whole(&manifest.claim(CASE)?, case.to_string().as_bytes())?;
+    file::write_whole(&manifest.claim(CASE)?, case_toml.as_bytes())?;
     let mut table = Table::create(manifest.claim(CONTACTS)?)?;
     for (index, (contact, patch)) in patches(contacts).enumerate() {
         let row = contact_row(patch);

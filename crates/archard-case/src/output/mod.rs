@@ -62,7 +62,7 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
-pub use contacts::{contact_row, contacts_verdict, write_contacts};
+pub use contacts::{RailContact, contact_row, contacts_verdict, write_contacts};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};

@@ -4,7 +4,8 @@ use super::Grid;
 use crate::numerics::dense::Cholesky;
 use crate::numerics::{SAME, WRITTEN};
 
-/// Pairs, mirror images included, that a parabola is fitted to at least; more where others are as near.
+/// Pairs, mirror images included, that a parabola is fitted to at least, twice as many as it has coefficients; more where others
+/// are as near.
 const FITTED: usize = 12;
 /// Reach of the weights of the fit relative to the farthest pair.
 const REACH: f64 = 1.4;

@@ -8,13 +8,19 @@ use archard::motion::Control;
 use archard::numerics::SAME;
 use archard::solve::{self, ConjugateGradient, Status, Step};
 
-/// Elements of the window along an axis, and those of a line of contact.
+/// Elements of the window along an axis, and those of a line of contact. A choice of cost, as the others are: the frame that
+/// follows from a window grows with the contact, and its error is estimated on coarser ones.
 const WINDOW: usize = 64;
 const OF_A_LINE: usize = 512;
 /// Share of the window that the contact fills at least.
 const FILLED: f64 = 0.25;
+/// Size of the next window beside the contact in this one.
+const AROUND: f64 = 1.6;
 /// Windows, at most.
 const WINDOWS: usize = 40;
+/// Size of the first window where surfaces have no end, beside the root of load over modulus and beside the approach.
+const BY_LOAD: f64 = 10.0;
+const BY_APPROACH: f64 = 100.0;
 
 /// Where both surfaces are known: the least and the largest place along x and y (m).
 pub(super) type Known = [[f64; 2]; 2];
@@ -78,8 +84,7 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
         }
         if next == ends {
             for axis in 0..axes {
-                // As much on either side of its edges as keeps the contact well above the least share.
-                let size = (around.size[axis] + 2.0 * element[axis]) / FILLED.sqrt();
+                let size = AROUND * (around.size[axis] + 2.0 * element[axis]);
                 let half = 0.5 * size.min(window.size[axis]);
                 let middle = around.centre[axis];
                 next[axis] =
@@ -92,14 +97,14 @@ pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> 
     Err(Lost::Nowhere)
 }
 
-/// The first window: where the surfaces are known, or the one length that load or approach make, where they have no end.
+/// The first window: where the surfaces are known, or a guess where they have no end.
 fn first(case: &Case, parts: &Parts<'_>, known: Known) -> Rectangle {
     let guess = match parts.schedule.control {
         Control::Load(load) if case.frame.line => {
-            load / case.frame.size[1] / parts.contact_modulus()
+            BY_LOAD * load / case.frame.size[1] / parts.contact_modulus()
         }
-        Control::Load(load) => (load / parts.contact_modulus()).sqrt(),
-        Control::Approach(approach) => approach,
+        Control::Load(load) => BY_LOAD * (load / parts.contact_modulus()).sqrt(),
+        Control::Approach(approach) => BY_APPROACH * approach,
     };
     let about = |axis: usize| {
         let [low, high] = known[axis];

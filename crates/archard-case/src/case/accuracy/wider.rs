@@ -8,7 +8,7 @@ use archard::frame::Rectangle;
 use archard::numerics::SAME;
 use archard::simulation::can_widen;
 
-/// How many times fewer elements make it worth while.
+/// How many times fewer elements make it worth while. A choice of cost.
 const WORTH: f64 = 4.0;
 
 /// The frame about the same centre that begins with elements of a size (m) and keeps so many across the contact, as long

@@ -9,7 +9,7 @@ use std::fmt::{self, Display, Formatter};
 use archard::body::Material;
 use archard::friction::Friction;
 use archard::parameters::Invalid;
-use archard_rail::contact::{self, Bodies, ContactError, Operation, Patch, Resolution};
+use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::{Setup, Side};
 
@@ -19,6 +19,7 @@ pub use shape::{RAILS, Shape, WHEELS};
 use super::chosen::Chosen;
 use super::key::Key;
 use super::problem::Problem;
+use crate::output::RailContact;
 
 /// A wheel or a rail.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,33 +48,6 @@ pub struct WheelRailCase {
     pub motion: Chosen<Running>,
     /// Elements along x, and as many across, over the overlap of each patch, where they are given.
     pub elements: Option<usize>,
-}
-
-/// The contact of one wheel with its rail.
-#[derive(Debug, Clone)]
-pub struct RailContact {
-    /// The side of the track.
-    pub side: Side,
-    /// Vertical force (N) prescribed.
-    pub load: f64,
-    /// Its patches, from the field side to the flange, as this side sees them.
-    pub patches: Vec<Patch>,
-}
-
-impl RailContact {
-    /// What the side is called.
-    pub fn name(&self) -> &'static str {
-        if self.side == Side::Left { "left" } else { "right" }
-    }
-
-    /// How far the vertical force of all patches is off the one prescribed, relative to it.
-    pub fn off(&self) -> f64 {
-        let vertical = |patch: &Patch| {
-            let (sin, cos) = patch.values.contact_angle.sin_cos();
-            patch.values.normal_force * cos + patch.values.force_s * sin
-        };
-        (self.patches.iter().map(vertical).sum::<f64>() / self.load - 1.0).abs()
-    }
 }
 
 /// Why the contacts of a wheel are not found.

@@ -113,7 +113,7 @@ const VERTICAL: Parameter =
 const JOIN: Parameter = Parameter::optional(
     "join",
     Quantity::Length,
-    "distance up to which overlaps are one patch; 8 mm if not given",
+    "distance up to which overlaps are one patch; 4 mm if not given",
 )
 .bound(Bound::NonNegative);
 

@@ -21,7 +21,8 @@ pub(super) const OF_AREAS: usize = 4;
 const SAFETY: f64 = 0.05;
 /// Order along the distance of polar coordinates, where integrands are polynomials on parallelograms.
 const RADIAL: usize = 3;
-/// How far a part has to be, relative to half its extent.
+/// How far a part has to be, relative to half its extent. A choice of cost: nearer parts are halved, farther ones take lower
+/// orders, and all meet the tolerance.
 const FAR: f64 = 0.8;
 
 /// Rules for one tolerance.

@@ -328,7 +328,7 @@ impl Compliance for WholeOrPart<'_> {
     }
 }
 
-/// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side.
+/// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side. A choice of memory.
 const PARTS: usize = 4;
 
 /// The smallest value of a spectrum, relative to the self term: half of the smallest eigenvalue on square elements, 0.53 of it. It

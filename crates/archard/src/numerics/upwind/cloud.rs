@@ -9,7 +9,7 @@ use crate::numerics::SAME;
 /// Parts of the full angle, the nearest point in each being a neighbour: enough to hold the eight
 /// around a point of a grid, in any direction. Even, so that the direction parts two of them.
 const SECTORS: usize = 32;
-/// Cells searched at first, to either side.
+/// Cells searched at first, to either side. A choice of cost: the search goes on until it is complete.
 const REACH: f64 = 3.0;
 
 pub(super) struct Cloud {
