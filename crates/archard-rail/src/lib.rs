@@ -48,11 +48,11 @@
 
 #![warn(missing_docs)]
 
+mod bounds;
 pub mod contact;
 pub mod creepage;
 pub mod curve;
 pub mod file;
-pub mod invalid;
 pub mod oddity;
 pub mod profile;
 mod roots;
@@ -60,5 +60,5 @@ pub mod search;
 pub mod setup;
 pub mod standard;
 
-pub use invalid::Invalid;
+pub use archard::parameters::Invalid;
 pub use profile::{Part, Profile};

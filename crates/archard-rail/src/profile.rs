@@ -4,7 +4,7 @@
 //! hand: y ascends on a rail and descends on a wheel.
 
 use crate::curve::{Curve, Smoothing};
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// Most points of a profile: searches for loops take a time that grows with their square.
 pub const MOST_POINTS: usize = 20_000;

@@ -55,7 +55,7 @@ fn a_yawed_cylinder_overlaps_as_circles_do() {
         close!(patch.angle, 0.0, epsilon = 1e-7);
         close!(patch.across[1], width, epsilon = 1e-7);
         close!(patch.across[0], -width, epsilon = 1e-7);
-        close!(patch.approach(), DEPTH, epsilon = 1e-9);
+        close!(patch.depth, DEPTH, epsilon = 1e-9);
         let (along, across) = ([-4e-3, -1e-3, 0.0, 3e-3], [-3e-3, 0.0, 2e-3]);
         let gap = search.gap(patch).grid(&along, &across);
         for (at, gap) in gap.into_iter().enumerate() {
@@ -84,7 +84,7 @@ fn a_cone_touches_where_the_slopes_agree() {
         let [patch] = &patches[..] else { panic!("{patches:?}") };
         // Overlap along the vertical leans to one side of the normal by a part of depth.
         close!(patch.angle, angle, epsilon = 1e-4);
-        close!(patch.approach(), DEPTH * angle.cos(), epsilon = 1e-8);
+        close!(patch.depth, DEPTH, epsilon = 1e-8);
     }
 }
 
@@ -119,7 +119,7 @@ fn a_cylinder_creeps_as_a_driven_yawed_roller() {
     let patches = search.patches(DEPTH, JOIN).unwrap();
     let velocity =
         Velocity { forward: speed, pitch: -speed * (1.0 + driven) / WHEEL, ..Velocity::default() };
-    let creepage = Creepage::new(&search, &patches[0], &velocity, patches[0].approach());
+    let creepage = Creepage::new(&search, &patches[0], &velocity, DEPTH);
     let mean = speed * (1.0 + driven / 2.0);
     close!(creepage.speed, mean, epsilon = 1e-8);
     close!(
@@ -131,7 +131,7 @@ fn a_cylinder_creeps_as_a_driven_yawed_roller() {
     close!(creepage.spin, 0.0, epsilon = 1e-6);
     let turning =
         Velocity { forward: speed, pitch: -speed / WHEEL, yaw: rate, ..Velocity::default() };
-    let turned = Creepage::new(&search, &patches[0], &turning, patches[0].approach());
+    let turned = Creepage::new(&search, &patches[0], &turning, DEPTH);
     close!(turned.spin * turned.speed, -rate, epsilon = 1e-6);
 }
 

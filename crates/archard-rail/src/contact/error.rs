@@ -1,6 +1,6 @@
 //! Why there is no contact to tell of.
 
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// What keeps a wheel from being set on its rail.
 #[non_exhaustive]

@@ -2,8 +2,13 @@
 
 use archard::body::Profile;
 use archard::frame::Rectangle;
+use archard::parameters::Invalid;
 
+use super::ContactError;
 use crate::search::{Patch, Search};
+
+/// Widths of its widest stretch that a patch may be wide: grids of more would take minutes.
+const WIDEST: f64 = 64.0;
 
 /// The gap over the elements of a rectangle of the tangent plane: the recess of the wheel, the rail taken for flat.
 #[derive(Debug, Clone)]
@@ -17,9 +22,16 @@ pub(super) struct Lattice {
 impl Lattice {
     /// The grid over the rectangle that holds the overlap: so many elements along x, and along s as many over the widest
     /// stretch. Pressures open gaps, so that nothing touches beside the overlap.
-    pub fn over(search: &Search<'_>, patch: &Patch, elements: usize) -> Self {
+    ///
+    /// # Errors
+    /// If the wheel or the rail ends within it, or its stretches are too narrow for their distance.
+    pub fn over(search: &Search<'_>, patch: &Patch, elements: usize) -> Result<Self, ContactError> {
         let ranges = [patch.along, patch.across];
         let stretches = (patch.across[1] - patch.across[0]) / patch.widest;
+        if stretches > WIDEST {
+            let message = "stretches of overlap are far apart for their widths: give a smaller one";
+            return Err(Invalid::new("join", message).into());
+        }
         // The overlap and its stretches are the same on all grids, and so is this number.
         let counts = [elements, elements * stretches.round().max(1.0) as usize];
         let rectangle = Rectangle {
@@ -33,18 +45,17 @@ impl Lattice {
         });
         let columns = search.gap(patch).grid(&x, &s);
         let turned = |at: usize| columns[(at % counts[0]) * counts[1] + at / counts[0]];
-        let gap = (0..columns.len()).map(turned).collect();
-        Self { rectangle, elements: counts, gap }
+        let gap: Vec<f64> = (0..columns.len()).map(turned).collect();
+        if gap.iter().all(|gap| gap.is_finite()) {
+            Ok(Self { rectangle, elements: counts, gap })
+        } else {
+            Err(ContactError::Short { y: patch.reference.y })
+        }
     }
 
     /// The largest overlap (m).
     pub fn approach(&self) -> f64 {
         -self.gap.iter().copied().fold(f64::INFINITY, f64::min)
-    }
-
-    /// Whether wheel and rail reach over all of it.
-    pub fn is_whole(&self) -> bool {
-        self.gap.iter().all(|gap| gap.is_finite())
     }
 
     /// s (m) of the middle of a row.

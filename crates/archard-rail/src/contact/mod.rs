@@ -29,9 +29,10 @@ use archard::Material;
 use archard::body::contact_modulus;
 use archard::friction::Friction;
 
-use crate::invalid::Invalid;
+use crate::bounds;
 use crate::search::{JOIN, Search};
 use crate::setup::{Attitude, Setup, Velocity};
+use archard::parameters::Invalid;
 use pressed::{Pressed, Site};
 
 /// Bending of a patch (rad) from which on a plane is an approximation: 10 degrees.
@@ -98,7 +99,7 @@ pub fn contact(
     operation: &Operation,
     resolution: &Resolution,
 ) -> Result<Vec<Patch>, ContactError> {
-    let load = Invalid::positive("load", operation.load)?;
+    let load = bounds::positive("load", operation.load)?;
     if operation.velocity.translation().length() == 0.0 && operation.velocity.pitch == 0.0 {
         return Err(Invalid::new("velocity", "a wheelset that stands still does not roll").into());
     }

@@ -46,8 +46,8 @@ impl Pressed {
 impl Site {
     /// The patch on so many elements, as [`Lattice::over`] counts them.
     pub fn new(search: &Search<'_>, patch: Patch, elements: usize) -> Result<Self, ContactError> {
-        let lattice = Lattice::over(search, &patch, elements);
-        if lattice.is_whole() { Ok(Self { patch, lattice }) } else { Err(short(&patch)) }
+        let lattice = Lattice::over(search, &patch, elements)?;
+        Ok(Self { patch, lattice })
     }
 
     /// Normal force (N) without friction, of bodies that others have pressed apart there by so much (m).
@@ -109,7 +109,7 @@ impl Site {
         let ends = [0, self.lattice.elements[1] - 1];
         for row in rows {
             if (0..2).any(|end| self.patch.cut[end] && row == ends[end]) {
-                return Err(short(&self.patch));
+                return Err(ContactError::Short { y: self.patch.reference.y });
             }
             let aside = self.lattice.across(row) * self.patch.angle.cos();
             if let Some(angle) = search.inclination(self.patch.reference.y + aside) {
@@ -151,8 +151,4 @@ impl Site {
         let steady = steady.map_err(Refused::from)?;
         Ok(Simulation::builder([wheel, rail], steady).contact(frame, compliance))
     }
-}
-
-fn short(patch: &Patch) -> ContactError {
-    ContactError::Short { y: patch.reference.y }
 }

@@ -6,7 +6,7 @@
 
 mod spline;
 
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// How a curve follows the points.
 #[derive(Debug, Clone, Copy, PartialEq)]

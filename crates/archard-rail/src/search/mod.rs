@@ -16,9 +16,9 @@ pub use patch::{JOIN, Patch};
 use glam::{DMat3, DVec3};
 
 use crate::curve::{Curve, Place};
-use crate::invalid::Invalid;
 use crate::roots;
 use crate::setup::{Attitude, Setup};
+use archard::parameters::Invalid;
 
 /// Distance (m) between the places at which the gap is first looked at; patches narrower than that may be missed.
 pub const STEP: f64 = 5e-5;

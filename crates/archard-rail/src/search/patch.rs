@@ -13,8 +13,9 @@
 use glam::{DMat3, DVec3};
 
 use super::{Possible, Search};
-use crate::invalid::Invalid;
+use crate::bounds;
 use crate::roots;
+use archard::parameters::Invalid;
 
 /// Points by which the means over a stretch are taken.
 const POINTS: usize = 200;
@@ -52,11 +53,6 @@ impl Patch {
     /// the axes of the track.
     pub fn frame(&self) -> DMat3 {
         DMat3::from_rotation_x(self.angle)
-    }
-
-    /// The largest overlap (m) along the normal n.
-    pub fn approach(&self) -> f64 {
-        self.depth * self.angle.cos()
     }
 
     /// A point of the track (m) in the frame of the contact: x, s and n from the reference point.
@@ -137,8 +133,8 @@ impl Search<'_> {
     /// # Errors
     /// If the height is not finite, or the distance is negative or not finite.
     pub fn patches(&self, height: f64, join: f64) -> Result<Vec<Patch>, Invalid> {
-        let height = Invalid::finite("height", height)?;
-        if Invalid::finite("join", join)? < 0.0 {
+        let height = bounds::finite("height", height)?;
+        if bounds::finite("join", join)? < 0.0 {
             return Err(Invalid::new("join", format!("{join} has to be 0 or more")));
         }
         let mut joined: Vec<Stretch> = vec![];

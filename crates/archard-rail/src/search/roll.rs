@@ -1,9 +1,9 @@
 //! The roll of a wheelset that stands on both rails.
 
 use super::Search;
-use crate::invalid::Invalid;
 use crate::roots;
 use crate::setup::{Attitude, Setup, Side};
+use archard::parameters::Invalid;
 
 /// Roll (rad) up to which it is looked for: the wheels of a standard gauge differ in height by 150 mm then.
 const MOST: f64 = 0.1;
@@ -15,8 +15,9 @@ impl Setup {
     /// wheelset; alike wheels on alike rails.
     ///
     /// # Errors
-    /// If a wheel is nowhere over its rail, or there is no such roll within 0.1 rad.
+    /// If the shift or the yaw is out of its bounds, a wheel is nowhere over its rail, or there is no such roll within 0.1 rad.
     pub fn roll(&self, shift: f64, yaw: f64) -> Result<f64, Invalid> {
+        Attitude { shift, roll: 0.0, yaw }.checked()?;
         // Greater if the right wheel hangs over its rail while the left one stands.
         let difference = |roll: f64| {
             let onset = |side: Side| {

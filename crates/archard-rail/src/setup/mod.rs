@@ -15,7 +15,7 @@ pub use wheelset::{Attitude, Velocity, Wheelset};
 use glam::DVec3;
 
 use crate::curve::Curve;
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// Most length (m) of a profile that can stand in the track.
 const LONGEST: f64 = 2.0;

@@ -2,8 +2,9 @@
 
 use glam::{DMat3, DVec3};
 
+use crate::bounds;
 use crate::curve::Curve;
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// How a rail is laid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,9 +29,9 @@ impl Track {
     /// # Errors
     /// If a length is not greater than zero, or the cant not below a right angle.
     pub fn place(&self, rail: &Curve) -> Result<Placing, Invalid> {
-        let half = Invalid::positive("gauge", self.gauge)? / 2.0;
-        let depth = Invalid::positive("gauge_height", self.gauge_height)?;
-        let angle = -Invalid::within("cant", self.cant, std::f64::consts::FRAC_PI_2)?;
+        let half = bounds::positive("gauge", self.gauge)? / 2.0;
+        let depth = bounds::positive("gauge_height", self.gauge_height)?;
+        let angle = -bounds::within("cant", self.cant, std::f64::consts::FRAC_PI_2)?;
         super::short("rail", rail)?;
         let turned = rail.clone().moved(angle, [0.0; 2]);
         let places = turned.samples(2e-5);

@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_PI_4;
 
 use glam::{DMat3, DVec3};
 
-use crate::invalid::Invalid;
+use crate::bounds;
+use archard::parameters::Invalid;
 
 /// The lengths of a wheelset.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,9 +29,9 @@ impl Wheelset {
     /// # Errors
     /// If the distance or the radius is not greater than zero, or the position not finite.
     pub fn checked(self) -> Result<Self, Invalid> {
-        Invalid::positive("flange_back_distance", self.flange_back_distance)?;
-        Invalid::finite("flange_back_position", self.flange_back_position)?;
-        Invalid::positive("nominal_radius", self.nominal_radius)?;
+        bounds::positive("flange_back_distance", self.flange_back_distance)?;
+        bounds::finite("flange_back_position", self.flange_back_position)?;
+        bounds::positive("nominal_radius", self.nominal_radius)?;
         Ok(self)
     }
 }
@@ -57,9 +58,9 @@ impl Attitude {
     /// # Errors
     /// If the shift is not finite, or if an angle is not below a quarter of pi.
     pub fn checked(self) -> Result<Self, Invalid> {
-        Invalid::finite("shift", self.shift)?;
-        Invalid::within("roll", self.roll, FRAC_PI_4)?;
-        Invalid::within("yaw", self.yaw, FRAC_PI_4)?;
+        bounds::finite("shift", self.shift)?;
+        bounds::within("roll", self.roll, FRAC_PI_4)?;
+        bounds::within("yaw", self.yaw, FRAC_PI_4)?;
         Ok(self)
     }
 }

@@ -6,7 +6,7 @@ mod wheel_s1002;
 pub use rail_60e1::rail_60e1;
 pub use wheel_s1002::{wheel_s1002, wheel_s1002_depth};
 
-use crate::invalid::Invalid;
+use archard::parameters::Invalid;
 
 /// The step (m) between the points of a drawn profile, checked.
 fn checked(step: f64) -> Result<f64, Invalid> {

@@ -6,8 +6,8 @@
 //! long, whose directions are the normals at which the arcs meet. The first two arcs are then 20.456 and 52.053 mm
 //! wide, as the drawing states.
 
-use crate::invalid::Invalid;
 use crate::profile::Profile;
+use archard::parameters::Invalid;
 
 /// Radii (mm) from the top outwards.
 const RADII: [f64; 3] = [300.0, 80.0, 13.0];

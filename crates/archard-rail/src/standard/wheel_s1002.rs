@@ -3,8 +3,8 @@
 //! A cone outside, two polynomials and an arc from the tread to the flange, a face of 70 degrees, and three arcs round
 //! the flange of 28 mm. y = 0 is the running circle, 70 mm from the back of the flange.
 
-use crate::invalid::Invalid;
 use crate::profile::Profile;
+use archard::parameters::Invalid;
 
 /// Coefficients of rising powers of y (mm) from -26 to 32.15796 mm.
 const TREAD: [f64; 9] = [

@@ -97,8 +97,7 @@ impl WheelRailCase {
         let mut running = self.motion.build()?;
         running.track.cant = rail.size;
         running.wheelset.nominal_radius = wheel.size;
-        let setup = Setup::new(running.track, &rail.curve, running.wheelset, &wheel.curve)
-            .map_err(|error| Invalid::new(error.parameter, error.message))?;
+        let setup = Setup::new(running.track, &rail.curve, running.wheelset, &wheel.curve)?;
         let bodies = Bodies {
             wheel: self.wheel.material,
             rail: self.rail.material,
@@ -145,13 +144,12 @@ impl Prepared {
 
     /// What the set-up tells before any elasticity.
     fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
-        let wrong = |error: archard_rail::Invalid| Invalid::new(error.parameter, error.message);
         let mut attitude = self.running.attitude;
         if !self.running.rolls {
-            attitude.roll = self.setup.roll(attitude.shift, attitude.yaw).map_err(wrong)?;
+            attitude.roll = self.setup.roll(attitude.shift, attitude.yaw)?;
         }
         let touch = |&side: &Side| {
-            let search = Search::new(&self.setup, side.attitude(attitude)).map_err(wrong)?;
+            let search = Search::new(&self.setup, side.attitude(attitude))?;
             let onset = search.onset();
             let onset =
                 onset.ok_or_else(|| Invalid::new("shift", "the wheel is not over its rail"))?;

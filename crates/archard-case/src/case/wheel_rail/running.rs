@@ -139,8 +139,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         },
         load: values.require("wheel_load")?,
         attitude: Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) }
-            .checked()
-            .map_err(|error| Invalid::new(error.parameter, error.message))?,
+            .checked()?,
         rolls: values.number("roll").is_some(),
         velocity: Velocity {
             forward: values.require("speed")?,

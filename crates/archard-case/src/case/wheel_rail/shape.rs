@@ -91,7 +91,7 @@ fn inclination(text: &str) -> Result<f64, Invalid> {
 fn shape(
     values: &Values,
     part: Part,
-    drawn: impl Fn(&str) -> Result<Profile, archard_rail::Invalid>,
+    drawn: impl Fn(&str) -> Result<Profile, Invalid>,
 ) -> Result<Shape, Invalid> {
     let (profile, findings) = match (values.get("file"), values.word("standard")) {
         (Some(_), Some(_)) => return Err(Invalid::exclusive("standard", "file", "keep one")),
@@ -131,7 +131,7 @@ fn file(
 }
 
 /// What is wrong with a profile, at a parameter of the case.
-fn of(error: archard_rail::Invalid, parameter: &'static str) -> Invalid {
+fn of(error: Invalid, parameter: &'static str) -> Invalid {
     Invalid::new(parameter, error.message)
 }
 
