@@ -7,14 +7,12 @@ use archard::compliance::bem;
 use archard::motion::{Shift, Stepping};
 use archard::solve::monolithic::factors_memory;
 
-// Against the peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two threads, per pair and beyond that
-// of the program, with N elements squared, what follows is 0 to 20 % too much:
-// - `pin_on_disc`, steps of 20 mm: 250 bytes (N = 256), 255 (512); with a tolerance 405, 415 (256, 512);
-// - `hertz`: 474, 477, 475 and 481 (256, 512, 768, 1024); in 3, 10 and 40 increments 516 (256), 687 (256) and 1337 (128);
-// - `fretting_sphere`, one cycle of 8 and of 20 increments: 1330 and 2119 (256), of 20 increments 2130 (128);
-// - `twin_disc` without revolutions 374 and 422 (256, 512), in a frame of 2 mm by 6.4 mm 278 (256); with wear in
-//   steps of 50 revolutions 488 and 532 (256, 512), with a tolerance 789 (256);
-// - unlike bodies: `spence` in 8, 16 and 40 increments 2200, 3207 and 5932 (128), `free_rolling_unlike` 1463 (256).
+// Counted from the algorithms, not fitted. The peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two
+// threads, beyond the 22 MB of a debug build, per pair with N elements squared, beside what is counted:
+// - `pin_on_disc` 367 bytes (N = 512), counted 256; with a tolerance 540, counted 448; `hertz` 390, counted 480;
+// - `twin_disc` without revolutions 310 (256), counted 300; `free_rolling_unlike` 2650 (256), counted 1660;
+// - one cycle of `fretting_sphere` in 20 increments 4590 (256), counted 2340; `spence` in 40 increments 14800 (128), counted
+//   6260: solvers of three components iterate on the whole frame, and what states leave behind stays with the allocator.
 
 /// Numbers a pair of a kernel, and of the field that it is applied to: both on twice the elements along both axes.
 const KERNEL: f64 = 8.0;
