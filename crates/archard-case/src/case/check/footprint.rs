@@ -11,8 +11,8 @@ use archard::solve::monolithic::factors_memory;
 // threads, beyond the 22 MB of a debug build, per pair with N elements squared, beside what is counted:
 // - `pin_on_disc` 367 bytes (N = 512), counted 256; with a tolerance 540, counted 448; `hertz` 390, counted 480;
 // - `twin_disc` without revolutions 310 (256), counted 300; `free_rolling_unlike` 2650 (256), counted 1660;
-// - one cycle of `fretting_sphere` in 20 increments 4590 (256), counted 2340; `spence` in 40 increments 14800 (128), counted
-//   6260: solvers of three components iterate on the whole frame, and what states leave behind stays with the allocator.
+// - one cycle of `fretting_sphere` in 20 increments 4590 (256), counted 4500; `spence` in 40 increments 14800 (128), counted
+//   15000: with as many Krylov iterations as their solver may take.
 
 /// Numbers a pair of a kernel, and of the field that it is applied to: both on twice the elements along both axes.
 const KERNEL: f64 = 8.0;
@@ -24,7 +24,7 @@ const SOLUTION: [f64; 3] = [3.0, 5.0, 6.0];
 /// States of bodies that go through increments: before the first, before and after the present one, at the peak of the cycle,
 /// and on their way to the observers.
 const STATES: f64 = 5.0;
-/// Numbers a pair in contact of the Krylov iterations of friction: 24 of them, with a direction, its image and a vector of the
+/// Numbers a pair in contact of the Krylov iterations of rolling: 24 of them, with a direction, its image and a vector of the
 /// basis, each of two components.
 const KRYLOV: f64 = 144.0;
 /// Memory of the program before any pair (bytes).
@@ -97,10 +97,13 @@ fn of_a_cycle(parts: &Parts<'_>, shift: &Shift) -> f64 {
         // A jump that is taken back needs the solutions before it.
         Stepping::Tolerance(_) => 2.0 * solution + state,
     };
+    // Of each Krylov iteration a direction and a vector of the basis; of unlike bodies all three components on the frame.
+    let most = parts.case.friction_solver.build().map_or(0, |one| one.settings().max_iterations);
+    let components = if unlike > 0.0 { 3.0 } else { 2.0 * share_in_contact(parts) };
     // A state has its gaps and its factors besides.
     STATES * (solution + 2.0)
         + kept * shift.cycle.len() as f64
-        + friction * share_in_contact(parts) * KRYLOV
+        + friction * components * 2.0 * most as f64
         + unlike * 3.0 * KERNEL
 }
 
