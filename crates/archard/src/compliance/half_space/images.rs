@@ -26,7 +26,6 @@ use faer::Mat;
 
 use super::influence::Corner;
 use super::stack::{Scalars, Stack};
-use crate::numerics::SAME;
 
 /// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
 /// missed is computed, and bounded by `MISSED`.
@@ -37,6 +36,9 @@ const SAMPLES: usize = 25;
 const DEPTHS: [f64; 2] = [0.8, 12.0];
 /// The least wave number over the deepest image, and the greatest over the thickness of the uppermost layer: exp(-20) is left.
 const WAVES: [f64; 2] = [1e-3, 25.0];
+/// What the sum of the weights, which is known, counts in the least squares: it is met to the square of this below what the
+/// others miss, and much more would drown them in rounding.
+const EXACTLY: f64 = 1e4;
 
 /// An image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,11 +109,10 @@ pub(super) fn images(stack: &Stack<'_>) -> (Vec<Image>, f64) {
     let (top, bottom) = (stack.top(), stack.bottom());
     let less_top = |scalars: Scalars| -> Scalars { [0, 1, 2, 3].map(|i| scalars[i] - top[i]) };
     let wanted: Vec<Scalars> = waves.iter().map(|&k| less_top(stack.compliance(k))).collect();
-    // The longest waves count as what they do to displacements; the sum of the weights, which is known, as much as keeps half
-    // of the digits of the others.
+    // The longest waves count as what they do to displacements.
     let weight = |row: usize| match waves.get(row) {
         Some(k) => (k * stack.reach()).recip().max(1.0),
-        None => 1.0 / SAME,
+        None => EXACTLY,
     };
     let term = |row: usize, image: usize| match waves.get(row) {
         Some(k) => (-k * depths[image]).exp(),
