@@ -136,7 +136,7 @@ fn mistakes_are_said_where_they_stand_inside_the_table() {
         &format!("{size}, elements = [20000, 20000]"),
         "[20000, 20000]",
         ".elements",
-        "more than 100000 elements",
+        "more than 1000000 elements",
     );
     inside(size, "contact", ".elements", "is missing: numbers of elements");
     inside(

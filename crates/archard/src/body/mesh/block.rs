@@ -2,10 +2,10 @@
 
 use super::axis::{Axis, places};
 use super::builder::Builder;
-use super::contact::{self, Contact, Divisions, ENOUGH, Layout};
+use super::contact::{self, Contact, Divisions, ENOUGH, Layout, MOST_ELEMENTS};
 use super::free::{self, Supported};
 use super::tensor::{self, SIDES};
-use super::{MOST_ELEMENTS, MeshError, Meshed, Shape, Zone};
+use super::{MeshError, Meshed, Shape, Zone};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {

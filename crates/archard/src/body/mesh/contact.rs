@@ -2,11 +2,12 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::MOST_ELEMENTS;
 use super::MeshError;
 use super::axis::{Growth, Middle};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
 
+/// Largest number of elements of a zone; more would not fit any computer's memory.
+pub(super) const MOST_ELEMENTS: usize = 1_000_000;
 /// Largest number of divisions of an edge.
 const MOST_DIVISIONS: usize = 400;
 /// Divisions of the shortest edge that are enough, and of a quarter of the circumference where no wall is thin.

@@ -215,8 +215,8 @@ fn listed(names: &[String]) -> String {
     names.join(", ")
 }
 
-/// Elements beyond which no machine holds their equations.
-const MOST_ELEMENTS: usize = 100_000;
+/// Elements of a file beyond which no machine holds their equations.
+const MOST_OF_A_FILE: usize = 100_000;
 
 fn sides([x, y, z]: &[f64; 3]) -> String {
     format!("{x:.4e} by {y:.4e} by {z:.4e} m")

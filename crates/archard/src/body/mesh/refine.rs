@@ -9,7 +9,7 @@ use std::collections::HashMap;
 use glam::DVec3;
 
 use super::smooth::{Turns, rise};
-use super::{Corners, Face, MOST_ELEMENTS, Mesh};
+use super::{Corners, Face, MOST_OF_A_FILE, Mesh};
 
 /// Normals whose cosine is more than this are those of one smooth surface.
 const SAME: f64 = 0.999;
@@ -49,7 +49,7 @@ impl Refined {
             if wanted.is_empty() {
                 return true;
             }
-            if self.mesh.faces.len() + wanted.len() > MOST_ELEMENTS {
+            if self.mesh.faces.len() + wanted.len() > MOST_OF_A_FILE {
                 return false;
             }
             self.divide(wanted);

@@ -15,7 +15,7 @@ mod tests;
 
 use std::f64::consts::PI;
 
-use super::{MOST_ELEMENTS, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
+use super::{MOST_OF_A_FILE, Mesh, MeshError, Meshed, Shape, Supported, Zone, thickness};
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 use near::Near;
 
@@ -56,10 +56,10 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         let scale = UNITS.iter().find(|known| known.0 == unit).map_or(1.0, |known| known.1);
         let mut mesh =
             parse(bytes).map_err(|error| Invalid::new("path", format!("{name}, {error}")))?;
-        if mesh.faces.len() > MOST_ELEMENTS {
+        if mesh.faces.len() > MOST_OF_A_FILE {
             let count = mesh.faces.len();
             let message = format!(
-                "{name} has {count} elements, {MOST_ELEMENTS} are the most: mesh it coarser, in Gmsh by a larger `Mesh.MeshSizeMin`, and divide the elements of the contact by `contact.elements`"
+                "{name} has {count} elements, {MOST_OF_A_FILE} are the most: mesh it coarser, in Gmsh by a larger `Mesh.MeshSizeMin`, and divide the elements of the contact by `contact.elements`"
             );
             return Err(Invalid::new("path", message));
         }
