@@ -14,8 +14,8 @@ from archard import _archard
 from archard.case import Case
 
 if TYPE_CHECKING:
-    from os import PathLike
     from collections.abc import Mapping
+    from os import PathLike
 
 __all__ = ["Contact", "contact"]
 
@@ -38,17 +38,21 @@ class Contact:
         """Return the patches, from the field side to the flange, each a dict of columns as in ``contacts.csv``.
 
         Args:
-            values: values of the motion in SI in place of those of the case: ``shift`` (m), ``yaw``, ``roll`` (rad),
-                ``wheel_load`` (N), ``speed``, ``lateral_speed``, ``vertical_speed`` (m/s), ``pitch_rate``,
-                ``yaw_rate``, ``roll_rate`` (rad/s).
+            values: values of the motion in SI in place of those of the case: ``shift`` (m), ``yaw``, ``roll``
+                (rad), ``wheel_load`` (N), ``speed``, ``lateral_speed``, ``vertical_speed`` (m/s),
+                ``pitch_rate``, ``yaw_rate``, ``roll_rate`` (rad/s).
 
         Raises:
             ValueError: a value that is unknown, or cannot be used.
             RunError: there is no such contact.
 
         """
-        patches = self._wheel_rail.contact(list(values.items()))
-        return [{"side": side, **dict(columns)} for side, columns in patches]
+        patches: list[Patch] = []
+        for side, columns in self._wheel_rail.contact(list(values.items())):
+            patch: Patch = {"side": side}
+            patch.update(columns)
+            patches.append(patch)
+        return patches
 
 
 def contact(case: str | PathLike[str] | Mapping[str, object] | Case, **values: float) -> list[Patch]:

@@ -3,8 +3,9 @@
 import csv
 from pathlib import Path
 
-import archard
 import pytest
+
+import archard
 
 
 def test_contacts_are_those_of_the_command(command, tmp_path: Path) -> None:
