@@ -42,17 +42,28 @@ impl WheelRail {
             put(&mut running, &name, value)?;
         }
         let prepared = self.0.clone();
-        let work = move || prepared.contacts(&running);
+        let work = move || {
+            prepared.contacts(&running).map_err(|error| match error {
+                RailError::Invalid(invalid) => Wrong::Value(invalid.message),
+                RailError::Contact(error) => Wrong::Contact(error.to_string()),
+            })
+        };
         let contacts = away(py, &pool(Some(1))?, work).unless_interrupted()?;
-        let contacts = contacts.map_err(|error| match error {
-            RailError::Invalid(invalid) => PyValueError::new_err(invalid.message),
-            RailError::Contact(error) => RunError::new_err(error.to_string()),
+        let contacts = contacts.map_err(|wrong| match wrong {
+            Wrong::Value(message) => PyValueError::new_err(message),
+            Wrong::Contact(message) => RunError::new_err(message),
         })?;
         let told = contacts.iter().flat_map(|contact| {
             contact.patches.iter().map(|patch| (contact.name().to_owned(), contact_row(patch)))
         });
         Ok(told.collect())
     }
+}
+
+/// Why there is no contact.
+enum Wrong {
+    Value(String),
+    Contact(String),
 }
 
 /// Puts a value (SI) in the place of one of the case.
