@@ -53,7 +53,6 @@ mod worn_profiles;
 mod worn_surface;
 
 #[cfg(test)]
-#[path = "tests/fixture.rs"]
 mod fixture;
 
 use std::io;

@@ -2,7 +2,9 @@
 
 use super::ContactProblem;
 use crate::frame::Rectangle;
-use crate::numerics::SAME;
+
+/// Difference of gaps along an axis, relative to the largest, that is rounding.
+const EVEN: f64 = 1e-9;
 
 impl ContactProblem {
     /// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
@@ -21,7 +23,7 @@ impl ContactProblem {
         [-0.4, -0.1, 0.0, 0.2, 0.45].into_iter().all(|across| {
             let [low, middle, high] = [-reach, 0.0, reach].map(|along| gap(along, across));
             let (Some(low), Some(middle), Some(high)) = (low, middle, high) else { return false };
-            let scale = size[axis].max(low.abs()).max(high.abs()) * SAME;
+            let scale = size[axis].max(low.abs()).max(high.abs()) * EVEN;
             (low - middle).abs() <= scale && (high - middle).abs() <= scale
         })
     }

@@ -5,7 +5,9 @@ use super::{Forecast, Parts};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::motion::Track;
-use archard::numerics::SAME;
+
+/// Difference of heights along a track, relative to the largest on the frame, that is rounding.
+const EVEN: f64 = 1e-9;
 
 /// What is wrong or doubtful about a track, or about none.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
@@ -69,7 +71,7 @@ fn uneven(parts: &Parts<'_>, track: &Track, axis: usize) -> Option<Problem> {
     let most = all.fold(0.0, f64::max);
     let even = shares.iter().all(|&across| {
         let first = height(0.0, across);
-        shares.iter().all(|&along| (height(along, across) - first).abs() <= SAME * most)
+        shares.iter().all(|&along| (height(along, across) - first).abs() <= EVEN * most)
     });
     (!even).then(|| {
         let message = format!(
