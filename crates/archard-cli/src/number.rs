@@ -4,9 +4,6 @@ use archard::motion::Progress;
 use archard::parameters::Quantity;
 pub use archard_case::verdict::four;
 
-/// Share of a load below which a force is rounding, and of a number below which its error is.
-pub const ROUNDING: f64 = 1e-9;
-
 /// An energy (J) in a unit that suits it: "13.85 nJ".
 pub fn energy(value: f64) -> String {
     in_one_of(value, [(1.0, "J"), (1e3, "mJ"), (1e6, "uJ"), (1e9, "nJ")])

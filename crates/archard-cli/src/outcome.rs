@@ -15,10 +15,11 @@ use archard_case::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
-use crate::number::{ROUNDING, count, energy, four, length, mass, of_a_line, percent};
+use crate::number::{count, energy, four, length, mass, of_a_line, percent};
 use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
+use archard::numerics::{SAME, WRITTEN};
 
 /// How a number (SI) is written.
 type Shown = fn(f64) -> String;
@@ -169,7 +170,7 @@ impl Outcome<'_> {
             return;
         }
         // Where nothing is passed on, what is left of a force is rounding, and so is its error.
-        let nothing = ROUNDING * self.last(history::LOAD);
+        let nothing = SAME * self.last(history::LOAD);
         let force = FORCE.map(|column| self.last(column));
         let [x, y] = force.map(|force| if force.abs() > nothing { force } else { 0.0 });
         let units = [rolling.direction.forward(), rolling.direction.lateral()];
@@ -223,7 +224,7 @@ impl Outcome<'_> {
         let error = size(errors);
         match error / value {
             _ if error > 0.0 && value == 0.0 => "below its error".to_owned(),
-            relative if relative.is_normal() && relative > ROUNDING => {
+            relative if relative.is_normal() && relative > SAME => {
                 format!("+- {}", percent(relative))
             }
             _ => String::new(),
@@ -234,10 +235,9 @@ impl Outcome<'_> {
 /// Two components by the direction of rolling; one that is nothing but rounding beside the other is
 /// left out.
 fn along_and_across([along, across]: [f64; 2], unit: &str) -> String {
-    const NEGLIGIBLE: f64 = 1e-6;
-    if across.abs() <= NEGLIGIBLE * along.abs() {
+    if across.abs() <= WRITTEN * along.abs() {
         format!("{}{unit} along", four(along))
-    } else if along.abs() <= NEGLIGIBLE * across.abs() {
+    } else if along.abs() <= WRITTEN * across.abs() {
         format!("{}{unit} across", four(across))
     } else {
         format!("{}{unit} along, {}{unit} across", four(along), four(across))

@@ -6,7 +6,7 @@ use archard_case::output::Standard;
 use crate::lines::Lines;
 use crate::number::four;
 
-/// Difference from the worn volume below which both are called the same.
+/// Difference from the worn volume below which both are called the same: it would be written as 0.0 %.
 const SAME: f64 = 5e-4;
 
 /// Adds what standards make of the scar and the track of a test at a row of its history.

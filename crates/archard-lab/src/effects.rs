@@ -7,9 +7,6 @@
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-/// Steps of the bisection for tau^2.
-const BISECTIONS: usize = 200;
-
 /// What tests say together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effects {
@@ -37,7 +34,7 @@ impl Effects {
         let tau2 = match excess(0.0) > 0.0 {
             false => 0.0,
             true => {
-                for _ in 0..BISECTIONS {
+                while high - low > f64::EPSILON * high {
                     let middle = 0.5 * (low + high);
                     if excess(middle) > 0.0 { low = middle } else { high = middle }
                 }

@@ -4,13 +4,10 @@ use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::effects::student;
 
-/// The share closest to none and to all.
-const NEXT_TO_NONE: f64 = f64::EPSILON;
-
 /// The coefficient below which that share of the next tests lies, by its median, the scale of its logarithm and the degrees of
 /// freedom of Student's t.
 pub fn next_test([median, scale, degrees]: [f64; 3], share: f64) -> f64 {
-    let share = share.clamp(NEXT_TO_NONE, 1.0 - NEXT_TO_NONE);
+    let share = share.clamp(f64::EPSILON, 1.0 - f64::EPSILON);
     median * (scale * student(degrees).inverse_cdf(share)).exp()
 }
 
@@ -20,7 +17,7 @@ pub fn together([one, other]: [f64; 2], correlation: f64) -> f64 {
     let normal = Normal::standard();
     let own = (1.0 - correlation * correlation).max(0.0).sqrt();
     let [a, b] =
-        [one, other].map(|share| normal.inverse_cdf(share.clamp(NEXT_TO_NONE, 1.0 - NEXT_TO_NONE)));
+        [one, other].map(|share| normal.inverse_cdf(share.clamp(f64::EPSILON, 1.0 - f64::EPSILON)));
     normal.cdf(correlation * a + own * b)
 }
 

@@ -9,13 +9,11 @@ use super::kept::{self, Kept, Row};
 use super::quantity::{Kind, Quantity};
 use super::{Error, Expected};
 use archard::motion::{Motion, Schedule, Stepping};
+use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, Simulation, history};
 use archard_case::output::{Claim, ResultFolder, Store, Totals};
 use archard_case::verdict::{Verdict, Word};
 use archard_case::{CaseFile, Resolved, Severity};
-
-/// Places closer than this, relative to their size, are one.
-const SAME: f64 = 1e-6;
 
 /// What follows the runs of a fit.
 pub trait Following {
@@ -208,17 +206,18 @@ fn described(settings: &[(String, f64, String)]) -> String {
 
 /// The schedule with steps that end at these shares of its extent, where steps can be put.
 fn passing(motion: &Motion, schedule: &Schedule, shares: &[f64]) -> Schedule {
-    let mut shares: Vec<f64> = shares.iter().copied().filter(|share| *share < 1.0 - SAME).collect();
+    let mut shares: Vec<f64> =
+        shares.iter().copied().filter(|share| *share < 1.0 - WRITTEN).collect();
     shares.push(1.0);
     shares.sort_by(f64::total_cmp);
-    shares.dedup_by(|next, last| *next - *last <= SAME * *next);
+    shares.dedup_by(|next, last| *next - *last <= WRITTEN * *next);
     if motion.is_steady() && schedule.is_steady() {
         return schedule.through(&shares);
     }
     let mut outputs: Vec<f64> = shares.iter().map(|share| share * schedule.extent).collect();
     outputs.extend(&schedule.outputs);
     outputs.sort_by(f64::total_cmp);
-    outputs.dedup_by(|next, last| *next - *last <= SAME * *next);
+    outputs.dedup_by(|next, last| *next - *last <= WRITTEN * *next);
     Schedule { outputs, ..schedule.clone() }
 }
 

@@ -26,6 +26,8 @@ use archard_case::measured::Table;
 use archard_case::output::Store;
 use archard_case::{Case, CaseFile, Resolved, Source, Unsettled};
 
+/// The factor by which a coefficient is changed to find a slope by a difference: small, and far above the error of the steps.
+const TRIED: f64 = 1.1;
 /// Relative change of k at which a test is fitted: of interpolated runs, and of runs anew.
 const FITTED: [f64; 2] = [1e-7, 1e-3];
 

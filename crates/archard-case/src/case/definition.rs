@@ -15,12 +15,15 @@ use archard::elastic::{Point, Section};
 use archard::frame::Rectangle;
 use archard::friction::Friction;
 use archard::motion::Planned;
+use archard::numerics::SAME;
 use archard::parameters::Invalid;
 use archard::simulation::{self, Simulation};
 use archard::solve::Solver;
 use archard::solve::tangential::FrictionSolver;
 use archard::wear::{Layered, WearLaw};
 
+/// Most elements along an axis: so many by so many take some 4 GB.
+pub(in crate::case) const MOST: usize = 1 << 12;
 /// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
 /// takes far more of the processors' time.
 const FEW_ELEMENTS: usize = 60 * 60;
@@ -105,9 +108,6 @@ pub struct FiniteCase {
     pub elasticity: Elasticity,
 }
 
-/// Numbers of elements are whole to this, relative.
-const ROUNDING: f64 = 1e-9;
-
 /// The frame of a case; where a body is meshed, what its contact zone amounts to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrameCase {
@@ -183,7 +183,7 @@ impl FrameCase {
     /// As many elements as cover it, none larger than the size that is asked for; an even number where it repeats itself.
     pub(super) fn count(&mut self) {
         for axis in 0..if self.line { 1 } else { 2 } {
-            let count = (1.0 - ROUNDING) * self.size[axis] / self.element[axis];
+            let count = (1.0 - SAME) * self.size[axis] / self.element[axis];
             let whole = if self.periodic { 2.0 * (0.5 * count).ceil() } else { count.ceil() };
             self.elements[axis] = whole as usize;
         }

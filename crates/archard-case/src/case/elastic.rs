@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::check::{memory, slender};
+use super::check::{footprint, memory, slender};
 use super::definition::{BodyCase, BuildError};
 use super::key::Key;
 use super::problem::Problem;
@@ -40,9 +40,6 @@ pub struct ElasticForecast {
     /// Memory (bytes).
     pub memory: f64,
 }
-
-/// Memory of the program without a body (bytes).
-const BYTES_OF_THE_PROGRAM: f64 = 10e6;
 
 impl ElasticCase {
     /// Builds the body.
@@ -87,7 +84,7 @@ pub(super) fn check(case: &ElasticCase) -> (ElasticForecast, Vec<Problem>) {
         }
     });
     let unknowns = surface.unknowns();
-    let memory = BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
+    let memory = footprint::BYTES_OF_THE_PROGRAM + Size { unknowns, contact: 0 }.memory();
     let long = body.slenderness.and_then(|longest| slender::problem(&case.body, longest));
     let problems = problems.chain(memory::of_body(&case.body, memory)).chain(long).collect();
     let Meshed { mesh, zone, .. } = &body.finite.meshed;

@@ -19,16 +19,17 @@ pub struct Plane {
     spread: [[f64; 2]; 2],
 }
 
-/// Deviations, in standard deviations by the median, beyond which a reading is debris.
+/// Deviations, in standard deviations by the median, beyond which a reading is debris (B. Iglewicz and D. C. Hoaglin, *How to
+/// Detect and Handle Outliers*, ASQC 1993).
 pub(super) const DEBRIS: f64 = 3.5;
-/// The median of deviations over the standard deviation of normal ones.
+/// The median of deviations over the standard deviation of normal ones: their third quartile.
 const MEDIAN: f64 = 0.6745;
+/// Standard deviations beyond which chance explains nothing: it comes to as much once in 370 times.
+pub(super) const BEYOND_CHANCE: f64 = 3.0;
+/// Rounds in which what is left out settles, at most: each leaves out some.
+pub(super) const ROUNDS: usize = 12;
 /// Fewest readings that tell a plane.
 pub const FEWEST: usize = 6;
-/// Rounds in which debris is left out.
-const ROUNDS: usize = 8;
-/// Sums of squares below this share of the other axis are rounding.
-const FLAT: f64 = 1e-12;
 
 impl Plane {
     /// The horizontal plane at height zero: readings that are level already.
@@ -90,9 +91,11 @@ impl Plane {
         };
         let (xx, yy, xy) = (sum(0, 0), sum(1, 1), sum(0, 1));
         let (largest, whole) = (xx.max(yy), xx * yy - xy * xy);
-        let spread = if xx <= FLAT * largest {
+        // Of sums of so many terms.
+        let rounding = count * f64::EPSILON;
+        let spread = if xx <= rounding * largest {
             [[0.0, 0.0], [0.0, inverse(yy)]]
-        } else if yy <= FLAT * largest || whole <= FLAT * xx * yy {
+        } else if yy <= rounding * largest || whole <= rounding * xx * yy {
             [[inverse(xx), 0.0], [0.0, 0.0]]
         } else {
             [[yy / whole, -xy / whole], [-xy / whole, xx / whole]]

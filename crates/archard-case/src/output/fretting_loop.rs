@@ -5,13 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::Error;
 use super::table::{Table, number};
 use archard::motion::Shift;
+use archard::numerics::WRITTEN;
 use archard::simulation::Report;
 use archard::simulation::history::{self, CYCLE, FORCE, LOAD, SHIFT, STICK_AREA};
 
 /// What a loop holds, by the columns of the history.
 const COLUMNS: [&str; 7] = [CYCLE, SHIFT[0], SHIFT[1], FORCE[0], FORCE[1], LOAD, STICK_AREA];
-/// What rounding may make of the end of a cycle (cycles).
-const SAME: f64 = 1e-6;
 
 /// The increments of the present cycle, kept until its end shows whether they are put out: those of the
 /// first cycle and of every cycle in which an output falls due are.
@@ -31,16 +30,16 @@ impl FrettingLoop {
             return false;
         }
         let point = COLUMNS.map(|column| history::number(row, column).unwrap_or(f64::NAN));
-        let cycle = (point[0] - SAME).ceil();
+        let cycle = (point[0] - WRITTEN).ceil();
         if cycle != self.cycle {
             // Where cycles were jumped over, the last point is not where this one begins.
-            let begins = |last: &[f64; COLUMNS.len()]| (last[0] - (cycle - 1.0)).abs() < SAME;
+            let begins = |last: &[f64; COLUMNS.len()]| (last[0] - (cycle - 1.0)).abs() < WRITTEN;
             self.points = self.points.last().copied().filter(begins).into_iter().collect();
             (self.cycle, self.due) = (cycle, cycle == 1.0);
         }
         self.points.push(point);
         self.due |= report.output;
-        self.due && cycle >= 1.0 && (point[0] - cycle).abs() < SAME
+        self.due && cycle >= 1.0 && (point[0] - cycle).abs() < WRITTEN
     }
 
     /// Adds the loop to a table, a row an increment, from where the cycle begins if that was computed.

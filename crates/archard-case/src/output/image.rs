@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::{Error, Field, Surface, fields, vtk};
+use archard::numerics::WRITTEN;
 use archard::problem::{ContactProblem, ContactState};
 
 /// Fields on a uniform grid of elements, as kept in a `.vti` file (VTK's XML image data).
@@ -17,9 +18,6 @@ pub struct Image {
     /// The fields, one value an element, x running fastest.
     pub fields: Vec<Field>,
 }
-
-/// The part of an element below which it does not lie in another one.
-const SLIVER: f64 = 1e-6;
 
 impl Image {
     /// The image of a state on a uniform frame; see [`fields()`] for what is on it.
@@ -81,7 +79,7 @@ impl Image {
             let [low, high] = [index, index + 1].map(|index| edge(grid, index));
             let inside = |own: usize| {
                 let length = edge(self, own + 1).min(high) - edge(self, own).max(low);
-                (length > SLIVER * self.spacing[axis]).then_some((own, length))
+                (length > WRITTEN * self.spacing[axis]).then_some((own, length))
             };
             (0..self.elements[axis]).filter_map(inside).collect()
         };

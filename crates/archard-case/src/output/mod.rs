@@ -53,6 +53,7 @@ mod worn_profiles;
 mod worn_surface;
 
 #[cfg(test)]
+#[path = "tests/fixture.rs"]
 mod fixture;
 
 use std::io;

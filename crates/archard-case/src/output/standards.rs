@@ -5,11 +5,9 @@ use serde_json::{Value, json};
 use archard::body::Body;
 use archard::closed_form::standards::{ball_scar, block_scar, disc_track};
 use archard::motion::Track;
+use archard::numerics::SAME;
 use archard::problem::ContactProblem;
 use archard::simulation::history::{SCAR, TRACK_WIDTH, WORN_VOLUME, number, of_body};
-
-/// Difference of curvatures of a ball along x and y, relative to either, that is rounding.
-const ROUND: f64 = 1e-9;
 
 /// The volume of one body after a standard, which takes that body alone to wear and both to be rigid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +38,7 @@ impl Standard {
         };
         let test = Test { problem, row, track };
         let axis = sliding.direction.axis;
-        let ball = stays[0] > 0.0 && (stays[0] - stays[1]).abs() <= ROUND * stays[0];
+        let ball = stays[0] > 0.0 && (stays[0] - stays[1]).abs() <= SAME * stays[0];
         let ring = passes[axis] > 0.0 && passes[1 - axis] == 0.0;
         let found = match (ball, passes == [0.0; 2], stays == [0.0; 2]) {
             (true, true, _) => {

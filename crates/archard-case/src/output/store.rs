@@ -11,7 +11,8 @@ mod trust;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
-use envelope::{Envelope, HASH};
+use blake3::OUT_LEN;
+use envelope::Envelope;
 use faer::Mat;
 
 use super::file;
@@ -141,7 +142,7 @@ impl Store {
         }
     }
 
-    fn path(&self, key: &[u8; HASH], kind: &str) -> PathBuf {
+    fn path(&self, key: &[u8; OUT_LEN], kind: &str) -> PathBuf {
         let name: String = key[..16].iter().map(|byte| format!("{byte:02x}")).collect();
         self.folder.join(format!("{name}.{kind}"))
     }
@@ -164,7 +165,7 @@ impl Store {
 }
 
 /// The hash of all that what is kept of a body follows from.
-fn key(format: &[u8], finite: &Finite, material: &Material, job: &Job<'_>) -> [u8; HASH] {
+fn key(format: &[u8], finite: &Finite, material: &Material, job: &Job<'_>) -> [u8; OUT_LEN] {
     let mut hash = blake3::Hasher::new();
     hash.update(format);
     job.fingerprint(finite, material, &mut |bytes| {
@@ -174,7 +175,7 @@ fn key(format: &[u8], finite: &Finite, material: &Material, job: &Job<'_>) -> [u
 }
 
 /// What the file of a compliance of that size says about itself.
-fn envelope(key: [u8; HASH], size: usize) -> Envelope {
+fn envelope(key: [u8; OUT_LEN], size: usize) -> Envelope {
     Envelope { format: FORMAT, key, count: 2 + size + size * size }
 }
 
@@ -201,7 +202,7 @@ mod tests {
 
     use faer::Mat;
 
-    use super::{Envelope, HASH, Store, condensed as condensed_of, envelope, numbers};
+    use super::{Envelope, OUT_LEN, Store, condensed as condensed_of, envelope, numbers};
     use archard::compliance::bem::{Balance, Condensed};
 
     #[test]
@@ -214,15 +215,15 @@ mod tests {
             Mat::from_fn(3, 3, |row, column| 1.0 / (1.0 + row as f64 + 10.0 * column as f64));
         let balance = Balance { force: 0.01, moment: 0.02 };
         let condensed = Condensed { compliance: compliance.clone(), free: free.clone(), balance };
-        let known = envelope([7; HASH], 3);
+        let known = envelope([7; OUT_LEN], 3);
         crate::output::file::write_private(&path, &known.seal(numbers(&condensed))).unwrap();
         let read = |path: &Path, known: &Envelope, size: usize| {
             store.read(path, known, |numbers| condensed_of(numbers, size))
         };
         let found = read(&path, &known, 3).expect("it is sound");
         assert_eq!((found.free, found.compliance, found.balance), (free, compliance, balance));
-        assert!(read(&path, &envelope([8; HASH], 3), 3).is_none());
-        assert!(read(&path, &envelope([7; HASH], 6), 6).is_none());
+        assert!(read(&path, &envelope([8; OUT_LEN], 3), 3).is_none());
+        assert!(read(&path, &envelope([7; OUT_LEN], 6), 6).is_none());
         assert!(read(&folder.path().join("none"), &known, 3).is_none());
         assert!(store.doubts().is_empty());
     }

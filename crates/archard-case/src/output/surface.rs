@@ -5,6 +5,7 @@ use std::path::Path;
 use super::sheet::turn_over;
 use super::{Error, Field, Image, fields, vtk};
 use archard::frame::ContactFrame;
+use archard::numerics::WRITTEN;
 use archard::problem::{ContactProblem, ContactState};
 
 /// Most elements along an axis of the image that a surface is seen as.
@@ -188,7 +189,7 @@ impl Surface {
                 places.clone().fold(f64::INFINITY, f64::min),
                 places.fold(f64::NEG_INFINITY, f64::max),
             );
-            low - at <= SAME * across && high - at >= -SAME * across
+            low - at <= WRITTEN * across && high - at >= -WRITTEN * across
         };
         let mut points: Vec<(f64, Vec<f64>)> = vec![];
         for (pair, _) in self.outlines.iter().enumerate().filter(|(_, outline)| crosses(outline)) {
@@ -199,7 +200,7 @@ impl Surface {
             }
         }
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let same = |a: &(f64, Vec<f64>), b: &(f64, Vec<f64>)| b.0 - a.0 <= SAME * size;
+        let same = |a: &(f64, Vec<f64>), b: &(f64, Vec<f64>)| b.0 - a.0 <= WRITTEN * size;
         points.chunk_by(same).map(mean).collect()
     }
 
@@ -227,9 +228,6 @@ impl Surface {
         vtk::decode(bytes)
     }
 }
-
-/// Distances below this, relative to the size of the frame, are none.
-const SAME: f64 = 1e-6;
 
 /// The mean of points at one place.
 fn mean(points: &[(f64, Vec<f64>)]) -> (f64, Vec<f64>) {

@@ -7,10 +7,8 @@ use super::Error;
 use super::fields::height;
 use super::table::{Table, number};
 use archard::frame::{Direction, Line};
+use archard::numerics::WRITTEN;
 use archard::problem::{ContactProblem, ContactState};
-
-/// Places closer than this, relative to an element, are as far from the middle.
-const SAME: f64 = 1e-6;
 
 /// The bodies across the direction of motion, on the line through the middle of the frame.
 pub(super) struct WornProfiles<'a> {
@@ -68,7 +66,7 @@ impl<'a> WornProfiles<'a> {
         let axis = self.direction.axis;
         let away = |pair: usize| frame.place(pair)[axis].abs();
         let nearest = line.passages.iter().map(|one| away(one.pair)).fold(f64::INFINITY, f64::min);
-        let within = nearest + SAME * frame.spacing()[axis];
+        let within = nearest + WRITTEN * frame.spacing()[axis];
         let middle = line.passages.iter().filter(|one| away(one.pair) <= within);
         let [sum, share] = middle.fold([0.0; 2], |[sum, share], one| {
             [sum + one.share * worn[one.pair], share + one.share]

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::surface::{reflected, sign};
 use super::{Error, Field, Image, Sheet, Surface, vtk};
+use archard::numerics::SAME;
 
 /// The worn surface of a body at one output, with point data: `wear_um`, `pressure_MPa` and whatever else the output has. It is
 /// kept in a `.vtu` file (VTK's XML unstructured grids).
@@ -206,8 +207,6 @@ impl WornSurface {
 
 /// Millimetres in a metre.
 const MILLIMETRES: f64 = 1e3;
-/// Corners that are closer, relative to the size of the frame, are one.
-const SAME: f64 = 1e-8;
 
 /// The name of a field in SI in a unit people read, and by what values are multiplied.
 fn read_by_people(name: &str) -> (String, f64) {

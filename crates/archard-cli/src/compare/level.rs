@@ -1,5 +1,6 @@
 //! Raw readings of a profile brought level: a line fitted beside the scar, and a shift along it.
 
+use archard::numerics::SAME;
 use archard_case::measured::plane::{Height, Plane};
 
 /// How raw readings lie against the shape that the body had.
@@ -43,14 +44,13 @@ impl Level {
 /// The place at which a cost is least: the best of many places, and what a golden section finds around it.
 pub(super) fn least([low, high]: [f64; 2], cost: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     const PLACES: usize = 400;
-    const ROUNDS: usize = 60;
     let step = (high - low) / PLACES as f64;
     let places = (0..=PLACES).map(|i| low + step * i as f64);
     let known = places.filter_map(|place| Some((place, cost(place)?)));
     let (best, _) = known.min_by(|one, other| one.1.total_cmp(&other.1))?;
     let golden = 0.5 * (5f64.sqrt() - 1.0);
     let (mut from, mut to) = (best - step, best + step);
-    for _ in 0..ROUNDS {
+    while to - from > SAME * (high - low) {
         let [one, other] = [to - golden * (to - from), from + golden * (to - from)];
         let [a, b] = [one, other].map(|place| cost(place).unwrap_or(f64::INFINITY));
         if a <= b { to = other } else { from = one }

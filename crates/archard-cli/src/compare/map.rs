@@ -7,14 +7,13 @@ use archard_case::output::Image;
 
 use super::level::Reading;
 use super::{Comparison, percent, profile};
+use crate::plot::LINE;
 use crate::plot::figure::{COLOURS, Curves, PALE, Panel, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::Unit;
 use crate::plot::tables::{Axis, largest};
 use crate::report::quantity;
 
-/// Wear relative to the deepest below which a place is outside of a scar.
-const EDGE: f64 = 1e-3;
 /// The angle (rad) between a track and its map from which on their mean is none of the track: 2 degrees.
 const ASKEW: f64 = 0.035;
 
@@ -113,7 +112,7 @@ fn bowl(
     let inside: Vec<(f64, f64)> = depths
         .iter()
         .filter_map(|[x, y, depth]| Some((*depth, at(image, worn, [*x, *y])?)))
-        .filter(|(_, computed)| *computed > EDGE * most)
+        .filter(|(_, computed)| *computed > LINE * most)
         .collect();
     ensure!(inside.len() >= 2, "`{}` has no readings where the run has its scar", surface.source());
     let square = inside.iter().map(|(one, other)| (one - other).powi(2)).sum::<f64>();

@@ -7,14 +7,13 @@ use archard_case::measured::surface::Surface;
 
 use super::level::{Level, Reading, least};
 use super::{Comparison, percent};
+use crate::plot::LINE;
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
 use crate::plot::results::Results;
 use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{Axis, Profile, largest, size};
 use crate::report::quantity;
 
-/// Wear relative to the deepest below which a place is outside of a scar.
-const EDGE: f64 = 1e-3;
 /// Share of the width of the scar left beside it before readings count as outside.
 const BESIDE: f64 = 0.25;
 
@@ -40,7 +39,7 @@ pub(super) fn compare(
     let section = Section::of(profile, name)?;
     let shallowest = section.worn.iter().copied().fold(f64::INFINITY, f64::min);
     ensure!(
-        shallowest < (1.0 - EDGE) * largest(section.worn),
+        shallowest < (1.0 - LINE) * largest(section.worn),
         "`{name}` passes along {}, and its track is as deep all along: a profile across the track goes along {}; if this is one, say --column {1}=\"TITLE\" with the title of its places",
         axis.name(),
         axis.other().name(),
@@ -190,7 +189,7 @@ impl<'a> Section<'a> {
     fn of(profile: &'a Profile, body: &str) -> Result<Self> {
         let places = profile.table.column("coordinate_m")?;
         let worn = profile.table.column(&format!("wear_{body}_m"))?;
-        let least = EDGE * size(worn);
+        let least = LINE * size(worn);
         let scar =
             places.iter().zip(worn).filter(|(_, worn)| **worn > least).map(|(place, _)| *place);
         let [low, high] = scar.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], place| {

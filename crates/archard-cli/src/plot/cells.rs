@@ -2,10 +2,8 @@
 
 use std::ops::Range;
 
+use super::CELLS;
 use archard_case::output::Image;
-
-/// Most cells along an axis: more would only make the SVG heavy.
-const MOST: usize = 160;
 
 /// Means of a field over groups of elements.
 #[derive(Debug, PartialEq)]
@@ -40,7 +38,7 @@ fn groups(image: &Image, axis: usize, [low, high]: [f64; 2]) -> Vec<Range<usize>
     let spare = 1e-9 * (high - low);
     let within = |i: &usize| (low - spare..=high + spare).contains(&image.centre(axis, *i));
     let shown: Vec<usize> = (0..image.elements[axis]).filter(within).collect();
-    let size = shown.len().div_ceil(MOST).max(1);
+    let size = shown.len().div_ceil(CELLS).max(1);
     shown.chunks_exact(size).map(|group| group[0]..group[0] + size).collect()
 }
 

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, ensure};
 use archard::simulation::history::{BODY_DEPTH, WEAR_DEPTH, of_body};
 
+use super::CELLS;
 use super::figure::{self, Curves, PALE, Panel, Pen, View};
 use super::results::Results;
 use super::scale::{Unit, phrase};
@@ -14,8 +15,6 @@ use super::tables::largest;
 /// green, purple and blue of M. Okabe and K. Ito.
 const COLOURS: [&str; 6] =
     [PALE[1], figure::COLOURS[0], figure::COLOURS[2], "#009e73", "#cc79a7", figure::COLOURS[1]];
-/// Steps up to which a run is drawn as the points it has, which need not lie close enough for a line.
-const FEW: usize = 100;
 /// Where along the axis the bodies are named.
 const NAMED_AT: f64 = 0.8;
 /// How far below the curve, relative to the deepest wear.
@@ -43,7 +42,7 @@ pub(crate) fn panel(dir: &Path, first: &Results, others: &[PathBuf]) -> Result<P
             let points = run.progress().1.iter().zip(depths);
             let points = points.map(|(s, depth)| (s * along.factor, depth * unit.factor));
             let colour = COLOURS[index % COLOURS.len()];
-            match (index, depths.len() <= FEW) {
+            match (index, depths.len() <= CELLS) {
                 (0, _) => curves.add(points, Pen::under(colour), legend.take()),
                 (_, true) => curves.mark(points, colour, legend.take()),
                 (_, false) => curves.add(points, Pen::line(colour), legend.take()),

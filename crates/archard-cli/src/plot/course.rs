@@ -6,15 +6,13 @@ use archard::simulation::history::{
     PEAK_PRESSURE, STICK_AREA,
 };
 
+use super::LINE;
 use super::figure::{COLOURS, Curves, LegendPosition, OTHERS, Panel, Pen};
 use super::results::Results;
 use super::scale::{Unit, phrase};
 use super::tables::size;
+use archard::numerics::WRITTEN;
 
-/// Share of its size by which a quantity has to change to be worth a panel.
-const CHANGE: f64 = 1e-3;
-/// Share of the largest below which a quantity is rounding.
-const ROUNDING: f64 = 1e-6;
 /// How dark the band of the stated error is.
 pub(crate) const ERROR: f64 = 0.25;
 
@@ -54,10 +52,10 @@ fn panel(results: &Results, (name, columns, unit): &Course) -> Result<Option<Pan
         .filter(|known| !(results.rubs() && known.0 == STICK_AREA))
         .collect();
     let most = known.iter().map(|known| size(known.2)).fold(0.0, f64::max);
-    let known: Vec<_> = known.into_iter().filter(|known| size(known.2) > ROUNDING * most).collect();
+    let known: Vec<_> = known.into_iter().filter(|known| size(known.2) > WRITTEN * most).collect();
     let changes = |values: &&[f64]| {
         let first = values.first().copied().unwrap_or_default();
-        values.iter().any(|value| (value - first).abs() > CHANGE * size(values))
+        values.iter().any(|value| (value - first).abs() > LINE * size(values))
     };
     if !known.iter().any(|(_, _, values)| changes(values)) {
         return Ok(None);

@@ -4,15 +4,12 @@ use anyhow::Result;
 use archard::motion::Drive;
 use archard::simulation::history::{CREEPAGE, FORCE, LOAD};
 
+use super::CELLS;
+use super::NEGLIGIBLE;
 use super::figure::{COLOURS, Curves, LegendPosition, OTHERS, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
 use super::tables::Axis;
-
-/// Share of the larger force below which the other is not drawn.
-const NEGLIGIBLE: f64 = 0.01;
-/// Points of the curve of the closed form.
-const POINTS: usize = 100;
 
 /// The forces along x and y over the larger creepage, or over the share of the spin where the bodies
 /// creep by nothing else.
@@ -82,7 +79,7 @@ impl<'a> Sweep<'a> {
             return;
         };
         let Drive::Creepage(most) = [rolling.longitudinal, rolling.lateral][index] else { return };
-        let shares = || (0..=POINTS).map(|point| point as f64 / POINTS as f64);
+        let shares = || (0..=CELLS).map(|point| point as f64 / CELLS as f64);
         let estimates = results.case.as_ref().map_or(vec![], |case| case.estimates(shares()));
         let forces: Option<Vec<_>> = estimates.iter().map(|one| one.rolled?.force).collect();
         let Some(forces) = forces else { return };

@@ -5,14 +5,12 @@ use std::path::{Path, PathBuf};
 use anyhow::Result;
 use archard_lab::{Coefficient, Fit, Shown};
 
+use super::HIGH;
+use super::SHOWN;
 use super::draw::{Paper, Sheet, save};
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::scale::Unit;
 
-/// Most panels of a picture.
-const MOST: usize = 6;
-/// How many times as high as all else the band of the next test may be shown.
-const BEYOND: f64 = 5.0;
 /// Size of a panel (px).
 const SIZE: [f64; 2] = [640.0, 480.0];
 
@@ -20,7 +18,7 @@ const SIZE: [f64; 2] = [640.0, 480.0];
 pub fn draw(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>> {
     let shown =
         fit.coefficients.iter().flat_map(|own| own.curves.iter().map(move |curve| (own, curve)));
-    let panels: Vec<Panel> = shown.take(MOST).map(|(own, curve)| panel(fit, own, curve)).collect();
+    let panels: Vec<Panel> = shown.take(SHOWN).map(|(own, curve)| panel(fit, own, curve)).collect();
     let columns = panels.len().clamp(1, 2);
     let sheet = Sheet { columns, size: SIZE, paper: &Paper::default() };
     save(&dir.join("fit"), &sheet, (panels, None))
@@ -35,7 +33,7 @@ fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {
     let highest = |place: usize| shown.points.iter().map(|p| p.1[place]).fold(0.0, f64::max);
     let readings = own_readings().map(|reading| reading.value).fold(highest(3), f64::max);
     // Two tests may leave nothing to be seen of the readings.
-    let within = highest(4) <= BEYOND * readings;
+    let within = highest(4) <= HIGH * readings;
     let most = if within { highest(4).max(readings) } else { readings };
     let unit = Unit::of_readings((unit, *factor), most);
     let factor = unit.factor;

@@ -4,15 +4,13 @@ use anyhow::Result;
 use archard::closed_form::cattaneo_mindlin::{Branch, PartialSlip};
 use archard::simulation::history::{FORCE, SHIFT};
 
+use super::CELLS;
+use super::NEGLIGIBLE;
 use super::figure::{Curves, LegendPosition, OTHERS, PALE, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
-use super::tables::{Axis, SAME, Table, size};
-
-/// Share of the larger displacement below which one is not worth a panel.
-const NEGLIGIBLE: f64 = 0.01;
-/// Points of each way of the closed form.
-const POINTS: usize = 100;
+use super::tables::{Axis, Table, size};
+use archard::numerics::WRITTEN;
 
 /// The loops along each axis along which the bodies are shifted; none where they are not.
 pub(crate) fn panels(results: &Results) -> Result<Vec<Panel>> {
@@ -63,7 +61,7 @@ fn points(table: &Table, axis: Axis) -> Result<Vec<(f64, f64)>> {
     let forces = table.column(FORCE[axis.index()])?;
     let points: Vec<_> = shifts.iter().copied().zip(forces.iter().copied()).collect();
     let first = table.first().1.first().copied().unwrap_or_default();
-    let lead = ((first - first.round()).abs() > SAME).then(|| points.last().copied()).flatten();
+    let lead = ((first - first.round()).abs() > WRITTEN).then(|| points.last().copied()).flatten();
     Ok(lead.into_iter().chain(points).collect())
 }
 
@@ -72,10 +70,10 @@ fn closed_form(contact: &PartialSlip, amplitude: f64) -> Vec<(f64, f64)> {
     let oscillation = contact.oscillation(contact.force(amplitude));
     // What all slides at the extremes is not part of the loop in partial slip.
     let slid = (amplitude - contact.sliding_shift).max(0.0);
-    let place = |point: usize| amplitude * (2.0 * point as f64 / POINTS as f64 - 1.0);
-    let loading = (POINTS / 2..=POINTS).map(|point| (place(point), contact.force(place(point))));
+    let place = |point: usize| amplitude * (2.0 * point as f64 / CELLS as f64 - 1.0);
+    let loading = (CELLS / 2..=CELLS).map(|point| (place(point), contact.force(place(point))));
     let way = |branch: Branch, sign: f64| {
-        (0..=POINTS).rev().map(move |point| {
+        (0..=CELLS).rev().map(move |point| {
             let shift = sign * place(point);
             (shift, oscillation.force(branch, shift - sign * slid))
         })
@@ -87,7 +85,7 @@ fn closed_form(contact: &PartialSlip, amplitude: f64) -> Vec<(f64, f64)> {
 mod tests {
     use archard::closed_form::cattaneo_mindlin::PartialSlip;
 
-    use super::closed_form;
+    use super::{CELLS, closed_form};
 
     /// The area of the loop is what it dissipates: in partial slip Johnson's energy, beyond it the limit
     /// times what all slides in addition. Chords cut off a little of the area.
@@ -102,7 +100,7 @@ mod tests {
         };
         for amplitude in [0.5e-7, 1.5e-7_f64] {
             let curve = closed_form(&contact, amplitude);
-            let cycle = &curve[curve.len() - 202..];
+            let cycle = &curve[curve.len() - 2 * (CELLS + 1)..];
             let area: f64 = cycle
                 .windows(2)
                 .map(|ends| 0.5 * (ends[1].0 - ends[0].0) * (ends[1].1 + ends[0].1))

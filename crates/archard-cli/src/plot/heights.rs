@@ -2,8 +2,9 @@
 
 use anyhow::Result;
 
+use super::SHOWN;
 use super::figure::{Curves, Panel, Pen, moment};
-use super::pressure::{MOMENTS, along_axis};
+use super::pressure::along_axis;
 use super::results::{Results, reach, within};
 use super::scale::Unit;
 use super::tables::{Axis, Profile};
@@ -12,7 +13,7 @@ use super::tables::{Axis, Profile};
 ///
 /// Body 1 is drawn above, so that a pin stands on its disc; the files have it below.
 pub(crate) fn section(results: &Results, axis: Axis) -> Result<Panel> {
-    let sections = results.sections(axis, MOMENTS);
+    let sections = results.sections(axis, SHOWN);
     let window = results.worn_window(axis)?;
     let mut highest = 0.0_f64;
     let mut lines = Vec::new();

@@ -3,13 +3,11 @@
 use anyhow::Result;
 use archard::simulation::history::{APPROACH, LOAD};
 
+use super::CELLS;
 use super::figure::{Curves, LegendPosition, OTHERS, Panel, Pen};
 use super::results::Results;
 use super::scale::Unit;
 use super::tables::{largest, size};
-
-/// Points of the curve of the closed form.
-const POINTS: usize = 100;
 
 /// The load over the approach of the bodies; nothing where there is none.
 pub(crate) fn panel(results: &Results) -> Result<Option<Panel>> {
@@ -20,8 +18,8 @@ pub(crate) fn panel(results: &Results) -> Result<Option<Panel>> {
     }
     let (unit, force) = (Unit::depth(largest(approach)), Unit::force(largest(load)));
     let mut curves = Curves::new();
-    let hertz: Vec<_> = (0..=POINTS)
-        .map(|point| largest(load) * (point as f64 / POINTS as f64).powi(2))
+    let hertz: Vec<_> = (0..=CELLS)
+        .map(|point| largest(load) * (point as f64 / CELLS as f64).powi(2))
         .filter_map(|load| results.hertz(load))
         .map(|hertz| (hertz.approach * unit.factor, hertz.load * force.factor))
         .collect();

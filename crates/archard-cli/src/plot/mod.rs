@@ -38,7 +38,6 @@ use archard::simulation::history::FORCE;
 use draw::{Paper, Sheet, save};
 use figure::Panel;
 pub use fit::draw as draw_fit;
-use pressure::MOMENTS;
 use results::Results;
 pub(crate) use study::quantile;
 
@@ -48,6 +47,21 @@ const PANEL: [f64; 2] = [640.0, 460.0];
 const MAP: [f64; 2] = [680.0, 600.0];
 /// Size (px) of a panel of an overview.
 const OVERVIEW: [f64; 2] = [700.0, 500.0];
+
+/// Parts of an axis that can be told apart, four pixels of a panel each: cells of a map, stretches of a curve.
+pub(crate) const CELLS: usize = 160;
+/// Less than the width of a line, relative to the axis.
+pub(crate) const LINE: f64 = 1e-3;
+/// Less than is worth a panel or a curve, relative to the largest of its kind: the width of a few lines.
+const NEGLIGIBLE: f64 = 10.0 * LINE;
+/// Most panels of a picture, and most curves of a panel.
+const SHOWN: usize = 6;
+/// How many times as high as all else a curve may be: above that it is cut off, or all else would lie flat.
+const HIGH: f64 = 4.0;
+/// Share of a limit that a curve has to come to for the limit to be shown.
+const NEAR: f64 = 0.25;
+/// Length over width from which a map is stretched across: to scale it would be a mere stroke.
+pub(crate) const SLENDER: f64 = 4.0;
 
 /// A picture under its name.
 pub(crate) struct Picture {
@@ -160,7 +174,7 @@ pub(crate) fn groups(
     if !results.profiles.is_empty() {
         let axes = results.shown_axes();
         for axis in &axes {
-            profiles.push(pressure::section(results, *axis, MOMENTS)?);
+            profiles.push(pressure::section(results, *axis, SHOWN)?);
         }
         if results.wears() {
             for axis in &axes {
@@ -168,7 +182,7 @@ pub(crate) fn groups(
             }
         }
         if results.rubs() || results.rolls() && results.history.column(FORCE[0]).is_ok() {
-            tractions = traction::sections(results, MOMENTS)?;
+            tractions = traction::sections(results, SHOWN)?;
         }
     }
     if let Some(profile) = results.worn_profile.as_ref().filter(|_| results.wears()) {
@@ -204,8 +218,8 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
     if !results.profiles.is_empty() {
         let [along, _] = results.axes();
         if results.rubs() {
-            let mut panels = vec![pressure::section(results, along, MOMENTS)?];
-            panels.extend(traction::sections(results, MOMENTS)?);
+            let mut panels = vec![pressure::section(results, along, SHOWN)?];
+            panels.extend(traction::sections(results, SHOWN)?);
             pictures.push(Picture::new("traction", panels));
         }
         let mut panels = Vec::new();
@@ -216,7 +230,7 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
             }
         }
         for axis in &axes {
-            panels.push(pressure::section(results, *axis, MOMENTS)?);
+            panels.push(pressure::section(results, *axis, SHOWN)?);
         }
         pictures.push(Picture::new("profiles", panels));
     }
@@ -234,10 +248,10 @@ fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
     let [along, across] = results.axes();
     let fretting = fretting_loop::panels(results)?.into_iter().next();
     let traction = match results.rubs() {
-        true => traction::sections(results, MOMENTS)?.into_iter().next(),
+        true => traction::sections(results, SHOWN)?.into_iter().next(),
         false => None,
     };
-    let pressed = pressure::section(results, along, MOMENTS)?;
+    let pressed = pressure::section(results, along, SHOWN)?;
     let line = results.shown_axes().len() < 2;
     if results.wears() {
         let map = if line { wear::worn_off(results)? } else { pressure::map(results)? };
@@ -257,7 +271,7 @@ fn sliding_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
     match traction {
         Some(traction) => panels.push(traction),
         None if line => {}
-        None => panels.push(pressure::section(results, across, MOMENTS)?),
+        None => panels.push(pressure::section(results, across, SHOWN)?),
     }
     Ok(panels)
 }
@@ -282,20 +296,20 @@ fn rolling(results: &Results) -> anyhow::Result<Vec<Picture>> {
         return Ok(pictures);
     }
     // What is swept does not change the pressure, but everything in between matters.
-    let moments = if swept { MOMENTS } else { 2 };
+    let moments = if swept { SHOWN } else { 2 };
     let mut panels = vec![pressure::section(results, along, 2)?];
     panels.extend(traction::sections(results, moments)?);
     pictures.push(Picture::new("traction", panels));
     let line = results.is_one_element(across);
-    let mut panels = vec![pressure::section(results, along, MOMENTS)?];
+    let mut panels = vec![pressure::section(results, along, SHOWN)?];
     if !line {
-        panels.push(pressure::section(results, across, MOMENTS)?);
+        panels.push(pressure::section(results, across, SHOWN)?);
     }
     if results.wears() {
         if !line {
             panels.push(heights::section(results, across)?);
         }
-        panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
+        panels.extend(traction::sections(results, SHOWN)?.into_iter().next());
     }
     pictures.push(Picture::new("profiles", panels));
     if results.image.is_some() {
@@ -316,14 +330,14 @@ fn rolling_overview(results: &Results) -> anyhow::Result<Vec<Panel>> {
         (true, _) => Some(wear::depth(results)?),
         (false, true) => Some(creep_force::panel(results)?),
         (false, false) if line => None,
-        (false, false) => Some(pressure::section(results, across, MOMENTS)?),
+        (false, false) => Some(pressure::section(results, across, SHOWN)?),
     };
     let map = if line { None } else { Some(pressure::map(results)?) };
     let third = match results.worn_profile.as_ref().filter(|_| results.wears()) {
         Some(profile) => transverse::panel(results, profile)?,
-        None => pressure::section(results, along, MOMENTS)?,
+        None => pressure::section(results, along, SHOWN)?,
     };
     let mut panels: Vec<Panel> = first.into_iter().chain(map).chain([third]).collect();
-    panels.extend(traction::sections(results, MOMENTS)?.into_iter().next());
+    panels.extend(traction::sections(results, SHOWN)?.into_iter().next());
     Ok(panels)
 }

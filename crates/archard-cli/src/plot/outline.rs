@@ -1,5 +1,6 @@
 //! Where one part of a map ends and another begins.
 
+use archard::numerics::SAME;
 use std::collections::BTreeMap;
 
 /// A line from one place to another, along an edge of cells.
@@ -30,9 +31,6 @@ pub(crate) fn around(rows: &[Vec<f64>], edges: [[f64; 2]; 2]) -> Vec<Line> {
     }
     lines
 }
-
-/// Corners closer than this, relative to the farthest, are one.
-const SAME: f64 = 1e-8;
 
 /// The edges of elements whose values are above a half towards nothing or elements whose values are not.
 pub(crate) fn of_parts(parts: &[(Vec<[f64; 2]>, f64)]) -> Vec<Line> {

@@ -9,8 +9,9 @@ use kuva::render::render::{PathData, Primitive, Scene};
 
 use super::figure::Parts;
 
-/// Width of the line around an element in its own colour (px), which hides the gaps between neighbours.
-const SEAM: f64 = 0.4;
+/// What the library adds to cells to hide the gaps between them (px), and so the width of the line around an element in its own
+/// colour.
+const ADDED: f64 = 0.5;
 
 impl Parts {
     /// The largest value.
@@ -46,8 +47,6 @@ pub(super) fn put(scene: &mut Scene, all: &[&Parts]) {
 
 /// The elements of a picture whose map began and was halved there along x, and began and was as high along y (px).
 fn drawn(parts: &Parts, [left, middle]: [f64; 2], [top, height]: [f64; 2]) -> Vec<Primitive> {
-    /// What the library adds to cells to hide the gaps between them (px).
-    const ADDED: f64 = 0.5;
     let [[low_x, high_x], [low_y, high_y]] = parts.edges;
     let across = 2.0 * (middle - left) / (high_x - low_x);
     let up = (height - ADDED) / (high_y - low_y);
@@ -64,7 +63,7 @@ fn drawn(parts: &Parts, [left, middle]: [f64; 2], [top, height]: [f64; 2]) -> Ve
                 d: format!("M{} Z", corners.join(" L")),
                 fill: Some(fill.clone()),
                 stroke: fill,
-                stroke_width: SEAM,
+                stroke_width: ADDED,
                 opacity: None,
                 stroke_dasharray: None,
             }))

@@ -6,6 +6,9 @@ use anyhow::{Context, Result};
 use archard::simulation::history::LOAD;
 use archard_case::output::Surface;
 
+use super::CELLS;
+use super::HIGH;
+use super::SLENDER;
 use super::cells::Cells;
 use super::figure::{COLOURS, Curves, Map, Panel, Parts, Pen, View, moment};
 use super::outline;
@@ -13,16 +16,8 @@ use super::results::{Results, reach, within};
 use super::scale::{Unit, phrase};
 use super::tables::Axis;
 
-/// Most outputs shown in one panel.
-pub(crate) const MOMENTS: usize = 6;
-/// Length over width from which a map is stretched across: to scale it would be a mere stroke.
-const SLENDER: f64 = 4.0;
-/// How far above the later pressures the first may be for all to be shown, and how far above them a picture reaches that
-/// cuts it off.
-const HIGH: f64 = 3.0;
+/// How far above the later pressures a picture reaches that cuts the first off.
 const ABOVE: f64 = 1.3;
-/// Points of the curve of the closed form.
-const POINTS: usize = 200;
 
 /// The pressure along an axis at that many outputs, and Hertz's for the unworn bodies.
 pub(crate) fn section(results: &Results, axis: Axis, count: usize) -> Result<Panel> {
@@ -89,7 +84,7 @@ fn hertz(results: &Results, axis: Axis, window: [f64; 2]) -> Result<Option<Vec<(
         Axis::Y => hertz.pressure([0.0, place]),
     };
     // Points by angle: dense at the edge, where the curve is steep.
-    let angles = (0..=POINTS).map(|point| PI * point as f64 / POINTS as f64);
+    let angles = (0..=CELLS).map(|point| PI * point as f64 / CELLS as f64);
     let places = angles.map(|angle| -semi_axis * angle.cos()).filter(|x| within(window, *x));
     Ok(Some(places.map(|x| (x, pressure(x))).collect()))
 }

@@ -15,13 +15,11 @@ use archard_case::output::{Collection, Image, Surface};
 use archard_case::{Case, CaseFile};
 use serde_json::{Map, Value};
 
+use super::LINE;
 use super::scale::Unit;
 use super::tables::{
     Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
 };
-
-/// Wear relative to the deepest below which a place is outside of a scar.
-const EDGE: f64 = 1e-3;
 
 /// What a result folder holds.
 pub(crate) struct Results {
@@ -305,7 +303,7 @@ impl Results {
             let places = profile.table.column("coordinate_m")?;
             for body in &self.bodies {
                 let worn = profile.table.column(&format!("wear_{body}_m"))?;
-                let least = EDGE * size(worn);
+                let least = LINE * size(worn);
                 let scar = || places.iter().zip(worn).filter(|(_, worn)| **worn > least);
                 // What passes along the axis is worn all along it.
                 if scar().count() < places.len() {

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, bail};
+use archard::numerics::WRITTEN;
 use archard::simulation::history::{BODY_DEPTH, body_of};
 use archard_case::files::{self, Contents};
 
@@ -178,9 +179,6 @@ pub(crate) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
     Ok(profiles)
 }
 
-/// What rounding may make of a whole cycle (cycles).
-pub(crate) const SAME: f64 = 1e-6;
-
 /// The loops of force over shift, one a cycle.
 pub(crate) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
     let mut loops: Vec<Table> = Vec::new();
@@ -189,7 +187,7 @@ pub(crate) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
         let cells = numbers(cells)?;
         let cycle = cells.first().map_or(0.0, |cell| cell.1);
         // A loop ends with a whole cycle; the next may begin with the same one.
-        let whole = (before - before.round()).abs() < SAME;
+        let whole = (before - before.round()).abs() < WRITTEN;
         let begins = whole && loops.last().is_some_and(|last| last.rows() > 1);
         if loops.is_empty() || begins {
             loops.push(Table::default());

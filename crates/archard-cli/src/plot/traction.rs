@@ -2,16 +2,13 @@
 
 use anyhow::Result;
 
+use super::NEAR;
+use super::NEGLIGIBLE;
 use super::figure::{Curves, Panel, Pen, moment};
 use super::pressure::along_axis;
 use super::results::{Results, reach, within};
 use super::scale::Unit;
 use super::tables::{Axis, Profile, largest};
-
-/// Share of the largest traction below which one along an axis is not worth a panel.
-const NEGLIGIBLE: f64 = 0.01;
-/// Share of the limit that tractions have to come to for it to be shown, where bodies do not roll.
-const NEAR: f64 = 0.5;
 
 /// The traction on body 1 along the direction of the motion at that many outputs: a panel for each of
 /// its components, but for one that is next to nothing.

@@ -8,14 +8,13 @@ use archard::simulation::history::{
     BODY_DEPTH, LOAD, WEAR_DEPTH, WORN_SECTION, WORN_VOLUME, of_body,
 };
 
+use super::CELLS;
+use super::NEAR;
 use super::course::band;
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::results::{Results, WornSphere};
 use super::scale::{Unit, phrase};
 use super::tables::largest;
-
-/// Points of the curve of the closed form.
-const POINTS: usize = 200;
 
 /// Deepest wear, in all and of each body that wears.
 pub(crate) fn depth(results: &Results) -> Result<Panel> {
@@ -87,9 +86,6 @@ struct Quantity<'a> {
     end: Option<f64>,
 }
 
-/// Share of its end from which on a quantity is shown beside that.
-const NEAR_END: f64 = 0.25;
-
 /// Curves of a quantity, and its closed form.
 fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
     let (name, progress) = results.progress();
@@ -106,7 +102,7 @@ fn panel(results: &Results, quantity: &Quantity<'_>) -> Result<Panel> {
             .map(|(s, integral)| (s * along.factor, closed(integral) * unit.factor));
         curves.add(curve, Pen::closed_form(), Some(name));
     }
-    let near = |end: &f64| largest(quantity.total) > NEAR_END * end;
+    let near = |end: &f64| largest(quantity.total) > NEAR * end;
     if let Some(end) = quantity.end.filter(near) {
         let ends = [0.0, largest(progress)].map(|s| (s * along.factor, end * unit.factor));
         curves.add(ends, Pen::closed_form(), Some("closed-form end"));
@@ -148,9 +144,9 @@ fn load_distance(distance: &[f64], load: &[f64]) -> Vec<(f64, f64)> {
         integral.push(integral[step - 1] + load[step] * slid);
     }
     let end = distance.last().copied().unwrap_or_default();
-    (0..=POINTS)
+    (0..=CELLS)
         .map(|point| {
-            let s = end * (point as f64 / POINTS as f64).powi(2);
+            let s = end * (point as f64 / CELLS as f64).powi(2);
             let next =
                 distance.partition_point(|&known| known < s).clamp(1, distance.len().max(2) - 1);
             match (distance.get(next), integral.get(next)) {

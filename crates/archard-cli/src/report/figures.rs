@@ -6,9 +6,9 @@ use serde_json::{Value, json};
 
 use super::html::{Html, fill};
 use super::words::plain;
-use crate::number::ROUNDING;
 use crate::plot::draw::{Still, still};
 use crate::plot::figure::{Map, Mark, Panel, Parts, Pen, Points, Shape};
+use archard::numerics::SAME;
 
 /// Most points of a curve: more cannot be told apart on a page.
 const MOST: usize = 1500;
@@ -220,7 +220,7 @@ fn words(panel: &Panel) -> String {
         _ => &[],
     });
     let sizes = told.map(|point| point.1.abs()).filter(|size| size.is_finite());
-    let nothing = ROUNDING * sizes.fold(0.0, f64::max);
+    let nothing = SAME * sizes.fold(0.0, f64::max);
     let plain = |value: f64| plain(if value.abs() > nothing { value } else { 0.0 });
     for Mark { shape, legend } in &panel.marks {
         let (Some(legend), Shape::Line(points, _) | Shape::Dots(points, _)) = (legend, shape)

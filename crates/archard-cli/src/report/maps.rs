@@ -9,6 +9,8 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::figures::{Figure, rounded};
+use crate::plot::CELLS;
+use crate::plot::SLENDER;
 use crate::plot::cells::Cells;
 use crate::plot::figure::{COLOURS, Curves, Map, Mark, Panel, Pen, Shape, View};
 use crate::plot::outline;
@@ -113,9 +115,6 @@ struct Grid<'a> {
     shown: Option<&'a [i32]>,
 }
 
-/// Cells along an axis that a picture has at least: between those of a coarse frame it is interpolated.
-const SMOOTH: usize = 240;
-
 impl Grid<'_> {
     /// The values of cells in rows, interpolated between their centres.
     fn rows(&self, values: &[f64], factor: f64) -> Vec<Vec<f64>> {
@@ -156,7 +155,7 @@ impl Grid<'_> {
 
 /// Parts that each of so many cells is divided into.
 fn finer(cells: usize) -> usize {
-    if cells > 1 { SMOOTH.div_ceil(cells) } else { 1 }
+    if cells > 1 { CELLS.div_ceil(cells) } else { 1 }
 }
 
 /// The two cells whose centres are nearest to that of a part, and the share of the second.
@@ -207,9 +206,6 @@ fn pictures(
     }
     Ok(pictures)
 }
-
-/// Length over width from which a map is stretched across.
-const SLENDER: f64 = 4.0;
 
 /// The map of a field at the last output.
 fn panel((title, field): (&str, &Packed), (grid, across): (&Grid<'_>, &Unit)) -> Panel {

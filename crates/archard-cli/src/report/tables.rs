@@ -2,6 +2,7 @@
 
 use archard::closed_form::Hertz;
 use archard::motion::Control;
+use archard::numerics::SAME;
 use archard::simulation::history::{
     APPROACH, BODY_DEPTH, CENTRE_PRESSURE, COLUMNS, CONTACT_AREA, CREEPAGE, CYCLE, Column, ERROR,
     FLASH_TEMPERATURE, FORCE, LOAD, MASS_LOSS, MEAN_FLASH_TEMPERATURE, PEAK_PRESSURE, SCAR, SHIFT,
@@ -11,7 +12,7 @@ use serde_json::Value;
 
 use super::page::{Table, capital};
 use super::words::{plain, quantity};
-use crate::number::{ROUNDING, count, percent};
+use crate::number::{count, percent};
 use crate::plot::results::Results;
 use crate::plot::scale::phrase;
 use crate::plot::tables::size;
@@ -84,10 +85,10 @@ const FORCES: [&str; 2] = ["N", "Nm"];
 fn rounding(results: &Results, name: &str, unit: &str) -> f64 {
     let column = |name: &str| results.history.column(name).unwrap_or_default();
     if FORCES.contains(&unit) {
-        return ROUNDING * column(LOAD).last().copied().unwrap_or_default();
+        return SAME * column(LOAD).last().copied().unwrap_or_default();
     }
     let pair = [SHIFT, CREEPAGE].into_iter().find(|pair| pair.contains(&name));
-    ROUNDING * pair.into_iter().flatten().map(|name| size(column(name))).fold(0.0, f64::max)
+    SAME * pair.into_iter().flatten().map(|name| size(column(name))).fold(0.0, f64::max)
 }
 
 /// A value of a column, zero where it is nothing but rounding.
@@ -112,8 +113,8 @@ fn error(results: &Results, name: &str, value: f64, unit: &str) -> String {
     match stated(results, name) {
         // What symmetry makes nothing.
         Some(error) if value == 0.0 && error <= rounding(results, name, unit) => "exact".to_owned(),
-        Some(error) if error <= ROUNDING * value.abs() && prescribed => "prescribed".to_owned(),
-        Some(error) if error <= ROUNDING * value.abs() => "exact".to_owned(),
+        Some(error) if error <= SAME * value.abs() && prescribed => "prescribed".to_owned(),
+        Some(error) if error <= SAME * value.abs() => "exact".to_owned(),
         Some(error) if value != 0.0 => format!("± {}", percent(error / value.abs())),
         Some(error) => format!("± {}", quantity(error, unit)),
         None => reason(name).to_owned(),

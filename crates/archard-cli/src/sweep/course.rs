@@ -4,8 +4,7 @@
 //! number of rows on disk. A row keeps the steps at its outputs, its end, and those that the course of the wear depth takes:
 //! straight lines between the steps that are kept tell the depth in between to a share that no picture shows.
 
-/// How far straight lines are off, relative to the depth: less than the width of a line in a picture.
-const WITHIN: f64 = 1e-3;
+use crate::plot::LINE;
 
 /// Progress and wear depth of the steps of a run, and which of them its course takes.
 #[derive(Debug, Default)]
@@ -49,7 +48,7 @@ impl Course {
         let from = self.bends.last().copied().unwrap_or_default();
         let along = self.progress[step] - self.progress[from];
         let depth = self.depth[step];
-        [0.0, -WITHIN, WITHIN].map(|off| (depth * (1.0 + off) - self.depth[from]) / along)
+        [0.0, -LINE, LINE].map(|off| (depth * (1.0 + off) - self.depth[from]) / along)
     }
 
     /// The steps that a row keeps which ends with a step and has outputs where the run first reaches these places.
@@ -66,7 +65,7 @@ impl Course {
 
 #[cfg(test)]
 mod tests {
-    use super::{Course, WITHIN};
+    use super::{Course, LINE};
 
     /// A course like that of a ball on a flat, depth = sqrt s, in more and more steps.
     fn course(steps: usize) -> Course {
@@ -97,7 +96,7 @@ mod tests {
                 let share = (step - from) as f64 / (to - from) as f64;
                 let line = course.depth[from] + share * (course.depth[to] - course.depth[from]);
                 let depth = course.depth[step];
-                assert!((line - depth).abs() <= 1.001 * WITHIN * depth.max(1e-300), "{step}");
+                assert!((line - depth).abs() <= 1.001 * LINE * depth.max(1e-300), "{step}");
             }
         }
     }

@@ -17,9 +17,7 @@ use super::course::Course;
 use super::design::Row;
 use super::row::{self, Following, Outcome};
 use crate::interrupt::Requests;
-
-/// Two places are the same if they differ by less than this, relative to their size.
-const SAME: f64 = 1e-11;
+use archard::numerics::SAME;
 
 /// Rows that one run tells.
 #[derive(Debug, Clone, PartialEq)]

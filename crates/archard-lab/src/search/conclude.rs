@@ -4,14 +4,12 @@ use std::collections::HashMap;
 
 use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Error, Estimate};
-use super::{Search, Variant};
+use super::{Search, TRIED, Variant};
 use archard_case::Case;
 
 /// Points of a curve that is shown.
 const POINTS: usize = 60;
-/// The factor by which the coefficient of the other body is changed to see what that does, its name in the budget, and the
-/// elasticity above which it is remarked upon.
-const OTHER: f64 = 1.1;
+/// The name of the coefficient of the other body in the budget, and the elasticity above which it is remarked upon.
 const BOTH: &str = "coefficient of the other body";
 const COUPLED: f64 = 0.1;
 /// A coefficient so many times that of the case is remarked upon.
@@ -46,7 +44,7 @@ impl Search<'_> {
         }
         let computed = variants.len();
         if found.len() == 2 {
-            let other = Variant { other: Some(OTHER), ..Variant::default() };
+            let other = Variant { other: Some(TRIED), ..Variant::default() };
             variants.push((BOTH.to_owned(), other));
         }
         for (key, relative) in uncertain {
@@ -66,10 +64,10 @@ impl Search<'_> {
                         let changed = (other.median / found[place].median).ln().abs();
                         let own = match name == BOTH {
                             // By how much the other coefficient may be off.
-                            true => changed / OTHER.ln() * half_width(&found[1 - place]),
+                            true => changed / TRIED.ln() * half_width(&found[1 - place]),
                             false => changed,
                         };
-                        if name == BOTH && changed > COUPLED * OTHER.ln() {
+                        if name == BOTH && changed > COUPLED * TRIED.ln() {
                             remarks.push(format!(
                                 "{}: its readings depend on the coefficient of the other body too; the ratio of both is taken \
                                  to be the same in all tests (worn volumes would not ask for it)",

@@ -1,10 +1,8 @@
 //! What runs say of readings at a coefficient: one run scaled, several interpolated, or one of its own.
 
 use super::super::{Error, Expected};
-use super::{Run, Search, of_load};
+use super::{Run, Search, TRIED, of_load};
 
-/// The change of k by which the slopes of a law that is not linear are found.
-const TRIED: f64 = 1.1;
 /// Factor between the k of a series of runs. A cubic through four of them is .023 (ln 2)^4 times the fourth derivative off;
 /// where a reading goes over from one power of k to another within a factor of e, of powers a quarter apart, that is 2e-4 of it.
 const APART: f64 = 2.0;

@@ -11,13 +11,11 @@
 //! Without wear of the track it is the geometric model of the pin on disc ([`pin_on_disc`](super::pin_on_disc)); without
 //! wear of the pin the groove has its section. What stands here was derived for this program.
 
+use crate::numerics::SAME;
+
 /// Strips across half of the track, and how much the approach grows in a step.
 const STRIPS: usize = 120;
 const GROWTH: f64 = 1.03;
-/// The approach to begin with, relative to that at the end.
-const FIRST: f64 = 1e-5;
-/// Steps at most, far beyond what the growth asks for.
-const MOST_STEPS: usize = 10_000;
 
 /// Both bodies at some moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,10 +48,9 @@ pub fn worn(
     let place = |index: usize| (index as f64 + 0.5) * strip;
     let mut worn = vec![0.0; STRIPS];
     let (mut approach, mut done) = (0.0f64, 0.0);
-    let (mut steps, mut wide) = (0, 0.0);
-    let mut step = FIRST * deepest;
-    while done < load_distance && steps < MOST_STEPS {
-        steps += 1;
+    let mut wide = 0.0;
+    let mut step = SAME * deepest;
+    while done < load_distance {
         // In the middle of the step, with the groove of its beginning and a half of what it adds.
         let middle = approach + 0.5 * step;
         let share = |worn: f64, index: usize| {

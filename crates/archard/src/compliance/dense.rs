@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::Compliance;
 use super::bem::Balance;
 use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::SAME;
 use crate::numerics::large::{Large, NoMemory};
 
 /// The compliance of both bodies as one matrix on the tractions along t1, t2 and n.
@@ -27,12 +28,10 @@ pub struct Dense {
 /// Rows that go through the columns together: as many as a thread has, for memory is read in long runs then, as long
 /// as their sums stay in the nearest cache.
 const ROWS: (usize, usize) = (128, 2048);
-/// Values of the matrix that are worth a thread.
+/// Values of the matrix that are worth a thread. A choice of cost.
 const WORK: usize = 1 << 21;
 /// Columns that are added at once.
 const AT_ONCE: usize = 4;
-/// Coupling of normal and tangential directions, relative to the largest value, that is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl fmt::Debug for Dense {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -66,7 +65,7 @@ impl Dense {
         };
         let (normal_self_term, tangential_self_term) = (own(2), own(0).max(own(1)));
         let coupled = |row: usize, column: usize| {
-            columns.values()[column * 3 * pairs + row].abs() > ROUNDING * normal_self_term
+            columns.values()[column * 3 * pairs + row].abs() > SAME * normal_self_term
         };
         let couples = (0..2 * pairs).any(|row| (2 * pairs..3 * pairs).any(|n| coupled(row, n)));
         let balance = vec![];

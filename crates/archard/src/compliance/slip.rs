@@ -27,7 +27,7 @@ pub trait SlipMap: Debug + Send + Sync {
             let factor = match status {
                 PairStatus::Open => 0.0,
                 PairStatus::Stick => 1.0 / self.own(),
-                PairStatus::Slip { diagonal } => 1.0 / (diagonal + SLIPPING * self.own()),
+                PairStatus::Slip { diagonal } => 1.0 / (diagonal + self.own()),
             };
             (0..2).for_each(|axis| tractions[axis][pair] = slip[axis][pair] * factor);
         }
@@ -70,13 +70,6 @@ pub enum PairStatus {
     },
 }
 
-impl PairStatus {
-    /// Whether another pair does the same.
-    pub fn is_like(self, other: Self) -> bool {
-        std::mem::discriminant(&self) == std::mem::discriminant(&other)
-    }
-}
-
 /// [`SlipMap::precondition`] with what undoes the map of all pairs, for maps that are symmetric. It governs pairs that
 /// stick, and pairs that slip as far as their diagonal in the map, `own` (m/Pa), outweighs the one beside it.
 pub(super) fn precondition_by_share(
@@ -104,9 +97,6 @@ pub(super) fn precondition_by_share(
         }
     }
 }
-
-/// Self terms beside the diagonal of slipping pairs.
-const SLIPPING: f64 = 2.0;
 
 /// Steady rolling on any compliance.
 #[derive(Debug)]

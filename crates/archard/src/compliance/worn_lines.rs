@@ -12,9 +12,8 @@ use crate::frame::{self, Flow, Part, VectorField, extent};
 use crate::numerics::dense::Cholesky;
 use crate::numerics::vector::Values;
 
-/// Sets of touching lines tried.
-const SETS: usize = 50;
-/// Share of the load that has to move from line to line for pressures worth foreseeing.
+/// Share of the load that has to move from line to line for pressures worth foreseeing. A choice of cost: a start does not change
+/// what is found.
 const HARDLY: f64 = 0.03;
 
 /// A compliance with the wear of its lines.
@@ -163,7 +162,8 @@ impl Across<'_> {
     /// The sums (Pa) that add up to a total; `None` if they are not found.
     fn share(&self, total: f64, first: Vec<bool>) -> Option<Vec<f64>> {
         let mut touching = first;
-        for _ in 0..SETS {
+        // A set leaves or takes up a line at least.
+        for _ in 0..=self.lines.len() {
             let set: Vec<usize> = (0..self.lines.len()).filter(|&line| touching[line]).collect();
             let factors = Cholesky::new(set.len(), |i, j| self.element(set[i], set[j]))?;
             let ones = factors.solve(&vec![1.0; set.len()]);

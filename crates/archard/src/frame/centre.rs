@@ -2,15 +2,13 @@
 
 use super::Grid;
 use crate::numerics::dense::Cholesky;
+use crate::numerics::{SAME, WRITTEN};
 
-/// Pairs, mirror images included, that a parabola is fitted to at least; more where others are as near.
+/// Pairs, mirror images included, that a parabola is fitted to at least, twice as many as it has coefficients; more where others
+/// are as near.
 const FITTED: usize = 12;
-/// Distances closer than this, relative to them, are the same.
-const SAME: f64 = 1e-6;
 /// Reach of the weights of the fit relative to the farthest pair.
 const REACH: f64 = 1.4;
-/// Error of a fit for quadratics from which on it is one of rounding.
-const EXACT: f64 = 1e-9;
 
 /// Weights of the pairs that say what a field is at x = y = 0.
 #[derive(Debug, Clone, Default)]
@@ -26,7 +24,7 @@ impl Centre {
         images.sort_by(|a, b| a.distance.total_cmp(&b.distance));
         let as_near = |count: usize| {
             let last = images.get(count.min(images.len()).wrapping_sub(1));
-            let reach = last.map_or(0.0, |image| image.distance * (1.0 + SAME));
+            let reach = last.map_or(0.0, |image| image.distance * (1.0 + WRITTEN));
             images.iter().take_while(|image| image.distance <= reach).count()
         };
         let nearest = &images[..as_near(1)];
@@ -34,7 +32,7 @@ impl Centre {
         // A pair at the centre needs no fit.
         let fitted = &images[..as_near(FITTED)];
         let own = nearest.first().zip(fitted.last());
-        let own = own.is_some_and(|(near, far)| near.distance <= SAME * far.distance);
+        let own = own.is_some_and(|(near, far)| near.distance <= WRITTEN * far.distance);
         Self {
             nearest: gathered(nearest.iter().map(|image| (image.pair, share))),
             smooth: match fit(fitted) {
@@ -102,7 +100,7 @@ fn fit(images: &[Image]) -> Option<Vec<(usize, f64)>> {
     let exact = (0..unit.len()).all(|term| {
         let found: f64 =
             images.iter().zip(&weights).map(|(one, (_, weight))| weight * terms(one)[term]).sum();
-        (found - unit[term]).abs() < EXACT
+        (found - unit[term]).abs() < SAME
     });
     (exact && size < 10.0).then_some(weights)
 }

@@ -6,10 +6,8 @@ use std::sync::OnceLock;
 use super::line::{self, Line};
 use super::pairs::Pairs;
 use super::{Direction, Measure};
+use crate::numerics::WRITTEN;
 use crate::numerics::upwind::{DegenerateCloud, Derivative};
-
-/// Distance from a plane of symmetry, relative to the side of a pair, below which a pair is its own image.
-const OWN_IMAGE: f64 = 1e-6;
 
 /// The clouds of a frame by direction, made when first needed.
 #[derive(Debug, Clone, Default)]
@@ -44,7 +42,7 @@ pub(super) struct Cloud {
 impl Cloud {
     fn new(direction: Direction, pairs: &Pairs, side: f64) -> Result<Self, DegenerateCloud> {
         let across = 1 - direction.axis;
-        let off = |pair: &usize| pairs.places[*pair][across].abs() > OWN_IMAGE * side;
+        let off = |pair: &usize| pairs.places[*pair][across].abs() > WRITTEN * side;
         let images: Vec<usize> = if pairs.mirrored[across] {
             (0..pairs.places.len()).filter(off).collect()
         } else {

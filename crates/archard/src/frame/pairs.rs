@@ -1,6 +1,7 @@
 //! Pairs that are described one by one, as those of meshed bodies are.
 
 use super::{ContactFrame, Shape, centre::Centre, cloud::Clouds};
+use crate::numerics::WRITTEN;
 
 /// Pairs that may touch, in the axes of the frame, one entry a pair in each list.
 ///
@@ -82,9 +83,6 @@ pub enum PairsError {
     },
 }
 
-/// How far a basis may be from an orthonormal one.
-const ROUNDING: f64 = 1e-6;
-
 impl Pairs {
     fn check(&self) -> Result<(), PairsError> {
         let pairs = self.places.len();
@@ -143,7 +141,7 @@ fn is_basis([t1, t2, n]: &[[f64; 3]; 3]) -> bool {
         t1[j] * t2[k] - t1[k] * t2[j]
     });
     let off = [dot(t1, t1) - 1.0, dot(t2, t2) - 1.0, dot(t1, t2), dot(&cross, n) - 1.0];
-    off.iter().all(|off| off.abs() < ROUNDING)
+    off.iter().all(|off| off.abs() < WRITTEN)
 }
 
 /// Pairs with what follows from them.
@@ -188,7 +186,7 @@ impl ContactFrame {
 /// The largest pair, of equal ones that nearest to the centre.
 fn largest(pairs: &Pairs) -> usize {
     let most = pairs.areas.iter().copied().fold(0.0, f64::max);
-    let large = (0..pairs.areas.len()).filter(|&pair| pairs.areas[pair] >= (1.0 - ROUNDING) * most);
+    let large = (0..pairs.areas.len()).filter(|&pair| pairs.areas[pair] >= (1.0 - WRITTEN) * most);
     let distance = |pair: usize| pairs.places[pair][0].hypot(pairs.places[pair][1]);
     large.min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap_or_default()
 }

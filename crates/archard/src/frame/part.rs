@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::Rectangle;
 use crate::numerics::convolution::even_smooth;
 
-/// Share of the frame's elements above which a part of it is not worth while.
+/// Share of the elements above which a part of them is not worth while. A choice of cost: what is beside a part is open by a
+/// bound, whatever its size.
 const WHOLE: f64 = 0.75;
 
 /// Columns and rows of elements.
@@ -51,8 +52,13 @@ impl Part {
             let spare = size[axis] - wide[axis];
             extent[axis].start.saturating_sub(spare / 2).min(elements[axis] - size[axis])
         });
-        let share = (size[0] * size[1]) as f64 / (elements[0] * elements[1]) as f64;
-        (share < WHOLE).then_some(Self { frame: elements, first, size })
+        let part = Self { frame: elements, first, size };
+        part.is_worth(elements).then_some(part)
+    }
+
+    /// Whether it is much smaller than so many elements.
+    pub fn is_worth(&self, [nx, ny]: [usize; 2]) -> bool {
+        ((self.size[0] * self.size[1]) as f64) < WHOLE * (nx * ny) as f64
     }
 
     /// What it covers of a rectangle that the whole grid covers.

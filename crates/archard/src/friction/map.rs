@@ -4,6 +4,7 @@
 //! in both, t . s = t^ . s^, and the slip of maximum dissipation at an admissible ellipse, the image of a disc, is along
 //! the mapped traction: Coulomb's law for t^ and s^. Whatever ellipse has a symmetric A: a rotation of t^ changes nothing.
 
+use crate::numerics::SAME;
 use crate::numerics::vector::sweep;
 
 /// How far below its limit a traction is where pairs stick, relative to it.
@@ -16,9 +17,6 @@ pub struct Map {
     xy: f64,
     yy: f64,
 }
-
-/// Size of xy, relative to the mean of the diagonal, that is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl Map {
     /// No change: the admissible set is a disc already.
@@ -39,7 +37,7 @@ impl Map {
 
     /// Whether its axes are t1 and t2.
     pub fn is_aligned(self) -> bool {
-        self.xy.abs() <= ROUNDING * 0.5 * (self.xx + self.yy)
+        self.xy.abs() <= SAME * 0.5 * (self.xx + self.yy)
     }
 
     /// A v: the traction of the pair that belongs to a mapped one, the mapped slip that belongs to one of the pair.

@@ -14,7 +14,7 @@ use pulp::bytemuck::Pod;
 use super::large::{Large, NoMemory};
 use super::single::substitute;
 
-/// Unknowns below which one thread is quicker than several.
+/// Unknowns below which one thread is quicker than several. A choice of cost.
 const ALONE: usize = 1024;
 
 /// The factors of a symmetric positive definite matrix.

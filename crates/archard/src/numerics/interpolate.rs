@@ -1,5 +1,7 @@
 //! Smooth interpolation of measured points.
 
+use crate::numerics::SAME;
+
 /// Cubic interpolation through four values at four rising places, between the middle two.
 ///
 /// Hermite's cubic with the slopes of the parabolas through three neighbours: exact for parabolas
@@ -17,10 +19,6 @@ fn between(place: f64, places: [f64; 4], values: [f64; 4]) -> f64 {
     let rise = values[2] - values[1];
     values[1] + t * (a + t * (3.0 * rise - 2.0 * a - b + t * (a + b - 2.0 * rise)))
 }
-
-/// How far beyond the outermost places, relative to their distance, a place is taken for one of them: files
-/// round places, and so do sums of spacings.
-const SAME: f64 = 1e-9;
 
 /// Interpolates `value(i)`, known at the rising `places`, at `place`; not a number outside them.
 ///

@@ -13,3 +13,11 @@ pub mod single;
 pub(crate) mod triangle;
 pub mod upwind;
 pub mod vector;
+
+/// Computed numbers that differ by less, relative to their scale, are the same: half of the digits of a double, the square root of
+/// `f64::EPSILON`. Rounding takes fewer.
+pub const SAME: f64 = 1.0 / (1 << 26) as f64;
+
+/// Numbers from files that differ by less, relative to their scale, are the same: files carry seven digits, as single precision
+/// does, and the last one is rounded.
+pub const WRITTEN: f64 = 1e-6;

@@ -1,5 +1,7 @@
 //! Functions given by points, straight between them and held beyond the first and the last.
 
+use crate::numerics::SAME;
+
 /// Points at rising places.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Piecewise {
@@ -31,9 +33,6 @@ pub enum NoFunction {
         value: f64,
     },
 }
-
-/// How much a product may fall, relative to its values, that is rounding.
-const ROUNDING: f64 = 1e-12;
 
 impl Piecewise {
     /// The function through values at rising places, none of them negative.
@@ -98,7 +97,7 @@ impl Piecewise {
     pub fn falling_product(&self) -> Option<f64> {
         let falls = |&left: &usize| {
             let end = self.places[left + 1];
-            self.values[left + 1] + self.slope_of(left) * end < -ROUNDING * self.values[left]
+            self.values[left + 1] + self.slope_of(left) * end < -SAME * self.values[left]
         };
         (0..self.places.len() - 1).find(falls).map(|left| self.places[left + 1])
     }

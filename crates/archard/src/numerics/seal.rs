@@ -1,8 +1,5 @@
 //! Bytes that end with a hash of themselves (BLAKE3), so that damage shows.
 
-/// Bytes of a hash.
-const HASH: usize = blake3::OUT_LEN;
-
 /// Adds the hash of all bytes behind them.
 pub fn seal(bytes: &mut Vec<u8>) {
     let hash = blake3::hash(bytes);
@@ -11,7 +8,7 @@ pub fn seal(bytes: &mut Vec<u8>) {
 
 /// The bytes before the hash; `None` where it is not theirs.
 pub fn unseal(bytes: &[u8]) -> Option<&[u8]> {
-    let (content, hash) = bytes.split_last_chunk::<HASH>()?;
+    let (content, hash) = bytes.split_last_chunk::<{ blake3::OUT_LEN }>()?;
     (blake3::hash(content) == *hash).then_some(content)
 }
 

@@ -1,6 +1,7 @@
 //! Substitution in single precision, for a vector at a time: several columns of the factors at once, each of which
 //! is read once.
 
+use super::vector::LANES;
 use faer::MatRef;
 use pulp::{Arch, Simd, WithSimd};
 
@@ -17,16 +18,13 @@ pub fn lanes() -> usize {
     Arch::new().dispatch(Lanes)
 }
 
-/// Columns that are taken off at once.
-const AT_ONCE: usize = 8;
-
 /// Replaces an image by the vector that a matrix makes it of. The factors of the matrix stand in one place: a lower
 /// triangle with ones on its diagonal, left out, and an upper one.
 pub(super) fn substitute(factors: MatRef<'_, f32>, image: &mut [f32]) {
     let arch = Arch::new();
     let size = image.len();
-    for start in (0..size).step_by(AT_ONCE) {
-        let end = (start + AT_ONCE).min(size);
+    for start in (0..size).step_by(LANES) {
+        let end = (start + LANES).min(size);
         for column in start..end {
             let values = &column_of(factors, column)[column + 1..end];
             let (head, tail) = image.split_at_mut(column + 1);
@@ -35,8 +33,8 @@ pub(super) fn substitute(factors: MatRef<'_, f32>, image: &mut [f32]) {
         let (known, rest) = image.split_at_mut(end);
         take_off_all(arch, factors, start, end, &known[start..], rest);
     }
-    for start in (0..size).step_by(AT_ONCE).rev() {
-        let end = (start + AT_ONCE).min(size);
+    for start in (0..size).step_by(LANES).rev() {
+        let end = (start + LANES).min(size);
         for column in (start..end).rev() {
             let values = column_of(factors, column);
             image[column] /= values[column];
@@ -68,7 +66,7 @@ fn take_off_all(
 ) {
     let length = rest.len();
     let column = |index: usize| &column_of(factors, start + index)[row..row + length];
-    match <[f32; AT_ONCE]>::try_from(known) {
+    match <[f32; LANES]>::try_from(known) {
         Ok(known) => {
             let columns = std::array::from_fn(column);
             arch.dispatch(Columns { columns, known, rest });
@@ -84,8 +82,8 @@ fn take_off_all(
 
 /// Takes multiples of columns off.
 struct Columns<'a> {
-    columns: [&'a [f32]; AT_ONCE],
-    known: [f32; AT_ONCE],
+    columns: [&'a [f32]; LANES],
+    known: [f32; LANES],
     rest: &'a mut [f32],
 }
 

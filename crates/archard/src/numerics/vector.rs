@@ -5,10 +5,10 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-/// Elements of a block, handled by one thread.
+/// Elements of a block, handled by one thread: 128 KiB. A choice of cost.
 const BLOCK: usize = 16_384;
-/// Number of elements handled side by side.
-const LANES: usize = 8;
+/// Elements handled side by side: doubles of a line of the cache, and of the widest vectors of processors.
+pub(crate) const LANES: usize = 8;
 /// Elements handled side by side.
 type Group = [f64; LANES];
 

@@ -34,12 +34,9 @@ pub(crate) const GROWS: f64 = 0.8;
 /// Steepness of the wear, cot(pi n), up to which an edge counts as smooth: n is within 0.016 of a half. Chosen: with 0.02 or 0.1
 /// areas of a worn pin change by less than half of their error.
 const SMOOTH: f64 = 0.05;
-/// Pairs across a contact, at least, whose edges are told from each other: two of them say where an edge lies.
-const FEWEST: usize = 4;
-/// Open pairs next to the contact whose gaps say where its edge lies.
-const OPEN_PAIRS: usize = 2;
-/// Pairs to each side over which the direction of the edge is averaged, by the weights of a Gaussian with a variance of two.
-const AROUND: i64 = 2;
+/// Pairs on either side of an edge that say where it lies, and over which its direction is averaged, by the weights of a Gaussian
+/// with a variance of as many.
+const REACH: usize = 2;
 
 impl ContactState {
     /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than four
@@ -52,13 +49,13 @@ impl ContactState {
             return frame.area_where(touches);
         }
         let Some(contact) = extent(frame.elements(), touches) else { return 0.0 };
-        let few = |axis: usize| frame.elements()[axis] > 1 && contact[axis].len() < FEWEST;
+        let few = |axis: usize| frame.elements()[axis] > 1 && contact[axis].len() < 2 * REACH;
         if few(0) || few(1) {
             return frame.area_where(touches);
         }
         let around = [0, 1].map(|axis| {
             let Range { start, end } = contact[axis];
-            start.saturating_sub(OPEN_PAIRS)..(end + OPEN_PAIRS).min(frame.elements()[axis])
+            start.saturating_sub(REACH)..(end + REACH).min(frame.elements()[axis])
         });
         let known = self.gap.part.is_none_or(|part| part.holds(&around));
         let gap = if known { Cow::Borrowed(&self.gap.values[..]) } else { self.gap_of(problem) };
@@ -128,13 +125,14 @@ impl Edge<'_> {
         let spacing = self.frame.spacing();
         let middle = [pair % elements[0], pair / elements[0]].map(|index| index as i64);
         let mut normal = [0.0; 2];
-        for y in -AROUND..=AROUND {
-            for x in -AROUND..=AROUND {
+        let reach = REACH as i64;
+        for y in -reach..=reach {
+            for x in -reach..=reach {
                 let at = [0, 1].map(|axis| {
                     (middle[axis] + [x, y][axis]).clamp(0, elements[axis] as i64 - 1) as usize
                 });
                 if self.state.pressure[at[0] + elements[0] * at[1]] > 0.0 {
-                    let weight = (-0.25 * (x * x + y * y) as f64).exp();
+                    let weight = (-0.5 * (x * x + y * y) as f64 / REACH as f64).exp();
                     normal[0] += weight * x as f64 / spacing[0];
                     normal[1] += weight * y as f64 / spacing[1];
                 }

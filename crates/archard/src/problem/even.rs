@@ -2,9 +2,7 @@
 
 use super::ContactProblem;
 use crate::frame::Rectangle;
-
-/// Difference of gaps along an axis, relative to the largest, that is rounding.
-const EVEN: f64 = 1e-9;
+use crate::numerics::SAME;
 
 impl ContactProblem {
     /// Whether the profiles do not change along an axis: an infinitely long line contact is cut off anywhere.
@@ -23,7 +21,7 @@ impl ContactProblem {
         [-0.4, -0.1, 0.0, 0.2, 0.45].into_iter().all(|across| {
             let [low, middle, high] = [-reach, 0.0, reach].map(|along| gap(along, across));
             let (Some(low), Some(middle), Some(high)) = (low, middle, high) else { return false };
-            let scale = size[axis].max(low.abs()).max(high.abs()) * EVEN;
+            let scale = size[axis].max(low.abs()).max(high.abs()) * SAME;
             (low - middle).abs() <= scale && (high - middle).abs() <= scale
         })
     }

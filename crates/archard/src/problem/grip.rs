@@ -8,12 +8,8 @@ use super::{ContactProblem, ContactState, Flash, Heating};
 use crate::frame::Flow;
 use crate::friction::{Circumstance, Circumstances, Friction, Grip};
 use crate::motion::Rolling;
+use crate::numerics::SAME;
 use crate::wear::Input;
-
-/// Change of the grip below which heat and friction agree.
-const SETTLED: f64 = 1e-9;
-/// Turns between them.
-const TURNS: usize = 200;
 
 impl ContactProblem {
     /// Whether the law of friction goes by that.
@@ -55,15 +51,20 @@ impl ContactProblem {
         if !law.inputs().contains(&Circumstance::Temperature) {
             return Ok(grip);
         }
-        for _ in 0..TURNS {
+        let mut before = f64::INFINITY;
+        loop {
             let next = under(self.flash_with(state, &grip));
             let apart = next.apart(&grip);
             grip = next;
-            if apart <= SETTLED {
+            if apart <= SAME {
                 return Ok(grip);
             }
+            // Turns that settle change less and less.
+            if apart.is_nan() || apart >= before {
+                return Err(grip);
+            }
+            before = apart;
         }
-        Err(grip)
     }
 
     /// The grip of bodies that roll, by what a state shows so far; `rigid` is the slip (m) before any traction in a passage of

@@ -22,12 +22,12 @@ use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::{Motion, Rolling};
+use crate::numerics::WRITTEN;
 use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
 
 /// The slip (m) with which laws of wear are tried, and the rounding of what they give.
 const PROBE: f64 = 1e-6;
-const SAME: f64 = 1e-6;
 /// The share of a pressure under which they are tried besides.
 const HALF: f64 = 0.5;
 
@@ -76,7 +76,7 @@ impl ContactProblem {
         let mut laws = self.bodies.iter().filter_map(|body| body.wear.as_deref());
         let straight = |law: &dyn WearLaw| {
             let [half, whole] = under(law, rubbing, pressure, HALF);
-            (whole - 2.0 * half).abs() <= SAME * whole
+            (whole - 2.0 * half).abs() <= WRITTEN * whole
         };
         !self.remembers() && !self.goes_by_temperature() && laws.all(straight)
     }

@@ -1,6 +1,6 @@
 //! Fields carried between elements and those of twice the size.
 
-/// Fewest elements along an axis that are worth coarser ones.
+/// Fewest elements along an axis that are worth coarser ones. A choice of cost: a start does not change what is found.
 pub(in crate::solve) const FEWEST: usize = 12;
 
 /// Elements and those of twice the size, the first of which begin together.

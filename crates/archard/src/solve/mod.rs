@@ -126,6 +126,10 @@ pub trait Solver: Debug + Send + Sync {
 /// The solvers a case can name; the first is the default.
 pub const SOLVERS: &[Choice<Box<dyn Solver>>] = &[conjugate_gradient::CHOICE, uzawa::CHOICE];
 
+/// Relaxation of projections that converge below 2, the faster the closer to it (B. He and L.-Z. Liao, *J. Optim. Theory Appl.* 112
+/// (2002) 111, take as much).
+const RELAXATION: f64 = 1.8;
+
 /// Bound on the residual where a case gives none.
 const TOLERANCE: f64 = 1e-8;
 

@@ -15,12 +15,9 @@ use crate::frame::{Extent, Measure, Part, Values, extent};
 use crate::motion::Control;
 use crate::numerics::vector::map;
 
-/// Elements of a part on each side of those that may touch, relative to their number: the contact has room to grow.
+/// Elements of a part on each side of those that may touch, relative to their number: the contact has room to grow. A choice of
+/// cost: what is beside a part is open by a bound, whatever its size.
 const ROOM: f64 = 1.0 / 16.0;
-/// How many times larger than the contact the part of an earlier solve may be to serve again.
-const AMPLE: usize = 3;
-/// Parts tried before the frame.
-const PARTS: usize = 4;
 
 /// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
 /// has none. The status is that of a full frame where the contact outgrows all parts.
@@ -44,8 +41,7 @@ pub(super) fn solve(
     let known = start.filter(|start| start.part.is_none_or(|known| known.holds(&part.extent())));
     let known = known.map(|start| part.cut(start.displacement));
     let mut outcome = solve_on(&part, solver, step, (&part.cut(&begun.0), known, begun.1))?;
-    for _ in 1..PARTS {
-        let (Status::Converged, Some(part)) = (outcome.status, outcome.part) else { break };
+    while let (Status::Converged, Some(part)) = (outcome.status, outcome.part) {
         let reach = reach(step, (&outcome.pressure, outcome.approach), part.extent());
         if part.holds(&reach) {
             return Some(beside(outcome, step, start));
@@ -72,11 +68,8 @@ fn choose(
     before: Option<Part>,
 ) -> Option<Part> {
     let pressed = extent(step.elements, |pair| pressure[pair] > 0.0)?;
-    Part::around(step.elements, &pressed, room(&pressed))?;
-    let elements = |extent: &Extent| extent[0].len() * extent[1].len();
-    let fits = |part: &Part| {
-        part.holds(&pressed) && elements(&part.extent()) <= AMPLE * elements(&pressed)
-    };
+    let least = Part::around(step.elements, &pressed, room(&pressed))?;
+    let fits = |part: &Part| part.holds(&pressed) && !least.is_worth(part.size());
     before.filter(fits).or_else(|| {
         let reach = reach(step, (pressure, approach), pressed);
         Part::around(step.elements, &reach, room(&reach))

@@ -4,10 +4,8 @@ use std::f64::consts::PI;
 
 use super::Step;
 use crate::motion::Control;
+use crate::numerics::SAME;
 use crate::numerics::vector::{map, sum_with};
-
-/// Halvings of the interval that holds the depth at the edge of the contact: 1e-9 of the frame's.
-const HALVINGS: usize = 30;
 
 /// Hertz's relations between the depth at the edge of the contact, the contact area and the load or
 /// approach, carried over to any shape: pressure (Pa) falls with the root of the distance below the
@@ -36,7 +34,7 @@ pub(super) fn first_guess(step: &Step<'_>) -> (Vec<f64>, f64) {
             let mut inside = 0.0;
             let weighed = |(pair, gap): (usize, &f64)| [gap - lowest, step.measure.weight.at(pair)];
             let mut open: Vec<[f64; 2]> = step.gap.iter().enumerate().map(weighed).collect();
-            for _ in 0..HALVINGS {
+            while high - low > SAME * (highest - lowest) {
                 let middle = 0.5 * (low + high);
                 let closed = open.iter().filter(|[gap, _]| *gap <= middle);
                 let all = inside + closed.map(|[_, weight]| weight).sum::<f64>();

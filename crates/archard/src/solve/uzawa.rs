@@ -6,7 +6,7 @@
 
 use super::residual::Measure;
 use super::start::first_guess;
-use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
+use super::{Outcome, PARAMETERS, RELAXATION, Settings, Solver, Start, Status, Step, TOLERANCE};
 use crate::motion::Control;
 use crate::numerics::vector;
 use crate::parameters::Choice;
@@ -17,9 +17,6 @@ pub(super) const CHOICE: Choice<Box<dyn Solver>> = Choice {
     parameters: PARAMETERS,
     build: |values| Ok(Box::new(Uzawa::new(Settings::read(values, Uzawa::default().settings)?))),
 };
-
-/// Penalty times the bound on the largest eigenvalue: a little below the limit of 2.
-const PENALTY: f64 = 1.8;
 
 /// The paper's Uzawa iteration, by default to 1e-8 in a million iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,18 +72,18 @@ struct Iteration<'a> {
 
 impl<'a> Iteration<'a> {
     fn new(step: &'a Step<'a>, pressure: Vec<f64>, settings: Settings) -> Self {
-        let (bound, applications) = largest_eigenvalue(step);
+        let bound = largest_eigenvalue(step);
         let zeros = vec![0.0; pressure.len()];
         let (displacement, gap) = (zeros.clone(), zeros);
         Self {
             step,
             settings,
-            penalty: PENALTY / bound,
+            penalty: RELAXATION / bound,
             pressure,
             displacement,
             gap,
             count: 0,
-            applications,
+            applications: 1,
         }
     }
 
@@ -162,26 +159,10 @@ impl<'a> Iteration<'a> {
     }
 }
 
-/// An upper bound on the largest eigenvalue of the step's operator (m/Pa) and the applications it
-/// took.
-///
-/// Collatz and Wielandt: for a matrix without negative elements and any positive vector, the largest
-/// ratio of image to vector is an upper bound. A few applications sharpen it.
-fn largest_eigenvalue(step: &Step<'_>) -> (f64, usize) {
-    const APPLICATIONS: usize = 8;
-    let mut values = vec![1.0; step.gap.len()];
-    let mut image = vec![0.0; step.gap.len()];
-    let mut bound = f64::INFINITY;
-    for _ in 0..APPLICATIONS {
-        step.compliance.apply_normal(&values, &mut image);
-        vector::update(&mut image, [step.addition, &values], |image, [addition, value]| {
-            image + addition * value
-        });
-        let ratio =
-            image.iter().zip(&values).map(|(image, value)| image / value).fold(0.0, f64::max);
-        bound = bound.min(ratio);
-        let scale = image.iter().copied().fold(0.0, f64::max);
-        values.iter_mut().zip(&image).for_each(|(value, image)| *value = image / scale);
-    }
-    (bound, APPLICATIONS)
+/// An upper bound on the largest eigenvalue of the step's operator (m/Pa): the largest sum of a row, since no element is negative.
+fn largest_eigenvalue(step: &Step<'_>) -> f64 {
+    let mut rows = vec![0.0; step.gap.len()];
+    step.compliance.apply_normal(&vec![1.0; rows.len()], &mut rows);
+    vector::update(&mut rows, [step.addition], |row, [addition]| row + addition);
+    rows.into_iter().fold(0.0, f64::max)
 }

@@ -46,8 +46,6 @@ const HARDNESS: Parameter =
 
 /// Half of the width of an edge, over its place.
 const EDGE: f64 = 0.01;
-/// The least ratio of two edges, so that they do not run into each other.
-const APART: f64 = 1.05;
 
 /// depth = k(p / H, v) p s / H.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +87,7 @@ impl Map {
     ///
     /// # Errors
     /// If the hardness is not greater than zero, a number of a region is negative or not finite, the regions begin beyond
-    /// zero, fill no grid or lie closer than 5 %, or a coefficient falls with the pressure.
+    /// zero, fill no grid or lie closer than 2 %, or a coefficient falls with the pressure.
     pub fn new(hardness: f64, regions: &[[f64; 3]]) -> Result<Self, Invalid> {
         let hardness = HARDNESS.admit(hardness)?;
         if let Some(number) = regions.iter().flatten().find(|one| !one.is_finite() || **one < 0.0) {
@@ -100,7 +98,8 @@ impl Map {
             if edges.first() != Some(&0.0) {
                 return Err(wrong(format!("the lowest `{name}` must be zero")));
             }
-            let close = |pair: &&[f64]| pair[1] < APART * pair[0];
+            // Edges do not run into each other.
+            let close = |pair: &&[f64]| (1.0 - EDGE) * pair[1] < (1.0 + EDGE) * pair[0];
             if let Some(pair) = edges.windows(2).find(close) {
                 let message = format!("of `{name}`, {:e} and {:e} are too close", pair[0], pair[1]);
                 return Err(wrong(message));

@@ -6,6 +6,7 @@
 
 use super::rubbing::NUMBERS;
 use super::{Columns, Input, Per, Rubbing, WearLaw};
+use crate::numerics::{SAME, WRITTEN};
 use crate::parameters::Invalid;
 
 /// Slips (m), and those that are halved.
@@ -22,10 +23,6 @@ const DEPTHS: [f64; 3] = [0.0, 1e-6, 1e-4];
 const ROLLED: [f64; 2] = [1e-3, 1.0];
 /// Shares by which directions of slip cross each other.
 const CROSSING: [f64; 3] = [0.0, 0.1, 0.5];
-
-/// Rounding that a depth may fall by, and what two halves may differ by from the whole, relative.
-const ROUNDING: f64 = 1e-9;
-const HALVES: f64 = 1e-6;
 
 /// Zero and 1, 2, 5 of each decade from 1 Pa to 10 GPa.
 fn pressures() -> Vec<f64> {
@@ -121,7 +118,7 @@ fn grows_with_pressure(
             let help = "write `p*max(p, p1)^(n - 1)` for `p^n`: it is a straight line below p1";
             return Err(refused(message).help(help));
         }
-        if depth < least * (1.0 - ROUNDING) || slope * point.pressure < -ROUNDING * depth {
+        if depth < least * (1.0 - SAME) || slope * point.pressure < -SAME * depth {
             let before = &points[at.saturating_sub(1)];
             let less = if depth < least {
                 format!(", less than {} m at p = {} Pa", digits(least), digits(before.pressure))
@@ -156,7 +153,7 @@ fn adds_up(law: &dyn WearLaw, all: &[Rubbing]) -> Result<(), Invalid> {
                 [(&mut in_turn, second_depths[at]), (&mut at_start, first_depths[at])]
             {
                 let halves = first_depths[at] + next;
-                if (halves - depths[at]).abs() > HALVES * depths[at].max(halves) && kept.is_ok() {
+                if (halves - depths[at]).abs() > WRITTEN * depths[at].max(halves) && kept.is_ok() {
                     *kept = Err((*point, depths[at], halves));
                 }
             }

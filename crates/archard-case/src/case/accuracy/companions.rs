@@ -3,13 +3,14 @@
 use std::error::Error as StdError;
 use std::f64::consts::SQRT_2;
 
+use super::UNWORN;
 use super::regularity::{has_tip, order, regularity};
-use super::{MOST, UNWORN};
 use crate::case::check::{Parts, check};
-use crate::case::definition::{BuildError, Case};
+use crate::case::definition::{BuildError, Case, MOST};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
 use crate::output::Store;
+use archard::numerics::SAME;
 use archard::simulation::history::{self, Row};
 use archard::simulation::{Companion, Companions, Error, Observer, Report, Simulation};
 
@@ -22,15 +23,11 @@ const OF_LINES: [(f64, [bool; 2]); 3] =
     [(2.0, [true, false]), (2.0 * SQRT_2, [false; 2]), (2.0 * SQRT_2, [true, false])];
 /// One more where a run shows one state only, so that nothing before or after it tells what agrees by chance.
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
-/// Times a grid is made finer.
-const ROUNDS: usize = 12;
 /// How much finer a grid becomes beside what the estimate asks for, and at most.
 const MARGIN: f64 = 1.15;
 const FINER: [f64; 2] = [1.1, 2.0];
 /// How much finer than the first grid one is whose error tells, with that of the first, what finer ones can reach.
 const TOLD: f64 = 2.0;
-/// Sizes agree to this, relative.
-const ROUNDING: f64 = 1e-9;
 
 /// What follows the runs of companions.
 pub trait Following {
@@ -151,7 +148,7 @@ impl Resolved {
         let mut first: Option<[f64; 2]> = None;
         let mut reached: Option<(Self, Companions)> = None;
         let mut too_coarse = None;
-        for _ in 0..ROUNDS {
+        loop {
             if reached.is_some() && !following.goes_on() {
                 break;
             }
@@ -184,7 +181,7 @@ impl Resolved {
                 let observed = (off / error).ln() / (fineness / coarse).ln();
                 let needed = (error / accuracy).powf(1.0 / observed.max(0.0));
                 let elements = self.case.frame.elements.map(|n| needed * n as f64);
-                if fineness >= TOLD * coarse && elements.iter().any(|&n| n > MOST) {
+                if fineness >= TOLD * coarse && elements.iter().any(|&n| n > MOST as f64) {
                     break;
                 }
             }
@@ -222,7 +219,7 @@ impl Resolved {
         following: &mut dyn Following,
     ) -> Result<Judged, Unsettled> {
         let across = self.across();
-        if across < UNWORN * (1.0 - ROUNDING) {
+        if across < UNWORN * (1.0 - SAME) {
             return Err(Unsettled::Wrong(format!(
                 "{across:.1} elements across the first contact are too few to estimate their error: {UNWORN} at least"
             )));

@@ -1,9 +1,9 @@
 //! The grids that are tried for an accuracy: coarser ones and finer ones.
 
 use super::companions::Unsettled;
-use super::{MOST, counted, increments, locate};
+use super::{counted, increments, locate};
 use crate::case::check::Parts;
-use crate::case::definition::{Case, Output};
+use crate::case::definition::{Case, MOST, Output};
 use crate::case::file::Resolved;
 use archard::parameters::Value;
 
@@ -50,7 +50,7 @@ impl Resolved {
         if self.chose.elements {
             let refined = |n: usize| if n == 1 { 1 } else { counted(finer * n as f64, n) };
             let refined = self.case.frame.elements.map(refined);
-            if refined.iter().any(|&n| n as f64 > MOST) {
+            if refined.iter().any(|&n| n > MOST) {
                 return Ok(false);
             }
             self.case.frame.elements = refined;

@@ -5,17 +5,17 @@ use crate::case::check::Parts;
 use crate::case::definition::{Case, FrameCase};
 use archard::frame::{Rectangle, extent};
 use archard::motion::Control;
+use archard::numerics::SAME;
 use archard::solve::{self, ConjugateGradient, Status, Step};
 
-/// Elements of the window along an axis, and those of a line of contact.
+/// Elements of the window along an axis, and those of a line of contact. A choice of cost, as the others are: the frame that
+/// follows from a window grows with the contact, and its error is estimated on coarser ones.
 const WINDOW: usize = 64;
 const OF_A_LINE: usize = 512;
 /// Share of the window that the contact fills at least.
 const FILLED: f64 = 0.25;
 /// Size of the next window beside the contact in this one.
 const AROUND: f64 = 1.6;
-/// What is nothing beside the size of a rectangle.
-const ROUND: f64 = 1e-9;
 /// Windows, at most.
 const WINDOWS: usize = 40;
 /// Size of the first window where surfaces have no end, beside the root of load over modulus and beside the approach.
@@ -48,7 +48,7 @@ pub(super) fn within(rectangle: Rectangle, known: Known) -> Rectangle {
     });
     let centre = |[low, high]: [f64; 2]| {
         let centre = 0.5 * (low + high);
-        if centre.abs() > ROUND * (high - low) { centre } else { 0.0 }
+        if centre.abs() > SAME * (high - low) { centre } else { 0.0 }
     };
     Rectangle { centre: ends.map(centre), size: ends.map(|[low, high]| high - low) }
 }

@@ -14,7 +14,7 @@ mod wider;
 pub use companions::{Following, Unsettled};
 
 use super::check::Parts;
-use super::definition::{Case, FrameCase};
+use super::definition::{Case, FrameCase, MOST};
 use super::file::Resolved;
 use super::key::Key;
 use super::problem::Problem;
@@ -34,8 +34,6 @@ const BESIDE: f64 = 1.15;
 const OPEN: f64 = 4.0;
 /// Elements across the unworn contact, at least: of those of the coarsest companion more than three are left.
 const UNWORN: f64 = 10.0;
-/// Elements along an axis, at most.
-const MOST: f64 = 4096.0;
 
 /// What of a case was chosen for its accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -243,8 +241,8 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     let chosen = wider.unwrap_or(one);
     for axis in 0..axes {
         let elements = chosen.frame.elements[axis] as f64;
-        if elements > MOST {
-            let allows = accuracy * (elements / MOST).powf(order(&parts));
+        if elements > MOST as f64 {
+            let allows = accuracy * (elements / MOST as f64).powf(order(&parts));
             let message = format!(
                 "{accuracy} would take {elements} elements along {}, and {MOST} are the most: they allow about {allows:.1e}",
                 ["x", "y"][axis]

@@ -5,14 +5,11 @@ use crate::case::check::Parts;
 use crate::case::definition::FrameCase;
 use archard::estimate::Estimator;
 use archard::frame::Rectangle;
+use archard::numerics::SAME;
 use archard::simulation::can_widen;
 
-/// How many times fewer elements make it worth while.
+/// How many times fewer elements make it worth while. A choice of cost.
 const WORTH: f64 = 4.0;
-/// Halvings of the way on which a place is looked for.
-const HALVINGS: usize = 60;
-/// The first place that is looked at, relative to the whole way.
-const NEAREST: f64 = 1e-12;
 
 /// The frame about the same centre that begins with elements of a size (m) and keeps so many across the contact, as long
 /// as closed forms tell how far that reaches; `None` where one frame does.
@@ -70,8 +67,8 @@ pub(super) fn widening(
 
 /// The first place of a way from which on something holds, which holds at its end.
 fn first_place(extent: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    let (mut low, mut high) = ((NEAREST * extent).ln(), extent.ln());
-    for _ in 0..HALVINGS {
+    let (mut low, mut high) = ((f64::EPSILON * extent).ln(), extent.ln());
+    while high - low > SAME {
         let middle = 0.5 * (low + high);
         if holds(middle.exp()) { high = middle } else { low = middle }
     }

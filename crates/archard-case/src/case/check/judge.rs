@@ -21,9 +21,10 @@ const FEW_CELLS: f64 = 8.0;
 /// Contact solves beyond which a run is worth a warning.
 const MANY_SOLVES: u64 = 1_000_000;
 /// Size of a comfortable frame in contact radii: the elastic fields need some room around.
-const ROOM: f64 = 2.4;
-/// Smallest eigenvalue of the half-space compliance on square cells, in h/E* (measured; twice it
-/// bounds the explicit step).
+pub(super) const ROOM: f64 = 2.4;
+/// Smallest eigenvalue of the half-space compliance on square cells, in h/E*; twice it bounds the explicit step. Pressures that
+/// alternate from cell to cell displace their centres by it: 32/pi^3 times the sum of (-1)^(m+n)/(i j hypot(i, j)) over all m and
+/// n from zero on, with i = 2 m + 1 and j = 2 n + 1.
 const SMALLEST_EIGENVALUE: f64 = 0.5807;
 
 /// All that is wrong or doubtful.

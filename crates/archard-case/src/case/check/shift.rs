@@ -1,7 +1,7 @@
 //! What is doubtful about bodies that are pressed and shifted step by step, in words.
 
 use super::forecast::Forecast;
-use super::judge::{stable, wear_slope};
+use super::judge::{ROOM, stable, wear_slope};
 use super::surfaces::FAR;
 use super::words::{length, size_list_up, three};
 use super::{Parts, Solves};
@@ -11,9 +11,6 @@ use crate::case::problem::Problem;
 use archard::body::Elasticity;
 use archard::estimate::Contact;
 use archard::motion::{Control, Guide, Shift, Station, Stepping};
-
-/// Size of a comfortable frame in radii of a scar.
-const ROOM: f64 = 2.2;
 
 /// All that is wrong or doubtful about pressing and shifting.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::Parts;
 use super::words::three;
-use crate::case::definition::Case;
+use crate::case::definition::{Case, MOST};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::parameters::Value;
@@ -50,7 +50,6 @@ impl fmt::Display for Surfaces {
 
 /// A surface that swings so far that its elements are more than a machine holds.
 pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
-    const MOST: f64 = 4096.0 * 4096.0;
     let amplitude = parts.motion.swing()?;
     let axis = usize::from(parts.motion.slides([0.0; 2])[1] != 0.0);
     let frame = &parts.case.frame;
@@ -58,8 +57,8 @@ pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
     let elements = along * frame.elements[1 - axis] as f64;
     let motion = parts.case.motion.choice.name;
     let name = if motion == "fretting" { "amplitude" } else { "stroke" };
-    (elements > MOST).then(|| {
-        let message = format!("the surface that swings would take {elements:.1e} elements of the frame's size: {MOST:.1e} are the most");
+    (elements > (MOST * MOST) as f64).then(|| {
+        let message = format!("the surface that swings would take {elements:.1e} elements of the frame's size: {:.1e} are the most", (MOST * MOST) as f64);
         Problem::error(Key::of(["motion", motion, name]), message)
     })
 }

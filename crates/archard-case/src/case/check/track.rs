@@ -5,9 +5,7 @@ use super::{Forecast, Parts};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::motion::Track;
-
-/// Difference of heights along a track, relative to the largest on the frame, that is rounding.
-const EVEN: f64 = 1e-9;
+use archard::numerics::SAME;
 
 /// What is wrong or doubtful about a track, or about none.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
@@ -71,7 +69,7 @@ fn uneven(parts: &Parts<'_>, track: &Track, axis: usize) -> Option<Problem> {
     let most = all.fold(0.0, f64::max);
     let even = shares.iter().all(|&across| {
         let first = height(0.0, across);
-        shares.iter().all(|&along| (height(along, across) - first).abs() <= EVEN * most)
+        shares.iter().all(|&along| (height(along, across) - first).abs() <= SAME * most)
     });
     (!even).then(|| {
         let message = format!(

@@ -1,7 +1,7 @@
 //! The frame of a case.
 
-use crate::case::check::footprint::BYTES_A_PAIR;
-use crate::case::definition::{BodyCase, FrameCase};
+use crate::case::check::footprint;
+use crate::case::definition::{BodyCase, FrameCase, MOST};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
 use crate::case::reader::{Line, Reader, Section};
@@ -273,16 +273,16 @@ impl Reader<'_> {
 
     /// Whether a machine can hold that many elements.
     fn not_too_many(&mut self, section: &Section<'_>, elements: [usize; 2]) -> bool {
-        const MOST: f64 = 4096.0 * 4096.0;
+        let most = (MOST * MOST) as f64;
         let number = elements[0] as f64 * elements[1] as f64;
-        if number > MOST {
+        if number > most {
             let message = format!(
-                "{number:.1e} elements would take about {:.0} GB: 4096 by 4096 is the most",
-                number * BYTES_A_PAIR * 1e-9
+                "{number:.1e} elements would take about {:.0} GB: {MOST} by {MOST} is the most",
+                footprint::of_pairs(number) * 1e-9
             );
             self.push(Problem::error(section.key.child("elements"), message));
         }
-        number <= MOST
+        number <= most
     }
 
     /// Two values in a list, along x and y.

@@ -18,6 +18,7 @@ pub use scar::{Scar, Unworn};
 use super::heading::Heading;
 use super::plane::Height;
 use super::{Error, Table};
+use archard::numerics::WRITTEN;
 use archard::units::Measure;
 
 /// A measured surface, on the places of a grid.
@@ -74,8 +75,6 @@ pub enum NoSurface {
 
 /// The columns of surfaces.
 const COLUMNS: [&str; 3] = ["x", "y", "z"];
-/// Places closer than this, relative to the extent, are one.
-const SAME: f64 = 1e-6;
 /// The least share of a grid that has readings.
 const FILLED: f64 = 0.5;
 
@@ -176,7 +175,7 @@ impl Surface {
 fn distinct(mut places: Vec<f64>) -> Vec<f64> {
     places.sort_by(f64::total_cmp);
     let extent = places.last().zip(places.first()).map_or(0.0, |(last, first)| last - first);
-    places.dedup_by(|next, last| *next - *last <= SAME * extent);
+    places.dedup_by(|next, last| *next - *last <= WRITTEN * extent);
     places
 }
 

@@ -1,9 +1,9 @@
 //! How far the roughness of a surface repeats itself from one reading to the next.
 
+use archard::numerics::SAME;
+
 /// Agreement below which two readings have nothing to do with each other.
 const NONE: f64 = 0.05;
-/// Difference of heights, relative to their range, that is rounding of the computer.
-const ROUNDING: f64 = 1e-9;
 
 /// In how many readings there is one that is independent: of values on a grid with so many columns, those that are not
 /// numbers left out. The variance of their mean is so many times that of independent ones.
@@ -22,7 +22,7 @@ pub(super) fn step(heights: &[f64]) -> f64 {
     known.sort_by(f64::total_cmp);
     let range = known.last().zip(known.first()).map_or(0.0, |(high, low)| high - low);
     let steps = known.windows(2).map(|pair| pair[1] - pair[0]);
-    let least = steps.filter(|step| *step > ROUNDING * range).fold(f64::INFINITY, f64::min);
+    let least = steps.filter(|step| *step > SAME * range).fold(f64::INFINITY, f64::min);
     if least.is_finite() { least } else { 0.0 }
 }
 

@@ -1,9 +1,8 @@
 //! The piece of a surface that is worn: what lies below the level by more than chance, and has lost most.
 
 use super::Surface;
+use crate::measured::plane::BEYOND_CHANCE;
 
-/// Deviations beyond which smoothed depths are worn.
-const WORN: f64 = 3.0;
 /// Parts of the extent that depths are averaged over.
 const PARTS: usize = 50;
 
@@ -55,7 +54,7 @@ impl Surface {
         let [columns, rows] = [0, 1].map(|axis| self.places[axis].len());
         let mut smoothed = self.smoothed(depths);
         let averaged = self.reach().iter().map(|reach| 2.0 * *reach as f64 + 1.0).product::<f64>();
-        let least = WORN * scatter * (repeats / averaged).min(1.0).sqrt();
+        let least = BEYOND_CHANCE * scatter * (repeats / averaged).min(1.0).sqrt();
         self.bridge(&mut smoothed, least);
         let mut free: Vec<bool> = smoothed.iter().map(|depth| *depth > least).collect();
         let mut best: Option<(f64, [[usize; 2]; 2])> = None;

@@ -5,18 +5,16 @@
 //! 871) over all pairs or triples.
 
 use super::Surface;
+use crate::measured::plane::BEYOND_CHANCE;
 use crate::measured::plane::{Height, Plane};
 
 /// Patches along a profile, and along each axis of a map.
 const ALONG: usize = 48;
 const ACROSS: usize = 8;
-/// Share of the patches that is to lie on the level, and that may lie above it: ridges and debris.
+/// Share of the patches that is to lie on the level; half as many may lie above it: ridges and debris.
 const LEVEL: f64 = 0.3;
-const ABOVE: f64 = 0.15;
-/// The distance within which that share of normal deviations lies, over their standard deviation.
+/// The distance within which that share of normal deviations lies, over their standard deviation: their quantile of 0.65.
 const CLOSEST: f64 = 0.385;
-/// How far above the level, over the distance within which those on it lie, a patch is above it.
-const FAR: f64 = 3.0;
 
 /// The level of heights on the places of a surface.
 pub(super) fn level(surface: &Surface, heights: &[Height]) -> Option<Plane> {
@@ -31,8 +29,8 @@ pub(super) fn level(surface: &Surface, heights: &[Height]) -> Option<Plane> {
         let place = ((LEVEL * sizes.len() as f64) as usize).min(sizes.len() - 1);
         let (_, within, _) = sizes.select_nth_unstable_by(place, f64::total_cmp);
         let within = *within;
-        let above = off.iter().filter(|off| **off > FAR * within).count();
-        (above as f64 <= ABOVE * off.len() as f64).then_some(within)
+        let above = off.iter().filter(|off| **off > BEYOND_CHANCE * within).count();
+        (2.0 * above as f64 <= LEVEL * off.len() as f64).then_some(within)
     };
     let known = planes.filter_map(|plane| Some((plane, cost(&plane)?)));
     known.min_by(|one, other| one.1.total_cmp(&other.1)).map(|(plane, _)| plane)

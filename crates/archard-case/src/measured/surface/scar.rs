@@ -4,7 +4,7 @@
 //! scar; the plane is fitted anew to the readings beside it, and so on until the scar stays where it is. The middle of what
 //! is worn off counts as the middle of the contact, where the body had its apex.
 
-use super::super::plane::{DEBRIS, FEWEST, Height, Plane};
+use super::super::plane::{BEYOND_CHANCE, DEBRIS, FEWEST, Height, Plane, ROUNDS};
 use super::integral::Zone;
 use super::noise::{repeats, step};
 use super::{NoScar, Surface, rough};
@@ -48,13 +48,9 @@ pub struct Scar {
     pub gaps: usize,
 }
 
-/// Deviations within which readings lie on the level.
-const WITHIN: f64 = 2.5;
 /// Share of its width that the scar is measured beyond its edges, and beyond which readings lie beside it.
 const MARGIN: f64 = 0.1;
 const BESIDE: f64 = 0.15;
-/// Rounds in which scar and level settle.
-const ROUNDS: usize = 12;
 /// Scatter, relative to the step that heights are rounded to, from which on rounding spreads as noise does: half a step of
 /// noise, and the rounding itself.
 const DITHERED: f64 = 0.58;
@@ -142,7 +138,7 @@ impl Surface {
         let mut plane = rough::level(self, &known).ok_or(NoScar::Nothing)?;
         let mut deviation = rough::deviation(&plane, &known);
         for _ in 0..ROUNDS {
-            let on = |own: &&Height| plane.above(own).abs() <= WITHIN * deviation;
+            let on = |own: &&Height| plane.above(own).abs() <= BEYOND_CHANCE * deviation;
             let on: Vec<Height> = known.iter().filter(on).copied().collect();
             let Some(found) = Plane::through(&on) else { break };
             (plane, deviation) = (found, found.scatter.max(f64::MIN_POSITIVE));

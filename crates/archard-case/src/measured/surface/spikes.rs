@@ -3,13 +3,14 @@
 use rayon::prelude::*;
 
 use super::Surface;
+use crate::measured::plane::ROUNDS;
 
 /// Cells on either side that a reading is held against, along a profile and along each axis of a map.
 const REACH: [usize; 2] = [4, 2];
 /// One in so many of them may be off by itself, at the upper end of their heights and at the lower one.
 const OFF: usize = 8;
 /// Scatter about the others beyond which a reading is off, and how scatter is told: by the deviation that so many readings
-/// keep within, over the standard deviation of normal ones.
+/// keep within, over the standard deviation of normal ones, their quantile of 0.95.
 const FAR: f64 = 5.0;
 const MOST: f64 = 0.9;
 const WITHIN: f64 = 1.645;
@@ -19,8 +20,6 @@ const SEVERAL: usize = 3;
 /// them are there too; the share of readings beside that middle, either way.
 const ABSURD: f64 = 20.0;
 const BESIDE: f64 = 0.1;
-/// Rounds: a reading among others that are off is told once those are left out.
-const ROUNDS: usize = 6;
 
 /// A reading against those around it.
 struct Among {

@@ -2,9 +2,7 @@
 
 use super::Surface;
 use super::integral::Integral;
-
-/// Standard deviations beyond which an angle is told.
-const TOLD: f64 = 3.0;
+use crate::measured::plane::BEYOND_CHANCE;
 
 impl Surface {
     /// The tangent of the angle between a track and the axis that it runs along, by the line through the middles of what is
@@ -43,6 +41,6 @@ impl Surface {
         let square = sum(&|point| (point[0] - mean).powi(2));
         let slope = sum(&|point| (point[0] - mean) * point[1]) / square;
         let deviation = sum(&|point| (point[0] - mean).powi(2) * point[2]).sqrt() / square;
-        [if slope.abs() > TOLD * deviation { slope } else { 0.0 }, deviation]
+        [if slope.abs() > BEYOND_CHANCE * deviation { slope } else { 0.0 }, deviation]
     }
 }

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use archard::frame::ContactFrame;
+use archard::numerics::WRITTEN;
 use archard::problem::ContactProblem;
 
 /// What the pairs at the edge bear.
@@ -16,8 +17,6 @@ pub(super) struct Edges {
 
 /// The same between the pairs of meshes, relative to the range of their gaps.
 const EVEN_ON_MESHES: f64 = 1e-3;
-/// Distance from the edge of a zone, relative to its size, within which an element ends there.
-const NEAR: f64 = 1e-6;
 
 /// The pairs at the edge of a frame; none where the surfaces end with it.
 pub(super) fn border(problem: &ContactProblem) -> Vec<usize> {
@@ -63,7 +62,7 @@ fn at_the_border(frame: &ContactFrame) -> Vec<usize> {
     }
     let mirrored = frame.mirrored();
     let reaches = |pair: usize, axis: usize| {
-        let near = NEAR * (high[axis] - low[axis]);
+        let near = WRITTEN * (high[axis] - low[axis]);
         let at = |value: f64, edge: f64| {
             (value - edge).abs() <= near && !(mirrored[axis] && edge.abs() <= near)
         };

@@ -17,12 +17,10 @@ use archard::problem::ContactProblem;
 use archard::simulation::Report;
 use archard::simulation::history::{ERROR, WORN_SECTION, WORN_VOLUME, number, of_body};
 
+use archard::numerics::WRITTEN;
 use edges::Edges;
 use limits::Limits;
 use work::Cycle;
-
-/// Sizes and cycles closer than this, relative, are the same.
-const SAME: f64 = 1e-6;
 
 /// The numbers so far; the worst of all reports where nothing else is said.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
@@ -87,7 +85,7 @@ impl Evidence {
             }
             let element = problem.frame.spacing()[0];
             match self.largest.last_mut() {
-                Some((known, largest)) if (*known / element - 1.0).abs() < SAME => {
+                Some((known, largest)) if (*known / element - 1.0).abs() < WRITTEN => {
                     *largest = largest.max(across);
                 }
                 _ => self.largest.push((element, across)),
@@ -221,7 +219,7 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
 fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
     problem.motion.period().is_none_or(|period| {
         let cycles = progress / period;
-        (cycles - cycles.round()).abs() < SAME
+        (cycles - cycles.round()).abs() < WRITTEN
     })
 }
 

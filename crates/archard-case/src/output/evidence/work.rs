@@ -7,11 +7,10 @@
 use serde::{Deserialize, Serialize};
 
 use archard::motion::Shift;
+use archard::numerics::WRITTEN;
 use archard::simulation::Report;
 use archard::simulation::history::{APPROACH, FORCE, LOAD, SHIFT, number};
 
-/// What rounding may make of the end of a cycle (cycles).
-const SAME: f64 = 1e-6;
 /// Dissipation relative to the rectangle around a loop below which it is compared with the rectangle: all sticks.
 const NOTHING: f64 = 0.02;
 
@@ -32,7 +31,7 @@ impl Cycle {
         }
         let value = |column| number(row, column).unwrap_or(f64::NAN);
         let cycle = report.state.progress / shift.period();
-        let number = (cycle - SAME).ceil();
+        let number = (cycle - WRITTEN).ceil();
         if number != self.number {
             (self.points, self.number) = (vec![], number);
         }
@@ -41,7 +40,7 @@ impl Cycle {
             [SHIFT[1], FORCE[1]].map(value),
             [APPROACH, LOAD].map(value),
         ]);
-        let whole = (cycle - number).abs() < SAME && self.points.len() == shift.cycle.len();
+        let whole = (cycle - number).abs() < WRITTEN && self.points.len() == shift.cycle.len();
         (whole && number > 1.0).then(|| self.off(report.effort.dissipated[0]))
     }
 

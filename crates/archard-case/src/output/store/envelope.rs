@@ -4,9 +4,7 @@
 //! and a checksum of all before it. The key is a hash of all that the numbers follow from.
 
 use archard::numerics::seal::{seal, unseal};
-
-/// Bytes of a hash.
-pub(super) const HASH: usize = blake3::OUT_LEN;
+use blake3::OUT_LEN;
 
 /// What a file has to say about itself.
 #[derive(Debug, Clone, Copy)]
@@ -14,7 +12,7 @@ pub(super) struct Envelope {
     /// The line it begins with.
     pub(super) format: &'static [u8],
     /// The key of what is kept.
-    pub(super) key: [u8; HASH],
+    pub(super) key: [u8; OUT_LEN],
     /// How many numbers there are.
     pub(super) count: usize,
 }
@@ -22,7 +20,7 @@ pub(super) struct Envelope {
 impl Envelope {
     /// Length of the file (bytes); `None` beyond what can be counted.
     pub(super) fn length(&self) -> Option<usize> {
-        self.count.checked_mul(8)?.checked_add(self.format.len() + 2 * HASH + 8)
+        self.count.checked_mul(8)?.checked_add(self.format.len() + 2 * OUT_LEN + 8)
     }
 
     /// A file of these numbers.
@@ -41,7 +39,7 @@ impl Envelope {
         if self.length()? != bytes.len() {
             return None;
         }
-        let content = bytes.get(..bytes.len() - HASH)?;
+        let content = bytes.get(..bytes.len() - OUT_LEN)?;
         let rest = content.strip_prefix(self.format)?.strip_prefix(&self.key)?;
         let (numbers, []) = rest.as_chunks::<8>() else { return None };
         let (count, numbers) = numbers.split_first()?;
@@ -52,19 +50,19 @@ impl Envelope {
 
 #[cfg(test)]
 mod tests {
-    use super::{Envelope, HASH};
+    use super::{Envelope, OUT_LEN};
 
     #[test]
     fn what_is_sealed_is_opened_and_nothing_else() {
         let numbers = [1e-7, -2.0 / 3.0, 0.0];
-        let envelope = Envelope { format: b"numbers 1\n", key: [7; HASH], count: 3 };
+        let envelope = Envelope { format: b"numbers 1\n", key: [7; OUT_LEN], count: 3 };
         let bytes = envelope.seal(numbers.into_iter());
         assert_eq!(Some(bytes.len()), envelope.length());
         let opened: Vec<f64> =
             envelope.open(&bytes).unwrap().iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
         assert_eq!(opened, numbers);
         for other in [
-            Envelope { key: [8; HASH], ..envelope },
+            Envelope { key: [8; OUT_LEN], ..envelope },
             Envelope { format: b"numbers 2\n", ..envelope },
             Envelope { count: 2, ..envelope },
             Envelope { count: usize::MAX, ..envelope },
@@ -84,7 +82,7 @@ mod tests {
     /// A file with a sound checksum and another number of numbers, as a forger writes it.
     #[test]
     fn another_size_is_refused_whatever_its_checksum() {
-        let envelope = Envelope { format: b"numbers 1\n", key: [7; HASH], count: 3 };
+        let envelope = Envelope { format: b"numbers 1\n", key: [7; OUT_LEN], count: 3 };
         for count in [0, 1, 2, 4, 100] {
             let forged = Envelope { count, ..envelope }.seal(std::iter::repeat_n(0.5, count));
             assert!(envelope.open(&forged).is_none(), "{count}");

@@ -12,6 +12,8 @@ use archard::simulation::history::{BODY_DEPTH, PEAK_PRESSURE};
 use archard_case::files::{self, Contents};
 use serde_json::Value;
 
+use super::CELLS;
+use super::SHOWN;
 use super::draw::Paper;
 use super::figure::{COLOURS, Curves, LegendPosition, PALE, Panel, Pen, View};
 use super::scale::{Unit, phrase};
@@ -21,10 +23,6 @@ use keys::Key;
 pub(crate) use statistics::quantile;
 use statistics::{Indices, effect, indices};
 
-/// Places at which bands are drawn.
-const PLACES: usize = 101;
-/// Most panels of a picture.
-const MOST: usize = 6;
 /// Most classes that samples are divided into.
 const CLASSES: usize = 10;
 
@@ -198,7 +196,7 @@ impl Study {
     fn bands(&self) -> Result<Vec<Panel>> {
         let over = self.over.len();
         let groups = self.rows.chunk_by(|one, other| one.values[..over] == other.values[..over]);
-        groups.take(MOST).map(|rows| self.band(rows)).collect()
+        groups.take(SHOWN).map(|rows| self.band(rows)).collect()
     }
 
     fn band(&self, rows: &[Row]) -> Result<Panel> {
@@ -211,7 +209,7 @@ impl Study {
         let end = histories.iter().map(of).fold(f64::INFINITY, f64::min);
         let name = histories.first().map_or("", |history| history.first().0).to_owned();
         let along = Unit::of_column(&name, end);
-        let places = (0..PLACES).map(|i| end * i as f64 / (PLACES - 1) as f64);
+        let places = (0..=CELLS).map(|i| end * i as f64 / CELLS as f64);
         let mut columns: Vec<(f64, Vec<f64>)> = vec![];
         for place in places.filter(|place| place.is_finite()) {
             let value = |history: &Table| {
@@ -248,7 +246,7 @@ impl Study {
     /// The results over each of the first keys, and their mean.
     fn effects(&self) -> Vec<Panel> {
         let keys = self.over.iter().chain(&self.sampled).enumerate();
-        keys.take(MOST).map(|(place, key)| self.effect(place, key)).collect()
+        keys.take(SHOWN).map(|(place, key)| self.effect(place, key)).collect()
     }
 
     fn effect(&self, place: usize, key: &Key) -> Panel {

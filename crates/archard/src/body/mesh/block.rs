@@ -44,8 +44,6 @@ struct Block {
 const ACROSS: [[&str; 2]; 3] = [["left", "right"], ["front", "back"], ["bottom", "top"]];
 /// Elements beyond which the default mesh is as coarse as bending allows.
 const MANY: usize = 1000;
-/// Elements are not asked to be shorter than this share of an edge: no memory would hold them.
-const LEAST: f64 = 1e-4;
 
 impl Shape for Block {
     fn mesh(&self, mirrored: [bool; 2], held: &Supported) -> Result<Meshed, MeshError> {
@@ -144,7 +142,7 @@ impl Block {
                 *longest = longest.min(of_thickness);
             }
         }
-        [0, 1, 2].map(|axis| longest[axis].max(LEAST * self.size[axis]))
+        [0, 1, 2].map(|axis| longest[axis].max(free::LEAST * self.size[axis]))
     }
 
     /// Whether the thickness along an axis bends.

@@ -10,10 +10,8 @@ use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
 pub(super) const MOST_ELEMENTS: usize = 1_000_000;
 /// Largest number of divisions of an edge.
 const MOST_DIVISIONS: usize = 400;
-/// Divisions of the shortest edge that are enough.
+/// Divisions of the shortest edge that are enough, and of a quarter of the circumference where no wall is thin.
 pub(super) const ENOUGH: usize = 4;
-/// Divisions of a quarter of the circumference that are enough where no wall is thin.
-const ENOUGH_AROUND: usize = 4;
 
 /// The parameter of the zone, on one of these sides of the body.
 pub(super) const fn parameter(inside: &'static [Parameter]) -> Parameter {
@@ -107,7 +105,7 @@ impl Layout {
                 invalid("is missing, and the wall is too thin for boundary elements".to_owned())
             }
             Self::Even(Divisions::Enough) => {
-                Ok(Self::Even(Divisions::Along(least.max(ENOUGH_AROUND).next_multiple_of(2))))
+                Ok(Self::Even(Divisions::Along(least.max(ENOUGH).next_multiple_of(2))))
             }
             _ => Ok(self),
         }
@@ -156,7 +154,7 @@ impl Divisions {
     pub fn of_a_quarter(self) -> usize {
         match self {
             Self::Along(number) => number,
-            Self::Enough | Self::Each(_) => ENOUGH_AROUND,
+            Self::Enough | Self::Each(_) => ENOUGH,
         }
     }
 }

@@ -4,15 +4,13 @@ use glam::DVec3;
 use rayon::prelude::*;
 
 use super::Mesh;
+use crate::numerics::SAME;
 use crate::numerics::triangle::distance;
-
-/// What counts as touching, of the body's extent.
-const NEAR: f64 = 1e-9;
 
 impl Mesh {
     /// A place (m) where two of some shells touch or cross; `None` where each lies beside the others or within them.
     pub(super) fn crossing(&self, shells: &[Vec<usize>]) -> Option<[f64; 3]> {
-        let near = DVec3::splat(NEAR * self.extent());
+        let near = DVec3::splat(SAME * self.extent());
         let boxes: Vec<[DVec3; 2]> =
             shells.iter().map(|shell| self.bounds(shell.iter().copied())).collect();
         let both = |one: usize, other: usize| {

@@ -9,9 +9,8 @@ use faer::linalg::solvers::SolveLstsq;
 use glam::DVec3;
 
 use super::Meshed;
+use crate::numerics::WRITTEN;
 
-/// Height over width of a zone below which it is plane.
-const PLANE: f64 = 1e-6;
 /// What the polynomial may be off by, of the heights it explains, and how much of the curvature may twist.
 const OFF: f64 = 0.05;
 /// Height of one curvature beside that of the other below which the zone is a cylinder.
@@ -100,7 +99,7 @@ fn range(places: &[[f64; 3]], axis: usize) -> [f64; 2] {
 /// Curvatures along x and y of heights at places (m), if they are those of a polynomial of second degree.
 fn fit(places: &[[f64; 3]], middle: [f64; 2], half: [f64; 2]) -> Option<[f64; 2]> {
     let [low, high] = range(places, 2);
-    if high - low <= PLANE * half[0].max(half[1]) {
+    if high - low <= WRITTEN * half[0].max(half[1]) {
         return Some([0.0; 2]);
     }
     if places.len() < FEWEST || half.iter().any(|half| *half <= 0.0) {

@@ -1,6 +1,7 @@
 //! Areas and enclosed volumes.
 
 use super::{Corners, Mesh, Meshed};
+use crate::numerics::SAME;
 
 impl Mesh {
     /// Area of the elements (m^2); mirror images do not count.
@@ -72,8 +73,6 @@ impl Mesh {
 impl Meshed {
     /// Whether the elements of the zone lie in one plane, or in parallel ones.
     pub fn has_plane_zone(&self) -> bool {
-        /// Difference of unit normals that only rounding makes.
-        const SAME: f64 = 1e-9;
         let mut normals = self.zone.faces.iter().map(|&face| {
             let vector = self.mesh.area_vector(face);
             vector.map(|component| component / length(vector))

@@ -8,6 +8,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::axis::{Axis, places};
 use super::builder::Builder;
 use super::contact::{self, Contact, Layout};
+use super::free;
 use super::rings::{Ray, Rings, distance, widest_angle};
 use super::tensor::{block, patch};
 use super::{MeshError, Meshed, Shape, Supported, Zone};
@@ -43,14 +44,10 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         // Beyond a quarter of the circumference the projection is no longer even.
         let layout = Layout::read(values, [FRAC_PI_2 * radius; 2])?;
         let wall = 1.0 - inner.unwrap_or(0.0) / radius;
-        let layout = layout.around(BESIDE_WALL * wall)?;
+        let layout = layout.around(free::BESIDE_WALL * wall)?;
         Ok(Box::new(Sphere { radius, inner, layout }))
     },
 };
-
-/// Length of the elements of a hollow sphere without a zone beside its wall: shells under pressure were 0.9 % off with
-/// 1.9, and 28 % with 3.9.
-const BESIDE_WALL: f64 = 2.0;
 
 /// A sphere below z = 0, its highest point at the origin.
 #[derive(Debug)]

@@ -9,14 +9,13 @@ use rayon::prelude::*;
 
 use super::free::{self, Supported};
 use super::{Mesh, Meshed};
+use crate::numerics::{SAME, WRITTEN};
 
 /// Share of the surface that may have longer elements: at sharp edges any element is longer than the body is thick,
 /// and thin places beside holes do not bend.
 const FEW: f64 = 0.1;
 /// Cosine between outward normals below which sides face away from each other.
 const OPPOSITE: f64 = -0.5;
-/// Distance beside the size of the element that is none.
-const NONE: f64 = 1e-6;
 
 /// An element and its mirror images.
 struct Side {
@@ -85,7 +84,7 @@ fn thickness(one: &Side, all: &[Side], mirrored: [bool; 2]) -> Option<f64> {
         let (from, along) = (image * one.middle, -image * one.normal);
         for other in all {
             let hits = other.triangles.iter().filter_map(|corners| hit(from, along, corners));
-            for distance in hits.filter(|distance| *distance > NONE * one.length) {
+            for distance in hits.filter(|distance| *distance > WRITTEN * one.length) {
                 if nearest.is_none_or(|(known, _)| distance < known) {
                     let away = along.dot(other.normal) > -OPPOSITE;
                     nearest = Some((distance, away && !other.held));
@@ -98,7 +97,6 @@ fn thickness(one: &Side, all: &[Side], mirrored: [bool; 2]) -> Option<f64> {
 
 /// Where a ray meets a triangle (T. Moeller and B. Trumbore, *Journal of Graphics Tools* 2, 1997).
 fn hit(from: DVec3, along: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
-    const EDGE: f64 = 1e-9;
     let (one, other) = (*b - *a, *c - *a);
     let across = along.cross(other);
     let determinant = one.dot(across);
@@ -109,7 +107,7 @@ fn hit(from: DVec3, along: DVec3, [a, b, c]: &[DVec3; 3]) -> Option<f64> {
     let u = offset.dot(across) / determinant;
     let turned = offset.cross(one);
     let v = along.dot(turned) / determinant;
-    let inside = u >= -EDGE && v >= -EDGE && u + v <= 1.0 + EDGE;
+    let inside = u >= -SAME && v >= -SAME && u + v <= 1.0 + SAME;
     inside.then(|| other.dot(turned) / determinant)
 }
 

@@ -8,12 +8,10 @@ use glam::DVec3;
 
 use super::conditions::{Conditions, Given};
 use super::element::evaluate;
-use super::rules::{Places, Rules};
+use super::rules::{OF_AREAS, Places, Rules};
 use super::solid::Boundary;
 use super::surface::Surface;
 
-/// Order of the rule; exact on plane faces.
-const ORDER: usize = 4;
 /// Least scale of forces beside the sum of all tractions.
 const LEAST: f64 = 1e-3;
 
@@ -135,7 +133,7 @@ fn each_place(surface: &Surface, mut show: impl FnMut(usize, &[f64], DVec3, f64)
     let mut places = Places::default();
     for (face, patch) in surface.patches.iter().enumerate() {
         places.clear();
-        rules.whole(patch, [ORDER; 2], &mut places);
+        rules.whole(patch, [OF_AREAS; 2], &mut places);
         for ((&s, &t), weight) in places.s.iter().zip(&places.t).zip(&places.weight) {
             let shares: Vec<f64> =
                 patch.element.shape.iter().map(|shape| evaluate(shape, [s, t])).collect();

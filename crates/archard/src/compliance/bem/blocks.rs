@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-/// Nodes of a block; a multiple of eight.
+/// Nodes of a block; a multiple of the lanes of the widest vectors. A choice of cost.
 pub(super) const BLOCK: usize = 64;
 
 /// Divides nodes at those places into blocks, all of them full but the last.

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::surface::{Surface, TractionNode};
+use crate::numerics::SAME;
 
 /// What is known at a node along one direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,9 +118,6 @@ pub(super) struct Known {
     pub traction: usize,
 }
 
-/// Directions are the same within this.
-const PARALLEL: f64 = 1e-9;
-
 impl Conditions {
     /// The conditions that `of` gives for every node of tractions; those in contact, in the order in which
     /// their columns are to be, with their bases, stand in `contact`.
@@ -183,7 +181,7 @@ fn nodes_of(
         }
         for (direction, given) in condition.basis.iter().zip(condition.given) {
             let Given::Displacement(displacement) = given else { continue };
-            let index = at.basis.iter().position(|own| own.dot(*direction).abs() > 1.0 - PARALLEL);
+            let index = at.basis.iter().position(|own| own.dot(*direction).abs() > 1.0 - SAME);
             let index = index.ok_or_else(two)?;
             if at.known[index].is_some() {
                 return Err(two());

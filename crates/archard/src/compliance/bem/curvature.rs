@@ -15,9 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::element::CURVATURES;
 use super::surface::Surface;
-
-/// How far from its plane (relative to its size) what lies in the plane of an element may be.
-const FLAT: f64 = 1e-6;
+use crate::numerics::WRITTEN;
 
 /// What a node's displacement counts for in the second derivatives of an element.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +70,7 @@ impl Around {
             }
             let ends = [at, at + 1].map(|at| surface.patches[face].corners[at % 4]);
             for axis in 0..2 {
-                let reach = FLAT * surface.patches[face].radius;
+                let reach = WRITTEN * surface.patches[face].radius;
                 if surface.mirrored[axis] && ends.iter().all(|end| end[axis].abs() <= reach) {
                     let mut image = DVec3::ONE;
                     image[axis] = -1.0;
@@ -89,7 +87,7 @@ impl Around {
         let middle = patch.middle();
         let normal = patch.normal(patch.middle_reference());
         let lies_in = |place: &DVec3| {
-            (image * *place - middle).dot(normal).abs() <= FLAT * (patch.radius + beside.radius)
+            (image * *place - middle).dot(normal).abs() <= WRITTEN * (patch.radius + beside.radius)
         };
         let alike = normal.dot(image * beside.normal(beside.middle_reference())) > 0.0;
         if beside.element.curvature.is_none() || !alike || !beside.corners.iter().all(lies_in) {

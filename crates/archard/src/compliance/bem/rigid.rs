@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::conditions::Conditions;
 use super::surface::Surface;
+use crate::numerics::SAME;
 
 /// Names of the six motions.
 const MODES: [&str; 6] = [
@@ -14,9 +15,6 @@ const MODES: [&str; 6] = [
     "rotation about y",
     "rotation about z",
 ];
-
-/// What is left of a motion when the supports took theirs, relative to the largest.
-const LEAST: f64 = 1e-9;
 
 /// The motions that supports and planes of symmetry leave free, each named by its largest part.
 pub(super) fn free_modes(surface: &Surface, conditions: &Conditions) -> Vec<&'static str> {
@@ -59,7 +57,7 @@ pub(super) fn free_modes(surface: &Surface, conditions: &Conditions) -> Vec<&'st
         let Some(&pivot) = open
             .iter()
             .max_by(|&&a, &&b| held[a][a].total_cmp(&held[b][b]))
-            .filter(|&&pivot| held[pivot][pivot] > LEAST)
+            .filter(|&&pivot| held[pivot][pivot] > SAME)
         else {
             return open.into_iter().map(|mode| MODES[mode]).collect();
         };

@@ -10,18 +10,20 @@ use std::f64::consts::FRAC_PI_2;
 use glam::{DMat2, DVec2, DVec3};
 
 use super::patch::{Patch, distance};
+use crate::numerics::SAME;
 use crate::numerics::quadrature::gauss_legendre;
 
 /// Least and largest order of a rule.
 pub(super) const ORDERS: (usize, usize) = (2, 24);
+/// Order of the rule that finds areas; exact on plane faces.
+pub(super) const OF_AREAS: usize = 4;
 /// What a rule has to meet of the tolerance, for the sum of all integrals to meet it.
 const SAFETY: f64 = 0.05;
 /// Order along the distance of polar coordinates, where integrands are polynomials on parallelograms.
 const RADIAL: usize = 3;
-/// How far a part has to be, relative to half its extent.
+/// How far a part has to be, relative to half its extent. A choice of cost: nearer parts are halved, farther ones take lower
+/// orders, and all meet the tolerance.
 const FAR: f64 = 0.8;
-/// Halvings of an element.
-const HALVINGS: usize = 60;
 
 /// Rules for one tolerance.
 #[derive(Debug, Clone)]
@@ -133,8 +135,8 @@ impl Rules {
 
     /// Adds rules on parts of the element for a place beside it, on all of it for one that is far.
     pub fn near(&self, patch: &Patch, point: DVec3, places: &mut Places) {
-        let mut waiting = vec![(whole_of(patch), 0)];
-        while let Some((part, depth)) = waiting.pop() {
+        let mut waiting = vec![whole_of(patch)];
+        while let Some(part) = waiting.pop() {
             let corners = part.corners(patch);
             let away = distance(point, &corners);
             let side = |a: usize, b: usize| 0.5 * corners[a].distance(corners[b]);
@@ -142,10 +144,12 @@ impl Rules {
                 3 => [side(0, 1).max(side(1, 2)).max(side(0, 2)); 2],
                 _ => [side(0, 1).max(side(3, 2)), side(0, 3).max(side(1, 2))],
             };
-            if away >= FAR * half[0].max(half[1]) || depth == HALVINGS {
+            // A place on an edge is beside every part.
+            let size = half[0].max(half[1]);
+            if away >= FAR * size || size <= SAME * patch.radius {
                 self.on(part, half.map(|half| self.order(away / half)), places);
             } else {
-                waiting.extend(part.divide(half).into_iter().map(|part| (part, depth + 1)));
+                waiting.extend(part.divide(half));
             }
         }
     }

@@ -14,9 +14,6 @@ pub struct Size {
     pub contact: usize,
 }
 
-/// Bytes of a number.
-const NUMBER: f64 = 8.0;
-
 impl Size {
     /// That of a meshed body.
     pub fn of(Meshed { mesh, zone, .. }: &Meshed, interpolation: Interpolation) -> Self {
@@ -66,7 +63,7 @@ impl Size {
         let (unknowns, contact) = (self.unknowns as f64, self.contact as f64);
         let equations =
             if self.unknowns == 0 { 0.0 } else { unknowns * (unknowns + 2.0 * contact + 1.0) };
-        NUMBER * (equations + contact * contact)
+        size_of::<f64>() as f64 * (equations + contact * contact)
     }
 }
 
@@ -81,11 +78,15 @@ pub fn memory(bodies: [Option<Size>; 2]) -> f64 {
     let Some(first) = first else { return 0.0 };
     let own = (first.contact as f64).powi(2);
     let stages = match second {
-        None => [first.memory(), NUMBER * 3.0 * own, 0.0],
+        None => [first.memory(), size_of::<f64>() as f64 * 3.0 * own, 0.0],
         Some(second) => {
             let (pairs, nodes) = (first.contact as f64, second.contact as f64);
             let brought = 2.0 * own + nodes * nodes + 3.0 * pairs * nodes;
-            [first.memory(), NUMBER * own + second.memory(), NUMBER * brought.max(3.0 * own)]
+            [
+                first.memory(),
+                size_of::<f64>() as f64 * own + second.memory(),
+                size_of::<f64>() as f64 * brought.max(3.0 * own),
+            ]
         }
     };
     stages.into_iter().fold(0.0, f64::max)

@@ -13,9 +13,11 @@ use super::integrate::{Beam, Integrals, NODES, SCRATCH, Spot, Sums, Tile};
 use super::kelvin::{DISPLACEMENT, Evaluations};
 use super::rules::{ORDERS, Places, Rules};
 
-/// Nodes below which each does better against many places at once than all against one place.
+/// Nodes below which each does better against many places at once than all against one place. A choice of cost: rules meet the
+/// tolerance either way.
 const FEW: usize = 3;
-/// How far a block has to be from an element, relative to half its extent, to be treated as one.
+/// How far a block has to be from an element, relative to half its extent, to be treated as one. A choice of cost: the order is
+/// that of its nearest node.
 const APART: f64 = 3.0;
 
 /// A block of nodes on its way through the elements.

@@ -6,12 +6,9 @@ use glam::DVec3;
 
 use super::element::{element, evaluate};
 use super::patch::Patch;
-use super::rules::{Places, Rules};
+use super::rules::{OF_AREAS, Places, Rules};
 use crate::body::Interpolation;
 use crate::body::mesh::{Corners, Mesh};
-
-/// Order of the rule that finds areas; exact on plane faces.
-const AREA_ORDER: usize = 4;
 
 /// A meshed surface with its nodes.
 ///
@@ -74,7 +71,7 @@ impl Surface {
             let places_of = corners.iter().map(|&vertex| DVec3::from(mesh.vertices[vertex]));
             let patch = Patch::new(places_of.collect(), element);
             places.clear();
-            rules.whole(&patch, [AREA_ORDER; 2], &mut places);
+            rules.whole(&patch, [OF_AREAS; 2], &mut places);
             let mut local = [Local::default(); 4];
             for (index, &at) in element.nodes.iter().enumerate() {
                 let place = patch.at(at);

@@ -27,7 +27,8 @@ use faer::Mat;
 use super::influence::Corner;
 use super::stack::{Scalars, Stack};
 
-/// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5.
+/// Images of a stack: with as many, stacks whose moduli differ by up to tenfold are met to 1e-7 to 1e-5. By how much a stack is
+/// missed is computed, and bounded by `MISSED`.
 const COUNT: usize = 32;
 /// Wave numbers that the weights are fitted on, for each image.
 const SAMPLES: usize = 25;
@@ -35,10 +36,9 @@ const SAMPLES: usize = 25;
 const DEPTHS: [f64; 2] = [0.8, 12.0];
 /// The least wave number over the deepest image, and the greatest over the thickness of the uppermost layer: exp(-20) is left.
 const WAVES: [f64; 2] = [1e-3, 25.0];
-/// What the sum of the weights, which is known, counts in the least squares.
+/// What the sum of the weights, which is known, counts in the least squares: it is met to the square of this below what the
+/// others miss, and much more would drown them in rounding.
 const EXACTLY: f64 = 1e4;
-/// Singular values below this part of the largest are rounding.
-const ROUNDING: f64 = 1e-13;
 
 /// An image.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,8 +143,9 @@ fn least_squares(terms: &Mat<f64>, sums: &Mat<f64>) -> Option<Mat<f64>> {
     let parts = terms.thin_svd().ok()?;
     let values = parts.S().column_vector();
     let projected = parts.U().transpose() * sums;
+    let rounding = terms.nrows() as f64 * f64::EPSILON;
     let scaled = Mat::from_fn(values.nrows(), sums.ncols(), |row, column| {
-        let kept = values[row] > ROUNDING * values[0];
+        let kept = values[row] > rounding * values[0];
         if kept { projected[(row, column)] / values[row] } else { 0.0 }
     });
     Some(parts.V() * scaled)

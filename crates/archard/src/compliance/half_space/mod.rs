@@ -328,11 +328,11 @@ impl Compliance for WholeOrPart<'_> {
     }
 }
 
-/// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side.
+/// Parts whose kernels are kept: for the pressures and the friction of two evolutions side by side. A choice of memory.
 const PARTS: usize = 4;
 
-/// The smallest value of a spectrum, relative to the self term: below the smallest eigenvalue on square
-/// elements, 0.53 of it.
+/// The smallest value of a spectrum, relative to the self term: half of the smallest eigenvalue on square elements, 0.53 of it. It
+/// only preconditions.
 const FLOOR: f64 = 0.25;
 
 /// The spectra of xx, xy and yy.

@@ -17,6 +17,7 @@ use super::stack::{Scalars, Stack, half_space};
 use crate::body::{Layer, Material};
 use crate::compliance::{Compliance, Preconditioner};
 use crate::frame::{ContactFrame, VectorField};
+use crate::numerics::SAME;
 use crate::numerics::convolution::{Convolution, Parity, Spectrum};
 
 /// The sum of the compliances of two bodies whose surfaces repeat themselves with the frame.
@@ -64,7 +65,7 @@ impl Periodic {
         let normal =
             spectrum(&convolution, &bodies, size, [Parity::Even; 2], |_, [_, _, nn, _]| nn);
         let shortest = both(&bodies, PI * elements[0] as f64 / size[0]);
-        let couples = shortest[1].abs() > ROUNDING * shortest[2];
+        let couples = shortest[1].abs() > SAME * shortest[2];
         let mut own = vec![0.0; elements[0] * elements[1]];
         let mut pressed = own.clone();
         pressed[0] = 1.0;
@@ -136,9 +137,6 @@ fn spectrum(
         factor(direction, both(bodies, k))
     })
 }
-
-/// What couples bodies of one elasticity, relative to their normal compliance.
-const ROUNDING: f64 = 1e-14;
 
 /// One of the bodies.
 #[derive(Debug, Clone)]

@@ -5,8 +5,8 @@ use crate::compliance::{Coarser, PairStatus, SlipMap};
 use crate::frame::Direction;
 use crate::numerics::convolution::Difference;
 
-/// What stands for the map on slipping pairs, in self terms: on the diagonal, and what is passed on from the
-/// pair ahead.
+/// What stands for the map on slipping pairs, in self terms: on the diagonal, and what is passed on from the pair ahead. A choice
+/// of cost: it only preconditions.
 const SLIPPING: f64 = 5.0;
 const PASSED_ON: f64 = 4.0;
 

@@ -5,6 +5,8 @@
 //! only the rows asked for are transformed back. Kernels are even or odd along each axis, so that
 //! their spectra are real up to a factor i, and half of each is stored.
 
+use super::vector::LANES;
+
 mod buffers;
 mod difference;
 mod spectrum;
@@ -23,11 +25,6 @@ pub use spectrum::{Parity, Spectrum};
 
 use buffers::{Buffers, grow};
 use spectrum::half_transform;
-
-/// Columns transformed together.
-const BLOCK: usize = 8;
-/// Rows that one thread transforms after the other.
-const ROWS: usize = 8;
 
 /// Plans and work space for convolutions on one grid.
 pub struct Convolution {
@@ -206,11 +203,11 @@ impl Convolution {
     }
 
     fn block_length(&self) -> usize {
-        BLOCK * self.size[1]
+        LANES * self.size[1]
     }
 
     fn blocks_length(&self, components: usize) -> usize {
-        components * self.columns().div_ceil(BLOCK) * self.block_length()
+        components * self.columns().div_ceil(LANES) * self.block_length()
     }
 
     fn take_space(&self, components: usize) -> Vec<Complex64> {
@@ -235,16 +232,16 @@ impl Convolution {
         let block_length = self.block_length();
         let plan = &self.row_forward;
         let columns = self.columns();
-        let lengths = [self.period[0], ROWS * columns, plan.get_scratch_len()];
+        let lengths = [self.period[0], LANES * columns, plan.get_scratch_len()];
         // Some rows of every block.
         let mut stripes: Vec<Vec<&mut [Complex64]>> = vec![];
-        stripes.resize_with(self.size[1].div_ceil(ROWS), Vec::new);
+        stripes.resize_with(self.size[1].div_ceil(LANES), Vec::new);
         for block in blocks.chunks_mut(components * block_length) {
             let own = &mut block[component * block_length..][..block_length];
-            let parts = own.chunks_mut(ROWS * BLOCK);
+            let parts = own.chunks_mut(LANES * LANES);
             stripes.iter_mut().zip(parts).for_each(|(stripe, part)| stripe.push(part));
         }
-        stripes.par_iter_mut().zip(field.par_chunks(ROWS * nx)).for_each(|(stripe, rows)| {
+        stripes.par_iter_mut().zip(field.par_chunks(LANES * nx)).for_each(|(stripe, rows)| {
             Buffers::lend(lengths, |padded, spectra, scratch| {
                 for (spectrum, row) in spectra.chunks_mut(columns).zip(rows.chunks(nx)) {
                     if row.iter().all(|&value| value == 0.0) {
@@ -257,10 +254,10 @@ impl Convolution {
                         .expect("buffers of the planned length");
                 }
                 for (block, part) in stripe.iter_mut().enumerate() {
-                    let rows = part.as_chunks_mut::<BLOCK>().0.iter_mut();
+                    let rows = part.as_chunks_mut::<LANES>().0.iter_mut();
                     for (to, spectrum) in rows.zip(spectra.chunks(columns)) {
-                        let from = &spectrum[block * BLOCK..];
-                        match from.first_chunk::<BLOCK>() {
+                        let from = &spectrum[block * LANES..];
+                        match from.first_chunk::<LANES>() {
                             Some(from) => *to = *from,
                             None => to[..from.len()].copy_from_slice(from),
                         }
@@ -287,14 +284,14 @@ impl Convolution {
                                block: &mut [Complex64],
                                spectra: &mut [Complex64],
                                scratch: &mut [Complex64]| {
-            let width = BLOCK.min(columns - first);
+            let width = LANES.min(columns - first);
             let spectra = &mut spectra[..width * components * my];
             for (component, own) in block.chunks(block_length).enumerate() {
-                for (row, values) in own.chunks(ROWS * BLOCK).enumerate() {
+                for (row, values) in own.chunks(LANES * LANES).enumerate() {
                     for place in 0..width {
                         let column = &mut spectra[(place * components + component) * my..];
-                        let column = &mut column[row * ROWS..][..values.len() / BLOCK];
-                        for (to, from) in column.iter_mut().zip(values.as_chunks::<BLOCK>().0) {
+                        let column = &mut column[row * LANES..][..values.len() / LANES];
+                        for (to, from) in column.iter_mut().zip(values.as_chunks::<LANES>().0) {
                             *to = from[place];
                         }
                     }
@@ -307,21 +304,21 @@ impl Convolution {
             }
             inverse.process_with_scratch(spectra, scratch);
             for (component, own) in block.chunks_mut(block_length).enumerate() {
-                for (row, values) in own.chunks_mut(ROWS * BLOCK).enumerate() {
+                for (row, values) in own.chunks_mut(LANES * LANES).enumerate() {
                     for place in 0..width {
                         let column = &spectra[(place * components + component) * my..];
-                        let column = &column[row * ROWS..];
-                        for (to, from) in values.as_chunks_mut::<BLOCK>().0.iter_mut().zip(column) {
+                        let column = &column[row * LANES..];
+                        for (to, from) in values.as_chunks_mut::<LANES>().0.iter_mut().zip(column) {
                             to[place] = *from;
                         }
                     }
                 }
             }
         };
-        let lengths = [0, BLOCK * components * my, scratch_length];
+        let lengths = [0, LANES * components * my, scratch_length];
         blocks.par_chunks_mut(components * block_length).enumerate().for_each(|(index, block)| {
             Buffers::lend(lengths, |_, spectra, scratch| {
-                transform_block(index * BLOCK, block, spectra, scratch)
+                transform_block(index * LANES, block, spectra, scratch)
             });
         });
     }
@@ -336,16 +333,16 @@ impl Convolution {
         let nx = self.size[0];
         let (columns, block_length) = (self.columns(), self.block_length());
         let plan = &self.row_inverse;
-        let lengths = [self.period[0], ROWS * columns, plan.get_scratch_len()];
+        let lengths = [self.period[0], LANES * columns, plan.get_scratch_len()];
         let own = |block: usize| &blocks[(block * components + component) * block_length..];
-        result.par_chunks_mut(ROWS * nx).enumerate().for_each(|(stripe, out)| {
+        result.par_chunks_mut(LANES * nx).enumerate().for_each(|(stripe, out)| {
             Buffers::lend(lengths, |values, spectra, scratch| {
-                for block in 0..columns.div_ceil(BLOCK) {
-                    let rows = own(block)[stripe * ROWS * BLOCK..].as_chunks::<BLOCK>().0;
+                for block in 0..columns.div_ceil(LANES) {
+                    let rows = own(block)[stripe * LANES * LANES..].as_chunks::<LANES>().0;
                     let rows = rows.iter().take(out.len() / nx);
                     for (from, spectrum) in rows.zip(spectra.chunks_mut(columns)) {
-                        let to = &mut spectrum[block * BLOCK..];
-                        match to.first_chunk_mut::<BLOCK>() {
+                        let to = &mut spectrum[block * LANES..];
+                        match to.first_chunk_mut::<LANES>() {
                             Some(to) => *to = *from,
                             None => to.copy_from_slice(&from[..to.len()]),
                         }

@@ -4,13 +4,12 @@ use std::f64::consts::PI;
 
 use super::DegenerateCloud;
 use super::stencil::{Neighbour, Stencil};
+use crate::numerics::SAME;
 
 /// Parts of the full angle, the nearest point in each being a neighbour: enough to hold the eight
 /// around a point of a grid, in any direction. Even, so that the direction parts two of them.
 const SECTORS: usize = 32;
-/// Distance, in cells, below which two points are one.
-const COINCIDENT: f64 = 1e-10;
-/// Cells searched at first, to either side.
+/// Cells searched at first, to either side. A choice of cost: the search goes on until it is complete.
 const REACH: f64 = 3.0;
 
 pub(super) struct Cloud {
@@ -84,7 +83,7 @@ impl Cloud {
             for &other in row.iter().flatten().filter(|&&other| other != point) {
                 let offset = [0, 1].map(|axis| self.places[other][axis] - place[axis]);
                 let neighbour = Neighbour { point: other, offset };
-                if neighbour.distance() <= COINCIDENT * self.side {
+                if neighbour.distance() <= SAME * self.side {
                     let points = [point.min(other), point.max(other)];
                     return Err(DegenerateCloud::Coincident { points });
                 }

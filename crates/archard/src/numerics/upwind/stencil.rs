@@ -1,5 +1,7 @@
 //! The coefficients of one point's derivative, from one or two neighbours.
 
+use crate::numerics::SAME;
+
 /// How many times a coefficient counts that is negative or takes from downstream. Measured on square
 /// grids of spacing h whose points are shaken by up to a share of h: at 4 no inner point extrapolates
 /// up to 30 %, and 3 % of them do at 50 % (at 8 fewer, at 3 more). The larger, the more points on a
@@ -9,11 +11,6 @@ const PENALTY: f64 = 4.0;
 /// Weight of diffusion across the direction. A little below one, it decides between the two triangles
 /// of a square for the one that damps every oscillation.
 const ACROSS: f64 = 0.9;
-/// Sine of the angle below which two neighbours are in one direction.
-const PARALLEL: f64 = 1e-3;
-/// Rounding of places: the sine of the angle to the direction below which one neighbour suffices, and
-/// the share of the derivative that is none.
-const ROUNDING: f64 = 1e-10;
 
 /// Neighbours with their coefficients (1 / unit of the places), which may be zero.
 pub(super) type Row = [(usize, f64); 2];
@@ -64,7 +61,7 @@ impl Stencil {
     /// From one neighbour, if it lies along the direction.
     fn of_one(neighbour: &Neighbour) -> Option<Self> {
         let [along, across] = neighbour.offset;
-        let aligned = across.abs() <= ROUNDING * along.abs();
+        let aligned = across.abs() <= SAME * along.abs();
         aligned.then(|| Self::new([(neighbour, -1.0 / along), (neighbour, 0.0)]))
     }
 
@@ -72,7 +69,7 @@ impl Stencil {
     fn of_two(first: &Neighbour, second: &Neighbour) -> Option<Self> {
         let (a, b) = (first.offset, second.offset);
         let area = a[0] * b[1] - a[1] * b[0];
-        let apart = area.abs() > PARALLEL * first.distance() * second.distance();
+        let apart = area.abs() > SAME * first.distance() * second.distance();
         apart.then(|| Self::new([(first, -b[1] / area), (second, a[1] / area)]))
     }
 
@@ -80,7 +77,7 @@ impl Stencil {
         let row = terms.map(|(neighbour, weight)| (neighbour.point, weight));
         let shares = terms.map(|(neighbour, weight)| {
             let share = -weight * neighbour.offset[0];
-            if share.abs() > ROUNDING { share } else { 0.0 }
+            if share.abs() > SAME { share } else { 0.0 }
         });
         let mut stencil = Self { row, shares, cost: 0.0, spread: 0.0, extrapolates: false };
         for (neighbour, weight) in terms {
@@ -88,7 +85,7 @@ impl Stencil {
             let upwind = weight >= 0.0 && neighbour.offset[0] < 0.0;
             stencil.cost += size * neighbour.cost() * if upwind { 1.0 } else { PENALTY };
             stencil.spread += size * distance * distance;
-            stencil.extrapolates |= !upwind && size * distance > ROUNDING;
+            stencil.extrapolates |= !upwind && size * distance > SAME;
         }
         stencil
     }

@@ -16,9 +16,10 @@ use super::state::State;
 use crate::numerics::dense::Lu;
 use crate::numerics::large::Large;
 
-/// Most unknowns whose factors are kept: 9 MiB for each place of a cycle.
+/// Most unknowns whose factors are kept: 9 MiB for each place of a cycle. A choice of memory: factors only precondition.
 const MOST: usize = 1536;
-/// How far below zero the augmented pressure of a pair may be that nearly touches, relative to the largest.
+/// How far below zero the augmented pressure of a pair may be that nearly touches, relative to the largest. A choice of cost:
+/// factors only precondition.
 const NEAR: f64 = 0.1;
 
 /// See the module.

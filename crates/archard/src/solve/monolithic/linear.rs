@@ -15,22 +15,14 @@
 
 use super::border::Border;
 use super::factors::Factors;
-use super::regime::{LEAST, Regime, components};
+use super::regime::{Regime, components};
 use super::state::State;
 use super::{Mapped, Solution};
-use crate::compliance::{PairStatus, Preconditioner, SlipMap};
+use crate::compliance::{Preconditioner, SlipMap};
 use crate::frame::VectorField;
 use crate::numerics::gmres::{self, System};
 use crate::numerics::vector::{map, update};
 use crate::solve::residual::norm;
-use crate::solve::semismooth::Tolerance;
-
-/// How well to solve, by the share of the pairs in contact that change what they do.
-const TOLERANCE: Tolerance =
-    Tolerance { loose: 0.1, tight: TIGHT, settled: 0.01, last: 0.01, enough: 0.4 };
-pub(super) const TIGHT: f64 = 0.02;
-/// Krylov iterations of one step.
-const KRYLOV: usize = 80;
 
 /// The system. Vectors hold the unknown tractions (Pa) along t1, t2 and n, then the approach and the slips
 /// that are found, in the unit of the border.
@@ -84,17 +76,12 @@ impl<'s> Linear<'s> {
         self.fixed_displacement = Some(displacement);
     }
 
-    /// How well to solve where the pairs had a status before.
-    pub fn tolerance(&self, last: &[PairStatus], residual: f64, aim: f64) -> f64 {
-        TOLERANCE.of(self.regime.pairs.changed(last), self.regime.touching(), residual, aim)
-    }
-
-    /// The change of tractions, displacement, approach and rigid slip.
-    pub fn solve(&mut self, tolerance: f64) -> Solution {
+    /// The change of tractions, displacement, approach and rigid slip, to a relative residual in so many iterations at most.
+    pub fn solve(&mut self, tolerance: f64, most: usize) -> Solution {
         let pairs = self.regime.pairs.len();
         let right = [&self.regime.right[..], &self.border.right].concat();
         let aim = tolerance * norm(&right);
-        let gmres::Solution { vector, weights } = gmres::solve(self, &right, aim, KRYLOV);
+        let gmres::Solution { vector, weights } = gmres::solve(self, &right, aim, most);
         let mut traction = self.regime.tractions(&self.regime.unknown(&vector[..3 * pairs]));
         traction.add(&self.regime.fixed, 1.0);
         let known = self.fixed_displacement.take();
@@ -114,8 +101,9 @@ impl Inverse<'_> {
         let pairs = regime.pairs.len();
         let [one, two, n] = components(rows, pairs);
         // Rows of slipping pairs were weighed by their share.
-        let unweigh =
-            |part: &[f64]| map([part, &regime.share], |[part, share]| part / share.max(LEAST));
+        let unweigh = |part: &[f64]| {
+            map([part, &regime.share], |[part, share]| part / share.max(f64::EPSILON))
+        };
         let (one, two) = (unweigh(one), unweigh(two));
         let mut result = vec![0.0; 3 * pairs];
         let (first, rest) = result.split_at_mut(pairs);

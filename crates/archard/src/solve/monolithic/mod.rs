@@ -17,9 +17,9 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::semismooth::shorten;
+use super::semismooth::{Forcing, shorten};
 use super::{Settings, Status};
-use crate::compliance::{Compliance, PairStatus};
+use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::Limits;
 use crate::motion::Control;
@@ -27,7 +27,7 @@ use crate::numerics::vector::update;
 use crate::solve::tangential::PrescribedForce;
 
 pub use factors::{Factors, factors_memory};
-use linear::{Linear, TIGHT};
+use linear::Linear;
 use mapped::Mapped;
 pub(super) use mapped::solve;
 use regime::Regime;
@@ -100,10 +100,7 @@ pub struct Outcome {
     pub applications: usize,
 }
 
-/// Shortest step tried.
-const SHORTEST: f64 = 0.05;
-
-/// Applications in one Newton step beyond which new factors pay at the next occasion.
+/// Applications in one Newton step beyond which new factors pay at the next occasion. A choice of cost: factors only precondition.
 const STALE: usize = 9;
 
 /// Semismooth Newton steps on pressures and friction together, each by Krylov iterations (P. Alart and A.
@@ -125,7 +122,7 @@ fn newton(
         settings,
         factors: start.factors.clone().filter(|factors| factors.are_made(step)),
         state: foreseen.unwrap_or(known),
-        last: vec![],
+        forcing: Forcing::default(),
         count: 0,
         applications: 0,
         most: 0,
@@ -143,8 +140,7 @@ struct Newton<'s> {
     settings: Settings,
     factors: Option<Arc<Factors>>,
     state: State,
-    /// What the pairs did at the last step.
-    last: Vec<PairStatus>,
+    forcing: Forcing,
     count: usize,
     /// Applications of the compliance, and the most that one step took.
     applications: usize,
@@ -159,38 +155,35 @@ impl Newton<'_> {
     /// A step in which the pairs do what they did where the factors are from, if that brings them nearer.
     fn repeat(&mut self) {
         let Some(factors) = self.factors.clone().filter(|_| self.unfinished()) else { return };
-        let change = self.change(factors.regime(&self.state, self.step), Some(TIGHT));
+        let change = self.change(factors.regime(&self.state, self.step));
         let next = self.state.moved(&change, 1.0, self.step);
         if next.residual < self.state.residual {
             self.state = next;
         } else {
-            self.last.clear();
+            self.forcing = Forcing::default();
         }
     }
 
     /// A step, and whether it brought anything.
     fn advance(&mut self) -> bool {
-        let change = self.change(Regime::of(&self.state, self.step), None);
+        let change = self.change(Regime::of(&self.state, self.step));
         let moved = |length: f64| {
             let next = self.state.moved(&change, length, self.step);
             let residual = next.residual;
             (next, residual)
         };
-        let next = shorten(self.state.residual, SHORTEST, moved);
+        let next = shorten(self.state.residual, moved);
         next.map(|(next, _)| self.state = next).is_some()
     }
 
-    /// The change that the pairs ask for while they do something, to a tolerance that may be left to what they did
-    /// before.
-    fn change(&mut self, regime: Regime, tolerance: Option<f64>) -> Solution {
+    /// The change that the pairs ask for while they do something.
+    fn change(&mut self, regime: Regime) -> Solution {
         let mut linear = Linear::about(&self.state, self.step, regime, self.factors.as_deref());
-        let (residual, aim) = (self.state.residual, self.settings.tolerance);
-        let tolerance = tolerance.unwrap_or_else(|| linear.tolerance(&self.last, residual, aim));
-        let change = linear.solve(tolerance);
+        let tolerance = self.forcing.next(self.state.residual, self.settings.tolerance);
+        let change = linear.solve(tolerance, self.settings.max_iterations);
         self.count += 1;
         self.applications += linear.applications;
         self.most = self.most.max(linear.applications);
-        self.last = linear.regime.pairs.status;
         change
     }
 

@@ -63,7 +63,7 @@ impl Regime {
         };
         let Beyond { share, .. } = beyond;
         (self.share[pair], self.diagonal[pair]) = (share, state.own[1] * (1.0 - share));
-        self.pairs.slip(pair, &beyond, self.diagonal[pair] / share.max(LEAST));
+        self.pairs.slip(pair, &beyond, self.diagonal[pair] / share.max(f64::EPSILON));
         self.slope[pair] = step.friction.slope(pair, pressure);
     }
 
@@ -162,9 +162,6 @@ impl Regime {
         }
     }
 }
-
-/// The least share that is divided by.
-pub(super) const LEAST: f64 = 1e-12;
 
 /// The components of a vector along t1, t2 and n.
 pub(super) fn components(vector: &[f64], pairs: usize) -> [&[f64]; 3] {

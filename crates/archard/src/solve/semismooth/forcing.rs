@@ -2,9 +2,10 @@
 //!
 //! S. C. Eisenstat and H. F. Walker, *SIAM J. Sci. Comput.* 17 (1996) 16: their choice 2, with their constants and safeguard;
 //! C. T. Kelley, *Iterative Methods for Linear and Nonlinear Equations*, SIAM 1995, section 6.3, for the bound that keeps
-//! the last step from being solved better than asked for.
+//! the last step from being solved better than asked for. The first term is no more than the residual: near a solution steps then
+//! double its digits (R. S. Dembo, S. C. Eisenstat and T. Steihaug, *SIAM J. Numer. Anal.* 19 (1982) 400).
 
-/// The first forcing term, and the largest.
+/// The first forcing term at most, and the largest.
 const FIRST: f64 = 0.5;
 const LARGEST: f64 = 0.9;
 /// Factor and power of choice 2.
@@ -12,7 +13,7 @@ const FACTOR: f64 = 0.9;
 const POWER: i32 = 2;
 /// Terms that the safeguard keeps from falling too fast.
 const GUARDED: f64 = 0.1;
-/// Share of the residual aimed at that a step may leave.
+/// Share of the residual aimed at that a step may leave (Kelley's).
 const ENOUGH: f64 = 0.5;
 
 /// The forcing term, step by step: what part of the residual the linear system of a step may leave.
@@ -25,7 +26,7 @@ pub(in crate::solve) struct Forcing {
 impl Forcing {
     /// The term of the next step, about an iterate with a residual, towards the residual aimed at.
     pub fn next(&mut self, residual: f64, aim: f64) -> f64 {
-        let term = self.last.map_or(FIRST, |(term, before)| {
+        let term = self.last.map_or(FIRST.min(residual), |(term, before)| {
             let guard = FACTOR * term.powi(POWER);
             let wanted = FACTOR * (residual / before).powi(POWER);
             if guard > GUARDED { wanted.max(guard) } else { wanted }

@@ -46,11 +46,6 @@ impl StickSlip {
         [self.along[0][pair], self.along[1][pair]]
     }
 
-    /// Number of pairs with another status than they had.
-    pub fn changed(&self, last: &[PairStatus]) -> usize {
-        self.status.iter().zip(last).filter(|(now, before)| !now.is_like(**before)).count()
-    }
-
     /// Keeps the tangential part of a vector along what is unknown: all of it where pairs stick, that across the
     /// augmented traction where they slip, none where they are open.
     pub fn keep_unknown(&self, vector: &mut [f64]) {
@@ -68,7 +63,7 @@ impl StickSlip {
 
 #[cfg(test)]
 mod tests {
-    use super::{Beyond, PairStatus, StickSlip};
+    use super::{Beyond, StickSlip};
 
     /// An open pair, one that sticks and one that slips along (0.6, 0.8), across which (10, 5) has (-0.8, 0.6) times -5.
     #[test]
@@ -80,8 +75,5 @@ mod tests {
         pairs.keep_unknown(&mut vector);
         let expected = [0.0, 8.0, 4.0, 0.0, 9.0, -3.0, 1.0];
         assert!(vector.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-14), "{vector:?}");
-        let slips = PairStatus::Slip { diagonal: 1.0 };
-        assert_eq!(pairs.changed(&[PairStatus::Open, slips, slips]), 1);
-        assert_eq!(pairs.changed(&[]), 0);
     }
 }

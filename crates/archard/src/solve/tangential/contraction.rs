@@ -8,9 +8,8 @@
 
 use super::pairs::{Pairs, State};
 use crate::numerics::vector::{map, sum, update};
+use crate::solve::RELAXATION;
 
-/// Relaxation of the contraction, below 2.
-const RELAXATION: f64 = 1.8;
 /// Ratio of the change of the slip to that of the tractions above which a step is shortened, and below
 /// which the next is lengthened.
 const RATIO: (f64, f64) = (0.9, 0.5);

@@ -3,7 +3,8 @@
 use super::{FrictionSolver, Outcome, Start, Step, Tie, Turning, turning};
 use crate::frame::{Part, extent};
 
-/// Elements kept free around the contact: material is still rubbed on its way past the trailing edge.
+/// Elements kept free around the contact: material is still rubbed on its way past the trailing edge, over the one element that
+/// the upwind difference reaches.
 const MARGIN: usize = 1;
 
 /// Solves a step on the part of the frame around its contact, where that is much smaller. Tractions and slip

@@ -22,11 +22,6 @@ use crate::numerics::gmres::{self, Solution, System};
 use crate::numerics::vector::{map, update};
 use crate::solve::semismooth::{Schur, StickSlip};
 
-/// The least share that is divided by.
-const LEAST: f64 = 1e-12;
-/// Krylov iterations of one step.
-const KRYLOV: usize = 120;
-
 /// The system. Vectors hold the changes of the tractions (Pa), then those of the slips that are found, in the unit that
 /// makes them count like tractions.
 pub(super) struct Linear<'p, 'a> {
@@ -83,7 +78,7 @@ impl<'p, 'a> Linear<'p, 'a> {
         };
         let Beyond { normal, share, .. } = beyond;
         (self.share[pair], self.diagonal[pair]) = (share, own * (1.0 - share));
-        self.stick_slip.slip(pair, &beyond, self.diagonal[pair] / share.max(LEAST));
+        self.stick_slip.slip(pair, &beyond, self.diagonal[pair] / share.max(f64::EPSILON));
         let short = limit - (t[0] * normal[0] + t[1] * normal[1]);
         let slip = s[1] * normal[0] - s[0] * normal[1];
         put(&mut self.known.traction, normal.map(|normal| short * normal));
@@ -133,11 +128,12 @@ impl<'p, 'a> Linear<'p, 'a> {
         self.right.extend(missing(&self.known.traction, self));
     }
 
-    /// The change of tractions, slip and rigid slip that would leave this residual, were the pairs to do what they do.
-    pub fn solve(&mut self, residual: f64) -> State {
+    /// The change of tractions, slip and rigid slip that would leave this residual, were the pairs to do what they do,
+    /// in so many iterations at most.
+    pub fn solve(&mut self, residual: f64, most: usize) -> State {
         let right = std::mem::take(&mut self.right);
         let aim = self.pairs.slip_of(residual);
-        let Solution { vector: mut unknown, weights } = gmres::solve(self, &right, aim, KRYLOV);
+        let Solution { vector: mut unknown, weights } = gmres::solve(self, &right, aim, most);
         let slips = unknown.split_off(2 * self.pairs.len());
         let mut change = State { traction: unknown, ..self.known.clone() };
         update(&mut change.traction, [&self.known.traction], |unknown, [known]| unknown + known);
@@ -179,7 +175,7 @@ impl<'p, 'a> Linear<'p, 'a> {
     fn precondition_tractions(&mut self, rows: &[f64]) -> Vec<f64> {
         let mut slip = rows.to_vec();
         for slip in slip.chunks_mut(self.pairs.len().max(1)) {
-            update(slip, [&self.share], |row, [share]| row / share.max(LEAST));
+            update(slip, [&self.share], |row, [share]| row / share.max(f64::EPSILON));
         }
         let mut traction = self.pairs.precondition(&slip);
         self.stick_slip.keep_unknown(&mut traction);

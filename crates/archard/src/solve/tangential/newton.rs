@@ -24,14 +24,8 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     build: |values| Ok(Box::new(Newton::new(Settings::read(values, Newton::default().settings)?))),
 };
 
-/// Shortest step tried before others come between.
-const SHORTEST: f64 = 0.1;
-/// Steps of projection and contraction that come between.
+/// Steps of projection and contraction that come between. A choice of cost: they converge by themselves, in any number.
 const BETWEEN: usize = 5;
-/// Fewest pairs in contact that are worth coarser elements.
-const PAIRS: usize = 150;
-/// Residual that a coarser solution needs to start a finer one.
-const COARSE_TOLERANCE: f64 = 1e-3;
 
 /// Semismooth Newton with Krylov iterations, from coarse elements to fine, by default to 1e-6 in 200 iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,7 +77,7 @@ impl Newton {
     fn descend(&self, step: &Step<'_>) -> Outcome {
         let pairs = step.limit.iter().filter(|&&limit| limit > 0.0).count();
         let fewest = step.elements[0].min(step.elements[1]);
-        if pairs < PAIRS || fewest < FEWEST {
+        if pairs < FEWEST * FEWEST || fewest < FEWEST {
             return self.iterate(step, None);
         }
         let Some(Coarser { map, elements, slip: factor }) = step.map.coarser() else {
@@ -101,8 +95,8 @@ impl Newton {
             rigid: [&one, &two],
             prescribed: step.prescribed,
         };
-        let settings =
-            Settings { tolerance: self.settings.tolerance.max(COARSE_TOLERANCE), ..self.settings };
+        // Half of the digits: where a start is off by less, a Newton step doubles them.
+        let settings = Settings { tolerance: self.settings.tolerance.sqrt(), ..self.settings };
         let first = Newton { settings }.descend(&coarse);
         let [one, two] = first.traction.each_ref().map(|traction| blocks.interpolate(traction));
         let rigid_slip: Vec<f64> =
@@ -124,13 +118,13 @@ impl Newton {
             count += 1;
             let mut linear = Linear::about(&state, &mut pairs);
             let left = forcing.next(residual, self.settings.tolerance);
-            let change = linear.solve(left * residual);
+            let change = linear.solve(left * residual, self.settings.max_iterations);
             let moved = |length: f64| {
                 let next = state.moved(&change, length);
                 let residual = pairs.residual(&next);
                 (next, residual)
             };
-            match shorten(residual, SHORTEST, moved) {
+            match shorten(residual, moved) {
                 Some(next) => (state, residual) = next,
                 None => {
                     let mut between = Contraction::new(&pairs, state);

@@ -6,9 +6,6 @@ use crate::friction::onto_disc;
 use crate::numerics::vector::{map, sum, update};
 use crate::solve::residual::{norm, relative, worse};
 
-/// How near its limit a traction of an earlier solution is where pairs slip, relative to it.
-const SLIPS: f64 = 1e-3;
-
 /// The pairs in contact of a step. Vectors on them hold all values along t1, then all along t2.
 pub(super) struct Pairs<'a> {
     pub step: &'a Step<'a>,
@@ -134,10 +131,9 @@ impl<'a> Pairs<'a> {
             let (first, second) = traction.split_at_mut(self.places.len());
             let limits = self.places.iter().zip(&self.limit);
             for ((x, y), (&place, limit)) in first.iter_mut().zip(second).zip(limits) {
-                // Where the pair slips, it keeps to its limit.
-                let slips = one[place].hypot(two[place]) >= (1.0 - SLIPS) * start.limit[place];
-                let slips = slips && start.limit[place] > 0.0;
-                let factor = if slips { limit / start.limit[place] } else { 1.0 };
+                // A pair keeps its share of the limit: one that slips goes on to slip.
+                let before = start.limit[place];
+                let factor = if before > 0.0 { limit / before } else { 1.0 };
                 (*x, *y) = (factor * one[place], factor * two[place]);
             }
             rigid_slip.copy_from_slice(start.rigid_slip);

@@ -17,11 +17,6 @@ pub(super) const CHOICE: Choice<Box<dyn FrictionSolver>> = Choice {
     build: |values| Ok(Box::new(Uzawa::new(Settings::read(values, Uzawa::default().settings)?))),
 };
 
-/// Penalty r times the slip of a pair under its own traction, times the number of pairs in a row. Twice
-/// as much converges too on twin discs of 15 x 15 and 41 x 41 elements, four times as much does not once
-/// there is lateral creepage or spin.
-const PENALTY: f64 = 1.0;
-
 /// The paper's Uzawa iteration, by default to 1e-6 in a million iterations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Uzawa {
@@ -59,7 +54,8 @@ impl Uzawa {
     fn iterate(&self, mut pairs: Pairs<'_>, start: Option<Start<'_>>) -> Outcome {
         let mut state = pairs.start(start);
         let across = (pairs.len() as f64).sqrt().max(1.0);
-        let penalty = PENALTY / (across * pairs.own);
+        // The slowest mode of so many pairs in a row takes r to be as small.
+        let penalty = 1.0 / (across * pairs.own);
         // A force off by all the limits moves the slip like a traction off by the mean limit.
         let compliance = penalty * pairs.own * pairs.own / pairs.len().max(1) as f64;
         let area = pairs.step.measure.area;

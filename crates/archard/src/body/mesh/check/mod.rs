@@ -1,5 +1,7 @@
 //! What is wrong with a surface, and where.
 
+use crate::numerics::WRITTEN;
+
 mod problem;
 #[cfg(test)]
 mod tests;
@@ -15,8 +17,6 @@ use super::{Corners, Mesh};
 const SLENDER: f64 = 20.0;
 /// Largest angle between the corners of a quadrilateral (rad) that is not worth a warning.
 const WARPED: f64 = 0.5;
-/// What counts as on a plane, of the body's extent.
-const ON_PLANE: f64 = 1e-6;
 
 impl Mesh {
     /// What is wrong with the surface, where x = 0 and y = 0 are or are not planes of symmetry.
@@ -46,7 +46,7 @@ impl Mesh {
 
     /// The planes of symmetry, and what counts as on them.
     pub(super) fn planes(&self, mirrored: [bool; 2]) -> Planes {
-        Planes { mirrored, tolerance: ON_PLANE * self.extent() }
+        Planes { mirrored, tolerance: WRITTEN * self.extent() }
     }
 
     /// Puts vertices that count as on a plane of symmetry there.

@@ -44,7 +44,7 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         let face = values.section("contact").and_then(|contact| contact.word("face"));
         if face != Some("top") {
             let layout = Layout::read(values, [PI * radius, length])?;
-            let layout = layout.around(BESIDE_WALL * (1.0 - bore.unwrap_or(0.0) / radius))?;
+            let layout = layout.around(free::BESIDE_WALL * (1.0 - bore.unwrap_or(0.0) / radius))?;
             return Ok(Box::new(Lying { radius, length, bore, layout }));
         }
         if bore.is_some() {
@@ -66,9 +66,6 @@ pub(super) const CHOICE: Choice<Box<dyn Shape>> = Choice {
         Ok(Box::new(Standing { radius, length, contact }))
     },
 };
-
-/// Length of the elements of a tube without a zone beside its wall: tubes that bend were 0.6 % off with 2, 1.4 % with 3.
-const BESIDE_WALL: f64 = 3.0;
 
 /// A cylinder with its axis along y, its highest line through the origin.
 #[derive(Debug)]
@@ -143,7 +140,7 @@ impl Lying {
         let ends = ["front", "back"].iter().any(|surface| held.at(surface));
         let bends = !across && ends && free::bends(diameter, self.length);
         let longest = if bends { free::longest(diameter) } else { f64::INFINITY };
-        longest.max(LEAST * self.length)
+        longest.max(free::LEAST * self.length)
     }
 }
 
@@ -155,11 +152,8 @@ impl Standing {
         let plate = !ends && held.at("side") && free::bends(self.length, self.radius);
         let pillar = ends && !held.at("side") && free::bends(diameter, self.length);
         let longest = |bends: bool, thickness: f64, size: f64| {
-            if bends { free::longest(thickness).max(LEAST * size) } else { f64::INFINITY }
+            if bends { free::longest(thickness).max(free::LEAST * size) } else { f64::INFINITY }
         };
         [longest(plate, self.length, diameter), longest(pillar, diameter, self.length)]
     }
 }
-
-/// Elements are not asked to be shorter than this share of a side: no memory would hold them.
-const LEAST: f64 = 1e-4;

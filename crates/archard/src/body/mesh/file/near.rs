@@ -5,6 +5,7 @@ use glam::DVec3;
 use crate::body::mesh::refine::Refined;
 use crate::body::mesh::smooth::Turns;
 use crate::body::mesh::{Mesh, MeshError, Zone};
+use crate::numerics::WRITTEN;
 use crate::numerics::triangle;
 use crate::parameters::{Invalid, Parameter, Quantity, Value, Values};
 
@@ -28,9 +29,6 @@ pub(super) const PARAMETERS: &[Parameter] = &[
     ),
     Parameter::optional("surface", Quantity::Text, "the surface it is on; any unless given"),
 ];
-
-/// Difference of distances, relative to half of the box, that does not tell which of two faces is nearer.
-const NEAR: f64 = 1e-6;
 
 /// A zone that is picked by a place.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +76,7 @@ impl Near {
         // Of a place far away nothing is near.
         if let Some((seed, distance)) = seed.filter(|(_, away)| *away <= self.half.length()) {
             let beside = |face: usize| faces[face] != faces[seed] && self.may_be(&mesh, face);
-            let reach = distance + NEAR * self.half.max_element();
+            let reach = distance + WRITTEN * self.half.max_element();
             if let Some((other, _)) = self.nearest(&mesh, beside).filter(|(_, away)| *away <= reach)
             {
                 let name = |face: usize| mesh.surfaces[mesh.faces[face].surface].clone();

@@ -5,9 +5,8 @@
 use std::collections::HashMap;
 
 use crate::body::mesh::{Corners, Face, Mesh};
+use crate::numerics::SAME;
 
-/// Corners closer than this, relative to the size of the body, are one vertex: far below any element, far above rounding.
-const SAME: f64 = 1e-9;
 /// Length of the cells that vertices are looked for in, in that distance: most corners lie within one.
 const CELL: f64 = 16.0;
 
@@ -138,7 +137,7 @@ mod tests {
     #[test]
     fn what_is_apart_stays_apart() {
         let vertices = |off, rounding| tetrahedron(1.0, 0.0, off).weld(rounding).vertices.len();
-        assert_eq!(vertices(4e-9, f64::EPSILON), 12);
+        assert_eq!(vertices(4e-8, f64::EPSILON), 12);
         assert_eq!(vertices(4e-8, f64::from(f32::EPSILON)), 4);
         assert_eq!(vertices(4e-7, f64::from(f32::EPSILON)), 12);
     }

@@ -7,6 +7,7 @@ use super::outline::outlines;
 use super::{super::surface::Surface, along};
 use crate::body::{Body, Finite, Interpolation};
 use crate::frame::Pairs;
+use crate::numerics::SAME;
 
 /// A body with the nodes of its contact zone.
 pub(super) struct Host<'a> {
@@ -27,9 +28,6 @@ pub(super) struct Host<'a> {
     normals: Normals,
 }
 
-/// Normals closer to that of the frame than this are taken for it.
-const PLANE: f64 = 1e-9;
-
 impl<'a> Host<'a> {
     /// The zone of a meshed body; `None` where it has none.
     pub fn new(body: &'a Body, which: usize) -> Option<Self> {
@@ -46,7 +44,7 @@ impl<'a> Host<'a> {
         let at_nodes = normals.at_nodes(finite, &surface);
         let normal = |traction: usize| sign * at_nodes[traction];
         let axes = axes(finite, sign, &surface, &nodes);
-        let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < PLANE);
+        let plane = nodes.iter().all(|&node| normal(node).distance(axes[2]) < SAME);
         let basis = |traction: usize| {
             if plane {
                 return axes;

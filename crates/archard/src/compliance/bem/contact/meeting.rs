@@ -4,6 +4,7 @@ use faer::Mat;
 
 use super::super::solid::Condensed;
 use super::super::{Conditions, Told};
+use super::STEEP;
 use super::host::Host;
 use super::transfer::Transfer;
 use super::{Condense, Contact, ContactError, Job, half_space, supported};
@@ -25,9 +26,6 @@ struct Side<'a> {
     /// What is known at its nodes; `None` where it does not matter.
     conditions: Option<Conditions>,
 }
-
-/// The largest angle (degrees) between the normals of a zone and that of the frame for which a half-space stands.
-const STEEPEST: f64 = 30.0;
 
 impl<'a> Meeting<'a> {
     /// Brings two bodies opposite each other.
@@ -150,8 +148,9 @@ impl<'a> Side<'a> {
         };
         if finite.elasticity == Elasticity::HalfSpace || body.material.is_none() {
             let closing = (0..host.contact.len()).map(|pair| host.closing(pair));
-            let angle = closing.fold(1.0, f64::min).clamp(-1.0, 1.0).acos().to_degrees();
-            if angle > STEEPEST && body.material.is_some() {
+            let steepest = closing.fold(1.0, f64::min).clamp(-1.0, 1.0);
+            let angle = steepest.acos().to_degrees();
+            if steepest < STEEP && body.material.is_some() {
                 return Err(ContactError::Steep { body: which, angle });
             }
             return Ok(Self { host, conditions: None });

@@ -17,10 +17,8 @@ use glam::DVec3;
 use super::super::element::evaluate;
 use super::super::patch::Patch;
 use super::super::surface::Surface;
+use super::STEEP;
 use crate::body::Finite;
-
-/// Elements that turn by more (cosine of 30 degrees) meet in an edge of the body.
-const EDGE: f64 = 0.866;
 
 /// The outward normals of a zone at the corners of its elements.
 pub(super) struct Normals {
@@ -33,7 +31,7 @@ impl Normals {
         let of = |&face: &usize| {
             let patch = &surface.patches[face];
             let own = patch.normal(patch.middle_reference());
-            let near = |weighed: &&DVec3| weighed.dot(own) > EDGE * weighed.length();
+            let near = |weighed: &&DVec3| weighed.dot(own) > STEEP * weighed.length();
             let smooth = |&vertex: &usize| {
                 around[vertex].iter().filter(near).sum::<DVec3>().normalize_or(own)
             };

@@ -3,6 +3,7 @@
 use glam::{DMat3, DVec3};
 
 use super::super::patch::Patch;
+use crate::numerics::WRITTEN;
 
 /// A place on one of some elements.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,9 +14,6 @@ pub(super) struct Hit {
     /// Distance (m) along the direction.
     pub distance: f64,
 }
-
-/// How far beyond an edge still counts, in reference coordinates.
-const EDGE: f64 = 1e-6;
 
 /// The nearest place, before or behind, on the line through a point along a unit vector.
 pub(super) fn project(point: DVec3, direction: DVec3, patches: &[Patch]) -> Option<Hit> {
@@ -59,9 +57,9 @@ fn meet(point: DVec3, direction: DVec3, patch: &Patch) -> Option<([f64; 2], f64)
     }
     let [s, t] = at;
     let inside = if patch.triangle() {
-        s >= -EDGE && t >= -EDGE && s + t <= 1.0 + EDGE
+        s >= -WRITTEN && t >= -WRITTEN && s + t <= 1.0 + WRITTEN
     } else {
-        s.abs() <= 1.0 + EDGE && t.abs() <= 1.0 + EDGE
+        s.abs() <= 1.0 + WRITTEN && t.abs() <= 1.0 + WRITTEN
     };
     inside.then_some((at, distance))
 }

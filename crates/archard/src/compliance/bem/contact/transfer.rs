@@ -17,13 +17,12 @@ use glam::DVec3;
 use super::super::element::evaluate;
 use super::super::patch::Patch;
 use super::ContactError;
+use super::STEEP;
 use super::host::Host;
 use super::project::{Hit, project};
 
 /// Points of the rule along each side of a host's element: edges of the other mesh run through it.
 const POINTS: usize = 8;
-/// Normals that differ more from that of the frame (cosine) make pairs meet along their own.
-const STEEP: f64 = 0.85;
 
 /// The two zones against each other.
 pub(super) struct Transfer {

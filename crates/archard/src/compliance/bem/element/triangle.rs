@@ -7,7 +7,6 @@ const CORNERS: &[[f64; 2]] = &[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// Linear in s and t, one at a corner and zero at the others.
 const MAP: &[Polynomial] = &[[1.0, -1.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
 
-const SIXTH: f64 = 1.0 / 6.0;
 const THIRD: f64 = 1.0 / 3.0;
 
 /// Nodes at the corners.
@@ -26,7 +25,7 @@ pub(super) const DISCONTINUOUS: Element = Element {
     name: "discontinuous triangle",
     corners: CORNERS,
     map: MAP,
-    nodes: &[[SIXTH, SIXTH], [4.0 * SIXTH, SIXTH], [SIXTH, 4.0 * SIXTH]],
+    nodes: &[[0.5 * THIRD, 0.5 * THIRD], [2.0 * THIRD, 0.5 * THIRD], [0.5 * THIRD, 2.0 * THIRD]],
     shape: &[[5.0 * THIRD, -2.0, -2.0, 0.0], [-THIRD, 2.0, 0.0, 0.0], [-THIRD, 0.0, 2.0, 0.0]],
     curvature: None,
     continuous: false,

@@ -13,6 +13,8 @@
 //! are taken off before the integration and added after it: what is left is small where the kernels are large,
 //! and fields that are linear everywhere come out exactly.
 
+use crate::numerics::WRITTEN;
+
 mod hooke;
 mod nearest;
 mod slopes;
@@ -35,14 +37,10 @@ use slopes::{Fit, fits};
 use somigliana::{Kernels, Source};
 
 /// How far outside a point may lie, relative to the size of the nearest element, to be taken as one of the
-/// surface: plane elements cut curved surfaces short.
+/// surface: plane elements cut curved surfaces short. A point inside has to be as far away from all other sides.
 const OUTSIDE: f64 = 0.1;
 /// Least depth at which the identity tells stresses, relative to the size of the nearest element.
 const SHALLOW: f64 = 0.25;
-/// What of that depth a point has to be away from all other sides.
-const CLEAR: f64 = 0.4;
-/// Distance from the surface, relative to the size of the nearest element, that is none.
-const NONE: f64 = 1e-6;
 
 /// Displacement and stress at a point of a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +102,7 @@ impl<'a> Interior<'a> {
         let place = self.surface.locate(point)?;
         let fitted = self.linear(&place);
         let on_surface = self.hooke.stress(fitted.gradient);
-        if !place.inside || place.distance <= NONE * place.size {
+        if !place.inside || place.distance <= WRITTEN * place.size {
             let normal = place.image * self.surface.patches[place.face].normal(place.reference);
             let stress = self.shallow(&place, -normal, 0.0).unwrap_or(on_surface);
             return Some(Response { displacement: fitted.displacement, stress });
@@ -152,7 +150,7 @@ impl<'a> Interior<'a> {
         let below = |times: f64| {
             let point = place.at + times * step * inward;
             let nearest = self.surface.locate(point)?;
-            let deep = nearest.inside && nearest.distance >= CLEAR * step;
+            let deep = nearest.inside && nearest.distance >= OUTSIDE * place.size;
             deep.then(|| self.integrate(point, &self.linear(&nearest)).stress)
         };
         let (first, second) = (below(1.0)?, below(2.0)?);
