@@ -155,7 +155,8 @@ impl Newton<'_> {
     /// A step in which the pairs do what they did where the factors are from, if that brings them nearer.
     fn repeat(&mut self) {
         let Some(factors) = self.factors.clone().filter(|_| self.unfinished()) else { return };
-        let change = self.change(factors.regime(&self.state, self.step));
+        let left = self.forcing.next(self.state.residual, self.settings.tolerance);
+        let change = self.change(factors.regime(&self.state, self.step), left);
         let next = self.state.moved(&change, 1.0, self.step);
         if next.residual < self.state.residual {
             self.state = next;
@@ -164,23 +165,30 @@ impl Newton<'_> {
         }
     }
 
-    /// A step, and whether it brought anything.
+    /// A step, and whether it brought anything. Where it lowers no residual, its linear system is solved better.
     fn advance(&mut self) -> bool {
-        let change = self.change(Regime::of(&self.state, self.step));
-        let moved = |length: f64| {
-            let next = self.state.moved(&change, length, self.step);
-            let residual = next.residual;
-            (next, residual)
-        };
-        let next = shorten(self.state.residual, moved);
-        next.map(|(next, _)| self.state = next).is_some()
+        let (residual, aim) = (self.state.residual, self.settings.tolerance);
+        let mut term = Some(self.forcing.next(residual, aim));
+        while let Some(left) = term.filter(|_| self.unfinished()) {
+            let change = self.change(Regime::of(&self.state, self.step), left);
+            let moved = |length: f64| {
+                let next = self.state.moved(&change, length, self.step);
+                let residual = next.residual;
+                (next, residual)
+            };
+            if let Some((next, _)) = shorten(residual, moved) {
+                self.state = next;
+                return true;
+            }
+            term = self.forcing.again(residual, aim);
+        }
+        false
     }
 
-    /// The change that the pairs ask for while they do something.
-    fn change(&mut self, regime: Regime) -> Solution {
+    /// The change that the pairs ask for while they do something, to a relative residual.
+    fn change(&mut self, regime: Regime, left: f64) -> Solution {
         let mut linear = Linear::about(&self.state, self.step, regime, self.factors.as_deref());
-        let tolerance = self.forcing.next(self.state.residual, self.settings.tolerance);
-        let change = linear.solve(tolerance, self.settings.max_iterations);
+        let change = linear.solve(left, self.settings.max_iterations);
         self.count += 1;
         self.applications += linear.applications;
         self.most = self.most.max(linear.applications);

@@ -35,6 +35,16 @@ impl Forcing {
         self.last = Some((term, residual));
         term
     }
+
+    /// The term of the same step once more, where it lowered no residual: its square; `None` where the system was solved as well
+    /// as the residual aimed at asks for.
+    pub fn again(&mut self, residual: f64, aim: f64) -> Option<f64> {
+        let least = ENOUGH * aim / residual;
+        let (term, _) = self.last.filter(|(term, _)| *term > least)?;
+        let term = (term * term).max(least);
+        self.last = Some((term, residual));
+        Some(term)
+    }
 }
 
 #[cfg(test)]
@@ -52,5 +62,15 @@ mod tests {
         for (residual, expected) in residuals.into_iter().zip(expected) {
             assert_relative_eq!(forcing.next(residual, 1e-6), expected, max_relative = 1e-12);
         }
+    }
+
+    #[test]
+    fn a_step_that_brings_nothing_is_solved_better() {
+        let mut forcing = Forcing::default();
+        assert_relative_eq!(forcing.next(1.0, 0.02), 0.5);
+        assert_eq!(forcing.again(1.0, 0.02), Some(0.25));
+        assert_eq!(forcing.again(1.0, 0.02), Some(0.0625));
+        assert_eq!(forcing.again(1.0, 0.02), Some(0.01));
+        assert_eq!(forcing.again(1.0, 0.02), None);
     }
 }
