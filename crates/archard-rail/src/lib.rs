@@ -20,7 +20,8 @@
 //! let setup = Setup::new(Track::standard(), &rail, wheelset, &wheel)?;
 //!
 //! let steel = Material::new(210e9, 0.28)?;
-//! let bodies = Bodies { wheel: steel, rail: steel, friction: Arc::new(Coulomb::new(0.3)?) };
+//! let friction = Arc::new(Coulomb::new(0.3)?);
+//! let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
 //! let operation = Operation {
 //!     attitude: Attitude { shift: 3e-3, roll: 0.0, yaw: 7e-3 },
 //!     velocity: Velocity { forward: 2.0, pitch: -2.0 / 0.46, ..Velocity::default() },
@@ -49,16 +50,19 @@
 #![warn(missing_docs)]
 
 mod bounds;
+pub mod conicity;
 pub mod contact;
 pub mod creepage;
 pub mod curve;
 pub mod file;
+pub mod flange;
 pub mod oddity;
 pub mod profile;
 mod roots;
 pub mod search;
 pub mod setup;
 pub mod standard;
+pub mod wear;
 
 pub use archard::parameters::Invalid;
 pub use profile::{Part, Profile};

@@ -69,7 +69,7 @@ fn eight_shifts_bear_the_same() {
     // G = 82 GPa.
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction };
+    let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
     let mut wrong = vec![];
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
@@ -101,7 +101,7 @@ fn the_wheelset_rolls_until_both_wheels_carry() {
     let setup = common::setup(&folder);
     let steel = Material::new(2.0 * 82e9 * 1.28, 0.28).unwrap();
     let friction = Arc::new(Coulomb::new(FRICTION).unwrap());
-    let bodies = Bodies { wheel: steel, rail: steel, friction };
+    let bodies = Bodies { wheel: steel, rail: steel, friction, wear: [None, None] };
     for row in common::rows(&folder) {
         let (attitude, velocity) = (row.attitude(), row.velocity());
         let operation = Operation { attitude, velocity, load: 10e3 };

@@ -40,7 +40,7 @@ fn cone(slope: f64, half: f64) -> Setup {
 fn bodies(coefficient: f64) -> Bodies {
     let steel = Material::new(210e9, 0.3).unwrap();
     let friction = Arc::new(Coulomb::new(coefficient).unwrap());
-    Bodies { wheel: steel, rail: steel, friction }
+    Bodies { wheel: steel, rail: steel, friction, wear: [None, None] }
 }
 
 /// A wheelset that yaws, is driven by a share of its speed and carries a load (N) on the wheel.

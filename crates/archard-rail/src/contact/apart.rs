@@ -39,9 +39,9 @@ pub(super) fn by_the_others(sites: &[Site], bodies: &Bodies) -> Result<Vec<f64>,
         apart = (0..sites.len()).map(opened).collect();
         let changes = forces.iter().zip(&before).map(|(now, before)| (now - before).abs());
         if changes.sum::<f64>() <= SETTLED * forces.iter().sum::<f64>() {
-            break;
+            return Ok(apart);
         }
         before = forces;
     }
-    Ok(apart)
+    Err(ContactError::Unsettled)
 }

@@ -32,6 +32,11 @@ pub enum ContactError {
         /// What was borne (N).
         found: f64,
     },
+    /// Patches that press each other apart do not agree on their forces.
+    #[error(
+        "patches that press each other apart do not agree on their forces: give a larger `join`"
+    )]
+    Unsettled,
     /// No roll makes both wheels carry their load at one height.
     #[error("no `roll` makes both wheels carry their load at one height: give it")]
     NoRoll,

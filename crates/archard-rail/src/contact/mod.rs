@@ -7,18 +7,21 @@
 //!
 //! All of it is solved on three grids, each of elements half the size of those before. Errors of rolling contact are of
 //! first order or higher in the size, so that a halving changes a value by what is left after it, or by more. The error that is
-//! told is the last change, or half the one before where that is larger. It holds for the grid, not for the
+//! told is the last change, or half the one before where that is larger, and the share of the load that is not met. It holds for the grid, not for the
 //! profiles, nor for the plane: [`Patch::angle_spread`] tells how far a patch bends. The onset depends on no grid.
 
 mod apart;
 mod error;
 mod height;
 mod lattice;
+mod loaded;
 mod pressed;
 mod quantities;
 mod roll;
 
 pub use error::ContactError;
+pub(crate) use loaded::Loaded;
+pub(crate) use pressed::Pressed;
 pub use quantities::Quantities;
 pub use roll::roll;
 
@@ -26,14 +29,12 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use archard::Material;
-use archard::body::contact_modulus;
 use archard::friction::Friction;
+use archard::wear::WearLaw;
 
-use crate::bounds;
-use crate::search::{JOIN, Search};
+use crate::search::JOIN;
 use crate::setup::{Attitude, Setup, Velocity};
 use archard::parameters::Invalid;
-use pressed::{Pressed, Site};
 
 /// Bending of a patch (rad) from which on a plane is an approximation: 10 degrees.
 pub const BENT: f64 = PI / 18.0;
@@ -47,7 +48,12 @@ pub struct Bodies {
     pub rail: Material,
     /// Between both.
     pub friction: Arc<dyn Friction>,
+    /// How the wheel and the rail wear.
+    pub wear: Wear,
 }
+
+/// The wear laws of the wheel and of the rail; `None` of one that does not wear.
+pub type Wear = [Option<Arc<dyn WearLaw>>; 2];
 
 /// How the wheelset stands and moves, and what a wheel carries; as its side sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,6 +74,21 @@ pub struct Resolution {
     pub elements: usize,
     /// Distance (m) from edge to edge up to which two stretches of overlap are one patch.
     pub join: f64,
+}
+
+impl Resolution {
+    /// The same, checked.
+    ///
+    /// # Errors
+    /// If the number of elements is not a multiple of 4 from 16 to 1024.
+    pub fn checked(self) -> Result<Self, Invalid> {
+        let Self { elements, .. } = self;
+        if (16..=1024).contains(&elements) && elements.is_multiple_of(4) {
+            return Ok(self);
+        }
+        let message = format!("{elements} has to be a multiple of 4 from 16 to 1024");
+        Err(Invalid::new("elements", message))
+    }
 }
 
 impl Default for Resolution {
@@ -99,43 +120,18 @@ pub fn contact(
     operation: &Operation,
     resolution: &Resolution,
 ) -> Result<Vec<Patch>, ContactError> {
-    let load = bounds::positive("load", operation.load)?;
-    if operation.velocity.translation().length() == 0.0 && operation.velocity.pitch == 0.0 {
-        return Err(Invalid::new("velocity", "a wheelset that stands still does not roll").into());
-    }
-    let elements = resolution.elements;
-    if !(16..=1024).contains(&elements) || !elements.is_multiple_of(4) {
-        let message = format!("{elements} has to be a multiple of 4 from 16 to 1024");
-        return Err(Invalid::new("elements", message).into());
-    }
-    let search = Search::new(setup, operation.attitude)?;
-    let onset = search.onset().ok_or(ContactError::NoContact)?.height;
-    let bears = |elements: usize| {
-        let search = &search;
-        move |height: f64| {
-            let patches = search.patches(height, resolution.join)?.into_iter();
-            let sites = patches.map(|patch| Site::new(search, patch, elements));
-            let sites = sites.collect::<Result<Vec<Site>, _>>()?;
-            let apart = apart::by_the_others(&sites, bodies)?;
-            let with = (&operation.velocity, bodies);
-            let sites = sites.into_iter().zip(apart);
-            let patches = sites.map(|(site, apart)| site.press(search, with, apart));
-            let patches = patches.collect::<Result<Vec<Pressed>, _>>()?;
-            let borne = patches.iter().map(Pressed::vertical).sum::<f64>();
-            Ok((patches, borne))
-        }
-    };
-    // As deep as a ball of the wheel's radius sinks into a plane.
-    let modulus = contact_modulus([Some(&bodies.wheel), Some(&bodies.rail)]);
-    let force = 4.0 / 3.0 * modulus * setup.wheelset().nominal_radius.sqrt();
-    let mut guess = onset + (load / force).cbrt().powi(2);
+    let elements = resolution.checked()?.elements;
+    let loaded = Loaded::new(setup, bodies, operation, resolution.join)?;
+    let mut guess = loaded.guess();
     let mut grids = vec![];
     for elements in [elements / 4, elements / 2, elements] {
-        let (height, pressed) = height::find(load, onset, guess, bears(elements))?;
-        guess = height;
+        let (down, pressed) = loaded.on(elements, guess)?;
+        guess = down;
         grids.push(pressed);
     }
-    let told = |pressed: &Pressed| tell(&search, onset, pressed);
+    let told = |pressed: &Pressed| loaded.tell(pressed);
+    let borne: f64 = grids[2].iter().map(Pressed::vertical).sum();
+    let off = (borne / operation.load - 1.0).abs();
     let patches = grids[2].iter().enumerate().filter(|(_, pressed)| pressed.normal > 0.0);
     let patches = patches.map(|(at, pressed)| {
         let same = grids.iter().all(|grid| grid.len() == grids[2].len());
@@ -153,30 +149,9 @@ pub fn contact(
                 &before,
                 |last, before| if before.is_nan() { before } else { last.max(0.5 * before) },
             );
-        Patch { values: told(pressed), errors, angle_spread: pressed.angle_spread }
+        let values = told(pressed);
+        let errors = errors.with(&values, |error, value| error + off * value.abs());
+        Patch { values, errors, angle_spread: pressed.angle_spread }
     });
     Ok(patches.collect())
-}
-
-fn tell(search: &Search<'_>, onset: f64, pressed: &Pressed) -> Quantities {
-    let Pressed { patch, creepage, .. } = pressed;
-    Quantities {
-        onset,
-        z_wheel: patch.height,
-        y_track: patch.reference.y,
-        y_rail: search.setup().placing().in_rail(patch.reference).y,
-        y_wheel: search.in_wheel(patch.reference, patch.height).y,
-        contact_angle: patch.angle,
-        creepage: creepage.longitudinal,
-        lateral_creepage: creepage.lateral,
-        spin: creepage.spin,
-        normal_force: pressed.normal,
-        force_x: pressed.tangential[0],
-        force_s: pressed.tangential[1],
-        moment: pressed.moment,
-        approach: pressed.approach,
-        peak_pressure: pressed.peak,
-        contact_area: pressed.area,
-        frictional_power: pressed.power,
-    }
 }

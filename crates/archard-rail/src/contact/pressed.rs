@@ -4,11 +4,11 @@ use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
 use archard::motion::{Control, Drive, Rolling, Stepping};
-use archard::simulation::{Refused, Run, Simulation};
+use archard::simulation::{Refused, Run, Simulation, WornLine};
 use archard::{Body, ContactFrame};
 
 use super::lattice::Lattice;
-use super::{Bodies, ContactError};
+use super::{Bodies, ContactError, Wear};
 use crate::creepage::Creepage;
 use crate::search::{Patch, Search};
 use crate::setup::Velocity;
@@ -22,7 +22,7 @@ pub(super) struct Site {
 
 /// A patch under pressure. Forces and the moment are those on the rail, in the frame of the contact.
 #[derive(Debug, Clone)]
-pub(super) struct Pressed {
+pub(crate) struct Pressed {
     pub patch: Patch,
     pub creepage: Creepage,
     pub approach: f64,
@@ -34,6 +34,8 @@ pub(super) struct Pressed {
     pub power: f64,
     /// How much the inclination of the rail (rad) differs within the contact.
     pub angle_spread: f64,
+    /// What one passage wears off the wheel and the rail, over s.
+    pub worn: Vec<WornLine>,
 }
 
 impl Pressed {
@@ -56,7 +58,8 @@ impl Site {
         if approach <= 0.0 {
             return Ok(0.0);
         }
-        let simulation = self.simulation(Rolling::along(Direction::X), approach, bodies)?;
+        let simulation =
+            self.simulation(Rolling::along(Direction::X), approach, (bodies, &[None, None]))?;
         Ok(Run::begin(simulation.build()?)?.report().state.load)
     }
 
@@ -77,9 +80,11 @@ impl Site {
             .lateral(Drive::Creepage(creepage.lateral))
             .spin(creepage.spin)
             .at_speed(creepage.speed);
-        let mut builder = self.simulation(rolling, approach - apart, bodies)?;
+        let mut builder = self.simulation(rolling, approach - apart, (bodies, &bodies.wear))?;
         builder.friction = Some(bodies.friction.clone());
         let run = Run::begin(builder.build()?)?;
+        let wears = bodies.wear.iter().any(Option::is_some);
+        let worn = if wears { run.report().passage()? } else { vec![] };
         let (problem, state) = (&run.simulation().problem, run.report().state);
         let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
         let rows = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0);
@@ -94,6 +99,7 @@ impl Site {
             area: state.contact_area(problem),
             power: tangential.map_or(0.0, |of| of.creep_power(problem, &rolling) * creepage.speed),
             angle_spread,
+            worn,
             patch: self.patch,
             creepage,
         })
@@ -132,6 +138,7 @@ impl Site {
             area: 0.0,
             power: 0.0,
             angle_spread: 0.0,
+            worn: vec![],
         }
     }
 
@@ -139,14 +146,15 @@ impl Site {
         &self,
         rolling: Rolling,
         approach: f64,
-        bodies: &Bodies,
+        (bodies, wear): (&Bodies, &Wear),
     ) -> Result<archard::simulation::Builder, ContactError> {
         let Lattice { rectangle, elements, .. } = self.lattice;
         let frame = ContactFrame::uniform(rectangle, elements, [&self.lattice, &Flat]);
         let frame = frame.map_err(Refused::from)?.closed();
         let compliance = HalfSpace::new([Some(&bodies.wheel), Some(&bodies.rail)], &frame);
-        let wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
-        let rail = Body::new("rail", Flat).material(bodies.rail);
+        let mut wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
+        let mut rail = Body::new("rail", Flat).material(bodies.rail);
+        [wheel.wear, rail.wear] = wear.clone();
         let steady = rolling.over(0.0, Control::Approach(approach), Stepping::Implicit(1.0));
         let steady = steady.map_err(Refused::from)?;
         Ok(Simulation::builder([wheel, rail], steady).contact(frame, compliance))

@@ -1,10 +1,9 @@
 //! The roll of a wheelset that is carried by both rails.
 
 use super::{Bodies, ContactError, Operation, Resolution, contact};
+use crate::search::SETTLED;
 use crate::setup::{Attitude, Setup, Side};
 
-/// Change of the roll (rad) at which it is found: a wheel goes down by less than a nanometre with it.
-const SETTLED: f64 = 1e-9;
 /// Secants in which it is.
 const MOST: usize = 12;
 
@@ -34,7 +33,7 @@ pub fn roll(
         };
         Ok::<f64, ContactError>(height(Side::Right)? - height(Side::Left)?)
     };
-    let mut before = setup.roll(shift, yaw)?;
+    let mut before = setup.roll(setup, shift, yaw)?;
     let mut off = difference(before)?;
     // The right wheel goes down with the roll by its arm, the left one up.
     let mut now = before + 0.5 * off / setup.wheelset().arm();

@@ -39,24 +39,36 @@ impl Gap<'_> {
     /// The gap (m) at that x (m) and each s (m) of the tangent plane, from the reference point; negative where the
     /// bodies overlap, infinite where the rail or the wheel does not reach.
     pub fn column(&self, x: f64, across: &[f64]) -> Vec<f64> {
-        let rail = self.search.setup.rail();
-        let on_rail = |along: f64| {
-            let [y, z] = rail.point(along);
-            self.patch.local(DVec3::new(self.patch.reference.x, y, z))
-        };
         let on_wheel = |along: f64| self.on_wheel(x, along);
         let wheel = Depths::new(self.wheel.clone(), self.patch.deepest, on_wheel);
         let depth = |s: f64| {
-            let gap = self.rail.at(s, on_rail)? - wheel.at(s, on_wheel)?;
+            let rail = self.on_rail(self.rail.place(s, |along| self.on_rail(along))?);
+            let gap = rail.z - on_wheel(wheel.place(s, on_wheel)?).z;
             gap.is_finite().then_some(gap)
         };
         across.iter().map(|&s| depth(s).unwrap_or(f64::INFINITY)).collect()
+    }
+
+    /// Where (m along the curves) the wheel and the rail have each s (m) at x = 0; `None` where one does not reach.
+    pub fn places(&self, across: &[f64]) -> Option<[Vec<f64>; 2]> {
+        let on_wheel = |along: f64| self.on_wheel(0.0, along);
+        let depths = Depths::new(self.wheel.clone(), self.patch.deepest, on_wheel);
+        let wheel = across.iter().map(|&s| depths.place(s, on_wheel)).collect::<Option<_>>()?;
+        let on_rail = |along: f64| self.on_rail(along);
+        let rail = across.iter().map(|&s| self.rail.place(s, on_rail)).collect::<Option<_>>()?;
+        Some([wheel, rail])
     }
 
     /// The gap (m) over the grid of those x and s (m), x by x: the value at x number i and s number j stands at
     /// i times the number of s plus j.
     pub fn grid(&self, along: &[f64], across: &[f64]) -> Vec<f64> {
         along.iter().flat_map(|&x| self.column(x, across)).collect()
+    }
+
+    /// The point of the rail at a place of its profile, in the frame of the contact.
+    fn on_rail(&self, along: f64) -> DVec3 {
+        let [y, z] = self.search.setup.rail().point(along);
+        self.patch.local(DVec3::new(self.patch.reference.x, y, z))
     }
 
     /// The point of the wheel's surface at that x (m from the reference point) on the circle through a place of its
@@ -95,14 +107,12 @@ impl Depths {
         Self { places, across }
     }
 
-    /// n (m) of the surface at that s (m), if it reaches there.
-    fn at(&self, s: f64, local: impl Fn(f64) -> DVec3) -> Option<f64> {
+    /// Where (m along the curve) the surface has that s (m), if it reaches there.
+    fn place(&self, s: f64, local: impl Fn(f64) -> DVec3) -> Option<f64> {
         let after = self.across.partition_point(|&across| across <= s);
         if after == 0 || after == self.across.len() {
             return None;
         }
-        let along =
-            roots::zero(self.places[after - 1], self.places[after], |along| local(along).y - s);
-        Some(local(along).z)
+        Some(roots::zero(self.places[after - 1], self.places[after], |along| local(along).y - s))
     }
 }

@@ -12,6 +12,7 @@ mod roll;
 
 pub use gap::Gap;
 pub use patch::{JOIN, Patch};
+pub(crate) use roll::SETTLED;
 
 use glam::{DMat3, DVec3};
 

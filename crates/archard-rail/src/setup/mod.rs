@@ -63,9 +63,21 @@ impl Setup {
         Ok(Self { rail: placing.curve(rail), placing, wheel: wheel.clone(), wheelset })
     }
 
+    /// The same with other curves (m), in their own coordinates, each where the one before it stands: a worn rail is lower
+    /// than a new one.
+    #[must_use]
+    pub fn worn(&self, rail: &Curve, wheel: &Curve) -> Self {
+        Self { rail: self.placing.curve(rail), wheel: wheel.clone(), ..self.clone() }
+    }
+
     /// The rail in the track (m).
     pub fn rail(&self) -> &Curve {
         &self.rail
+    }
+
+    /// The rail in its own coordinates (m).
+    pub fn rail_in_its_coordinates(&self) -> Curve {
+        self.placing.own(&self.rail)
     }
 
     /// Where the profile of the rail stands.

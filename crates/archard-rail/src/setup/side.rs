@@ -14,6 +14,14 @@ pub enum Side {
 }
 
 impl Side {
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Right => "right",
+            Self::Left => "left",
+        }
+    }
+
     /// The attitude as this side sees it.
     pub fn attitude(self, of: Attitude) -> Attitude {
         match self {

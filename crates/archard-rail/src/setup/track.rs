@@ -63,6 +63,12 @@ impl Placing {
         rail.clone().moved(self.angle, self.origin)
     }
 
+    /// The profile of a rail in the track.
+    pub fn own(&self, rail: &Curve) -> Curve {
+        let [y, z] = self.origin;
+        rail.clone().moved(0.0, [-y, -z]).moved(-self.angle, [0.0; 2])
+    }
+
     /// A point of the track (m) as the profile has it: x forward, y and z as in its points.
     pub fn in_rail(&self, point: DVec3) -> DVec3 {
         let [y, z] = self.origin;

@@ -37,6 +37,7 @@ pub use checkpoint::{NotResumed, digest};
 pub use companion::{Companion, Companions, Regularity};
 pub use history::row;
 pub use march::March;
+pub use passing::WornLine;
 pub use periodic::repeats;
 pub use refusal::Refused;
 pub use run::Run;

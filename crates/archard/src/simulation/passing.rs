@@ -7,6 +7,8 @@
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
+use super::collector::Collector;
+use super::{Error, Report};
 use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::Motion;
@@ -25,6 +27,33 @@ pub(super) struct Lines<'a> {
     pub bodies: [bool; 2],
     /// How often they pass while the motion advances by one (its own unit).
     pub passages: f64,
+}
+
+/// What one passage through the contact wears off a line of the surfaces that pass.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WornLine {
+    /// The place of its middle across the direction, along the other axis (m).
+    pub place: f64,
+    /// Its width (m).
+    pub width: f64,
+    /// Depths (m) worn off body 1 and body 2.
+    pub depths: [f64; 2],
+}
+
+impl Report<'_> {
+    /// What one passage more wears off each line of the surfaces that pass, under the contact as it is; nothing where none pass.
+    ///
+    /// # Errors
+    /// If surfaces do not pass along the frame.
+    pub fn passage(&self) -> Result<Vec<WornLine>, Error> {
+        let Some(lines) = Collector::of(self.problem)?.lines() else { return Ok(vec![]) };
+        let made = OfLines::of(self.state, lines, 1.0).depths;
+        let told = |(line, depths): (&Line, [f64; 2])| {
+            let passes = |body: usize| if lines.bodies[body] { depths[body] } else { 0.0 };
+            WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)] }
+        };
+        Ok(lines.flow.lines().iter().zip(made).map(told).collect())
+    }
 }
 
 /// Wear of the lines under the contact as it is, in one passage.

@@ -1,0 +1,114 @@
+//! How fast profiles lose volume over the whole of a route.
+
+use archard::simulation::WornLine;
+use rayon::prelude::*;
+
+use super::{Journey, OperatingPoint, WearError, Worn};
+use crate::contact::{Bodies, ContactError, Loaded, Operation, Pressed};
+use crate::setup::{Setup, Side};
+
+/// Volumes (m^3, of a rail m^2) that each point of the wheel and of the rail loses over the whole distance, for each side.
+pub(super) type Rates = Vec<[Vec<f64>; 2]>;
+
+/// How far (m) wheels went down at each point of the route and each side, to begin with the next time.
+pub(super) type Depths = Vec<Vec<Option<f64>>>;
+
+/// What lines of patches lose: for the wheel and for the rail, their ends (m along the curve) and the volume (m^3, of a rail m^2).
+type Strips = [Vec<([f64; 2], f64)>; 2];
+
+impl Journey {
+    /// The rates with the profiles as they are, at a share of the distance.
+    pub(super) fn rates(
+        &self,
+        worn: &[Worn],
+        progress: f64,
+        depths: &mut Depths,
+    ) -> Result<Rates, WearError> {
+        let setups = worn.iter().map(|one| self.setup.worn(one.rail.curve(), one.wheel.curve()));
+        let setups: Vec<Setup> = setups.collect();
+        let points = self.route.points.par_iter().zip(depths.par_iter_mut()).enumerate();
+        let strips = points.map(|(at, (point, depths))| {
+            let found = self.strips(&setups, point, depths);
+            found.map_err(|cause| WearError::Contact { point: at + 1, progress, cause })
+        });
+        let strips = strips.collect::<Vec<Result<Vec<Strips>, _>>>();
+        let none = |one: &Worn| [&one.wheel, &one.rail].map(|profile| vec![0.0; profile.len()]);
+        let mut rates: Rates = worn.iter().map(none).collect();
+        for point in strips {
+            for ((one, strips), rates) in worn.iter().zip(point?).zip(&mut rates) {
+                one.wheel.lay(&strips[0], &mut rates[0]);
+                one.rail.lay(&strips[1], &mut rates[1]);
+            }
+        }
+        for (one, [wheel, rail]) in worn.iter().zip(&mut rates) {
+            *wheel = one.wheel.smoothed(std::mem::take(wheel));
+            *rail = one.rail.smoothed(std::mem::take(rail));
+        }
+        Ok(rates)
+    }
+
+    /// What is lost at a point of the route on each side.
+    fn strips(
+        &self,
+        setups: &[Setup],
+        point: &OperatingPoint,
+        depths: &mut [Option<f64>],
+    ) -> Result<Vec<Strips>, ContactError> {
+        let mut attitude = point.attitude;
+        if !point.rolls {
+            let of = |side: Side| {
+                let own = self.sides.iter().position(|&one| one == side);
+                &setups[own.unwrap_or(0)]
+            };
+            attitude.roll = of(Side::Right).roll(of(Side::Left), attitude.shift, attitude.yaw)?;
+        }
+        let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
+        let of_side = |(at, setup): (usize, &Setup)| {
+            let side = self.sides[at];
+            let operation = Operation {
+                attitude: side.attitude(attitude),
+                velocity: side.velocity(point.velocity),
+                load: point.load,
+            };
+            let loaded = Loaded::new(setup, &bodies, &operation, self.resolution.join)?;
+            let guess = depths[at].unwrap_or_else(|| loaded.guess());
+            let (down, patches) = loaded.on(self.resolution.elements, guess)?;
+            depths[at] = Some(down);
+            let mut strips = Strips::default();
+            for patch in &patches {
+                self.of_patch(&loaded, patch, point, &mut strips)?;
+            }
+            Ok(strips)
+        };
+        setups.iter().enumerate().map(of_side).collect()
+    }
+
+    /// Adds what the lines of a patch lose.
+    fn of_patch(
+        &self,
+        loaded: &Loaded<'_>,
+        patch: &Pressed,
+        point: &OperatingPoint,
+        strips: &mut Strips,
+    ) -> Result<(), ContactError> {
+        let wears = |line: &&WornLine| line.depths.iter().any(|&depth| depth > 0.0);
+        let lines: Vec<&WornLine> = patch.worn.iter().filter(wears).collect();
+        if lines.is_empty() {
+            return Ok(());
+        }
+        let ends = |line: &&WornLine| [-0.5, 0.5].map(|part| line.place + part * line.width);
+        let ends: Vec<f64> = lines.iter().flat_map(ends).collect();
+        let places = loaded.search().gap(&patch.patch).places(&ends);
+        let places = places.ok_or(ContactError::Short { y: patch.patch.reference.y })?;
+        // While the wheelset goes a metre the patch rolls over so many.
+        let rolled = patch.creepage.speed / point.velocity.forward;
+        let metres = [self.route.distance, self.route.axles].map(|all| all * point.share * rolled);
+        for body in 0..2 {
+            let strip = |(line, ends): (&&WornLine, &[f64])| {
+                ([ends[0], ends[1]], line.depths[body] * line.width * metres[body])
+            };
+            strips[body].extend(lines.iter().zip(places[body].chunks(2)).map(strip));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,239 @@
+//! A profile that wears.
+//!
+//! Each point of the profile stands for the stretch of the curve that is nearer to it than to its neighbours. What a body
+//! loses there is laid down as a volume, of a wheel round its circumference, of a rail on each metre, and taken off along
+//! the normal of the unworn curve. A layer of thickness n on a convex curve of curvature c holds less than n a length,
+//! and on a wheel of radius r the less the farther in: the integral of (1 - c u)(1 - b u) over u from 0 to n, where b is the
+//! part of the normal away from the axle over r. The thickness is the one that holds the volume.
+
+use std::f64::consts::TAU;
+
+use archard::parameters::Invalid;
+
+use super::WearError;
+use super::filter::Filter;
+use crate::curve::{Curve, Smoothing, distance};
+use crate::profile::{Part, Profile};
+
+/// Distance (m) between points at which a profile wears, at most. Patches are wider than several of them, and the spline between
+/// them is off by parts of (distance/radius)^4. A choice of cost.
+const SPACING: f64 = 0.25e-3;
+
+/// Turns of Newton's method after which the thickness of a layer has all digits: each doubles them, and the first guess, the
+/// volume over the length, has one.
+const NEWTON: usize = 6;
+
+/// A profile with what was worn off it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WornProfile {
+    part: Part,
+    points: Vec<Point>,
+    /// Volume (m^3) that is gone at each point; of a rail that of one metre (m^3/m).
+    gone: Vec<f64>,
+    curve: Curve,
+    filter: Filter,
+}
+
+/// A point of the unworn profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Point {
+    /// y and z (m).
+    at: [f64; 2],
+    /// Unit vector out of the material.
+    normal: [f64; 2],
+    /// Curvature (1/m) along the profile and round the axle: how much shorter a layer is for each metre inwards.
+    bends: [f64; 2],
+    /// Length (m) of the curve that it stands for.
+    length: f64,
+    /// Length (m) of the body there: the circumference of a wheel, a metre of a rail.
+    girth: f64,
+}
+
+impl Point {
+    /// Thickness (m) of the layer that holds a volume (m^3).
+    fn thickness(&self, volume: f64) -> Option<f64> {
+        let wanted = volume / (self.length * self.girth);
+        let [c, b] = self.bends;
+        let mut thickness = wanted;
+        for _ in 0..NEWTON {
+            let n = thickness;
+            let held = n - (c + b) * n * n / 2.0 + c * b * n * n * n / 3.0;
+            let slope = (1.0 - c * n) * (1.0 - b * n);
+            if slope <= 0.0 {
+                return None;
+            }
+            thickness -= (held - wanted) / slope;
+        }
+        Some(thickness)
+    }
+}
+
+impl WornProfile {
+    /// The unworn profile of a wheel of that nominal radius (m), whose wear is smoothed so that waves of that length (m)
+    /// keep half of their height; 0 smooths nothing.
+    ///
+    /// # Errors
+    /// As [`WornProfile::rail`], and if the wheel reaches to its axle.
+    pub fn wheel(curve: &Curve, nominal_radius: f64, smoothing: f64) -> Result<Self, Invalid> {
+        Self::new(curve, Part::Wheel, smoothing, |z| Some(nominal_radius + z))
+    }
+
+    /// The unworn profile of a rail, likewise.
+    ///
+    /// # Errors
+    /// If the wavelength is negative or not finite.
+    pub fn rail(curve: &Curve, smoothing: f64) -> Result<Self, Invalid> {
+        Self::new(curve, Part::Rail, smoothing, |_| None)
+    }
+
+    fn new(
+        curve: &Curve,
+        part: Part,
+        smoothing: f64,
+        radius: impl Fn(f64) -> Option<f64>,
+    ) -> Result<Self, Invalid> {
+        let along = curve.samples(SPACING);
+        let lengths: Vec<f64> =
+            along.windows(2).map(|pair| length(curve, [pair[0], pair[1]])).collect();
+        let stands_for = |at: usize| {
+            let side = |index: Option<usize>| index.and_then(|at| lengths.get(at)).unwrap_or(&0.0);
+            0.5 * (side(at.checked_sub(1)) + side(Some(at)))
+        };
+        let point = |(at, &along): (usize, &f64)| {
+            let place = curve.place(along);
+            let radius = radius(place.point[1]);
+            Point {
+                at: place.point,
+                normal: place.normal(),
+                bends: [place.curvature, radius.map_or(0.0, |radius| place.normal()[1] / radius)],
+                length: stands_for(at),
+                girth: radius.map_or(1.0, |radius| TAU * radius),
+            }
+        };
+        let points: Vec<Point> = along.iter().enumerate().map(point).collect();
+        if points.iter().any(|point| !(point.girth > 0.0)) {
+            return Err(Invalid::new("radius", "the profile of the wheel reaches to the axle"));
+        }
+        let weights: Vec<f64> = points.iter().map(|point| point.length * point.girth).collect();
+        let links = points.windows(2).zip(&lengths);
+        let links = links.map(|(pair, length)| 0.5 * (pair[0].girth + pair[1].girth) / length);
+        let filter = Filter::new(smoothing, weights, links.collect())?;
+        let gone = vec![0.0; points.len()];
+        let curve = through(points.iter().map(|point| point.at).collect())?;
+        Ok(Self { part, points, gone, curve, filter })
+    }
+
+    /// The worn curve (m).
+    pub fn curve(&self) -> &Curve {
+        &self.curve
+    }
+
+    /// The points of the worn profile.
+    pub fn profile(&self) -> Profile {
+        Profile { points: self.points.iter().zip(self.depths()).map(moved).collect() }
+    }
+
+    /// The points of the unworn profile, in the same order.
+    pub fn unworn(&self) -> Profile {
+        Profile { points: self.points.iter().map(|point| point.at).collect() }
+    }
+
+    /// Depth (m) along the normal at each point.
+    pub fn depths(&self) -> Vec<f64> {
+        let thickness = |(point, gone): (&Point, &f64)| point.thickness(*gone).unwrap_or(f64::NAN);
+        self.points.iter().zip(&self.gone).map(thickness).collect()
+    }
+
+    /// Volume (m^3) that is gone at each point; of a rail that of one metre (m^2).
+    pub fn gone(&self) -> &[f64] {
+        &self.gone
+    }
+
+    /// Volume (m^3) that is gone; of a rail that of one metre (m^2).
+    pub fn volume(&self) -> f64 {
+        self.gone.iter().sum()
+    }
+
+    /// Area (m^2) of the cross-section that is gone.
+    pub fn area(&self) -> f64 {
+        let of = |(point, gone): (&Point, &f64)| gone / point.girth;
+        self.points.iter().zip(&self.gone).map(of).sum()
+    }
+
+    /// What a volume a metre (m^2) across strips of the present curve is at each point: `strips` holds the ends of each
+    /// (m along the curve), and what a metre of its length loses.
+    pub(super) fn lay(&self, strips: &[([f64; 2], f64)], onto: &mut [f64]) {
+        let nodes = self.curve.nodes();
+        let last = nodes.len() - 1;
+        let edge = |at: usize| match at {
+            0 => f64::NEG_INFINITY,
+            at if at > last => f64::INFINITY,
+            at => 0.5 * (nodes[at - 1] + nodes[at]),
+        };
+        for &([one, other], lost) in strips {
+            let (from, to) = (one.min(other), one.max(other));
+            let first = nodes.partition_point(|&node| node < from).saturating_sub(1);
+            for at in first..=last {
+                if edge(at) >= to {
+                    break;
+                }
+                let share = (edge(at + 1).min(to) - edge(at).max(from)) / (to - from);
+                onto[at] += lost * share.max(0.0);
+            }
+        }
+    }
+
+    /// Volumes at the points as depths (m) of thin layers.
+    pub(super) fn as_depths(&self, volumes: &[f64]) -> Vec<f64> {
+        let of = |(point, volume): (&Point, &f64)| volume / (point.length * point.girth);
+        self.points.iter().zip(volumes).map(of).collect()
+    }
+
+    /// How many points it has.
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
+    /// The volumes with their waves smoothed, the whole kept.
+    pub(super) fn smoothed(&self, volumes: Vec<f64>) -> Vec<f64> {
+        self.filter.smooth(volumes)
+    }
+
+    /// The same with so much gone (m^3, of a rail m^2) at each point.
+    ///
+    /// # Errors
+    /// If a layer is thicker than its curve is round, or the profile crosses itself.
+    pub(super) fn worn_to(&self, gone: Vec<f64>) -> Result<Self, WearError> {
+        let layer = |(point, gone): (&Point, &f64)| {
+            let thickness = point.thickness(*gone);
+            thickness
+                .map(|thickness| moved((point, thickness)))
+                .ok_or(WearError::Deep { part: self.part, y: point.at[0] })
+        };
+        let points = self.points.iter().zip(&gone).map(layer).collect::<Result<Vec<_>, _>>()?;
+        let curve = through(points)?;
+        if curve.nodes().len() != self.points.len() {
+            return Err(WearError::Deep { part: self.part, y: f64::NAN });
+        }
+        Ok(Self { gone, curve, ..self.clone() })
+    }
+}
+
+/// A point, by a thickness (m) further in.
+fn moved((point, thickness): (&Point, f64)) -> [f64; 2] {
+    [0, 1].map(|axis| point.at[axis] - thickness * point.normal[axis])
+}
+
+/// The curve through points.
+fn through(points: Vec<[f64; 2]>) -> Result<Curve, Invalid> {
+    Curve::new(&points, Smoothing::NONE)
+}
+
+/// The length (m) of the curve between two places: Simpson's rule on chords has the error of the fourth order that the spline
+/// has too.
+fn length(curve: &Curve, [from, to]: [f64; 2]) -> f64 {
+    let point = |share: f64| curve.point(from + share * (to - from));
+    let whole = distance(point(0.0), point(1.0));
+    let halves = distance(point(0.0), point(0.5)) + distance(point(0.5), point(1.0));
+    halves + (halves - whole) / 3.0
+}
