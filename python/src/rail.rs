@@ -1,7 +1,8 @@
 //! A wheel on a rail: contacts in any attitude, from a case that is read once.
 
+use archard::parameters::Invalid;
 use archard_case::output::contact_row;
-use archard_case::{Prepared, RailError, Running, Task};
+use archard_case::{Prepared, RailError, Task};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -31,21 +32,22 @@ impl WheelRail {
             ));
         };
         let prepared = resolved.case.prepare();
-        let prepared = prepared.map_err(|invalid| PyValueError::new_err(invalid.message))?;
+        let prepared = prepared.map_err(|problem| PyValueError::new_err(problem.title()))?;
         Ok(Self(prepared))
     }
 
     /// The patches with some values (SI) of the motion in place of those of the case.
     fn contact(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Vec<Told>> {
-        let mut running = self.0.running.clone();
+        let mut state = self.0.running.state;
         for (name, value) in values {
-            put(&mut running, &name, value)?;
+            let wrong = |invalid: Invalid| PyValueError::new_err(invalid.message);
+            state.set(&name, value).map_err(wrong)?;
         }
         let prepared = self.0.clone();
         let work = move || {
-            prepared.contacts(&running).map_err(|error| match error {
+            prepared.contacts(&state).map_err(|error| match error {
                 RailError::Invalid(invalid) => Wrong::Value(invalid.message),
-                RailError::Contact(error) => Wrong::Contact(error.to_string()),
+                other => Wrong::Contact(other.to_string()),
             })
         };
         let contacts = away(py, &pool(Some(1))?, work).unless_interrupted()?;
@@ -54,7 +56,8 @@ impl WheelRail {
             Wrong::Contact(message) => RunError::new_err(message),
         })?;
         let told = contacts.iter().flat_map(|contact| {
-            contact.patches.iter().map(|patch| (contact.name().to_owned(), contact_row(patch)))
+            let side = contact.side.name();
+            contact.patches.iter().map(move |patch| (side.to_owned(), contact_row(patch)))
         });
         Ok(told.collect())
     }
@@ -64,27 +67,4 @@ impl WheelRail {
 enum Wrong {
     Value(String),
     Contact(String),
-}
-
-/// Puts a value (SI) in the place of one of the case.
-fn put(running: &mut Running, name: &str, value: f64) -> PyResult<()> {
-    let Running { attitude, velocity, load, rolls, .. } = running;
-    let place = match name {
-        "wheel_load" => load,
-        "shift" => &mut attitude.shift,
-        "yaw" => &mut attitude.yaw,
-        "roll" => {
-            *rolls = true;
-            &mut attitude.roll
-        }
-        "speed" => &mut velocity.forward,
-        "lateral_speed" => &mut velocity.lateral,
-        "vertical_speed" => &mut velocity.vertical,
-        "pitch_rate" => &mut velocity.pitch,
-        "yaw_rate" => &mut velocity.yaw,
-        "roll_rate" => &mut velocity.roll,
-        _ => return Err(PyValueError::new_err(format!("`{name}` is no value of the motion"))),
-    };
-    *place = value;
-    Ok(())
 }

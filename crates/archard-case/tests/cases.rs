@@ -24,6 +24,7 @@ mod published {
 
 use std::fs;
 use std::num::NonZero;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
@@ -31,7 +32,7 @@ use std::thread;
 use archard::elastic;
 use archard::units::{self, Dimension, Measure};
 use archard_case::output::{Store, contact_row};
-use archard_case::{CaseFile, Task};
+use archard_case::{CaseFile, RailWear, Task};
 use toml::de::{DeTable, DeValue};
 
 use common::Rows;
@@ -156,9 +157,13 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             return Ok(Results { points, rows });
         }
         Task::WheelRail(resolved) => {
-            let contacts = resolved.case.solve().map_err(|error| error.to_string())?;
-            let patches = contacts.iter().flat_map(|contact| &contact.patches);
-            return Ok(Results { points: vec![], rows: Rows(patches.map(contact_row).collect()) });
+            let results = resolved.case.solve(|_, _| ControlFlow::Continue(()));
+            let results = results.map_err(|error| error.to_string())?;
+            // What wears is told last, a row a step.
+            let patches = results.contacts.iter().flat_map(|contact| &contact.patches);
+            let steps = results.wear.iter().flat_map(RailWear::rows);
+            let rows = patches.map(contact_row).chain(steps.map(|(_, row)| row)).collect();
+            return Ok(Results { points: vec![], rows: Rows(rows) });
         }
     };
     let settled = resolved.with_companions(Some(store), &mut Rows::default());

@@ -119,6 +119,30 @@ impl Follower {
         }
     }
 
+    /// Shows where a run is that is no simulation: the share of all work, and words for it.
+    pub fn show(&mut self, share: f64, standing: &[String]) {
+        match &mut self.display {
+            Display::Bar(bar) => {
+                bar.set_position((LENGTH * share) as u64);
+                let width = usize::from(Term::stderr().size().1).saturating_sub(1);
+                let left = format!("{:#}", HumanDuration(bar.eta()));
+                bar.set_message(line(width, share, standing, &left));
+            }
+            Display::Lines(due) if self.before.is_none() && share >= *due - 1e-9 => {
+                tell(&format!("{:>3.0} %  {}", 100.0 * share, standing.join(", ")));
+                *due = (10.0 * share + 1.0 + 1e-9).floor() / 10.0;
+            }
+            Display::Lines(_) | Display::Nothing => {}
+        }
+    }
+
+    /// Takes the bar off.
+    pub fn end(&self) {
+        if let Display::Bar(bar) = &self.display {
+            bar.finish_and_clear();
+        }
+    }
+
     /// A number of the last step.
     pub fn number(&self, column: &str) -> Option<f64> {
         history::number(&self.last, column)
@@ -135,9 +159,7 @@ impl Follower {
 
 impl Drop for Follower {
     fn drop(&mut self) {
-        if let Display::Bar(bar) = &self.display {
-            bar.finish_and_clear();
-        }
+        self.end();
     }
 }
 
@@ -182,19 +204,7 @@ impl Observer for Follower {
         if let Some(what) = &self.before {
             standing = vec![what.clone(), standing.swap_remove(0)];
         }
-        match &mut self.display {
-            Display::Bar(bar) => {
-                bar.set_position((LENGTH * share) as u64);
-                let width = usize::from(Term::stderr().size().1).saturating_sub(1);
-                let left = format!("{:#}", HumanDuration(bar.eta()));
-                bar.set_message(line(width, share, &standing, &left));
-            }
-            Display::Lines(due) if self.before.is_none() && share >= *due - 1e-9 => {
-                tell(&format!("{:>3.0} %  {}", 100.0 * share, standing.join(", ")));
-                *due = (10.0 * share + 1.0 + 1e-9).floor() / 10.0;
-            }
-            Display::Lines(_) | Display::Nothing => {}
-        }
+        self.show(share, &standing);
         Ok(())
     }
 }

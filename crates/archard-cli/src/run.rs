@@ -67,7 +67,7 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
         }
         Task::WheelRail(resolved) => {
-            wheel_rail::run(resolved, watch, [arguments.quiet, arguments.verbose])
+            wheel_rail::run(resolved, watch, &mut follower, [arguments.quiet, arguments.verbose])
         }
     }
 }

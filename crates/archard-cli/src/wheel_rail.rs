@@ -1,27 +1,32 @@
 //! A wheel on its rail, through to its result folder.
 
+use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::ResolvedWheelRail;
-use archard_case::output::{RailContact, Totals, contacts_verdict, write_contacts};
+use archard_case::output::{RailContact, Totals, rail_verdict, write_rail};
+use archard_case::{RailWear, ResolvedWheelRail};
+use archard_rail::wear::{COLUMNS, Pass, Step};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
 use crate::number::four;
+use crate::progress::Follower;
 use crate::say::say;
 use crate::underway::command;
 use crate::verdict;
 
-/// Finds the contacts and writes them into the folder that is held.
+/// Finds the contacts, and what wears over the route, and writes them into the folder that is held.
 pub fn run(
     resolved: &ResolvedWheelRail,
     watch: &Watch,
+    follower: &mut Follower,
     [quiet, verbose]: [bool; 2],
 ) -> Result<(), Failure> {
     let ResolvedWheelRail { case, warnings, .. } = resolved;
     let wrong = |error: &dyn std::error::Error| Failure::wrong(error.to_string());
     let start = Instant::now();
-    let contacts = case.solve().map_err(|error| wrong(&error))?;
+    let results =
+        case.solve(|pass, step| follow(follower, pass, step)).map_err(|error| wrong(&error))?;
     let totals = Totals {
         seconds: start.elapsed().as_secs_f64(),
         threads: rayon::current_num_threads(),
@@ -32,17 +37,73 @@ pub fn run(
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_contacts(&mut claim, &case.to_string(), &contacts, &totals)
-        .map_err(|error| wrong(&error))?;
-    let judged = contacts_verdict(&contacts);
+    write_rail(&mut claim, &case.to_string(), &results, &totals).map_err(|error| wrong(&error))?;
+    let judged = rail_verdict(&results);
     if !quiet {
-        contacts.iter().try_for_each(summarize)?;
+        follower.end();
+        match &results.wear {
+            None => results.contacts.iter().try_for_each(summarize)?,
+            Some(wear) => summarize_wear(wear)?,
+        }
         say(&format!("time              {:.2} s", totals.seconds))?;
         say(&format!("results           {}", claim.dir().display()))?;
         say(&format!("verdict           {}", verdict::headline(&judged)))?;
         verdict::say_lines(&judged, verbose)?;
     }
     verdict::judge(&judged, claim.dir())
+}
+
+/// Shows how the route gets on. The three times that it is gone through take about as long on a quarter of the elements each, and
+/// then on all.
+fn follow(follower: &mut Follower, pass: Pass, step: &Step<'_>) -> ControlFlow<()> {
+    let (before, part, what) = match pass {
+        Pass::Hasty => (0.0, 1.0, "longer steps on half of the elements"),
+        Pass::Coarse => (1.0, 2.0, "half of the elements"),
+        Pass::Fine => (3.0, 4.0, "the route"),
+    };
+    let deepest = step.worn.iter().flat_map(|worn| [&worn.wheel, &worn.rail]);
+    let deepest = deepest.flat_map(|profile| profile.depths()).fold(0.0, f64::max);
+    let standing = [what.to_owned(), format!("depth {} um", four(1e6 * deepest))];
+    follower.show((before + part * step.progress) / 7.0, &standing);
+    ControlFlow::Continue(())
+}
+
+/// Says what was worn off.
+fn summarize_wear(wear: &RailWear) -> Result<(), Failure> {
+    let course = wear.travelled.course();
+    let sides = wear.travelled.worn.len();
+    for (told, errors) in &course[course.len() - sides..] {
+        let [distance, axles] = wear.extent;
+        let after = [(1e-3 * distance, "km"), (axles, "axles")].into_iter();
+        let after = after.filter(|(extent, _)| *extent > 0.0);
+        let after: Vec<_> = after.map(|(extent, unit)| format!("{extent} {unit}")).collect();
+        say(&format!("{} side, after {}", told.side.name(), after.join(" and ")))?;
+        for (name, (value, error)) in COLUMNS.iter().zip(told.values.iter().zip(errors)) {
+            let own = if name.starts_with("rail") { wear.wears[1] } else { wear.wears[0] };
+            if !own || value.is_nan() {
+                continue;
+            }
+            // Flanges are judged by hundredths of a millimetre.
+            let (value, unit) = match name.rsplit_once('_') {
+                Some((_, "m3")) => (four(1e9 * value), "mm^3"),
+                Some((_, "m2")) => (four(1e6 * value), "mm^2"),
+                _ => (format!("{:.4}", 1e3 * value), "mm"),
+            };
+            let factor = match unit {
+                "mm^3" => 1e9,
+                "mm^2" => 1e6,
+                _ => 1e3,
+            };
+            let words = name.rsplit_once('_').map_or(*name, |(words, _)| words).replace('_', " ");
+            let error = four(factor * error);
+            say(&format!("  {words:<18}{value} {unit}  +- {error}"))?;
+        }
+    }
+    if let [Some(new), Some(worn), error] = wear.conicity {
+        let error = error.map_or_else(String::new, |error| format!("  +- {}", four(error)));
+        say(&format!("conicity          {} new, {} worn{error}", four(new), four(worn)))?;
+    }
+    Ok(())
 }
 
 /// Says what came out on a side.
@@ -53,7 +114,8 @@ fn summarize(contact: &RailContact) -> Result<(), Failure> {
             let (value, off) = (four(factor * value), four(factor * off));
             say(&format!("  {name:<16}{value} {unit}  +- {off}"))
         };
-        say(&format!("{} wheel, patch {}", contact.name(), index + 1))?;
+        let at = contact.at.map_or_else(String::new, |at| format!("point {}, ", at.point));
+        say(&format!("{at}{} wheel, patch {}", contact.side.name(), index + 1))?;
         line("y on the rail", one.y_rail, error.y_rail, 1e3, "mm")?;
         line("y on the wheel", one.y_wheel, error.y_wheel, 1e3, "mm")?;
         line("contact angle", one.contact_angle, error.contact_angle, 1.0, "rad")?;

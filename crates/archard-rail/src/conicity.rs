@@ -7,6 +7,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use rayon::prelude::*;
+
 use crate::roots;
 use crate::search::Search;
 use crate::setup::{Attitude, Setup, Side};
@@ -30,7 +32,7 @@ pub fn rolling_radius_difference(
     let roll = roll.map_or_else(|| right.roll(left, shift, yaw), Ok)?;
     let radius = |setup: &Setup, side: Side| {
         let attitude = side.attitude(Attitude { shift, roll, yaw });
-        let onset = Search::new(setup, attitude)?.onset();
+        let onset = Search::first_touch(setup, attitude)?;
         let onset = onset.ok_or_else(|| Invalid::new("shift", "a wheel is not over its rail"))?;
         Ok::<f64, Invalid>(
             setup.wheelset().nominal_radius + setup.wheel().point(onset.at.on_wheel)[1],
@@ -49,7 +51,7 @@ pub fn equivalent_conicity(setups: [&Setup; 2], amplitude: f64) -> Result<f64, I
     let count = (2.0 * amplitude / STEP).ceil() as i32;
     let shifts: Vec<f64> = (-count..=count).map(|at| f64::from(at) * STEP).collect();
     let differences = shifts
-        .iter()
+        .par_iter()
         .map(|&shift| rolling_radius_difference(setups, shift, 0.0, None))
         .collect::<Result<Vec<_>, _>>()?;
     let wavelength =

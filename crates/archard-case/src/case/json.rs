@@ -104,13 +104,19 @@ fn elastic(forecast: &ElasticForecast) -> Value {
 fn wheel_rail(forecast: &WheelRailForecast) -> Value {
     let side = |(side, onset): &(Side, Onset)| {
         json!({
-            "side": if *side == Side::Left { "left" } else { "right" },
+            "side": side.name(),
             "onset_m": onset.height,
             "first_touch_m": onset.at.point.to_array(),
         })
     };
     let sides: Vec<Value> = forecast.sides.iter().map(side).collect();
-    json!({ "roll_rad": forecast.roll, "sides": sides })
+    json!({
+        "roll_rad": forecast.roll,
+        "sides": sides,
+        "rolling_radius_difference_m": forecast.radius_difference,
+        "equivalent_conicity": forecast.conicity,
+        "points": forecast.points,
+    })
 }
 
 /// The surfaces of a mesh, with the boxes around them (m).

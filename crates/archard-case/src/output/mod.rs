@@ -22,7 +22,8 @@
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
 //!
-//! Of a wheel on a rail, [`write_contacts`] writes `case.toml`, `contacts.csv` with a row a patch, and `summary.json`.
+//! Of a wheel on a rail, [`write_rail`] writes `case.toml`, `contacts.csv` with a row a patch, and `summary.json`; where they wear over
+//! a route also `wear.csv` with a row a point of a profile, `dimensions.csv` with a row a step, and the worn profiles.
 //!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
@@ -41,6 +42,7 @@ mod inside;
 mod length_profiles;
 mod limit;
 mod manifest;
+mod rail_wear;
 mod sections;
 mod sheet;
 mod standards;
@@ -62,7 +64,7 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
-pub use contacts::{RailContact, contact_row, contacts_verdict, write_contacts};
+pub use contacts::{AtPoint, RailContact, contact_row, rail_files, rail_verdict, write_rail};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};

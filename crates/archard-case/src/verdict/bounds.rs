@@ -254,3 +254,9 @@ pub fn bent(degrees: f64) -> Line {
         "degrees is how far the rail bends within a patch, which is computed in its tangent plane";
     Line::new("bent", degrees, Bound::AtMost([10.0, f64::INFINITY]), text)
 }
+
+/// The error of the area worn off a wheel or a rail, relative to it.
+pub fn worn(error: f64) -> Line {
+    let text = "is the error of the worn area: `frame.elements` and `motion.wheel_rail.tolerance` make it smaller";
+    Line::new("wear", error, Bound::AtMost([0.05, 0.3]), text)
+}

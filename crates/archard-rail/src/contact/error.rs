@@ -16,7 +16,7 @@ pub enum ContactError {
     NoContact,
     /// A contact comes to the end of a profile.
     #[error(
-        "the contact at y = {:.3} mm of the track comes to where the wheel or the rail ends, or stands upright: give longer profiles, a smaller shift or a smaller load", .y * 1e3
+        "the contact at y = {:.3} mm of the track comes to where the wheel or the rail ends, or turns away from the tangent plane: give longer profiles, a smaller shift or a smaller load; where a worn flange conforms to its rail, a plane contact does not hold it", .y * 1e3
     )]
     Short {
         /// y (m) of the reference point in the track.

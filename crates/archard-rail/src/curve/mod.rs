@@ -145,6 +145,12 @@ impl Curve {
         all
     }
 
+    /// Lengths (m) along the polygon from end to end, evenly and no farther apart than `step` (m).
+    pub(crate) fn samples_apart(&self, step: f64) -> Vec<f64> {
+        let parts = (self.length() / step).ceil().max(1.0) as usize;
+        (0..=parts).map(|part| self.length() * part as f64 / parts as f64).collect()
+    }
+
     fn piece(&self, along: f64) -> (&Cubic, f64) {
         let after = self.nodes.partition_point(|&node| node <= along);
         let piece = after.clamp(1, self.cubics.len()) - 1;

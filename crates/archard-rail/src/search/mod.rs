@@ -24,6 +24,10 @@ use archard::parameters::Invalid;
 /// Distance (m) between the places at which the gap is first looked at; patches narrower than that may be missed.
 pub const STEP: f64 = 5e-5;
 
+/// The same where only the first touch counts, whose valleys are then followed down: wider than profiles are measured, and narrower than
+/// the rounding of any.
+const COARSE: f64 = 4e-4;
+
 /// A point of the locus with the wheel at height 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Possible {
@@ -62,11 +66,24 @@ impl<'a> Search<'a> {
     /// # Errors
     /// If the attitude is out of its bounds.
     pub fn new(setup: &'a Setup, attitude: Attitude) -> Result<Self, Invalid> {
+        Self::by(setup, attitude, STEP)
+    }
+
+    /// Where a wheel of that attitude begins to touch, from a locus that is looked at in fewer places; `None` if it is nowhere
+    /// over the rail.
+    ///
+    /// # Errors
+    /// If the attitude is out of its bounds.
+    pub fn first_touch(setup: &'a Setup, attitude: Attitude) -> Result<Option<Onset>, Invalid> {
+        Ok(Self::by(setup, attitude, COARSE)?.onset())
+    }
+
+    fn by(setup: &'a Setup, attitude: Attitude, step: f64) -> Result<Self, Invalid> {
         let attitude = attitude.checked()?;
         let top = Top::new(setup.rail());
         let mut search =
             Self { setup, attitude, rotation: attitude.rotation(), top, locus: vec![] };
-        let places = setup.wheel().samples(STEP);
+        let places = setup.wheel().samples_apart(step);
         search.locus = places.into_iter().filter_map(|along| search.possible(along)).collect();
         Ok(search)
     }
@@ -97,9 +114,10 @@ impl<'a> Search<'a> {
 
     /// The height at which the wheel begins to touch; `None` if it is nowhere over the rail.
     pub fn onset(&self) -> Option<Onset> {
-        let gap = |at: &usize| self.locus[*at].gap;
-        let best = (0..self.locus.len()).min_by(|a, b| gap(a).total_cmp(&gap(b)))?;
-        let at = self.least(best);
+        let gap = |at: usize| self.locus.get(at).map_or(f64::INFINITY, |one| one.gap);
+        let before = |at: usize| at.checked_sub(1).map_or(f64::INFINITY, gap);
+        let valleys = (0..self.locus.len()).filter(|&at| gap(at) <= before(at).min(gap(at + 1)));
+        let at = valleys.map(|at| self.least(at)).min_by(|a, b| a.gap.total_cmp(&b.gap))?;
         Some(Onset { height: at.gap, at })
     }
 

@@ -23,7 +23,7 @@ impl Setup {
             let onset = |side: Side| {
                 let attitude = side.attitude(Attitude { shift, roll, yaw });
                 let setup = if side == Side::Right { self } else { left };
-                Search::new(setup, attitude).ok()?.onset().map(|onset| onset.height)
+                Search::first_touch(setup, attitude).ok()?.map(|onset| onset.height)
             };
             let [right, left] = [Side::Right, Side::Left].map(onset);
             right.zip(left).map_or(f64::NAN, |(right, left)| right - left)

@@ -4,8 +4,6 @@
 //! height; l is such that this is a half at the wavelength asked for. The matrix of a step has no positive element beside its
 //! diagonal and sums of rows that are the weights: depths stay positive and the sum of volumes is kept.
 
-use archard::parameters::Invalid;
-
 /// The low pass over the points of a profile.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Filter {
@@ -16,14 +14,10 @@ pub(super) struct Filter {
 }
 
 impl Filter {
-    /// Of a wavelength (m); 0 smooths nothing. `links` are girth over distance of neighbours.
-    pub fn new(wavelength: f64, weights: Vec<f64>, links: Vec<f64>) -> Result<Self, Invalid> {
-        if !(wavelength.is_finite() && wavelength >= 0.0) {
-            let message = format!("{wavelength} has to be a length of 0 or more");
-            return Err(Invalid::new("smoothing", message));
-        }
+    /// Of a wavelength (m), 0 or more; 0 smooths nothing. `links` are girth over distance of neighbours.
+    pub fn new(wavelength: f64, weights: Vec<f64>, links: Vec<f64>) -> Self {
         let half = (2f64.sqrt() - 1.0) * (wavelength / std::f64::consts::TAU).powi(2);
-        Ok(Self { weights, links: links.into_iter().map(|link| half * link).collect() })
+        Self { weights, links: links.into_iter().map(|link| half * link).collect() }
     }
 
     /// The volumes after both steps.
@@ -65,7 +59,7 @@ mod tests {
     #[test]
     fn a_wave_keeps_half_and_the_whole_is_kept() {
         let (step, length) = (1e-4, 4e-3);
-        let filter = Filter::new(length, vec![step; 801], vec![1.0 / step; 800]).unwrap();
+        let filter = Filter::new(length, vec![step; 801], vec![1.0 / step; 800]);
         let wave = |at: usize| 1.0 + (TAU * at as f64 * step / length).cos();
         let smoothed = filter.smooth((0..801).map(|at| step * wave(at)).collect());
         let height = 0.5 * (smoothed[400] - smoothed[380]) / step;

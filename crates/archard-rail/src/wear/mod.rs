@@ -14,11 +14,13 @@
 //! long. A value has the error of its grid, at most the difference of the first two, and that of its steps, at most that of the last two:
 //! [`Travelled::error`] is the sum of both. It holds for the profiles, the route, the smoothing and the wear law as given.
 
+mod course;
 mod filter;
 mod march;
 mod rates;
 mod worn_profile;
 
+pub use course::{COLUMNS, Told};
 pub use march::Step;
 pub use worn_profile::WornProfile;
 
@@ -80,9 +82,11 @@ impl Route {
             return Err(Invalid::new("route", "a route needs a point or more"));
         }
         for (at, point) in self.points.iter().enumerate() {
-            bounds::positive("share", point.share).map_err(|error| {
-                Invalid::new("share", format!("point {}: {}", at + 1, error.message))
-            })?;
+            let named = |error: Invalid| {
+                Invalid::new(error.parameter, format!("point {}: {}", at + 1, error.message))
+            };
+            bounds::positive("speed", point.velocity.forward).map_err(named)?;
+            bounds::positive("share", point.share).map_err(named)?;
         }
         let sum: f64 = self.points.iter().map(|point| point.share).sum();
         if (sum - 1.0).abs() > SHARES || !sum.is_finite() {
@@ -178,6 +182,8 @@ pub struct Travelled {
     pub hasty: Vec<Worn>,
     /// Steps taken as asked for.
     pub steps: usize,
+    /// What is told after each step of the three, in the same order.
+    told: [Vec<Told>; 3],
 }
 
 impl Travelled {
@@ -200,6 +206,26 @@ pub enum Pass {
 }
 
 impl Journey {
+    /// The same, checked, with shares that add up to one.
+    ///
+    /// # Errors
+    /// As [`Route::checked`] and [`Resolution::checked`], and if the tolerance is not between 0 and 1 or the smoothing negative.
+    pub fn checked(mut self) -> Result<Self, Invalid> {
+        self.resolution = self.resolution.checked()?;
+        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
+            let message = format!("{} has to lie between 0 and 1", self.tolerance);
+            return Err(Invalid::new("tolerance", message));
+        }
+        if bounds::finite("smoothing", self.smoothing)? < 0.0 {
+            return Err(Invalid::new(
+                "smoothing",
+                format!("{} has to be 0 or more", self.smoothing),
+            ));
+        }
+        self.route = self.route.checked()?;
+        Ok(self)
+    }
+
     /// Sends the wheelset over its route, three times; `watch` is shown each step and may stop it.
     ///
     /// # Errors
@@ -208,15 +234,12 @@ impl Journey {
         &self,
         mut watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<Travelled, WearError> {
-        let Resolution { elements, join } = self.resolution.checked()?;
-        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
-            let message = format!("{} has to lie between 0 and 1", self.tolerance);
-            return Err(Invalid::new("tolerance", message).into());
-        }
+        let Self { route, resolution, .. } = self.clone().checked()?;
+        let Resolution { elements, join } = resolution;
         if self.bodies.wear.iter().all(Option::is_none) {
             return Err(WearError::Unworn);
         }
-        let route = self.route.clone().checked()?;
+        let back = self.setup.wheelset().flange_back_position;
         let mut pass = |pass, elements, tolerance| {
             let journey = Self {
                 route: route.clone(),
@@ -224,19 +247,31 @@ impl Journey {
                 tolerance,
                 ..self.clone()
             };
-            journey.march(|step| watch(pass, step))
+            let mut told = vec![];
+            let (worn, steps) = journey.march(|step| {
+                let of = |one: &Worn| Told {
+                    progress: step.progress,
+                    side: one.side,
+                    values: one.told(back),
+                };
+                told.extend(step.worn.iter().map(of));
+                watch(pass, step)
+            })?;
+            Ok::<_, WearError>((worn, steps, told))
         };
         // The error of a step grows with its square.
-        let (hasty, _) = pass(Pass::Hasty, elements / 2, (4.0 * self.tolerance).min(1.0))?;
-        let (coarse, _) = pass(Pass::Coarse, elements / 2, self.tolerance)?;
-        let (worn, steps) = pass(Pass::Fine, elements, self.tolerance)?;
-        Ok(Travelled { worn, coarse, hasty, steps })
+        let loose = (4.0 * self.tolerance).min(1.0);
+        let (hasty, _, of_hasty) = pass(Pass::Hasty, elements / 2, loose)?;
+        let (coarse, _, of_coarse) = pass(Pass::Coarse, elements / 2, self.tolerance)?;
+        let (worn, steps, told) = pass(Pass::Fine, elements, self.tolerance)?;
+        let told = [told, of_coarse, of_hasty];
+        Ok(Travelled { worn, coarse, hasty, steps, told })
     }
 
     /// The profiles as they are before the first metre.
     ///
     /// # Errors
-    /// If the smoothing is negative or not finite.
+    /// If the wheel reaches to its axle.
     pub fn unworn(&self) -> Result<Vec<Worn>, Invalid> {
         let rail = WornProfile::rail(&self.setup.rail_in_its_coordinates(), self.smoothing)?;
         let radius = self.setup.wheelset().nominal_radius;

@@ -69,11 +69,11 @@ impl Point {
 }
 
 impl WornProfile {
-    /// The unworn profile of a wheel of that nominal radius (m), whose wear is smoothed so that waves of that length (m)
-    /// keep half of their height; 0 smooths nothing.
+    /// The unworn profile of a wheel of that nominal radius (m), whose wear is smoothed so that waves of that length (m),
+    /// 0 or more, keep half of their height.
     ///
     /// # Errors
-    /// As [`WornProfile::rail`], and if the wheel reaches to its axle.
+    /// If the wheel reaches to its axle.
     pub fn wheel(curve: &Curve, nominal_radius: f64, smoothing: f64) -> Result<Self, Invalid> {
         Self::new(curve, Part::Wheel, smoothing, |z| Some(nominal_radius + z))
     }
@@ -81,7 +81,7 @@ impl WornProfile {
     /// The unworn profile of a rail, likewise.
     ///
     /// # Errors
-    /// If the wavelength is negative or not finite.
+    /// If its points make no curve.
     pub fn rail(curve: &Curve, smoothing: f64) -> Result<Self, Invalid> {
         Self::new(curve, Part::Rail, smoothing, |_| None)
     }
@@ -117,7 +117,7 @@ impl WornProfile {
         let weights: Vec<f64> = points.iter().map(|point| point.length * point.girth).collect();
         let links = points.windows(2).zip(&lengths);
         let links = links.map(|(pair, length)| 0.5 * (pair[0].girth + pair[1].girth) / length);
-        let filter = Filter::new(smoothing, weights, links.collect())?;
+        let filter = Filter::new(smoothing, weights, links.collect());
         let gone = vec![0.0; points.len()];
         let curve = through(points.iter().map(|point| point.at).collect())?;
         Ok(Self { part, points, gone, curve, filter })
@@ -142,6 +142,17 @@ impl WornProfile {
     pub fn depths(&self) -> Vec<f64> {
         let thickness = |(point, gone): (&Point, &f64)| point.thickness(*gone).unwrap_or(f64::NAN);
         self.points.iter().zip(&self.gone).map(thickness).collect()
+    }
+
+    /// Depth (m) where the unworn profile has that y (m) first; not a number where it does not reach.
+    pub fn depth_at(&self, y: f64) -> f64 {
+        let depths = self.depths();
+        let across = |at: usize| self.points[at].at[0];
+        let meets = |at: &usize| (across(*at) - y) * (across(*at + 1) - y) <= 0.0;
+        let Some(at) = (0..self.points.len() - 1).find(meets) else { return f64::NAN };
+        let width = across(at + 1) - across(at);
+        let share = if width == 0.0 { 0.0 } else { (y - across(at)) / width };
+        depths[at] + share * (depths[at + 1] - depths[at])
     }
 
     /// Volume (m^3) that is gone at each point; of a rail that of one metre (m^2).

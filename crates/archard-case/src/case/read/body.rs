@@ -252,7 +252,7 @@ impl Reader<'_> {
     }
 
     /// The wear law, `Some(None)` where there is none; `None` if it is wrong.
-    fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
+    pub(super) fn wear(&mut self, body: &Section<'_>) -> Option<Option<Chosen<Box<dyn WearLaw>>>> {
         let Some((key, entry)) = body.get("wear") else { return Some(None) };
         let section = self.as_table(key, &entry.node)?;
         self.required(&section, "wear law", WEAR_LAWS).map(Some)

@@ -4,13 +4,14 @@ use super::super::key::is_bare;
 use super::super::problem::Problem;
 use super::super::reader::{Reader, Section};
 use super::super::tree::{Entry, Item};
-use super::super::wheel_rail::{RAILS, Rolled, Shape, WHEEL_RAIL, WHEELS, WheelRailCase};
+use super::super::wheel_rail::{RAILS, Rolled, WHEEL_RAIL, WHEELS, WheelRailCase};
 use archard::parameters::Choice;
+use archard_rail::contact::Resolution;
 
 /// The tables of such a case.
 const TABLES: &[&str] = &["title", "body", "frame", "friction", "motion"];
 /// What a wheel or a rail may have.
-const OF_BODIES: &[&str] = &["material", "profile"];
+const OF_BODIES: &[&str] = &["material", "profile", "wear"];
 
 impl Reader<'_> {
     /// Whether a case is about a wheel on a rail.
@@ -53,12 +54,12 @@ impl Reader<'_> {
     }
 
     /// The body with that kind of profile.
-    fn rolled(
+    fn rolled<S>(
         &mut self,
         bodies: &Section<'_>,
         which: &str,
-        choices: &'static [Choice<Shape>],
-    ) -> Option<Rolled> {
+        choices: &'static [Choice<S>],
+    ) -> Option<Rolled<S>> {
         let mut found = bodies.table.0.iter().filter(|entry| kind(entry) == Some(which));
         let Some(entry) = found.next() else {
             self.missing(bodies.key.clone(), &format!("a body with `profile.{which}`"));
@@ -78,13 +79,13 @@ impl Reader<'_> {
         let material = self.material(&section);
         let profile = self.table(&section, "profile", "the profile")?;
         let profile = self.choice(&profile, "profile", choices).map(|(chosen, _)| chosen);
-        let material = material?;
-        let Some(material) = material else {
+        let wear = self.wear(&section);
+        let Some(material) = material? else {
             let message = "wheel and rail are elastic";
             self.push(Problem::error(section.key.child("rigid"), message).at_name());
             return None;
         };
-        Some(Rolled { name: entry.name.clone(), material, profile: profile? })
+        Some(Rolled { name: entry.name.clone(), material, profile: profile?, wear: wear? })
     }
 
     /// The elements across patches, `Some(None)` where they are not given; `None` if they are wrong.
@@ -94,12 +95,13 @@ impl Reader<'_> {
         self.unknown(&section, "key", &["elements"]);
         let Some((key, entry)) = section.get("elements") else { return Some(None) };
         let elements = self.count(key.clone(), &entry.node)?;
-        if !(8..=1024).contains(&elements) || elements % 2 == 1 {
-            let message = "an even number from 8 to 1024: elements over the overlap of a patch";
-            self.push(Problem::error(key, message));
-            return None;
+        match (Resolution { elements, ..Resolution::default() }).checked() {
+            Ok(_) => Some(Some(elements)),
+            Err(invalid) => {
+                self.push(Problem::error(key, invalid.message));
+                None
+            }
         }
-        Some(Some(elements))
     }
 }
 

@@ -5,31 +5,43 @@ mod running;
 mod shape;
 
 use std::fmt::{self, Display, Formatter};
+use std::ops::ControlFlow;
+use std::sync::Arc;
 
 use archard::body::Material;
 use archard::friction::Friction;
 use archard::parameters::Invalid;
+use archard::wear::{Input, WearLaw};
+use archard_rail::conicity::{equivalent_conicity, rolling_radius_difference};
 use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
+use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
-use archard_rail::setup::{Setup, Side};
+use archard_rail::setup::{Setup, Side, Track, Wheelset};
+use archard_rail::wear::{Journey, OperatingPoint, Pass, Route, Step, Travelled, WearError, Worn};
+use rayon::prelude::*;
 
-pub use running::{Running, WHEEL_RAIL};
-pub use shape::{RAILS, Shape, WHEELS};
+pub use running::{Running, State, WHEEL_RAIL};
+pub use shape::{RAILS, RailShape, WHEELS, WheelShape};
 
 use super::chosen::Chosen;
 use super::key::Key;
 use super::problem::Problem;
-use crate::output::RailContact;
+use crate::output::{AtPoint, RailContact};
 
-/// A wheel or a rail.
+/// Amplitude (m) of the lateral motion that the equivalent conicity is told for: that of UIC 519 and EN 15302.
+pub const AMPLITUDE: f64 = 3e-3;
+
+/// A wheel or a rail, with its profile.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rolled {
+pub struct Rolled<S: 'static> {
     /// The user's name for it.
     pub name: String,
     /// What it is made of.
     pub material: Material,
     /// Its profile.
-    pub profile: Chosen<Shape>,
+    pub profile: Chosen<S>,
+    /// How it wears; `None` if it does not.
+    pub wear: Option<Chosen<Box<dyn WearLaw>>>,
 }
 
 /// A checked case of a wheel on a rail, in SI. It prints as a case file that reads back to the same bits.
@@ -39,9 +51,9 @@ pub struct WheelRailCase {
     /// What it is about.
     pub title: Option<String>,
     /// The wheel.
-    pub wheel: Rolled,
+    pub wheel: Rolled<WheelShape>,
     /// The rail.
-    pub rail: Rolled,
+    pub rail: Rolled<RailShape>,
     /// The friction law.
     pub friction: Chosen<Box<dyn Friction>>,
     /// How the wheelset stands and runs.
@@ -50,20 +62,37 @@ pub struct WheelRailCase {
     pub elements: Option<usize>,
 }
 
-/// Why the contacts of a wheel are not found.
+/// Why the contacts of a wheel, or its wear, are not found.
 #[derive(Debug, thiserror::Error)]
 pub enum RailError {
     /// Values of the case do not fit together.
+    #[error("{}", .0.title())]
+    Case(Problem),
+    /// A value cannot be used.
     #[error("`{}`: {}", .0.parameter, .0.message)]
     Invalid(Invalid),
-    /// There is no such contact.
+    /// There is no such contact at a point of the route.
+    #[error("{}{cause}", .point.map_or_else(String::new, |point| format!("point {point} of the route: ")))]
+    Contact {
+        /// The point, numbered from 1; `None` without a route.
+        point: Option<usize>,
+        /// Why.
+        cause: ContactError,
+    },
+    /// The route could not be gone through.
     #[error(transparent)]
-    Contact(#[from] ContactError),
+    Wear(#[from] WearError),
 }
 
 impl From<Invalid> for RailError {
     fn from(invalid: Invalid) -> Self {
         Self::Invalid(invalid)
+    }
+}
+
+impl From<Problem> for RailError {
+    fn from(problem: Problem) -> Self {
+        Self::Case(problem)
     }
 }
 
@@ -75,9 +104,15 @@ pub struct WheelRailForecast {
     pub roll: f64,
     /// Each side with its first touch.
     pub sides: Vec<(Side, Onset)>,
+    /// Rolling radius (m) of the right wheel less that of the left one, where both stand on their rails.
+    pub radius_difference: Option<f64>,
+    /// Equivalent conicity for an amplitude of 3 mm, where the wheelset steers itself back.
+    pub conicity: Option<f64>,
+    /// Points of the route.
+    pub points: usize,
 }
 
-/// A wheel over its rail, ready to be pressed on in any attitude.
+/// A wheel over its rail, ready to be pressed on in any state.
 #[derive(Debug, Clone)]
 pub struct Prepared {
     setup: Setup,
@@ -85,6 +120,33 @@ pub struct Prepared {
     resolution: Resolution,
     /// How the case has the wheelset stand and run.
     pub running: Running,
+    /// The formats in which the profiles of the wheel and of the rail were read.
+    pub formats: [Format; 2],
+}
+
+/// What came out of a case.
+#[derive(Debug, Clone)]
+pub struct RailResults {
+    /// The contacts at each point, of new profiles and then of worn ones.
+    pub contacts: Vec<RailContact>,
+    /// What was worn off over the route; `None` where nothing wears.
+    pub wear: Option<RailWear>,
+}
+
+/// What was worn off over a route.
+#[derive(Debug, Clone)]
+pub struct RailWear {
+    /// The profiles, and how they became so.
+    pub travelled: Travelled,
+    /// Distance (m), and the number of axles.
+    pub extent: [f64; 2],
+    /// Which of wheel and rail wear.
+    pub wears: [bool; 2],
+    /// Equivalent conicity of new and of worn profiles, and the error of the second; `None` where a wheelset does not steer
+    /// itself back.
+    pub conicity: [Option<f64>; 3],
+    /// The formats in which the profiles of the wheel and of the rail were read.
+    pub formats: [Format; 2],
 }
 
 impl WheelRailCase {
@@ -92,61 +154,261 @@ impl WheelRailCase {
     ///
     /// # Errors
     /// If values of the case do not fit together.
-    pub fn prepare(&self) -> Result<Prepared, Invalid> {
-        let (wheel, rail) = (self.wheel.profile.build()?, self.rail.profile.build()?);
-        let mut running = self.motion.build()?;
-        running.track.cant = rail.size;
-        running.wheelset.nominal_radius = wheel.size;
-        let setup = Setup::new(running.track, &rail.curve, running.wheelset, &wheel.curve)?;
+    pub fn prepare(&self) -> Result<Prepared, Problem> {
+        let at = |key: Key| {
+            move |error: Invalid| Problem::error(key.child(&error.parameter), error.message)
+        };
+        let of_body = |name: &str, kind: &str| at(Key::of(["body", name, "profile", kind]));
+        let wheel = self.wheel.profile.build().map_err(of_body(&self.wheel.name, "wheel"))?;
+        let rail = self.rail.profile.build().map_err(of_body(&self.rail.name, "rail"))?;
+        let running = self.motion.build().map_err(at(Key::of(["motion", "wheel_rail"])))?;
+        let friction =
+            self.friction.build().map_err(at(Key::of(["friction", self.friction.choice.name])))?;
+        let ([gauge, gauge_height], [distance, position]) = (running.gauge, running.flange_back);
+        let track = Track { gauge, gauge_height, cant: rail.cant };
+        let wheelset = Wheelset {
+            flange_back_distance: distance,
+            flange_back_position: position,
+            nominal_radius: wheel.radius,
+        };
+        let setup = Setup::new(track, &rail.shape.curve, wheelset, &wheel.shape.curve)
+            .map_err(|error| self.problem(error))?;
+        let law = |wear: &Option<Chosen<Box<dyn WearLaw>>>, name: &str| match wear {
+            None => Ok(None),
+            Some(law) => {
+                let key = Key::of(["body", name, "wear", law.choice.name]);
+                Ok(Some(Arc::from(law.build().map_err(at(key))?)))
+            }
+        };
         let bodies = Bodies {
             wheel: self.wheel.material,
             rail: self.rail.material,
-            friction: self.friction.build()?.into(),
+            friction: friction.into(),
+            wear: [
+                law(&self.wheel.wear, &self.wheel.name)?,
+                law(&self.rail.wear, &self.rail.name)?,
+            ],
         };
         let mut resolution = Resolution { join: running.join, ..Resolution::default() };
         resolution.elements = self.elements.unwrap_or(resolution.elements);
-        Ok(Prepared { setup, bodies, resolution, running })
+        let formats = [wheel.shape.format, rail.shape.format];
+        let prepared = Prepared { setup, bodies, resolution, running, formats };
+        self.hold(&prepared)?;
+        Ok(prepared)
     }
 
-    /// The contacts of the wheels that are asked for.
+    /// Refuses what wears without a distance, and laws that ask for what a profile does not keep.
+    fn hold(&self, prepared: &Prepared) -> Result<(), Problem> {
+        let Running { distance, axles, .. } = prepared.running;
+        let motion = Key::of(["motion", "wheel_rail"]);
+        let extents = [
+            (distance, "distance", "how far the wheel runs"),
+            (axles, "axles", "how many axles pass the rail"),
+        ];
+        let names = [&self.wheel.name, &self.rail.name];
+        for ((law, (extent, key, meaning)), name) in
+            prepared.bodies.wear.iter().zip(extents).zip(names)
+        {
+            let wear = Key::of(["body", name, "wear"]);
+            let Some(law) = law else {
+                if extent.is_some() {
+                    let message = format!("{meaning} counts for nothing: `{name}` has no wear law");
+                    return Err(Problem::error(motion.child(key), message));
+                }
+                continue;
+            };
+            if extent.is_none() {
+                return Err(Problem::missing(
+                    motion.child(key),
+                    format!("{meaning}, since `{name}` wears"),
+                ));
+            }
+            let kept = |input: &Input| {
+                matches!(input, Input::Distance | Input::Depth | Input::Temperature)
+            };
+            if law.inputs().iter().any(kept) {
+                let message = "the law asks for the distance slid before, the depth worn before or the temperature, which are not kept \
+                               along a profile";
+                return Err(Problem::error(wear, message));
+            }
+        }
+        Ok(())
+    }
+
+    /// What is wrong with a value of the set-up, at its place in the case.
+    fn problem(&self, error: Invalid) -> Problem {
+        let wheel = Key::of(["body", &self.wheel.name, "profile", "wheel"]);
+        let rail = Key::of(["body", &self.rail.name, "profile", "rail"]);
+        let motion = Key::of(["motion", "wheel_rail"]);
+        let key = match &*error.parameter {
+            "wheel" => wheel,
+            "nominal_radius" => wheel.child("radius"),
+            "rail" => rail,
+            "cant" => rail.child("cant"),
+            "flange_back_distance" => motion.child("flange_back"),
+            "velocity" => motion.child("speed"),
+            "load" => motion.child("wheel_load"),
+            "smoothing" => motion.child("wear_smoothing"),
+            "share" => motion.child("route"),
+            other => motion.child(other),
+        };
+        Problem::error(key, error.message)
+    }
+
+    /// The contacts at all points, and the wear over the route; `watch` is shown each step and may stop it.
     ///
     /// # Errors
-    /// If a contact cannot be found.
-    pub fn solve(&self) -> Result<Vec<RailContact>, RailError> {
+    /// If a contact cannot be found, or the route not be gone through.
+    pub fn solve(
+        &self,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<RailResults, RailError> {
         let prepared = self.prepare()?;
-        prepared.contacts(&prepared.running)
+        if prepared.wears() == [false; 2] {
+            return Ok(RailResults { contacts: prepared.all(None)?, wear: None });
+        }
+        let journey = prepared.journey()?;
+        let mut contacts = prepared.all(None)?;
+        let travelled = journey.travel(watch)?;
+        contacts.extend(prepared.all(Some(&travelled.worn))?);
+        // Rails of other wear are met on the way: only a worn wheel keeps its conicity.
+        let conicity = |worn: Option<&[Worn]>| {
+            let setups = prepared.setups(worn);
+            prepared.wears()[0]
+                .then(|| equivalent_conicity(prepared.sides(&setups), AMPLITUDE).ok())
+                .flatten()
+        };
+        let [fine, coarse, hasty] =
+            [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| conicity(Some(worn)));
+        let error = fine.zip(coarse).zip(hasty);
+        let error =
+            error.map(|((fine, coarse), hasty)| (fine - coarse).abs() + (coarse - hasty).abs());
+        let wear = RailWear {
+            extent: [journey.route.distance, journey.route.axles],
+            wears: prepared.wears(),
+            conicity: [conicity(None), fine, error],
+            formats: prepared.formats,
+            travelled,
+        };
+        Ok(RailResults { contacts, wear: Some(wear) })
     }
 }
 
 impl Prepared {
-    /// The contacts of a wheelset that stands and runs like that.
+    /// Which of wheel and rail wear.
+    pub fn wears(&self) -> [bool; 2] {
+        self.bodies.wear.each_ref().map(Option::is_some)
+    }
+
+    /// The contacts of a wheelset in that state, its roll found from both wheels under their load where it is not given.
     ///
     /// # Errors
     /// If a contact cannot be found.
-    pub fn contacts(&self, running: &Running) -> Result<Vec<RailContact>, RailError> {
-        let (mut attitude, mut velocity) = (running.attitude, running.velocity);
-        if velocity.pitch.is_nan() {
-            velocity.pitch = -velocity.forward / self.setup.wheelset().nominal_radius;
-        }
-        if !running.rolls {
-            let operation = Operation { attitude, velocity, load: running.load };
-            attitude.roll = contact::roll(&self.setup, &self.bodies, &operation, &self.resolution)?;
+    pub fn contacts(&self, state: &State) -> Result<Vec<RailContact>, RailError> {
+        let radius = self.setup.wheelset().nominal_radius;
+        let OperatingPoint { mut attitude, rolls, velocity, load, friction, .. } =
+            state.point(radius, &self.bodies.friction)?;
+        let bodies = Bodies { friction, ..self.bodies.clone() };
+        if !rolls {
+            let operation = Operation { attitude, velocity, load };
+            let roll = contact::roll(&self.setup, &bodies, &operation, &self.resolution);
+            attitude.roll = roll.map_err(|cause| RailError::Contact { point: None, cause })?;
         }
         let solve = |&side: &Side| {
             let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
-            let operation = Operation { attitude, velocity, load: running.load };
-            let (bodies, resolution) = (&self.bodies, &self.resolution);
-            let patches = contact::contact(&self.setup, bodies, &operation, resolution)?;
-            Ok(RailContact { side, load: running.load, patches })
+            let operation = Operation { attitude, velocity, load };
+            let patches = contact::contact(&self.setup, &bodies, &operation, &self.resolution);
+            let patches = patches.map_err(|cause| RailError::Contact { point: None, cause })?;
+            Ok(RailContact { at: None, side, load, patches })
         };
-        running.sides.iter().map(solve).collect()
+        self.running.sides.iter().map(solve).collect()
+    }
+
+    /// The contacts at all points, with new profiles or with worn ones. The roll of points of a route is that at first touch.
+    fn all(&self, worn: Option<&[Worn]>) -> Result<Vec<RailContact>, RailError> {
+        let states = self.running.states()?;
+        if self.running.route.is_empty() && worn.is_none() {
+            return self.contacts(&states[0]);
+        }
+        let setups = self.setups(worn);
+        let radius = self.setup.wheelset().nominal_radius;
+        let at_point = |(index, state): (usize, &State)| {
+            let wrong = |cause| RailError::Contact { point: Some(index + 1), cause };
+            let point = state.point(radius, &self.bodies.friction)?;
+            let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
+            let mut attitude = point.attitude;
+            if !point.rolls {
+                let [right, left] = self.sides(&setups);
+                attitude.roll = right.roll(left, attitude.shift, attitude.yaw)?;
+            }
+            let solve = |(side, setup): (&Side, &Setup)| {
+                let velocity = side.velocity(point.velocity);
+                let operation =
+                    Operation { attitude: side.attitude(attitude), velocity, load: point.load };
+                let patches = contact::contact(setup, &bodies, &operation, &self.resolution);
+                let at = Some(AtPoint { point: index + 1, worn: worn.is_some() });
+                Ok(RailContact {
+                    at,
+                    side: *side,
+                    load: point.load,
+                    patches: patches.map_err(wrong)?,
+                })
+            };
+            self.running.sides.iter().zip(&setups).map(solve).collect::<Result<Vec<_>, RailError>>()
+        };
+        let found: Vec<Result<Vec<RailContact>, RailError>> =
+            states.par_iter().enumerate().map(at_point).collect();
+        Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+    }
+
+    /// The set-up of each side that is computed.
+    fn setups(&self, worn: Option<&[Worn]>) -> Vec<Setup> {
+        let side = |at: usize| match worn.and_then(|worn| worn.get(at)) {
+            Some(worn) => self.setup.worn(worn.rail.curve(), worn.wheel.curve()),
+            None => self.setup.clone(),
+        };
+        (0..self.running.sides.len()).map(side).collect()
+    }
+
+    /// The right and the left side of those set-ups; one that is not computed is as the other.
+    fn sides<'a>(&self, setups: &'a [Setup]) -> [&'a Setup; 2] {
+        [Side::Right, Side::Left].map(|side| {
+            let own = self.running.sides.iter().position(|&one| one == side);
+            &setups[own.unwrap_or(0)]
+        })
+    }
+
+    /// The wheelset and its route.
+    fn journey(&self) -> Result<Journey, Invalid> {
+        let radius = self.setup.wheelset().nominal_radius;
+        let states = self.running.states()?;
+        let points = states.iter().map(|state| state.point(radius, &self.bodies.friction));
+        let route = Route {
+            points: points.collect::<Result<_, _>>()?,
+            distance: self.running.distance.unwrap_or(0.0),
+            axles: self.running.axles.unwrap_or(0.0),
+        };
+        Journey {
+            setup: self.setup.clone(),
+            sides: self.running.sides.clone(),
+            bodies: self.bodies.clone(),
+            route,
+            resolution: self.resolution,
+            tolerance: self.running.tolerance,
+            smoothing: self.running.wear_smoothing,
+        }
+        .checked()
     }
 
     /// What the set-up tells before any elasticity.
     fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
-        let mut attitude = self.running.attitude;
-        if !self.running.rolls {
-            attitude.roll = self.setup.roll(attitude.shift, attitude.yaw)?;
+        let states = self.running.states()?;
+        if !self.running.route.is_empty() || self.wears() != [false; 2] {
+            self.journey()?;
+        }
+        let mut attitude = states[0].attitude;
+        if !states[0].rolls {
+            attitude.roll = self.setup.roll(&self.setup, attitude.shift, attitude.yaw)?;
         }
         let touch = |&side: &Side| {
             let search = Search::new(&self.setup, side.attitude(attitude))?;
@@ -156,24 +418,37 @@ impl Prepared {
             Ok((side, onset))
         };
         let sides = self.running.sides.iter().map(touch).collect::<Result<_, Invalid>>()?;
-        Ok(WheelRailForecast { roll: attitude.roll, sides })
+        let both = [&self.setup; 2];
+        let (shift, yaw, roll) = (attitude.shift, attitude.yaw, Some(attitude.roll));
+        Ok(WheelRailForecast {
+            roll: attitude.roll,
+            sides,
+            radius_difference: rolling_radius_difference(both, shift, yaw, roll).ok(),
+            conicity: equivalent_conicity(both, AMPLITUDE).ok(),
+            points: states.len(),
+        })
     }
 }
 
 /// The forecast of a case and what is wrong with it.
 pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
     let mut problems = vec![];
-    for (body, kind) in [(&case.wheel, "wheel"), (&case.rail, "rail")] {
-        let findings = body.profile.build().map(|shape| shape.findings).unwrap_or_default();
-        let key = Key::of(["body", &body.name, "profile", kind, "file"]);
+    let wheel = case.wheel.profile.build().map(|wheel| wheel.shape.findings).unwrap_or_default();
+    let rail = case.rail.profile.build().map(|rail| rail.shape.findings).unwrap_or_default();
+    for (name, kind, findings) in
+        [(&case.wheel.name, "wheel", wheel), (&case.rail.name, "rail", rail)]
+    {
+        let key = Key::of(["body", name, "profile", kind, "file"]);
         let told = findings.iter().map(|one| Problem::warning(key.clone(), one.to_string()));
         problems.extend(told);
     }
-    match case.prepare().and_then(|prepared| prepared.forecast()) {
+    let forecast = case
+        .prepare()
+        .and_then(|prepared| prepared.forecast().map_err(|error| case.problem(error)));
+    match forecast {
         Ok(forecast) => (forecast, problems),
-        Err(invalid) => {
-            let key = Key::of(["motion", "wheel_rail"]).child(&invalid.parameter);
-            problems.push(Problem::error(key, invalid.message));
+        Err(problem) => {
+            problems.push(problem);
             (WheelRailForecast::default(), problems)
         }
     }
@@ -181,12 +456,25 @@ pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
 
 impl Display for WheelRailForecast {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        if self.points > 1 {
+            writeln!(
+                f,
+                "route             {} points, the first of which touches like this:",
+                self.points
+            )?;
+        }
         writeln!(f, "roll              {:.5} mrad", 1e3 * self.roll)?;
         for (side, onset) in &self.sides {
-            let name = if *side == Side::Left { "left" } else { "right" };
             let [x, y, z] = onset.at.point.to_array().map(|one| 1e3 * one);
-            writeln!(f, "{name:<18}touches at a height of {:.4} mm", 1e3 * onset.height)?;
+            let height = 1e3 * onset.height;
+            writeln!(f, "{:<18}touches at a height of {height:.4} mm", side.name())?;
             writeln!(f, "                  x {x:.3} mm, y {y:.3} mm, z {z:.3} mm of the track")?;
+        }
+        if let Some(difference) = self.radius_difference {
+            writeln!(f, "rolling radii     right less left {:.4} mm", 1e3 * difference)?;
+        }
+        if let Some(conicity) = self.conicity {
+            writeln!(f, "conicity          {conicity:.4} at an amplitude of 3 mm")?;
         }
         Ok(())
     }

@@ -10,17 +10,24 @@ impl Display for WheelRailCase {
         if let Some(title) = &self.title {
             writeln!(f, "title = {}\n", quoted(title))?;
         }
-        for Rolled { name, material, profile } in [&self.wheel, &self.rail] {
-            let key = format!("body.{name}");
-            writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
-            writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
-            print_chosen(f, &format!("{key}.profile"), profile)?;
-            writeln!(f)?;
-        }
+        print_body(f, &self.wheel)?;
+        print_body(f, &self.rail)?;
         if let Some(elements) = self.elements {
             writeln!(f, "frame.elements = {elements}")?;
         }
         print_chosen(f, "friction", &self.friction)?;
         print_chosen(f, "motion", &self.motion)
     }
+}
+
+fn print_body<S>(f: &mut Formatter<'_>, body: &Rolled<S>) -> fmt::Result {
+    let Rolled { name, material, profile, wear } = body;
+    let key = format!("body.{name}");
+    writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
+    writeln!(f, "{key}.material.poisson = {}", number(material.poisson))?;
+    print_chosen(f, &format!("{key}.profile"), profile)?;
+    if let Some(wear) = wear {
+        print_chosen(f, &format!("{key}.wear"), wear)?;
+    }
+    writeln!(f)
 }

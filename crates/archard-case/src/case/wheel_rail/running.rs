@@ -1,34 +1,165 @@
 //! How a wheelset stands on its track and runs, as a case says it.
 
+use std::sync::Arc;
+
+use archard::friction::{Coulomb, Friction};
 use archard::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 use archard_rail::search;
-use archard_rail::setup::{Attitude, Side, Track, Velocity, Wheelset};
+use archard_rail::setup::{Attitude, Side, Track, Velocity};
+use archard_rail::wear::OperatingPoint;
 
 /// How a wheelset stands on its track and runs.
 #[derive(Debug, Clone)]
 pub struct Running {
     /// The sides to compute.
     pub sides: Vec<Side>,
-    /// Track and wheelset; the cant of the rail and the nominal radius of the wheel are with their profiles.
-    pub track: Track,
-    /// The lengths of the wheelset.
-    pub wheelset: Wheelset,
+    /// Gauge (m), and the depth (m) down to which it counts.
+    pub gauge: [f64; 2],
+    /// Distance (m) between the backs of the wheels, and y (m) of the back on a profile.
+    pub flange_back: [f64; 2],
+    /// How it stands and runs.
+    pub state: State,
+    /// Distance (m) up to which overlaps are one patch.
+    pub join: f64,
+    /// The points of a route by their columns (SI), which count in the place of what is here; none without a route.
+    pub route: Vec<(String, Vec<f64>)>,
+    /// Distance (m) that the wheelset runs.
+    pub distance: Option<f64>,
+    /// Axles that pass the rail.
+    pub axles: Option<f64>,
+    /// Error that a step of wear may have, relative to all that is worn off.
+    pub tolerance: f64,
+    /// Waves (m) of the worn depth that keep half of their height.
+    pub wear_smoothing: f64,
+}
+
+/// How a wheelset stands and runs at a point of its route.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
     /// The vertical force (N) on each wheel.
     pub load: f64,
-    /// Shift, yaw and, where it is given, roll.
+    /// Shift and yaw, and the roll where it is given.
     pub attitude: Attitude,
     /// Whether the roll is given.
     pub rolls: bool,
-    /// The velocities; the pitch is NaN where it is not given.
+    /// The velocities but for the pitch.
     pub velocity: Velocity,
-    /// Distance (m) up to which overlaps are one patch.
-    pub join: f64,
+    /// Rate (rad/s) of the turn about the axle; that of pure rolling at the nominal radius where it is not given.
+    pub pitch: Option<f64>,
+    /// Curvature (1/m) of the track, positive to the right.
+    pub curvature: f64,
+    /// Coefficient of friction in the place of the law's.
+    pub friction: Option<f64>,
+    /// Share of the distance.
+    pub share: f64,
+}
+
+/// What may differ from point to point of a route: the name of a column and its quantity.
+const COLUMNS: &[(&str, Quantity)] = &[
+    ("share", Quantity::Number),
+    ("shift", Quantity::Length),
+    ("yaw", Quantity::Angle),
+    ("roll", Quantity::Angle),
+    ("curvature", Quantity::Curvature),
+    ("wheel_load", Quantity::Force),
+    ("friction", Quantity::Number),
+    ("speed", Quantity::Speed),
+    ("lateral_speed", Quantity::Speed),
+    ("vertical_speed", Quantity::Speed),
+    ("pitch_rate", RATE),
+    ("yaw_rate", RATE),
+    ("roll_rate", RATE),
+];
+
+impl State {
+    /// Puts a value (SI) in the place of the one of that name.
+    ///
+    /// # Errors
+    /// If there is none of that name, or it cannot have that value.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), Invalid> {
+        if !value.is_finite() {
+            return Err(Invalid::new(
+                "value",
+                format!("`{name}` = {value} is not a finite number"),
+            ));
+        }
+        let Self { load, attitude, velocity, .. } = self;
+        let place = match name {
+            "share" => &mut self.share,
+            "shift" => &mut attitude.shift,
+            "yaw" => &mut attitude.yaw,
+            "roll" => {
+                self.rolls = true;
+                &mut attitude.roll
+            }
+            "curvature" => &mut self.curvature,
+            "wheel_load" => load,
+            "friction" => self.friction.insert(value),
+            "speed" => &mut velocity.forward,
+            "lateral_speed" => &mut velocity.lateral,
+            "vertical_speed" => &mut velocity.vertical,
+            "pitch_rate" => self.pitch.insert(value),
+            "yaw_rate" => &mut velocity.yaw,
+            "roll_rate" => &mut velocity.roll,
+            _ => {
+                let known = COLUMNS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+                let message = format!("`{name}` is no value of a point: {known}");
+                return Err(Invalid::new("value", message));
+            }
+        };
+        *place = value;
+        Ok(())
+    }
+
+    /// As an operating point, for a wheel of that radius (m) and a law of friction where no coefficient is given.
+    ///
+    /// # Errors
+    /// If the coefficient of friction is negative.
+    pub fn point(&self, radius: f64, law: &Arc<dyn Friction>) -> Result<OperatingPoint, Invalid> {
+        let friction: Arc<dyn Friction> = match self.friction {
+            Some(coefficient) => Arc::new(Coulomb::new(coefficient)?),
+            None => law.clone(),
+        };
+        let mut velocity = self.velocity;
+        velocity.pitch = self.pitch.unwrap_or(-velocity.forward / radius);
+        // The wheelset turns with its track: its outer wheel goes the longer way.
+        velocity.yaw += self.curvature * velocity.forward;
+        Ok(OperatingPoint {
+            attitude: self.attitude.checked()?,
+            rolls: self.rolls,
+            velocity,
+            load: self.load,
+            friction,
+            share: self.share,
+        })
+    }
+}
+
+impl Running {
+    /// The points of the route; what is here where there is none.
+    ///
+    /// # Errors
+    /// If a column is not known, or a value cannot be used.
+    pub fn states(&self) -> Result<Vec<State>, Invalid> {
+        let Some((_, first)) = self.route.first() else { return Ok(vec![self.state]) };
+        let state = |row: usize| {
+            let mut state = self.state;
+            for (name, values) in &self.route {
+                let named = |error: Invalid| {
+                    Invalid::new("route", format!("point {}: {}", row + 1, error.message))
+                };
+                state.set(name, values[row]).map_err(named)?;
+            }
+            Ok(state)
+        };
+        (0..first.len()).map(state).collect()
+    }
 }
 
 /// The motion of a wheel on a rail.
 pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
     name: "wheel_rail",
-    meaning: "a railway wheelset at one place of its track: patches, creepages and forces",
+    meaning: "a railway wheelset on its track: patches, creepages and forces, and wear over a route",
     parameters: &[
         LOAD,
         SPEED,
@@ -45,7 +176,13 @@ pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
         ROLL_RATE,
         LATERAL,
         VERTICAL,
+        CURVATURE,
         JOIN,
+        ROUTE,
+        DISTANCE,
+        AXLES,
+        TOLERANCE,
+        WEAR_SMOOTHING,
     ],
     build,
 }];
@@ -117,6 +254,35 @@ const JOIN: Parameter = Parameter::optional(
 )
 .bound(Bound::NonNegative);
 
+const CURVATURE: Parameter = Parameter::optional(
+    "curvature",
+    Quantity::Curvature,
+    "curvature of the track, positive to the right: the wheelset turns with it",
+)
+.bound(Bound::Any);
+const ROUTE: Parameter = Parameter::optional(
+    "route",
+    Quantity::Table(COLUMNS),
+    "CSV of operating points, a row each: `share` of the distance and any value above that differs from point to point, or \
+     `friction`",
+)
+.bound(Bound::Any);
+const DISTANCE: Parameter =
+    Parameter::optional("distance", Quantity::Length, "distance that a wheel runs which wears");
+const AXLES: Parameter =
+    Parameter::optional("axles", Quantity::Number, "axles that pass a rail which wears");
+const TOLERANCE: Parameter = Parameter::optional(
+    "tolerance",
+    Quantity::Number,
+    "error of a step of wear, relative to all that is worn off; 0.01 if not given",
+);
+const WEAR_SMOOTHING: Parameter = Parameter::optional(
+    "wear_smoothing",
+    Quantity::Length,
+    "waves of worn depth of this length keep half of their height; 2 mm if not given",
+)
+.bound(Bound::NonNegative);
+
 fn build(values: &Values) -> Result<Running, Invalid> {
     let or = |name, default| values.number(name).unwrap_or(default);
     let sides = match values.word("side") {
@@ -125,30 +291,40 @@ fn build(values: &Values) -> Result<Running, Invalid> {
         _ => vec![Side::Right],
     };
     let standard = Track::standard();
-    Ok(Running {
+    let velocity = Velocity {
+        forward: values.require("speed")?,
+        lateral: or("lateral_speed", 0.0),
+        vertical: or("vertical_speed", 0.0),
+        roll: or("roll_rate", 0.0),
+        yaw: or("yaw_rate", 0.0),
+        pitch: 0.0,
+    };
+    let attitude = Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) };
+    let route = values.table("route").unwrap_or_default().to_vec();
+    if !route.is_empty() && !route.iter().any(|(name, _)| name == "share") {
+        return Err(Invalid::new("route", "a column `share`, of the distance, is needed"));
+    }
+    let running = Running {
         sides,
-        track: Track {
-            gauge: or("gauge", standard.gauge),
-            gauge_height: or("gauge_height", standard.gauge_height),
-            cant: 0.0,
-        },
-        wheelset: Wheelset {
-            flange_back_distance: or("flange_back", 1.36),
-            flange_back_position: or("flange_back_position", -0.07),
-            nominal_radius: f64::NAN,
-        },
-        load: values.require("wheel_load")?,
-        attitude: Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) }
-            .checked()?,
-        rolls: values.number("roll").is_some(),
-        velocity: Velocity {
-            forward: values.require("speed")?,
-            lateral: or("lateral_speed", 0.0),
-            vertical: or("vertical_speed", 0.0),
-            roll: or("roll_rate", 0.0),
-            yaw: or("yaw_rate", 0.0),
-            pitch: or("pitch_rate", f64::NAN),
+        gauge: [or("gauge", standard.gauge), or("gauge_height", standard.gauge_height)],
+        flange_back: [or("flange_back", 1.36), or("flange_back_position", -0.07)],
+        state: State {
+            load: values.require("wheel_load")?,
+            attitude: attitude.checked()?,
+            rolls: values.number("roll").is_some(),
+            velocity,
+            pitch: values.number("pitch_rate"),
+            curvature: or("curvature", 0.0),
+            friction: None,
+            share: 1.0,
         },
         join: or("join", search::JOIN),
-    })
+        route,
+        distance: values.number("distance"),
+        axles: values.number("axles"),
+        tolerance: or("tolerance", 0.01),
+        wear_smoothing: or("wear_smoothing", 2e-3),
+    };
+    running.states()?;
+    Ok(running)
 }

@@ -7,41 +7,58 @@ use archard_rail::oddity::Finding;
 use archard_rail::standard::{rail_60e1, wheel_s1002};
 use archard_rail::{Part, Profile};
 
-/// Distance (m) between the points of a profile drawn from its standard.
+/// Distance (m) between the points of a profile drawn from its standard, as in the files of measured ones. A choice of cost: the
+/// spline between them is off by parts of (distance/radius)^4.
 const DRAWN: f64 = 0.2e-3;
 
 /// A profile, and what looks wrong in the file that it is from.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Shape {
     /// The curve through its points (m).
     pub curve: Curve,
     /// What looks wrong, with the lines of the file.
     pub findings: Vec<Finding>,
-    /// Of a wheel its nominal radius (m), of a rail its inclination (rad).
-    pub size: f64,
+    /// The format of the file; SIMPACK's of a standard profile.
+    pub format: Format,
+}
+
+/// The profile of a wheel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct WheelShape {
+    /// Its curve.
+    pub shape: Shape,
+    /// Nominal rolling radius (m).
+    pub radius: f64,
+}
+
+/// The profile of a rail.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailShape {
+    /// Its curve.
+    pub shape: Shape,
+    /// Inclination (rad) towards the middle of the track.
+    pub cant: f64,
 }
 
 /// What the profile of a wheel takes.
-pub const WHEELS: &[Choice<Shape>] = &[Choice {
+pub const WHEELS: &[Choice<WheelShape>] = &[Choice {
     name: "wheel",
     meaning: "the profile of a railway wheel, from its standard or from a file",
     parameters: &[FILE, WHEEL_STANDARD, RADIUS, SMOOTHING, UNIT, UPWARDS, MIRRORED],
     build: |values| {
-        let size = values.require("radius")?;
-        let shape = shape(values, Part::Wheel, |_| wheel_s1002(DRAWN))?;
-        Ok(Shape { size, ..shape })
+        let radius = values.require("radius")?;
+        Ok(WheelShape { shape: shape(values, Part::Wheel, wheel_s1002)?, radius })
     },
 }];
 
 /// What the profile of a rail takes.
-pub const RAILS: &[Choice<Shape>] = &[Choice {
+pub const RAILS: &[Choice<RailShape>] = &[Choice {
     name: "rail",
     meaning: "the profile of a rail, from its standard or from a file",
     parameters: &[FILE, RAIL_STANDARD, CANT, SMOOTHING, UNIT, UPWARDS, MIRRORED],
     build: |values| {
-        let size = values.word("cant").map_or(Ok(0.0), inclination)?;
-        let shape = shape(values, Part::Rail, |_| rail_60e1(DRAWN))?;
-        Ok(Shape { size, ..shape })
+        let cant = values.word("cant").map_or(Ok(0.0), inclination)?;
+        Ok(RailShape { shape: shape(values, Part::Rail, rail_60e1)?, cant })
     },
 }];
 
@@ -91,17 +108,20 @@ fn inclination(text: &str) -> Result<f64, Invalid> {
 fn shape(
     values: &Values,
     part: Part,
-    drawn: impl Fn(&str) -> Result<Profile, Invalid>,
+    drawn: impl Fn(f64) -> Result<Profile, Invalid>,
 ) -> Result<Shape, Invalid> {
-    let (profile, findings) = match (values.get("file"), values.word("standard")) {
+    let (profile, findings, format) = match (values.get("file"), values.word("standard")) {
         (Some(_), Some(_)) => return Err(Invalid::exclusive("standard", "file", "keep one")),
         (Some(Value::File { name, bytes }), None) => file(values, part, (name, bytes))?,
-        (None, Some(name)) => (drawn(name).map_err(|error| of(error, "standard"))?, vec![]),
+        (None, Some(_)) => {
+            let drawn = drawn(DRAWN).map_err(|error| of(error, "standard"))?;
+            (drawn, vec![], Format::Simpack(part))
+        }
         _ => return Err(Invalid::new("file", "one of `file` and `standard` is needed")),
     };
     let smoothing = values.number("smoothing").map_or(Smoothing::NONE, Smoothing::wavelength);
     let curve = profile.curve(smoothing).map_err(|error| of(error, "file"))?;
-    Ok(Shape { curve, findings, size: 0.0 })
+    Ok(Shape { curve, findings, format })
 }
 
 /// The profile in a file, and what looks wrong in it.
@@ -109,7 +129,7 @@ fn file(
     values: &Values,
     part: Part,
     (name, bytes): (&str, &[u8]),
-) -> Result<(Profile, Vec<Finding>), Invalid> {
+) -> Result<(Profile, Vec<Finding>, Format), Invalid> {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     let unit = values.number("unit").unwrap_or(1e-3);
     let format = Format::of_extension(extension, part, unit).ok_or_else(|| {
@@ -127,7 +147,7 @@ fn file(
         other => other,
     };
     let document = read(bytes, format).map_err(|error| Invalid::new("file", error.to_string()))?;
-    Ok((document.profile, document.findings))
+    Ok((document.profile, document.findings, format))
 }
 
 /// What is wrong with a profile, at a parameter of the case.

@@ -1,0 +1,164 @@
+//! The results of a wheel and a rail that wear over a route.
+
+use archard_rail::file::{Format, write};
+use archard_rail::setup::Side;
+use archard_rail::wear::{COLUMNS, Told, Worn, WornProfile};
+use serde_json::{Value, json};
+
+use super::manifest::Manifest;
+use super::table::{Table, number};
+use super::{Error, file};
+use crate::case::RailWear;
+
+/// The file of worn depths over the profiles.
+const WEAR: &str = "wear.csv";
+/// The file of how dimensions change over the route.
+const DIMENSIONS: &str = "dimensions.csv";
+/// Names of the bodies in rows and files, in the order of [`RailWear::wears`].
+const BODIES: [&str; 2] = ["wheel", "rail"];
+
+/// A profile that wears: which body it is of, which of the sides, and the name of its file.
+type Wears = (usize, usize, String);
+
+/// The profiles that wear.
+fn profiles(wears: [bool; 2], sides: &[Side], formats: [Format; 2]) -> Vec<Wears> {
+    let bodies = (0..2).filter(|&body| wears[body]);
+    let of_body = |body: usize| {
+        sides.iter().enumerate().map(move |(at, side)| {
+            let extension = extension(formats[body]);
+            (body, at, format!("worn_{}_{}.{extension}", BODIES[body], side.name()))
+        })
+    };
+    bodies.flat_map(of_body).collect()
+}
+
+impl RailWear {
+    /// The profiles that wear.
+    fn profiles(&self) -> Vec<Wears> {
+        let sides: Vec<Side> = self.travelled.worn.iter().map(|worn| worn.side).collect();
+        profiles(self.wears, &sides, self.formats)
+    }
+
+    /// What is told after each step of a side, by the names of columns (SI), each with its error.
+    pub fn rows(&self) -> Vec<(Side, Vec<(String, f64)>)> {
+        let row = |(told, errors): (Told, Vec<f64>)| {
+            let [distance, axles] = self.extent.map(|all| all * told.progress);
+            let mut row = vec![("distance_m".to_owned(), distance), ("axles".to_owned(), axles)];
+            for ((name, value), error) in COLUMNS.iter().zip(&told.values).zip(&errors) {
+                row.push(((*name).to_owned(), *value));
+                row.push((format!("error_of_{name}"), *error));
+            }
+            (told.side, row)
+        };
+        self.travelled.course().into_iter().map(row).collect()
+    }
+
+    /// The largest error of a worn area, relative to it.
+    pub fn relative_error(&self) -> f64 {
+        let relative = |(body, side, _): (usize, usize, String)| {
+            let area = |worn: &[Worn]| profile(&worn[side], body).area();
+            self.travelled.error(area) / area(&self.travelled.worn)
+        };
+        self.profiles().into_iter().map(relative).fold(0.0, f64::max)
+    }
+}
+
+/// The wheel, or the rail.
+fn profile(worn: &Worn, body: usize) -> &WornProfile {
+    [&worn.wheel, &worn.rail][body]
+}
+
+/// The ending of files of that format.
+fn extension(format: Format) -> &'static str {
+    use archard_rail::Part::{Rail, Wheel};
+    match format {
+        Format::Simpack(Wheel) => "prw",
+        Format::Simpack(Rail) => "prr",
+        Format::MiniProf { part: Wheel, .. } => "whl",
+        Format::MiniProf { part: Rail, .. } => "ban",
+        Format::Columns { comma: true, .. } => "csv",
+        Format::Columns { comma: false, .. } => "txt",
+    }
+}
+
+/// The names of the files, for bodies of which some wear, sides, and the formats of their profiles.
+pub(super) fn rail_wear_files(
+    wears: [bool; 2],
+    sides: &[Side],
+    formats: [Format; 2],
+) -> Vec<String> {
+    let profiles = profiles(wears, sides, formats).into_iter().map(|(_, _, name)| name);
+    profiles.chain([WEAR, DIMENSIONS].map(str::to_owned)).collect()
+}
+
+/// Writes the worn profiles in the formats that they were read in, `wear.csv` with a row a point of a profile, and
+/// `dimensions.csv` with a row a step and a side.
+pub(super) fn write_rail_wear(manifest: &mut Manifest, wear: &RailWear) -> Result<(), Error> {
+    for (body, side, name) in wear.profiles() {
+        let worn = profile(&wear.travelled.worn[side], body).profile();
+        file::write_whole(&manifest.claim(&name)?, write(&worn, wear.formats[body]).as_bytes())?;
+    }
+    let mut table = Table::create(manifest.claim(WEAR)?)?;
+    for (body, side, _) in wear.profiles() {
+        let of = |worn: &[Worn]| profile(&worn[side], body).depths();
+        let travelled = &wear.travelled;
+        let [fine, coarse, hasty] =
+            [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| of(worn));
+        let one = &travelled.worn[side];
+        let points = profile(one, body).unworn().points.into_iter();
+        let worn = profile(one, body).profile().points;
+        for (at, [y, z]) in points.enumerate() {
+            let error = (fine[at] - coarse[at]).abs() + (coarse[at] - hasty[at]).abs();
+            let [y_worn, z_worn] = worn[at];
+            table.row(&[
+                ("body", BODIES[body].to_owned()),
+                ("side", one.side.name().to_owned()),
+                ("y_m", number(y)),
+                ("z_m", number(z)),
+                ("depth_m", number(fine[at])),
+                ("error_of_depth_m", number(error)),
+                ("y_worn_m", number(y_worn)),
+                ("z_worn_m", number(z_worn)),
+            ])?;
+        }
+    }
+    table.flush()?;
+    table.sync()?;
+    let mut table = Table::create(manifest.claim(DIMENSIONS)?)?;
+    for (side, row) in wear.rows() {
+        let first = [("side", side.name().to_owned())].into_iter();
+        let cells = row.iter().map(|(name, value)| (name.as_str(), number(*value)));
+        table.row(&first.chain(cells).collect::<Vec<_>>())?;
+    }
+    table.flush()?;
+    table.sync()
+}
+
+/// The ends of the route.
+pub(super) fn rail_wear_json(wear: &RailWear) -> Value {
+    let course = wear.travelled.course();
+    let side = |at: usize| {
+        let sides = wear.travelled.worn.len();
+        let ([first, _], [last, errors]) = {
+            let ((first, none), (last, errors)) = (&course[at], &course[course.len() - sides + at]);
+            ([&first.values, none], [&last.values, errors])
+        };
+        let mut told = json!({ "side": wear.travelled.worn[at].side.name() });
+        for (index, name) in COLUMNS.iter().enumerate() {
+            told[format!("new_{name}")] = json!(first[index]);
+            told[*name] = json!(last[index]);
+            told[format!("error_of_{name}")] = json!(errors[index]);
+        }
+        told
+    };
+    let [new, worn, error] = wear.conicity;
+    json!({
+        "distance_m": wear.extent[0],
+        "axles": wear.extent[1],
+        "steps": wear.travelled.steps,
+        "sides": (0..wear.travelled.worn.len()).map(side).collect::<Vec<_>>(),
+        "new_equivalent_conicity": new,
+        "equivalent_conicity": worn,
+        "error_of_equivalent_conicity": error,
+    })
+}
