@@ -17,6 +17,7 @@ mod load;
 pub(crate) mod outline;
 mod parts;
 mod pressure;
+pub(crate) mod rail;
 mod raster;
 pub(crate) mod results;
 pub(crate) mod scale;
@@ -95,6 +96,11 @@ pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<
     if study::is_one(dir) {
         ensure!(others.is_empty(), "a study is not compared with runs");
         return study::run(dir, &[], paper);
+    }
+    if rail::is_one(dir) {
+        ensure!(others.is_empty(), "a wheel on a rail is not compared with other runs");
+        let found = rail::Rail::read(dir)?;
+        return write(dir, found.pictures(), (found.mark.as_deref(), paper));
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };

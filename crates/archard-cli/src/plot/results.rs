@@ -389,7 +389,7 @@ fn last_surface(dir: &Path) -> anyhow::Result<Option<Surface>> {
 }
 
 /// The summary of a run.
-fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
+pub(super) fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
     let context = || format!("cannot read `{}`", path.display());
     let text = files::read_text(path).with_context(context)?;
     match serde_json::from_str(&text).with_context(context)? {
@@ -399,7 +399,7 @@ fn read_summary(path: &Path) -> anyhow::Result<Map<String, Value>> {
 }
 
 /// What pictures have to say beside what they show: that a run is incomplete or its result doubtful or wrong.
-fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
+pub(super) fn mark(summary: Option<&Map<String, Value>>) -> Option<String> {
     let Some(summary) = summary else { return Some("incomplete: the run has not ended".into()) };
     let verdict = &summary.get("verdict").unwrap_or(&Value::Null);
     let lines = verdict["lines"].as_array().map_or(&[][..], Vec::as_slice);

@@ -9,6 +9,7 @@ mod fit;
 mod html;
 mod maps;
 mod page;
+mod rail;
 mod run;
 mod study;
 mod tables;
@@ -48,6 +49,9 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
     } else if fit::is_one(dir) {
         alone("fit")?;
         fit::page(dir)?
+    } else if plot::rail::is_one(dir) {
+        alone("wheel on a rail")?;
+        rail::page(dir)?
     } else {
         let results = Results::read(dir)?;
         let compared = compare::of(dir, &results, &others, options)?;

@@ -100,4 +100,11 @@ impl Setup {
     pub fn centre(&self, attitude: &Attitude, height: f64) -> DVec3 {
         DVec3::new(0.0, attitude.shift, height - self.wheelset.nominal_radius)
     }
+
+    /// The point (y and z, m) in the track of a point of the wheel's profile that lies below the axle.
+    pub fn below_the_axle(&self, [y, z]: [f64; 2], attitude: &Attitude, height: f64) -> [f64; 2] {
+        let own = DVec3::new(0.0, self.wheelset.arm() + y, self.wheelset.nominal_radius + z);
+        let point = attitude.rotation() * own + self.centre(attitude, height);
+        [point.y, point.z]
+    }
 }

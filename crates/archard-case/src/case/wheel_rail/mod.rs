@@ -16,7 +16,7 @@ use archard_rail::conicity::{equivalent_conicity, rolling_radius_difference};
 use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
 use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
-use archard_rail::setup::{Setup, Side, Track, Wheelset};
+use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
 use archard_rail::wear::{Journey, OperatingPoint, Pass, Route, Step, Travelled, WearError, Worn};
 use rayon::prelude::*;
 
@@ -253,6 +253,29 @@ impl WheelRailCase {
             other => motion.child(other),
         };
         Problem::error(key, error.message)
+    }
+
+    /// The points (y and z, m) of the rail and of the wheel of each side in the track, as they touch first at the first point: those
+    /// of the wheel below its axle.
+    ///
+    /// # Errors
+    /// If values do not fit together.
+    pub fn outlines(&self) -> Result<Vec<[Vec<(f64, f64)>; 2]>, Problem> {
+        let prepared = self.prepare()?;
+        let forecast = prepared.forecast().map_err(|error| self.problem(error))?;
+        let state = prepared.running.states().map_err(|error| self.problem(error))?[0];
+        let setup = &prepared.setup;
+        let outline = |(side, onset): &(Side, Onset)| {
+            let attitude = side.attitude(Attitude { roll: forecast.roll, ..state.attitude });
+            let wheel = setup.wheel().nodes().iter().map(|&along| {
+                setup.below_the_axle(setup.wheel().point(along), &attitude, onset.height)
+            });
+            let rail = setup.rail().nodes().iter().map(|&along| setup.rail().point(along));
+            let sign = if *side == Side::Left { -1.0 } else { 1.0 };
+            let in_track = |[y, z]: [f64; 2]| (sign * y, z);
+            [rail.map(in_track).collect(), wheel.map(in_track).collect()]
+        };
+        Ok(forecast.sides.iter().map(outline).collect())
     }
 
     /// The contacts at all points, and the wear over the route; `watch` is shown each step and may stop it.
