@@ -1,8 +1,13 @@
 //! A wheel on a rail: contacts in any attitude, from a case that is read once.
 
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use archard::parameters::Invalid;
 use archard_case::output::contact_row;
-use archard_case::{Prepared, RailError, Task};
+use archard_case::{Prepared, RailError, RailWear, Task};
+use archard_rail::wear::Step;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -44,27 +49,78 @@ impl WheelRail {
             state.set(&name, value).map_err(wrong)?;
         }
         let prepared = self.0.clone();
-        let work = move || {
-            prepared.contacts(&state).map_err(|error| match error {
-                RailError::Invalid(invalid) => Wrong::Value(invalid.message),
-                other => Wrong::Contact(other.to_string()),
-            })
-        };
+        let work = move || prepared.contacts(&state).map_err(wrong);
         let contacts = away(py, &pool(Some(1))?, work).unless_interrupted()?;
-        let contacts = contacts.map_err(|wrong| match wrong {
-            Wrong::Value(message) => PyValueError::new_err(message),
-            Wrong::Contact(message) => RunError::new_err(message),
-        })?;
+        let contacts = contacts.map_err(raised)?;
         let told = contacts.iter().flat_map(|contact| {
             let side = contact.side.name();
             contact.patches.iter().map(move |patch| (side.to_owned(), contact_row(patch)))
         });
         Ok(told.collect())
     }
+
+    /// The contacts at all points of the route and what wears over it; a route in columns (SI) counts in the place of that of the
+    /// case.
+    fn travel(
+        &self,
+        py: Python<'_>,
+        route: Option<Columns>,
+        threads: Option<usize>,
+    ) -> PyResult<Travelled> {
+        let mut prepared = self.0.clone();
+        if let Some(route) = route {
+            prepared.running.route = route;
+        }
+        let stop = Arc::new(AtomicBool::new(false));
+        let stopped = stop.clone();
+        let work = move || {
+            let watch = |_, _: &Step<'_>| match stopped.load(Ordering::Relaxed) {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            };
+            prepared.solve(watch).map_err(wrong)
+        };
+        let outcome = away(py, &pool(threads)?, work);
+        stop.store(true, Ordering::Relaxed);
+        let results = outcome.unless_interrupted()?.map_err(raised)?;
+        let contacts = results.contacts.iter().flat_map(|contact| {
+            let at = contact.at.map(|at| (at.point, at.worn));
+            let side = contact.side.name();
+            contact.patches.iter().map(move |patch| (at, (side.to_owned(), contact_row(patch))))
+        });
+        let wear = results.wear.as_ref();
+        let rows = wear.into_iter().flat_map(RailWear::rows);
+        let rows = rows.map(|(side, row)| (side.name().to_owned(), row));
+        let profiles = wear.into_iter().flat_map(RailWear::profile_wear).map(|one| {
+            let columns = one.columns.into_iter();
+            let columns = columns.map(|(name, values)| (name.to_owned(), values)).collect();
+            (one.body.to_owned(), one.side.name().to_owned(), columns)
+        });
+        Ok((contacts.collect(), rows.collect(), profiles.collect()))
+    }
 }
 
-/// Why there is no contact.
-enum Wrong {
-    Value(String),
-    Contact(String),
+/// Why there is no contact, and whether a value is to blame.
+type Wrong = (bool, String);
+
+fn wrong(error: RailError) -> Wrong {
+    match error {
+        RailError::Invalid(invalid) => (true, invalid.message),
+        other => (other.is_of_a_value(), other.to_string()),
+    }
 }
+
+fn raised((value, message): Wrong) -> PyErr {
+    if value { PyValueError::new_err(message) } else { RunError::new_err(message) }
+}
+
+/// A row by the names of columns.
+type Row = Vec<(String, f64)>;
+
+/// What a route came to: contacts with the point and whether its profiles are worn, rows a step by side, and profiles with their body
+/// and side.
+type Travelled =
+    (Vec<(Option<(usize, bool)>, Told)>, Vec<(String, Row)>, Vec<(String, String, Columns)>);
+
+/// Columns of a profile.
+type Columns = Vec<(String, Vec<f64>)>;

@@ -73,6 +73,7 @@ pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use manifest::Manifest;
+pub use rail_wear::ProfileWear;
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;

@@ -91,6 +91,48 @@ pub(super) fn rail_wear_files(
     profiles.chain([WEAR, DIMENSIONS].map(str::to_owned)).collect()
 }
 
+/// A profile that wore: its body and side, and over its points by the names of columns (SI) the new profile, the depth along its
+/// normal with its error, and the worn profile.
+#[derive(Debug, Clone)]
+pub struct ProfileWear {
+    /// `wheel` or `rail`.
+    pub body: &'static str,
+    /// The side of the track.
+    pub side: Side,
+    /// The columns.
+    pub columns: Vec<(&'static str, Vec<f64>)>,
+}
+
+impl RailWear {
+    /// The profiles that wore.
+    pub fn profile_wear(&self) -> Vec<ProfileWear> {
+        let of_profile = |(body, side, _): Wears| {
+            let travelled = &self.travelled;
+            let [fine, coarse, hasty] = [&travelled.worn, &travelled.coarse, &travelled.hasty]
+                .map(|worn| profile(&worn[side], body).depths());
+            let error = |at: usize| (fine[at] - coarse[at]).abs() + (coarse[at] - hasty[at]).abs();
+            let errors = (0..fine.len()).map(error).collect();
+            let one = profile(&travelled.worn[side], body);
+            let [new, worn] = [one.unworn().points, one.profile().points];
+            let axis =
+                |points: &[[f64; 2]], axis: usize| points.iter().map(|point| point[axis]).collect();
+            ProfileWear {
+                body: BODIES[body],
+                side: travelled.worn[side].side,
+                columns: vec![
+                    ("y_m", axis(&new, 0)),
+                    ("z_m", axis(&new, 1)),
+                    ("depth_m", fine),
+                    ("error_of_depth_m", errors),
+                    ("y_worn_m", axis(&worn, 0)),
+                    ("z_worn_m", axis(&worn, 1)),
+                ],
+            }
+        };
+        self.profiles().into_iter().map(of_profile).collect()
+    }
+}
+
 /// Writes the worn profiles in the formats that they were read in, `wear.csv` with a row a point of a profile, and
 /// `dimensions.csv` with a row a step and a side.
 pub(super) fn write_rail_wear(manifest: &mut Manifest, wear: &RailWear) -> Result<(), Error> {
@@ -99,27 +141,12 @@ pub(super) fn write_rail_wear(manifest: &mut Manifest, wear: &RailWear) -> Resul
         file::write_whole(&manifest.claim(&name)?, write(&worn, wear.formats[body]).as_bytes())?;
     }
     let mut table = Table::create(manifest.claim(WEAR)?)?;
-    for (body, side, _) in wear.profiles() {
-        let of = |worn: &[Worn]| profile(&worn[side], body).depths();
-        let travelled = &wear.travelled;
-        let [fine, coarse, hasty] =
-            [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| of(worn));
-        let one = &travelled.worn[side];
-        let points = profile(one, body).unworn().points.into_iter();
-        let worn = profile(one, body).profile().points;
-        for (at, [y, z]) in points.enumerate() {
-            let error = (fine[at] - coarse[at]).abs() + (coarse[at] - hasty[at]).abs();
-            let [y_worn, z_worn] = worn[at];
-            table.row(&[
-                ("body", BODIES[body].to_owned()),
-                ("side", one.side.name().to_owned()),
-                ("y_m", number(y)),
-                ("z_m", number(z)),
-                ("depth_m", number(fine[at])),
-                ("error_of_depth_m", number(error)),
-                ("y_worn_m", number(y_worn)),
-                ("z_worn_m", number(z_worn)),
-            ])?;
+    for ProfileWear { body, side, columns } in wear.profile_wear() {
+        let points = columns.first().map_or(0, |(_, values)| values.len());
+        for at in 0..points {
+            let first = [("body", body.to_owned()), ("side", side.name().to_owned())].into_iter();
+            let cells = columns.iter().map(|(name, values)| (*name, number(values[at])));
+            table.row(&first.chain(cells).collect::<Vec<_>>())?;
         }
     }
     table.flush()?;

@@ -84,6 +84,18 @@ pub enum RailError {
     Wear(#[from] WearError),
 }
 
+impl RailError {
+    /// Whether a value cannot be used, rather than what came of it.
+    pub fn is_of_a_value(&self) -> bool {
+        let invalid = |cause: &ContactError| matches!(cause, ContactError::Invalid(_));
+        match self {
+            Self::Case(_) | Self::Invalid(_) | Self::Wear(WearError::Invalid(_)) => true,
+            Self::Contact { cause, .. } => invalid(cause),
+            Self::Wear(_) => false,
+        }
+    }
+}
+
 impl From<Invalid> for RailError {
     fn from(invalid: Invalid) -> Self {
         Self::Invalid(invalid)
@@ -286,19 +298,36 @@ impl WheelRailCase {
         &self,
         watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
     ) -> Result<RailResults, RailError> {
-        let prepared = self.prepare()?;
-        if prepared.wears() == [false; 2] {
-            return Ok(RailResults { contacts: prepared.all(None)?, wear: None });
+        self.prepare()?.solve(watch)
+    }
+}
+
+impl Prepared {
+    /// Which of wheel and rail wear.
+    pub fn wears(&self) -> [bool; 2] {
+        self.bodies.wear.each_ref().map(Option::is_some)
+    }
+
+    /// The contacts at all points, and the wear over the route; `watch` is shown each step and may stop it.
+    ///
+    /// # Errors
+    /// If a contact cannot be found, or the route not be gone through.
+    pub fn solve(
+        &self,
+        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
+    ) -> Result<RailResults, RailError> {
+        if self.wears() == [false; 2] {
+            return Ok(RailResults { contacts: self.all(None)?, wear: None });
         }
-        let journey = prepared.journey()?;
-        let mut contacts = prepared.all(None)?;
+        let journey = self.journey()?;
+        let mut contacts = self.all(None)?;
         let travelled = journey.travel(watch)?;
-        contacts.extend(prepared.all(Some(&travelled.worn))?);
+        contacts.extend(self.all(Some(&travelled.worn))?);
         // Rails of other wear are met on the way: only a worn wheel keeps its conicity.
         let conicity = |worn: Option<&[Worn]>| {
-            let setups = prepared.setups(worn);
-            prepared.wears()[0]
-                .then(|| equivalent_conicity(prepared.sides(&setups), AMPLITUDE).ok())
+            let setups = self.setups(worn);
+            self.wears()[0]
+                .then(|| equivalent_conicity(self.sides(&setups), AMPLITUDE).ok())
                 .flatten()
         };
         let [fine, coarse, hasty] =
@@ -308,19 +337,12 @@ impl WheelRailCase {
             error.map(|((fine, coarse), hasty)| (fine - coarse).abs() + (coarse - hasty).abs());
         let wear = RailWear {
             extent: [journey.route.distance, journey.route.axles],
-            wears: prepared.wears(),
+            wears: self.wears(),
             conicity: [conicity(None), fine, error],
-            formats: prepared.formats,
+            formats: self.formats,
             travelled,
         };
         Ok(RailResults { contacts, wear: Some(wear) })
-    }
-}
-
-impl Prepared {
-    /// Which of wheel and rail wear.
-    pub fn wears(&self) -> [bool; 2] {
-        self.bodies.wear.each_ref().map(Option::is_some)
     }
 
     /// The contacts of a wheelset in that state, its roll found from both wheels under their load where it is not given.

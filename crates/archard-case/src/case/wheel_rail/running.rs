@@ -142,6 +142,13 @@ impl Running {
     /// If a column is not known, or a value cannot be used.
     pub fn states(&self) -> Result<Vec<State>, Invalid> {
         let Some((_, first)) = self.route.first() else { return Ok(vec![self.state]) };
+        if !self.route.iter().any(|(name, _)| name == "share") {
+            return Err(Invalid::new("route", "a column `share`, of the distance, is needed"));
+        }
+        if let Some((name, _)) = self.route.iter().find(|(_, values)| values.len() != first.len()) {
+            let message = format!("`{name}` has not as many values as the other columns");
+            return Err(Invalid::new("route", message));
+        }
         let state = |row: usize| {
             let mut state = self.state;
             for (name, values) in &self.route {
@@ -301,9 +308,6 @@ fn build(values: &Values) -> Result<Running, Invalid> {
     };
     let attitude = Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) };
     let route = values.table("route").unwrap_or_default().to_vec();
-    if !route.is_empty() && !route.iter().any(|(name, _)| name == "share") {
-        return Err(Invalid::new("route", "a column `share`, of the distance, is needed"));
-    }
     let running = Running {
         sides,
         gauge: [or("gauge", standard.gauge), or("gauge_height", standard.gauge_height)],
