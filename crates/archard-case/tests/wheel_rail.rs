@@ -220,3 +220,31 @@ fn wrong_routes_are_refused_in_words() {
         assert!(said.contains(expected), "{text} {options:?}: {said}");
     }
 }
+
+/// A free wheelset turns as its contacts have it, a driven one passes its moment on to the rails, and friction bears so much and no more.
+#[test]
+fn an_axle_bears_its_moment() {
+    let contacts = |moment: &str| {
+        let options = [
+            "motion.wheel_rail.side=both",
+            "motion.wheel_rail.shift=0 mm",
+            "motion.wheel_rail.yaw=0 rad",
+            "motion.wheel_rail.roll=0 rad",
+            "motion.wheel_rail.pitch_rate=",
+            moment,
+        ];
+        let case = resolve(MANCHESTER, &options).expect("a case").case;
+        case.solve(|_, _| ControlFlow::Continue(())).map(|results| results.contacts)
+    };
+    for moment in [-800.0, 0.0, 800.0] {
+        let found =
+            contacts(&format!("motion.wheel_rail.axle_moment={moment} N m")).expect("contacts");
+        let forces = found.iter().flat_map(|one| &one.patches).map(|patch| -patch.values.force_x);
+        // Both contacts lie below the axle, at a radius within .1 % of the nominal one.
+        let off = forces.sum::<f64>() * 0.46 - moment;
+        assert!(off.abs() < 1e-3 * 800.0, "{moment}: {off}");
+    }
+    // 0.3 of 20 kN at 0.46 m.
+    let said = contacts("motion.wheel_rail.axle_moment=3 kN m").unwrap_err().to_string();
+    assert!(said.contains("does not bear") && said.contains("2.7"), "{said}");
+}

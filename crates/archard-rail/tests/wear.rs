@@ -37,6 +37,7 @@ fn point(shift: f64, yaw: f64, share: f64) -> OperatingPoint {
         attitude: Attitude { shift, roll: 0.0, yaw },
         rolls: false,
         velocity: Velocity { forward: SPEED, pitch: -SPEED / RADIUS, ..Velocity::default() },
+        moment: None,
         load: 60e3,
         friction: friction(),
         share,

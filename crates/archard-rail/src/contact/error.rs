@@ -37,6 +37,16 @@ pub enum ContactError {
         "patches that press each other apart do not agree on their forces: give a larger `join`"
     )]
     Unsettled,
+    /// Friction does not bear the moment that drives or brakes the wheelset.
+    #[error(
+        "friction does not bear an axle moment of {moment:.6e} N m: {most:.6e} N m is all, where every contact slips"
+    )]
+    Saturated {
+        /// The moment (N m) asked for.
+        moment: f64,
+        /// What is borne at most.
+        most: f64,
+    },
     /// No roll makes both wheels carry their load at one height.
     #[error("no `roll` makes both wheels carry their load at one height: give it")]
     NoRoll,

@@ -15,12 +15,14 @@ mod error;
 mod height;
 mod lattice;
 mod loaded;
+mod pitch;
 mod pressed;
 mod quantities;
 mod roll;
 
 pub use error::ContactError;
 pub(crate) use loaded::Loaded;
+pub use pitch::pitch;
 pub(crate) use pressed::Pressed;
 pub use quantities::Quantities;
 pub use roll::roll;

@@ -42,8 +42,10 @@ pub struct OperatingPoint {
     pub attitude: Attitude,
     /// Whether the roll is given; where it is not, it is the one at which both wheels begin to touch at one height.
     pub rolls: bool,
-    /// The velocities.
+    /// The velocities; the pitch does not count where a moment is given.
     pub velocity: Velocity,
+    /// Moment (N m) that drives the wheelset forward, or brakes it; the pitch follows from it.
+    pub moment: Option<f64>,
     /// Vertical force (N) on each wheel.
     pub load: f64,
     /// Friction between wheel and rail.

@@ -4,7 +4,7 @@ use archard::simulation::WornLine;
 use rayon::prelude::*;
 
 use super::{Journey, OperatingPoint, WearError, Worn};
-use crate::contact::{Bodies, ContactError, Loaded, Operation, Pressed};
+use crate::contact::{self, Bodies, ContactError, Loaded, Operation, Pressed, Resolution};
 use crate::setup::{Setup, Side};
 
 /// Volumes (m^3, of a rail m^2) that each point of the wheel and of the rail loses over the whole distance, for each side.
@@ -15,6 +15,33 @@ pub(super) type Depths = Vec<Vec<Option<f64>>>;
 
 /// What lines of patches lose: for the wheel and for the rail, their ends (m along the curve) and the volume (m^3, of a rail m^2).
 type Strips = [Vec<([f64; 2], f64)>; 2];
+
+impl OperatingPoint {
+    /// How the wheelset stands and runs, as the right side sees it: the roll at which both wheels begin to touch at one height, and
+    /// the pitch at which they bear the moment, where they are asked for.
+    ///
+    /// # Errors
+    /// If there is no such roll or pitch.
+    pub fn operation(
+        &self,
+        [right, left]: [&Setup; 2],
+        bodies: &Bodies,
+        resolution: &Resolution,
+    ) -> Result<Operation, ContactError> {
+        let Self { mut attitude, velocity, load, .. } = *self;
+        if !self.rolls {
+            attitude.roll = right.roll(left, attitude.shift, attitude.yaw)?;
+        }
+        let mut operation = Operation { attitude, velocity, load };
+        if let Some(moment) = self.moment {
+            // Without wear laws, which have no say.
+            let bodies = Bodies { wear: [None, None], ..bodies.clone() };
+            operation.velocity.pitch =
+                contact::pitch([right, left], &bodies, &operation, resolution, moment)?;
+        }
+        Ok(operation)
+    }
+}
 
 impl Journey {
     /// The rates with the profiles as they are, at a share of the distance.
@@ -54,21 +81,19 @@ impl Journey {
         point: &OperatingPoint,
         depths: &mut [Option<f64>],
     ) -> Result<Vec<Strips>, ContactError> {
-        let mut attitude = point.attitude;
-        if !point.rolls {
-            let of = |side: Side| {
-                let own = self.sides.iter().position(|&one| one == side);
-                &setups[own.unwrap_or(0)]
-            };
-            attitude.roll = of(Side::Right).roll(of(Side::Left), attitude.shift, attitude.yaw)?;
-        }
+        let both = [Side::Right, Side::Left].map(|side| {
+            let own = self.sides.iter().position(|&one| one == side);
+            &setups[own.unwrap_or(0)]
+        });
         let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
+        let Operation { attitude, velocity, load } =
+            point.operation(both, &bodies, &self.resolution)?;
         let of_side = |(at, setup): (usize, &Setup)| {
             let side = self.sides[at];
             let operation = Operation {
                 attitude: side.attitude(attitude),
-                velocity: side.velocity(point.velocity),
-                load: point.load,
+                velocity: side.velocity(velocity),
+                load,
             };
             let loaded = Loaded::new(setup, &bodies, &operation, self.resolution.join)?;
             let guess = depths[at].unwrap_or_else(|| loaded.guess());

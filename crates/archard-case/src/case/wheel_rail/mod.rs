@@ -17,7 +17,7 @@ use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
 use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
-use archard_rail::wear::{Journey, OperatingPoint, Pass, Route, Step, Travelled, WearError, Worn};
+use archard_rail::wear::{Journey, Pass, Route, Step, Travelled, WearError, Worn};
 use rayon::prelude::*;
 
 pub use running::{Running, State, WHEEL_RAIL};
@@ -351,19 +351,22 @@ impl Prepared {
     /// If a contact cannot be found.
     pub fn contacts(&self, state: &State) -> Result<Vec<RailContact>, RailError> {
         let radius = self.setup.wheelset().nominal_radius;
-        let OperatingPoint { mut attitude, rolls, velocity, load, friction, .. } =
-            state.point(radius, &self.bodies.friction)?;
-        let bodies = Bodies { friction, ..self.bodies.clone() };
-        if !rolls {
+        let point = state.point(radius, &self.bodies.friction)?;
+        let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
+        let wrong = |cause| RailError::Contact { point: None, cause };
+        let (setup, resolution) = (&self.setup, &self.resolution);
+        let Operation { mut attitude, velocity, load } =
+            point.operation([setup; 2], &bodies, resolution).map_err(wrong)?;
+        if !point.rolls {
             let operation = Operation { attitude, velocity, load };
-            let roll = contact::roll(&self.setup, &bodies, &operation, &self.resolution);
-            attitude.roll = roll.map_err(|cause| RailError::Contact { point: None, cause })?;
+            let roll = contact::roll(setup, &bodies, &operation, resolution);
+            attitude.roll = roll.map_err(wrong)?;
         }
         let solve = |&side: &Side| {
             let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
             let operation = Operation { attitude, velocity, load };
-            let patches = contact::contact(&self.setup, &bodies, &operation, &self.resolution);
-            let patches = patches.map_err(|cause| RailError::Contact { point: None, cause })?;
+            let patches =
+                contact::contact(setup, &bodies, &operation, resolution).map_err(wrong)?;
             Ok(RailContact { at: None, side, load, patches })
         };
         self.running.sides.iter().map(solve).collect()
@@ -381,23 +384,14 @@ impl Prepared {
             let wrong = |cause| RailError::Contact { point: Some(index + 1), cause };
             let point = state.point(radius, &self.bodies.friction)?;
             let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
-            let mut attitude = point.attitude;
-            if !point.rolls {
-                let [right, left] = self.sides(&setups);
-                attitude.roll = right.roll(left, attitude.shift, attitude.yaw)?;
-            }
+            let Operation { attitude, velocity, load } =
+                point.operation(self.sides(&setups), &bodies, &self.resolution).map_err(wrong)?;
             let solve = |(side, setup): (&Side, &Setup)| {
-                let velocity = side.velocity(point.velocity);
-                let operation =
-                    Operation { attitude: side.attitude(attitude), velocity, load: point.load };
+                let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
+                let operation = Operation { attitude, velocity, load };
                 let patches = contact::contact(setup, &bodies, &operation, &self.resolution);
                 let at = Some(AtPoint { point: index + 1, worn: worn.is_some() });
-                Ok(RailContact {
-                    at,
-                    side: *side,
-                    load: point.load,
-                    patches: patches.map_err(wrong)?,
-                })
+                Ok(RailContact { at, side: *side, load, patches: patches.map_err(wrong)? })
             };
             self.running.sides.iter().zip(&setups).map(solve).collect::<Result<Vec<_>, RailError>>()
         };

@@ -46,6 +46,8 @@ pub struct State {
     pub velocity: Velocity,
     /// Rate (rad/s) of the turn about the axle; that of pure rolling at the nominal radius where it is not given.
     pub pitch: Option<f64>,
+    /// Moment (N m) that drives the wheelset forward, from which the pitch follows.
+    pub moment: Option<f64>,
     /// Curvature (1/m) of the track, positive to the right.
     pub curvature: f64,
     /// Coefficient of friction in the place of the law's.
@@ -67,6 +69,7 @@ const COLUMNS: &[(&str, Quantity)] = &[
     ("lateral_speed", Quantity::Speed),
     ("vertical_speed", Quantity::Speed),
     ("pitch_rate", RATE),
+    ("axle_moment", MOMENT),
     ("yaw_rate", RATE),
     ("roll_rate", RATE),
 ];
@@ -98,7 +101,14 @@ impl State {
             "speed" => &mut velocity.forward,
             "lateral_speed" => &mut velocity.lateral,
             "vertical_speed" => &mut velocity.vertical,
-            "pitch_rate" => self.pitch.insert(value),
+            "pitch_rate" => {
+                self.moment = None;
+                self.pitch.insert(value)
+            }
+            "axle_moment" => {
+                self.pitch = None;
+                self.moment.insert(value)
+            }
             "yaw_rate" => &mut velocity.yaw,
             "roll_rate" => &mut velocity.roll,
             _ => {
@@ -128,6 +138,7 @@ impl State {
             attitude: self.attitude.checked()?,
             rolls: self.rolls,
             velocity,
+            moment: self.moment,
             load: self.load,
             friction,
             share: self.share,
@@ -179,6 +190,7 @@ pub const WHEEL_RAIL: &[Choice<Running>] = &[Choice {
         YAW,
         ROLL,
         PITCH,
+        AXLE_MOMENT,
         YAW_RATE,
         ROLL_RATE,
         LATERAL,
@@ -246,6 +258,14 @@ const PITCH: Parameter = Parameter::optional(
     "rate of turning about the axle, negative forward; that of pure rolling at the nominal radius if not given",
 )
 .bound(Bound::Any);
+/// A moment.
+const MOMENT: Quantity = Quantity::Measured { name: "a moment", unit: "N m" };
+const AXLE_MOMENT: Parameter = Parameter::optional(
+    "axle_moment",
+    MOMENT,
+    "moment that drives the wheelset forward, negative where it brakes, 0 of one that runs free; the rate of turning follows",
+)
+.bound(Bound::Any);
 const YAW_RATE: Parameter =
     Parameter::optional("yaw_rate", RATE, "rate of the yaw").bound(Bound::Any);
 const ROLL_RATE: Parameter =
@@ -308,6 +328,9 @@ fn build(values: &Values) -> Result<Running, Invalid> {
     };
     let attitude = Attitude { shift: or("shift", 0.0), roll: or("roll", 0.0), yaw: or("yaw", 0.0) };
     let route = values.table("route").unwrap_or_default().to_vec();
+    if values.number("pitch_rate").is_some() && values.number("axle_moment").is_some() {
+        return Err(Invalid::exclusive("axle_moment", "pitch_rate", "keep one"));
+    }
     let running = Running {
         sides,
         gauge: [or("gauge", standard.gauge), or("gauge_height", standard.gauge_height)],
@@ -318,6 +341,7 @@ fn build(values: &Values) -> Result<Running, Invalid> {
             rolls: values.number("roll").is_some(),
             velocity,
             pitch: values.number("pitch_rate"),
+            moment: values.number("axle_moment"),
             curvature: or("curvature", 0.0),
             friction: None,
             share: 1.0,
