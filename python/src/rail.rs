@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use archard::parameters::Invalid;
-use archard_case::output::contact_row;
-use archard_case::{Prepared, RailError, RailWear, Task};
+use archard_case::output::{RailWear, contact_row};
+use archard_case::{Prepared, RailError, Task};
 use archard_rail::wear::Step;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -31,8 +31,8 @@ use std::thread;
 
 use archard::elastic;
 use archard::units::{self, Dimension, Measure};
-use archard_case::output::{Store, contact_row};
-use archard_case::{CaseFile, RailWear, Task};
+use archard_case::output::{RailWear, Store, contact_row};
+use archard_case::{CaseFile, Task};
 use toml::de::{DeTable, DeValue};
 
 use common::Rows;

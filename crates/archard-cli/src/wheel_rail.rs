@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::output::{RailContact, Totals, rail_verdict, write_rail};
-use archard_case::{RailWear, ResolvedWheelRail};
+use archard_case::ResolvedWheelRail;
+use archard_case::output::{RailContact, RailWear, Totals, rail_verdict, write_rail};
 use archard_rail::wear::{COLUMNS, Pass, Step};
 
 use crate::failure::Failure;

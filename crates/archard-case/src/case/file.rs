@@ -19,7 +19,7 @@ use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
 use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
 use crate::files;
-use crate::output::{Inside, elastic_files, rail_files};
+use crate::output::{Inside, elastic_files};
 
 /// A case as written.
 #[derive(Debug, Clone)]
@@ -144,9 +144,7 @@ impl Task {
             Task::Elastic(resolved) => {
                 elastic_files(&resolved.case.points, &resolved.case.sections)
             }
-            Task::WheelRail(resolved) => {
-                resolved.case.prepare().map(|prepared| rail_files(&prepared)).unwrap_or_default()
-            }
+            Task::WheelRail(resolved) => resolved.case.files(),
         }
     }
 

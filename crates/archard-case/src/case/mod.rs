@@ -59,6 +59,4 @@ pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
 pub use similar::WearByKs;
-pub use wheel_rail::{
-    Prepared, RailError, RailResults, RailWear, Running, State, WheelRailCase, WheelRailForecast,
-};
+pub use wheel_rail::{Prepared, RailError, Running, State, WheelRailCase, WheelRailForecast};

@@ -2,17 +2,19 @@
 
 use serde_json::{Value, json};
 
-use super::rail_wear::{rail_wear_files, rail_wear_json, write_rail_wear};
+use super::rail_wear::{RailWear, rail_wear_files, rail_wear_json, write_rail_wear};
 use super::summary::json_of;
 use super::table::{Table, number};
-use super::{CASE, Claim, Error, SUMMARY, Totals, file};
-use crate::case::{Prepared, RailResults};
+use super::{CASE, Claim, Error, Field, Image, SUMMARY, Totals, file};
 use crate::verdict::{self, Verdict};
-use archard_rail::contact::{Patch, Quantities};
+use archard_rail::contact::{Patch, PatchMap, Quantities};
+use archard_rail::file::Format;
 use archard_rail::setup::Side;
 
 /// The file of the patches.
 pub(super) const CONTACTS: &str = "contacts.csv";
+/// The folder of their maps.
+const PATCHES: &str = "patches";
 
 /// A point of a route, and whether its profiles are the worn ones.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,6 +38,15 @@ pub struct RailContact {
     pub patches: Vec<Patch>,
 }
 
+/// What came out of a case.
+#[derive(Debug, Clone)]
+pub struct RailResults {
+    /// The contacts at each point, of new profiles and then of worn ones.
+    pub contacts: Vec<RailContact>,
+    /// What was worn off over the route; `None` where nothing wears.
+    pub wear: Option<RailWear>,
+}
+
 impl RailContact {
     /// What says which contact it is, by the names of columns.
     fn labels(&self) -> Vec<(&'static str, String)> {
@@ -44,6 +55,15 @@ impl RailContact {
             [("profiles", profiles.to_owned()), ("point", at.point.to_string())]
         });
         at.chain([("side", self.side.name().to_owned())]).collect()
+    }
+
+    /// The file of the map of a patch.
+    fn map_name(&self, patch: usize) -> String {
+        let at = self.at.map_or_else(String::new, |at| {
+            let profiles = if at.worn { "worn" } else { "new" };
+            format!("{profiles}_{:03}_", at.point)
+        });
+        format!("{PATCHES}/{at}{}_{}.vti", self.side.name(), patch + 1)
     }
 
     /// How far the vertical force of all patches is off the one prescribed, relative to it.
@@ -56,7 +76,7 @@ impl RailContact {
     }
 }
 
-/// Writes `case.toml`, `contacts.csv` and `summary.json` into a folder, and what wears: see [`write_rail_wear`]; what earlier runs
+/// Writes `case.toml`, `contacts.csv`, a map of each patch and `summary.json` into a folder, and what wears: see [`write_rail_wear`]; what earlier runs
 /// wrote there is removed.
 ///
 /// # Errors
@@ -82,6 +102,11 @@ pub fn write_rail(
     }
     table.flush()?;
     table.sync()?;
+    for contact in &results.contacts {
+        for (index, patch) in contact.patches.iter().enumerate() {
+            image(patch).write(&manifest.claim(&contact.map_name(index))?)?;
+        }
+    }
     if let Some(wear) = &results.wear {
         write_rail_wear(manifest, wear)?;
     }
@@ -89,14 +114,28 @@ pub fn write_rail(
     file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
 }
 
-/// The files of a wheel on a rail but for the case, by their names in the folder.
-pub fn rail_files(prepared: &Prepared) -> Vec<String> {
-    let wears = prepared.wears();
+/// The files of a wheel on a rail but for the case, by their names in the folder: of those of wheel and rail that wear, on these
+/// sides, in these formats.
+pub fn rail_files(wears: [bool; 2], sides: &[Side], formats: [Format; 2]) -> Vec<String> {
     let mut names = vec![CONTACTS.to_owned()];
     if wears != [false; 2] {
-        names.extend(rail_wear_files(wears, &prepared.running.sides, prepared.formats));
+        names.extend(rail_wear_files(wears, sides, formats));
     }
     names
+}
+
+/// The map of a patch for ParaView, over x and s from its reference point.
+fn image(patch: &Patch) -> Image {
+    let PatchMap { origin, spacing, elements, pressure, traction, slip } = patch.map.clone();
+    let ([traction_x, traction_s], [slip_x, slip_s]) = (traction, slip);
+    let fields = vec![
+        Field::new("pressure_Pa", pressure),
+        Field::new("traction_x_Pa", traction_x),
+        Field::new("traction_s_Pa", traction_s),
+        Field::new("slip_x", slip_x),
+        Field::new("slip_s", slip_s),
+    ];
+    Image { origin, spacing, elements, fields }
 }
 
 /// What can be believed of the contacts.

@@ -22,8 +22,8 @@
 //! Of an elastic body without contact, [`write_elastic`] writes `case.toml`, `surface.vtu` with displacements,
 //! tractions and stresses, `points.csv` with a row a point, `sections/NAME.vtu`, and `summary.json`.
 //!
-//! Of a wheel on a rail, [`write_rail`] writes `case.toml`, `contacts.csv` with a row a patch, and `summary.json`; where they wear over
-//! a route also `wear.csv` with a row a point of a profile, `dimensions.csv` with a row a step, and the worn profiles.
+//! Of a wheel on a rail, [`write_rail`] writes `case.toml`, `contacts.csv` with a row a patch, the
+//! [`Image`] of each in `patches`, and `summary.json`; where they wear over a route also `wear.csv` with a row a point of a profile, `dimensions.csv` with a row a step, and the worn profiles.
 //!
 //! All of them are complete after every step, so an interrupted run can be read. [`Claim`] keeps other runs out of the
 //! folder.
@@ -64,7 +64,9 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
-pub use contacts::{AtPoint, RailContact, contact_row, rail_files, rail_verdict, write_rail};
+pub use contacts::{
+    AtPoint, RailContact, RailResults, contact_row, rail_files, rail_verdict, write_rail,
+};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};
@@ -73,7 +75,7 @@ pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use manifest::Manifest;
-pub use rail_wear::ProfileWear;
+pub use rail_wear::{ProfileWear, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;

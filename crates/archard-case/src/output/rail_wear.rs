@@ -2,13 +2,12 @@
 
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
-use archard_rail::wear::{COLUMNS, Told, Worn, WornProfile};
+use archard_rail::wear::{COLUMNS, Told, Travelled, Worn, WornProfile};
 use serde_json::{Value, json};
 
 use super::manifest::Manifest;
 use super::table::{Table, number};
 use super::{Error, file};
-use crate::case::RailWear;
 
 /// The file of worn depths over the profiles.
 const WEAR: &str = "wear.csv";
@@ -16,6 +15,22 @@ const WEAR: &str = "wear.csv";
 const DIMENSIONS: &str = "dimensions.csv";
 /// Names of the bodies in rows and files, in the order of [`RailWear::wears`].
 const BODIES: [&str; 2] = ["wheel", "rail"];
+
+/// What was worn off over a route.
+#[derive(Debug, Clone)]
+pub struct RailWear {
+    /// The profiles, and how they became so.
+    pub travelled: Travelled,
+    /// Distance (m), and the number of axles.
+    pub extent: [f64; 2],
+    /// Which of wheel and rail wear.
+    pub wears: [bool; 2],
+    /// Equivalent conicity of new and of worn profiles, and the error of the second; `None` where a wheelset does not steer
+    /// itself back.
+    pub conicity: [Option<f64>; 3],
+    /// The formats in which the profiles of the wheel and of the rail were read.
+    pub formats: [Format; 2],
+}
 
 /// A profile that wears: which body it is of, which of the sides, and the name of its file.
 type Wears = (usize, usize, String);

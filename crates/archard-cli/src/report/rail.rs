@@ -139,7 +139,7 @@ fn tiles(summary: &Value) -> Vec<[String; 3]> {
         Some([words.to_owned(), quantity(of[key].as_f64()?, unit), error])
     };
     let first = sides(summary).next();
-    let tiles = match first {
+    match first {
         Some(side) => TOLD
             .iter()
             .filter(|(key, ..)| side[*key].as_f64().is_some_and(|one| one > 0.0))
@@ -152,6 +152,5 @@ fn tiles(summary: &Value) -> Vec<[String; 3]> {
                 [("peak_pressure_Pa", "Peak pressure", "Pa"), ("contact_area_m2", "Area", "m2")];
             keys.iter().filter_map(|(key, words, unit)| told(patch, key, words, unit)).collect()
         }
-    };
-    tiles
+    }
 }

@@ -23,6 +23,7 @@ mod roll;
 pub use error::ContactError;
 pub(crate) use loaded::Loaded;
 pub use pitch::pitch;
+pub use pressed::PatchMap;
 pub(crate) use pressed::Pressed;
 pub use quantities::Quantities;
 pub use roll::roll;
@@ -100,7 +101,7 @@ impl Default for Resolution {
 }
 
 /// A patch of contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Patch {
     /// What is known of it.
     pub values: Quantities,
@@ -109,6 +110,8 @@ pub struct Patch {
     /// How much the inclination of the rail (rad) differs within the contact: beyond [`BENT`] its plane is an
     /// approximation.
     pub angle_spread: f64,
+    /// Pressures, tractions and slip.
+    pub map: PatchMap,
 }
 
 /// The patches of contact of a wheel under its load, from the field side to the flange.
@@ -153,7 +156,7 @@ pub fn contact(
             );
         let values = told(pressed);
         let errors = errors.with(&values, |error, value| error + off * value.abs());
-        Patch { values, errors, angle_spread: pressed.angle_spread }
+        Patch { values, errors, angle_spread: pressed.angle_spread, map: pressed.map.clone() }
     });
     Ok(patches.collect())
 }

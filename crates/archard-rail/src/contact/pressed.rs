@@ -36,6 +36,25 @@ pub(crate) struct Pressed {
     pub angle_spread: f64,
     /// What one passage wears off the wheel and the rail, over s.
     pub worn: Vec<WornLine>,
+    /// What is known of each element.
+    pub map: PatchMap,
+}
+
+/// What is known of the elements of a patch, one value each, those along x first: x from the lowest, then s from the lowest.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct PatchMap {
+    /// The lowest corner (m) along x and s, from the reference point.
+    pub origin: [f64; 2],
+    /// Size (m) of an element.
+    pub spacing: [f64; 2],
+    /// Number of elements.
+    pub elements: [usize; 2],
+    /// Pressure (Pa).
+    pub pressure: Vec<f64>,
+    /// Traction (Pa) on the rail along x and s.
+    pub traction: [Vec<f64>; 2],
+    /// Slip of the wheel over the rail along x and s, relative to the rolling speed; zero where nothing touches.
+    pub slip: [Vec<f64>; 2],
 }
 
 impl Pressed {
@@ -89,7 +108,28 @@ impl Site {
         let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
         let rows = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0);
         let angle_spread = self.spread(search, rows.map(|pair| pair / self.lattice.elements[0]))?;
+        let spacing = frame.spacing();
+        let touching = |field: &[f64], factor: f64| {
+            let value = |(value, pressure): (&f64, &f64)| {
+                if *pressure > 0.0 { factor * value } else { 0.0 }
+            };
+            field.iter().zip(&state.pressure).map(value).collect::<Vec<f64>>()
+        };
+        let none = || [vec![0.0; frame.len()], vec![0.0; frame.len()]];
+        let map = PatchMap {
+            origin: frame.rectangle().corner(),
+            spacing,
+            elements: frame.elements(),
+            pressure: state.pressure.clone(),
+            // The run knows what acts on the wheel, and how far the rail slips over it from element to element.
+            traction: tangential
+                .map_or_else(none, |of| of.traction.each_ref().map(|one| touching(one, -1.0))),
+            slip: tangential.map_or_else(none, |of| {
+                of.slip.each_ref().map(|one| touching(one, -1.0 / spacing[0]))
+            }),
+        };
         Ok(Pressed {
+            map,
             approach,
             normal: state.load,
             // Of friction the run knows what acts on the wheel.
@@ -139,6 +179,7 @@ impl Site {
             power: 0.0,
             angle_spread: 0.0,
             worn: vec![],
+            map: PatchMap::default(),
         }
     }
 

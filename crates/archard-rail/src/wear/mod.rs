@@ -3,7 +3,7 @@
 //! A route is a list of operating points, each with its share of the distance. At each of them the contacts are those of
 //! [`contact`](mod@crate::contact) on one grid, with the profiles as they are worn. A line of a patch loses, on each metre that the patch
 //! rolls, the depth of one passage times its width; a wheel loses this on its circumference, which passes once in as many metres,
-//! and a rail at every axle. The sum over the route is the rate at which volumes go, and the [march](self::march) follows it.
+//! and a rail at every axle. The sum over the route is the rate at which volumes go, and steps of Heun's method follow it.
 //!
 //! Waves shorter than the smoothing stand for what a route of a few points leaves out: between them lie all the others that a
 //! wheel meets, so that no contact stays where it was to the millimetre.
@@ -144,7 +144,7 @@ pub enum WearError {
         /// Share of the distance.
         progress: f64,
         /// Why.
-        cause: ContactError,
+        cause: Box<ContactError>,
     },
     /// The wear is deeper than the profile is round.
     #[error("the {} is worn down to where its profile ends or crosses itself, at y = {:.3} mm: shorten the distance", match .part { Part::Wheel => "wheel", Part::Rail => "rail" }, .y * 1e3)]

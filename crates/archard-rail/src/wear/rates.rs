@@ -56,7 +56,11 @@ impl Journey {
         let points = self.route.points.par_iter().zip(depths.par_iter_mut()).enumerate();
         let strips = points.map(|(at, (point, depths))| {
             let found = self.strips(&setups, point, depths);
-            found.map_err(|cause| WearError::Contact { point: at + 1, progress, cause })
+            found.map_err(|cause| WearError::Contact {
+                point: at + 1,
+                progress,
+                cause: Box::new(cause),
+            })
         });
         let strips = strips.collect::<Vec<Result<Vec<Strips>, _>>>();
         let none = |one: &Worn| [&one.wheel, &one.rail].map(|profile| vec![0.0; profile.len()]);

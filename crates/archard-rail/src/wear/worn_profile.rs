@@ -111,7 +111,7 @@ impl WornProfile {
             }
         };
         let points: Vec<Point> = along.iter().enumerate().map(point).collect();
-        if points.iter().any(|point| !(point.girth > 0.0)) {
+        if points.iter().any(|point| point.girth <= 0.0) {
             return Err(Invalid::new("radius", "the profile of the wheel reaches to the axle"));
         }
         let weights: Vec<f64> = points.iter().map(|point| point.length * point.girth).collect();
@@ -184,12 +184,10 @@ impl WornProfile {
         for &([one, other], lost) in strips {
             let (from, to) = (one.min(other), one.max(other));
             let first = nodes.partition_point(|&node| node < from).saturating_sub(1);
-            for at in first..=last {
-                if edge(at) >= to {
-                    break;
-                }
+            let cells = onto.iter_mut().enumerate().skip(first);
+            for (at, cell) in cells.take_while(|(at, _)| edge(*at) < to) {
                 let share = (edge(at + 1).min(to) - edge(at).max(from)) / (to - from);
-                onto[at] += lost * share.max(0.0);
+                *cell += lost * share.max(0.0);
             }
         }
     }

@@ -17,7 +17,7 @@ use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
 use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
-use archard_rail::wear::{Journey, Pass, Route, Step, Travelled, WearError, Worn};
+use archard_rail::wear::{Journey, Pass, Route, Step, WearError, Worn};
 use rayon::prelude::*;
 
 pub use running::{Running, State, WHEEL_RAIL};
@@ -26,7 +26,7 @@ pub use shape::{RAILS, RailShape, WHEELS, WheelShape};
 use super::chosen::Chosen;
 use super::key::Key;
 use super::problem::Problem;
-use crate::output::{AtPoint, RailContact};
+use crate::output::{AtPoint, RailContact, RailResults, RailWear, rail_files};
 
 /// Amplitude (m) of the lateral motion that the equivalent conicity is told for: that of UIC 519 and EN 15302.
 pub const AMPLITUDE: f64 = 3e-3;
@@ -67,7 +67,7 @@ pub struct WheelRailCase {
 pub enum RailError {
     /// Values of the case do not fit together.
     #[error("{}", .0.title())]
-    Case(Problem),
+    Case(Box<Problem>),
     /// A value cannot be used.
     #[error("`{}`: {}", .0.parameter, .0.message)]
     Invalid(Invalid),
@@ -77,7 +77,7 @@ pub enum RailError {
         /// The point, numbered from 1; `None` without a route.
         point: Option<usize>,
         /// Why.
-        cause: ContactError,
+        cause: Box<ContactError>,
     },
     /// The route could not be gone through.
     #[error(transparent)]
@@ -104,9 +104,12 @@ impl From<Invalid> for RailError {
 
 impl From<Problem> for RailError {
     fn from(problem: Problem) -> Self {
-        Self::Case(problem)
+        Self::Case(Box::new(problem))
     }
 }
+
+/// Points (y and z, m) of a profile in the track.
+pub type Outline = Vec<(f64, f64)>;
 
 /// What the set-up tells before any elasticity.
 #[non_exhaustive]
@@ -132,31 +135,6 @@ pub struct Prepared {
     resolution: Resolution,
     /// How the case has the wheelset stand and run.
     pub running: Running,
-    /// The formats in which the profiles of the wheel and of the rail were read.
-    pub formats: [Format; 2],
-}
-
-/// What came out of a case.
-#[derive(Debug, Clone)]
-pub struct RailResults {
-    /// The contacts at each point, of new profiles and then of worn ones.
-    pub contacts: Vec<RailContact>,
-    /// What was worn off over the route; `None` where nothing wears.
-    pub wear: Option<RailWear>,
-}
-
-/// What was worn off over a route.
-#[derive(Debug, Clone)]
-pub struct RailWear {
-    /// The profiles, and how they became so.
-    pub travelled: Travelled,
-    /// Distance (m), and the number of axles.
-    pub extent: [f64; 2],
-    /// Which of wheel and rail wear.
-    pub wears: [bool; 2],
-    /// Equivalent conicity of new and of worn profiles, and the error of the second; `None` where a wheelset does not steer
-    /// itself back.
-    pub conicity: [Option<f64>; 3],
     /// The formats in which the profiles of the wheel and of the rail were read.
     pub formats: [Format; 2],
 }
@@ -272,7 +250,7 @@ impl WheelRailCase {
     ///
     /// # Errors
     /// If values do not fit together.
-    pub fn outlines(&self) -> Result<Vec<[Vec<(f64, f64)>; 2]>, Problem> {
+    pub fn outlines(&self) -> Result<Vec<[Outline; 2]>, Problem> {
         let prepared = self.prepare()?;
         let forecast = prepared.forecast().map_err(|error| self.problem(error))?;
         let state = prepared.running.states().map_err(|error| self.problem(error))?[0];
@@ -288,6 +266,14 @@ impl WheelRailCase {
             [rail.map(in_track).collect(), wheel.map(in_track).collect()]
         };
         Ok(forecast.sides.iter().map(outline).collect())
+    }
+
+    /// The files of its results but for the case, by their names in the folder.
+    pub(super) fn files(&self) -> Vec<String> {
+        let files = |prepared: Prepared| {
+            rail_files(prepared.wears(), &prepared.running.sides, prepared.formats)
+        };
+        self.prepare().map(files).unwrap_or_default()
     }
 
     /// The contacts at all points, and the wear over the route; `watch` is shown each step and may stop it.
@@ -353,7 +339,7 @@ impl Prepared {
         let radius = self.setup.wheelset().nominal_radius;
         let point = state.point(radius, &self.bodies.friction)?;
         let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
-        let wrong = |cause| RailError::Contact { point: None, cause };
+        let wrong = |cause| RailError::Contact { point: None, cause: Box::new(cause) };
         let (setup, resolution) = (&self.setup, &self.resolution);
         let Operation { mut attitude, velocity, load } =
             point.operation([setup; 2], &bodies, resolution).map_err(wrong)?;
@@ -381,7 +367,8 @@ impl Prepared {
         let setups = self.setups(worn);
         let radius = self.setup.wheelset().nominal_radius;
         let at_point = |(index, state): (usize, &State)| {
-            let wrong = |cause| RailError::Contact { point: Some(index + 1), cause };
+            let wrong =
+                |cause| RailError::Contact { point: Some(index + 1), cause: Box::new(cause) };
             let point = state.point(radius, &self.bodies.friction)?;
             let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
             let Operation { attitude, velocity, load } =
