@@ -76,8 +76,8 @@ impl RailContact {
     }
 }
 
-/// Writes `case.toml`, `contacts.csv`, a map of each patch and `summary.json` into a folder, and what wears: see [`write_rail_wear`]; what earlier runs
-/// wrote there is removed.
+/// Writes `case.toml`, `contacts.csv`, a map of each patch and `summary.json` into a folder, and of what wears `wear.csv`,
+/// `dimensions.csv` and the worn profiles; what earlier runs wrote there is removed.
 ///
 /// # Errors
 /// If a file cannot be removed or written.

@@ -81,7 +81,7 @@ pub enum RailError {
     },
     /// The route could not be gone through.
     #[error(transparent)]
-    Wear(#[from] WearError),
+    Wear(Box<WearError>),
 }
 
 impl RailError {
@@ -89,9 +89,9 @@ impl RailError {
     pub fn is_of_a_value(&self) -> bool {
         let invalid = |cause: &ContactError| matches!(cause, ContactError::Invalid(_));
         match self {
-            Self::Case(_) | Self::Invalid(_) | Self::Wear(WearError::Invalid(_)) => true,
+            Self::Case(_) | Self::Invalid(_) => true,
             Self::Contact { cause, .. } => invalid(cause),
-            Self::Wear(_) => false,
+            Self::Wear(cause) => matches!(**cause, WearError::Invalid(_)),
         }
     }
 }
@@ -99,6 +99,12 @@ impl RailError {
 impl From<Invalid> for RailError {
     fn from(invalid: Invalid) -> Self {
         Self::Invalid(invalid)
+    }
+}
+
+impl From<WearError> for RailError {
+    fn from(cause: WearError) -> Self {
+        Self::Wear(Box::new(cause))
     }
 }
 
