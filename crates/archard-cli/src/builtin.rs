@@ -25,6 +25,19 @@ pub struct Builtin {
 pub const CASES: &[Builtin] = &[
     without_files("hertz", include_str!("../cases/hertz/case.toml")),
     without_files("manchester", include_str!("../cases/manchester/case.toml")),
+    Builtin {
+        name: "wheel_wear",
+        text: include_str!("../cases/wheel_wear/case.toml"),
+        files: &[
+            ("route.csv", include_bytes!("../cases/wheel_wear/route.csv")),
+            ("regions.csv", include_bytes!("../cases/wheel_wear/regions.csv")),
+        ],
+    },
+    Builtin {
+        name: "rail_curve",
+        text: include_str!("../cases/rail_curve/case.toml"),
+        files: &[("axles.csv", include_bytes!("../cases/rail_curve/axles.csv"))],
+    },
     without_files("pin_on_disc", include_str!("../cases/pin_on_disc/case.toml")),
     without_files("pin_on_disc_both", include_str!("../cases/pin_on_disc_both/case.toml")),
     without_files("pin_on_disc_track", include_str!("../cases/pin_on_disc_track/case.toml")),
