@@ -53,6 +53,16 @@ pub enum Command {
     /// Find wear coefficients from measured tests: median, interval, and where the next test will lie
     #[command(after_help = FIT_EXAMPLES)]
     Fit(Fit),
+    /// Show what is in the file of a measured surface: its size, and its texture after ISO 25178-2
+    #[command(after_help = SURFACE_EXAMPLES)]
+    Surface {
+        /// Digital Surf (.sur), SDF (.sdf), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)
+        #[arg(value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// A key of `profile.surface` and its value
+        #[arg(long = "set", value_name = "KEY=VALUE")]
+        set: Vec<String>,
+    },
     /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
     Doctor,
     /// Print what completes the command line in a shell
@@ -212,6 +222,13 @@ pub struct New {
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }
+
+const SURFACE_EXAMPLES: &str = "\
+Examples:
+  what an instrument wrote:
+    archard surface scan.sur
+  a matrix, whose file tells no sizes, less its tilt:
+    archard surface scan.npy --set pixel=\"2 um\" --set unit=um --set level=plane";
 
 const PLOT_EXAMPLES: &str = "\
 Examples:

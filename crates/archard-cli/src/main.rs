@@ -31,6 +31,7 @@ mod run;
 mod say;
 mod shell;
 mod standards;
+mod surface;
 mod sweep;
 mod table;
 mod underway;
@@ -53,6 +54,7 @@ fn main() -> ExitCode {
         Command::New(arguments) => new::new(&arguments),
         Command::Laws => laws::laws(),
         Command::Doctor => doctor::doctor(),
+        Command::Surface { file, set } => surface::surface(&file, &set),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { dir } => shell::man(&dir),
         Command::Paraview { dir } => paraview::write(&dir),

@@ -4,11 +4,14 @@ use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use archard::parameters::Invalid;
+use archard_surface::HeightMap;
 use toml::de::DeTable;
 
 use super::accuracy::{self, Chose};
 use super::check::pace::Pace;
 use super::check::{self, Forecast};
+use super::chosen::Chosen;
 use super::definition::Case;
 use super::elastic::{self, ElasticCase, ElasticForecast};
 use super::key::{Key, Part};
@@ -248,6 +251,26 @@ impl CaseFile {
         let (case, forecast, warnings) =
             self.examine(laid, |reader, root| reader.elastic(root), elastic::check)?;
         Ok(Task::Elastic(Box::new(ResolvedElastic { case, forecast, warnings })))
+    }
+
+    /// The measured surface of a text that has a `profile.surface` alone.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn surface(&self) -> Result<HeightMap, Vec<Problem>> {
+        let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.surface(root);
+        let built = |map: &Chosen<HeightMap>| {
+            let map = map.build();
+            let key = || Key::of(["profile", "surface"]);
+            let problem =
+                |error: &Invalid| Problem::error(key().child(&error.parameter), &*error.message);
+            let problems = map.as_ref().err().map(problem).into_iter().collect();
+            (map, problems)
+        };
+        match self.examine(self.laid(), read, built)? {
+            (_, Ok(map), _) => Ok(map),
+            (_, Err(error), _) => Err(vec![Problem::error(Key::default(), error.message)]),
+        }
     }
 
     /// Reads and checks a case of two bodies in contact.

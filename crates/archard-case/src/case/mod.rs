@@ -42,6 +42,7 @@ mod quantity;
 mod read;
 mod reader;
 mod similar;
+mod surface;
 mod tree;
 mod unclosed;
 mod wheel_rail;

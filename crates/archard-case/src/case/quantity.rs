@@ -365,9 +365,9 @@ fn table(
 #[cfg(test)]
 mod tests {
     use super::measure;
+    use crate::case::surface::profiles;
     use archard::body::Thermal;
     use archard::body::mesh::MESHES;
-    use archard::body::profile::PROFILES;
     use archard::friction::FRICTION;
     use archard::motion::MOTIONS;
     use archard::parameters::{Choice, Parameter, Quantity, Values};
@@ -382,7 +382,7 @@ mod tests {
     /// The unit that a parameter brings along is one.
     #[test]
     fn units_of_parameters_can_be_read() {
-        let parameters = declared(PROFILES)
+        let parameters = declared(profiles())
             .chain(declared(MESHES))
             .chain(declared(WEAR_LAWS))
             .chain(declared(FRICTION))

@@ -6,8 +6,9 @@ use crate::case::key::Key;
 use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
+use crate::case::surface::profiles;
 use crate::case::tree::{Entry, Item};
-use archard::body::{Body, Elasticity, Layer, Material, Thermal, profile::PROFILES};
+use archard::body::{Body, Elasticity, Layer, Material, Thermal};
 use archard::compliance::HalfSpace;
 use archard::parameters::Quantity;
 use archard::wear::{WEAR_LAWS, WearLaw};
@@ -88,14 +89,14 @@ impl Reader<'_> {
         let layers = self.layers(&section);
         let finite = self.finite(&section);
         let profile = match (section.get("profile"), section.get("mesh")) {
-            (None, Some(_)) => Chosen::named("flat", PROFILES),
+            (None, Some(_)) => Chosen::named("flat", profiles()),
             _ => self
                 .table(
                     &section,
                     "profile",
                     "the shape of the body, for example `profile.flat = {}`",
                 )
-                .and_then(|profiles| self.required(&profiles, "profile", PROFILES)),
+                .and_then(|section| self.required(&section, "profile", profiles())),
         };
         let wear = self.wear(&section);
         let depth = match section.get("depth") {

@@ -12,12 +12,14 @@ use super::chosen::Chosen;
 use super::definition::{Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
+use super::surface::MAPS;
 use super::tree::Item;
 use archard::friction::{FRICTION, Friction};
 use archard::motion::{MOTIONS, Planned};
 use archard::parameters::{Choice, Quantity, Values};
 use archard::solve::SOLVERS;
 use archard::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
+use archard_surface::HeightMap;
 use finite::zone;
 
 /// The tables of a case.
@@ -81,6 +83,13 @@ impl Reader<'_> {
             points: points?,
             sections: sections?,
         })
+    }
+
+    /// A measured surface by itself.
+    pub fn surface(&mut self, root: &Section<'_>) -> Option<Chosen<HeightMap>> {
+        self.unknown(root, "key", &["profile"]);
+        let section = self.table(root, "profile", "a `profile.surface`")?;
+        self.required(&section, "profile", MAPS)
     }
 
     /// The title if there is one; `None` if it is wrong.

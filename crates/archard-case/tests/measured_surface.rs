@@ -1,0 +1,113 @@
+//! Bodies with the surface of an instrument's file: pressed like the shape that it holds, printed, refused with a place.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use archard_case::{CaseFile, Task};
+use common::Rows;
+use tempfile::tempdir;
+
+const RADIUS: f64 = 50e-3;
+/// Points along an axis and their distance (um).
+const POINTS: usize = 61;
+const PIXEL: f64 = 20.0;
+
+/// A ball as a matrix of heights (um) in a text, tilted and with holes beside the contact if asked for.
+fn ball(tilt: f64, holes: bool) -> String {
+    let place = |at: usize| (at as f64 - 0.5 * (POINTS - 1) as f64) * PIXEL;
+    let height = |x: usize, y: usize| {
+        let square = place(x).powi(2) + place(y).powi(2);
+        // Missing far from the middle, where nothing touches.
+        if holes && x < 4 && y % 7 == 0 {
+            return "nan".to_owned();
+        }
+        format!("{:.9}", -square / (2e6 * RADIUS) + tilt * place(x))
+    };
+    let row = |y: usize| (0..POINTS).map(|x| height(x, y)).collect::<Vec<_>>().join(" ");
+    (0..POINTS).map(row).collect::<Vec<_>>().join("\n")
+}
+
+fn case(profile: &str) -> String {
+    format!(
+        "frame.size = [\"0.6 mm\", \"0.6 mm\"]\nframe.elements = [30, 30]\n\
+         body.flat.material = {{ young = \"210 GPa\", poisson = 0.3 }}\nbody.flat.profile.flat = {{}}\n\
+         body.ball.material = {{ young = \"210 GPa\", poisson = 0.3 }}\n{profile}\n\
+         motion.indentation = {{ load = \"10 N\", increments = 1 }}\n"
+    )
+}
+
+fn resolved(folder: &Path, text: &str) -> Result<Box<archard_case::Resolved>, String> {
+    let file = CaseFile::from_text("case.toml", text, folder);
+    match file.task() {
+        Ok(Task::Contact(resolved)) => Ok(resolved),
+        Ok(_) => Err("another case".to_owned()),
+        Err(problems) => {
+            Err(problems.iter().map(|one| file.describe(one)).collect::<Vec<_>>().join("\n"))
+        }
+    }
+}
+
+fn peak(folder: &Path, profile: &str) -> f64 {
+    let case = resolved(folder, &case(profile)).unwrap().case;
+    let mut rows = Rows::default();
+    case.build().unwrap().run(&mut [&mut rows]).unwrap();
+    let last = rows.0.last().unwrap();
+    last.iter().find(|(name, _)| name == "peak_pressure_Pa").unwrap().1
+}
+
+#[test]
+fn a_measured_ball_is_pressed_like_a_ball() {
+    let dir = tempdir().unwrap();
+    let write = |name: &str, text: String| fs::write(dir.path().join(name), text).unwrap();
+    write("ball.txt", ball(0.0, false));
+    write("tilted.txt", ball(0.01, true));
+    let file = |name: &str, more: &str| {
+        format!(
+            "body.ball.profile.surface = {{ file = \"{name}\", pixel = \"20 um\", unit = \"um\"{more} }}"
+        )
+    };
+    let sphere = peak(dir.path(), "body.ball.profile.sphere.radius = \"50 mm\"");
+    let measured = peak(dir.path(), &file("ball.txt", ""));
+    assert!((measured / sphere - 1.0).abs() < 1e-3, "{measured} {sphere}");
+    // A plane is taken off what was measured: the ball loses its tilt and keeps its curvature.
+    let levelled = peak(dir.path(), &file("tilted.txt", ", level = \"plane\", holes = \"fill\""));
+    assert!((levelled / sphere - 1.0).abs() < 5e-3, "{levelled} {sphere}");
+    // A case prints with the whole name of the file, and reads back from anywhere.
+    let first = resolved(dir.path(), &case(&file("ball.txt", ", flipped = true"))).unwrap().case;
+    let again = resolved(Path::new(""), &first.to_string()).unwrap().case;
+    assert!(first.to_string() == again.to_string());
+}
+
+#[test]
+fn wrong_files_are_refused_in_words() {
+    let dir = tempdir().unwrap();
+    let write = |name: &str, text: &str| fs::write(dir.path().join(name), text).unwrap();
+    write("ball.txt", &ball(0.0, true));
+    write("row.txt", "1 2 3\n");
+    write("wrong.txt", "1 2\n3 x\n");
+    write("scan.sur", "no surface at all");
+    write("scan.xyz", "1 2\n3 4\n");
+    for (keys, expected) in [
+        ("file = \"ball.txt\", pixel = \"20 um\"", "give it"),
+        ("file = \"ball.txt\", unit = \"um\"", "`pixel`"),
+        ("file = \"ball.txt\", unit = \"um\", pixel_y = \"2 um\"", "`pixel`"),
+        (
+            "file = \"ball.txt\", unit = \"um\", pixel = \"20 um\"",
+            "36 of 3721 points have no height",
+        ),
+        ("file = \"ball.txt\", unit = \"cm\", pixel = \"20 um\"", "unit"),
+        ("file = \"row.txt\", unit = \"um\", pixel = \"20 um\"", "3 x 1 points"),
+        ("file = \"wrong.txt\", unit = \"um\", pixel = \"20 um\"", "line 2: `x`"),
+        ("file = \"scan.sur\"", "is no Digital Surf"),
+        ("file = \"scan.xyz\"", "no known ending"),
+        ("file = \"none.sur\"", "none.sur"),
+        ("pixel = \"20 um\"", "`body.ball.profile.surface.file`"),
+    ] {
+        let said =
+            resolved(dir.path(), &case(&format!("body.ball.profile.surface = {{ {keys} }}")));
+        let said = said.err().unwrap_or_else(|| panic!("{keys} passes"));
+        assert!(said.contains(expected), "{keys}: {said}");
+    }
+}

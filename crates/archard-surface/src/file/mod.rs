@@ -1,0 +1,154 @@
+//! Files of instruments and programs.
+//!
+//! - `.sur` of Digital Surf (little endian, 16 or 32 bits);
+//! - `.sdf` of ISO 25178-71, binary and text;
+//! - `.npy` of NumPy, a matrix of numbers;
+//! - text and CSV, a row of heights for each row of points, with commas, semicolons, tabs or blanks between.
+//!
+//! Of the last two nothing tells the size of a pixel and the unit of heights: [`Scale`] does. Rows run along x, and the first
+//! row has the lowest y.
+
+mod bytes;
+mod digital_surf;
+mod npy;
+mod sdf;
+mod text;
+
+#[cfg(test)]
+mod tests;
+
+use crate::map::{HeightMap, NoMap};
+
+/// A format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Digital Surf.
+    DigitalSurf,
+    /// ISO 25178-71.
+    Sdf,
+    /// NumPy.
+    Npy,
+    /// Rows of numbers.
+    Text,
+}
+
+impl Format {
+    /// The format of an extension such as `sur`; `None` if it is not known.
+    pub fn of_extension(extension: &str) -> Option<Self> {
+        Some(match extension.trim_start_matches('.').to_ascii_lowercase().as_str() {
+            "sur" => Self::DigitalSurf,
+            "sdf" => Self::Sdf,
+            "npy" => Self::Npy,
+            "csv" | "txt" | "asc" | "dat" => Self::Text,
+            _ => return None,
+        })
+    }
+
+    /// Whether a file says how large its pixels are, and in which unit its heights.
+    pub fn tells_its_scale(self) -> bool {
+        matches!(self, Self::DigitalSurf | Self::Sdf)
+    }
+}
+
+/// What a file does not tell, or tells wrongly.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Scale {
+    /// Size (m) of a pixel along x and y, in the place of what the file has.
+    pub pixel: Option<[f64; 2]>,
+    /// Unit (m) of the numbers of a matrix; of a file that tells its own a factor on its heights is refused.
+    pub unit: Option<f64>,
+}
+
+/// Why a file cannot be read.
+#[non_exhaustive]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ReadError {
+    /// The file is of another format than its ending says.
+    #[error("is no {wanted} file: it begins with {found}")]
+    Format {
+        /// What it should be.
+        wanted: &'static str,
+        /// What it begins with.
+        found: String,
+    },
+    /// The file ends too early.
+    #[error("ends after {found} bytes, and {needed} are needed: it was cut off")]
+    Short {
+        /// Bytes that there are.
+        found: usize,
+        /// Bytes that there should be.
+        needed: usize,
+    },
+    /// Something that is not read.
+    #[error("{0} is not read: save it another way")]
+    Unsupported(String),
+    /// A unit that is not known.
+    #[error("`{0}` is no unit of length")]
+    Unit(String),
+    /// A number that is none.
+    #[error("line {line}: `{word}` is no number")]
+    Number {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        word: String,
+    },
+    /// Rows of different lengths.
+    #[error("line {line}: {found} numbers, and the rows before have {needed}")]
+    Row {
+        /// The line, from 1.
+        line: usize,
+        /// Numbers in it.
+        found: usize,
+        /// Numbers in the rows before.
+        needed: usize,
+    },
+    /// The size of pixels or the unit of heights is not known.
+    #[error("nothing in the file tells {0}: give it")]
+    Scale(&'static str),
+    /// The file tells its unit by itself.
+    #[error("the file tells the unit of its heights itself: leave `unit` out")]
+    Told,
+    /// The heights make no map.
+    #[error(transparent)]
+    Map(#[from] NoMap),
+}
+
+/// The heights in those bytes of a file.
+///
+/// # Errors
+/// If they are not of that format, cut off, or their scale is not known.
+pub fn read(bytes: &[u8], format: Format, scale: Scale) -> Result<HeightMap, ReadError> {
+    if format.tells_its_scale() && scale.unit.is_some() {
+        return Err(ReadError::Told);
+    }
+    match format {
+        Format::DigitalSurf => digital_surf::read(bytes, scale),
+        Format::Sdf => sdf::read(bytes, scale),
+        Format::Npy => npy::read(bytes, scale),
+        Format::Text => text::read(bytes, scale),
+    }
+}
+
+/// The map of a matrix in the unit of the scale.
+fn matrix(elements: [usize; 2], values: Vec<f64>, scale: Scale) -> Result<HeightMap, ReadError> {
+    let pixel = scale.pixel.ok_or(ReadError::Scale("the size of a pixel, `pixel`"))?;
+    let unit = scale.unit.ok_or(ReadError::Scale("the unit of its heights, `unit`"))?;
+    let heights = values.into_iter().map(|value| value * unit).collect();
+    Ok(HeightMap::new(elements, pixel, heights)?)
+}
+
+/// A unit of length (m) as instruments write it.
+fn unit(text: &str) -> Result<f64, ReadError> {
+    let word = text.trim_matches(|letter: char| letter.is_whitespace() || letter == '\0');
+    Ok(match word {
+        "m" => 1.0,
+        "mm" => 1e-3,
+        "\u{b5}m" | "\u{3bc}m" | "um" | "\u{e6}m" => 1e-6,
+        "nm" => 1e-9,
+        "\u{c5}" | "A" => 1e-10,
+        "pm" => 1e-12,
+        "in" | "inch" => 25.4e-3,
+        other => return Err(ReadError::Unit(other.to_owned())),
+    })
+}

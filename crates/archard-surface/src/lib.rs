@@ -1,0 +1,27 @@
+//! Measured surfaces: heights on a grid, read from the files of instruments, and what standards tell of them.
+//!
+//! [`file::read`] takes the bytes of a file and gives a [`HeightMap`]; [`Texture`] has its parameters after ISO 25178-2.
+//! Everything is in SI units.
+//!
+//! ```
+//! use archard_surface::file::{Format, Scale, read};
+//! use archard_surface::Texture;
+//!
+//! let text = b"0 1 0 1\n1 0 1 0\n0 1 0 1\n";
+//! let scale = Scale { pixel: Some([2e-6; 2]), unit: Some(1e-6) };
+//! let map = read(text, Format::Text, scale)?;
+//! assert_eq!(map.elements(), [4, 3]);
+//! assert!((Texture::of(&map).mean_deviation - 0.5e-6).abs() < 1e-20);
+//! # Ok::<(), archard_surface::file::ReadError>(())
+//! ```
+
+#![warn(missing_docs)]
+
+pub mod file;
+mod map;
+mod prepare;
+mod texture;
+
+pub use map::{HeightMap, NoMap};
+pub use prepare::Level;
+pub use texture::Texture;

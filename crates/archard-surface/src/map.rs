@@ -1,0 +1,98 @@
+//! Heights on a grid of equal pixels.
+
+/// Most pixels of a map: 20 000 squared, 3.2 GB.
+pub const MOST: usize = 400_000_000;
+
+/// Heights (m) at the middles of equal pixels, positive out of the material; not a number where nothing was measured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightMap {
+    elements: [usize; 2],
+    pixel: [f64; 2],
+    heights: Vec<f64>,
+}
+
+/// Why heights make no map.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoMap {
+    /// Too few or too many pixels.
+    #[error("{} x {} points make no surface: 2 x 2 at least, and {MOST} in all at most", .0[0], .0[1])]
+    Size([usize; 2]),
+    /// A pixel without a size.
+    #[error("a pixel of {:e} x {:e} m has no size", .0[0], .0[1])]
+    Pixel([f64; 2]),
+    /// Another number of heights than pixels.
+    #[error("{found} heights for {} x {} points", .elements[0], .elements[1])]
+    Count {
+        /// How many points there are along x and y.
+        elements: [usize; 2],
+        /// How many heights.
+        found: usize,
+    },
+    /// Nothing was measured.
+    #[error("no point has a height: all are marked as not measured")]
+    Empty,
+}
+
+impl HeightMap {
+    /// The map of so many points along x and y, pixels of that size (m), and heights (m), those along x first, from the lowest y.
+    ///
+    /// # Errors
+    /// If there are too few points or too many, a pixel has no size, or no height is a number.
+    pub fn new(elements: [usize; 2], pixel: [f64; 2], heights: Vec<f64>) -> Result<Self, NoMap> {
+        let count = elements[0].checked_mul(elements[1]).filter(|count| *count <= MOST);
+        let Some(count) = count.filter(|_| elements.iter().all(|&count| count >= 2)) else {
+            return Err(NoMap::Size(elements));
+        };
+        if !pixel.iter().all(|size| size.is_finite() && *size > 0.0) {
+            return Err(NoMap::Pixel(pixel));
+        }
+        if heights.len() != count {
+            return Err(NoMap::Count { elements, found: heights.len() });
+        }
+        if !heights.iter().any(|height| height.is_finite()) {
+            return Err(NoMap::Empty);
+        }
+        let heights = heights.into_iter().map(|one| if one.is_finite() { one } else { f64::NAN });
+        Ok(Self { elements, pixel, heights: heights.collect() })
+    }
+
+    /// The same with other heights (m), as many.
+    pub(crate) fn of_heights(&self, heights: Vec<f64>) -> Self {
+        Self { heights, ..self.clone() }
+    }
+
+    /// Points along x and y.
+    pub fn elements(&self) -> [usize; 2] {
+        self.elements
+    }
+
+    /// Size (m) of a pixel along x and y.
+    pub fn pixel(&self) -> [f64; 2] {
+        self.pixel
+    }
+
+    /// Heights (m), those along x first, from the lowest y; not a number where nothing was measured.
+    pub fn heights(&self) -> &[f64] {
+        &self.heights
+    }
+
+    /// Size (m) along x and y, of whole pixels.
+    pub fn size(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.pixel[axis] * self.elements[axis] as f64)
+    }
+
+    /// How many points were not measured.
+    pub fn missing(&self) -> usize {
+        self.heights.iter().filter(|height| height.is_nan()).count()
+    }
+
+    /// The height (m) of a point.
+    pub fn at(&self, x: usize, y: usize) -> f64 {
+        self.heights[x + self.elements[0] * y]
+    }
+
+    /// Place (m) of a point along x (0) or y (1), from the middle of the map.
+    pub fn place(&self, axis: usize, index: usize) -> f64 {
+        self.pixel[axis] * (index as f64 - 0.5 * (self.elements[axis] - 1) as f64)
+    }
+}
