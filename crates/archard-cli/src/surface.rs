@@ -26,7 +26,7 @@ pub fn surface(file: &Path, options: &[String]) -> Result<(), Failure> {
     let [width, height] = map.size().map(|size| four(1e3 * size));
     let [dx, dy] = map.pixel().map(|size| four(1e6 * size));
     let line = |name: &str, value: String, meaning: &str| {
-        say(&format!("{name:<10}{value:<24}{meaning}").trim_end().to_owned())
+        say(format!("{name:<10}{value:<24}{meaning}").trim_end())
     };
     line("size", format!("{width} x {height} mm"), "")?;
     line("points", format!("{nx} x {ny}"), "")?;

@@ -64,7 +64,7 @@ impl Texture {
 
 fn rms_gradient(map: &HeightMap) -> f64 {
     let [nx, ny] = map.elements();
-    let (mut sum, mut count) = (0.0, 0.0);
+    let (mut sum, mut count) = (0.0_f64, 0.0);
     for y in 3..ny.saturating_sub(3) {
         for x in 3..nx.saturating_sub(3) {
             let along = |axis: usize| {
@@ -81,7 +81,7 @@ fn rms_gradient(map: &HeightMap) -> f64 {
             }
         }
     }
-    (sum / f64::from(count)).sqrt()
+    (sum / count).sqrt()
 }
 
 fn developed(map: &HeightMap) -> f64 {
