@@ -20,7 +20,7 @@ fn ball(tilt: f64, holes: bool) -> String {
     let height = |x: usize, y: usize| {
         let square = place(x).powi(2) + place(y).powi(2);
         // Missing far from the middle, where nothing touches.
-        if holes && x < 4 && y % 7 == 0 {
+        if holes && x < 4 && y.is_multiple_of(7) {
             return "nan".to_owned();
         }
         format!("{:.9}", -square / (2e6 * RADIUS) + tilt * place(x))
