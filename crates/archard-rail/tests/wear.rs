@@ -137,10 +137,13 @@ fn a_route_loses_what_its_friction_works() {
 /// A mirrored route wears the left wheel as the route wears the right one, and each follows its own contacts.
 #[test]
 fn left_is_right_in_a_mirror() {
-    let points = vec![point(1e-3, 1e-3, 0.5), point(-3e-3, 0.0, 0.5)];
+    let mut points = vec![point(1e-3, 1e-3, 0.5), point(-3e-3, 0.0, 0.5)];
+    // Half of the way is a curve.
+    points[0].velocity.yaw = 0.04;
     let mirrored = points.iter().map(|point| {
         let attitude = Side::Left.attitude(point.attitude);
-        OperatingPoint { attitude, ..point.clone() }
+        let velocity = Side::Left.velocity(point.velocity);
+        OperatingPoint { attitude, velocity, ..point.clone() }
     });
     let right = journey(s1002_on_60e1(), [true, false], points.clone(), 2e5);
     let left = Journey {

@@ -2,7 +2,7 @@
 
 use archard_rail::file::{Format, write};
 use archard_rail::setup::Side;
-use archard_rail::wear::{COLUMNS, Told, Travelled, Worn, WornProfile};
+use archard_rail::wear::{COLUMNS, Told, Travelled, Worn, WornProfile, error_of};
 use serde_json::{Value, json};
 
 use super::manifest::Manifest;
@@ -125,7 +125,7 @@ impl RailWear {
             let travelled = &self.travelled;
             let [fine, coarse, hasty] = [&travelled.worn, &travelled.coarse, &travelled.hasty]
                 .map(|worn| profile(&worn[side], body).depths());
-            let error = |at: usize| (fine[at] - coarse[at]).abs() + (coarse[at] - hasty[at]).abs();
+            let error = |at: usize| error_of([fine[at], coarse[at], hasty[at]]);
             let errors = (0..fine.len()).map(error).collect();
             let one = profile(&travelled.worn[side], body);
             let [new, worn] = [one.unworn().points, one.profile().points];

@@ -1,6 +1,6 @@
 //! How wheel and rail change over a route, in a few numbers.
 
-use super::{Travelled, Worn};
+use super::{Travelled, Worn, error_of};
 use crate::flange::Flange;
 use crate::setup::Side;
 
@@ -58,10 +58,8 @@ impl Travelled {
         let [fine, coarse, hasty] = &self.told;
         let with_errors = |told: &Told| {
             let [coarse, hasty] = [coarse, hasty].map(|course| at(course, told));
-            let error = |(fine, (coarse, hasty)): (&f64, (&f64, &f64))| {
-                (fine - coarse).abs() + (coarse - hasty).abs()
-            };
-            let errors = told.values.iter().zip(coarse.iter().zip(&hasty)).map(error).collect();
+            let error = |at: usize| error_of([told.values[at], coarse[at], hasty[at]]);
+            let errors = (0..told.values.len()).map(error).collect();
             (told.clone(), errors)
         };
         fine.iter().map(with_errors).collect()

@@ -188,11 +188,16 @@ pub struct Travelled {
     told: [Vec<Told>; 3],
 }
 
+/// The error of a value that was found as asked for, on half of the elements, and there with longer steps: that of the grid and that of
+/// the steps.
+pub fn error_of([fine, coarse, hasty]: [f64; 3]) -> f64 {
+    (fine - coarse).abs() + (coarse - hasty).abs()
+}
+
 impl Travelled {
     /// The error of a value that is read off the profiles.
     pub fn error(&self, value: impl Fn(&[Worn]) -> f64) -> f64 {
-        let [fine, coarse, hasty] = [&self.worn, &self.coarse, &self.hasty].map(|worn| value(worn));
-        (fine - coarse).abs() + (coarse - hasty).abs()
+        error_of([&self.worn, &self.coarse, &self.hasty].map(|worn| value(worn)))
     }
 }
 

@@ -246,3 +246,39 @@ fn length(curve: &Curve, [from, to]: [f64; 2]) -> f64 {
     let halves = distance(point(0.0), point(0.5)) + distance(point(0.5), point(1.0));
     halves + (halves - whole) / 3.0
 }
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::WornProfile;
+    use crate::curve::{Curve, Smoothing};
+
+    /// A layer of even thickness on a tread that is an arc: its volume between two angles is that of a turned sector.
+    #[test]
+    fn a_layer_holds_the_volume_of_a_turned_sector() {
+        let (radius, centre, thickness) = (13e-3, 0.45, 0.5e-3);
+        let angles = (-200..=200).rev().map(|at| f64::from(at) * 5e-3);
+        // y falls, and the wheel is convex downwards.
+        let points: Vec<[f64; 2]> = angles
+            .map(|angle: f64| [radius * angle.sin(), radius * angle.cos() - radius])
+            .collect();
+        let curve = Curve::new(&points, Smoothing::NONE).unwrap();
+        // The middle of the arc lies at that distance from the axle.
+        let new = WornProfile::wheel(&curve, centre + radius, 0.0).unwrap();
+        let inside = radius - thickness;
+        let [second, third] = [2, 3].map(|power| radius.powi(power) - inside.powi(power));
+        let gone = new.points.iter().map(|point| {
+            let (angle, cos) = (point.length / radius, point.at[1] / radius + 1.0);
+            TAU * angle * (centre * second / 2.0 + cos * third / 3.0)
+        });
+        let worn = new.worn_to(gone.collect()).unwrap();
+        let depths = worn.depths();
+        for depth in &depths[10..depths.len() - 10] {
+            assert!((depth / thickness - 1.0).abs() < 1e-6, "{depth}");
+        }
+        // The curve through the points is the smaller arc.
+        let middle = worn.curve().point(0.5 * worn.curve().length());
+        assert!((middle[0].hypot(middle[1] + radius) - inside).abs() < 1e-9);
+    }
+}

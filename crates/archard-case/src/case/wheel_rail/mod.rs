@@ -17,7 +17,7 @@ use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
 use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
-use archard_rail::wear::{Journey, Pass, Route, Step, WearError, Worn};
+use archard_rail::wear::{Journey, Pass, Route, Step, WearError, Worn, error_of};
 use rayon::prelude::*;
 
 pub use running::{Running, State, WHEEL_RAIL};
@@ -325,8 +325,7 @@ impl Prepared {
         let [fine, coarse, hasty] =
             [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| conicity(Some(worn)));
         let error = fine.zip(coarse).zip(hasty);
-        let error =
-            error.map(|((fine, coarse), hasty)| (fine - coarse).abs() + (coarse - hasty).abs());
+        let error = error.map(|((fine, coarse), hasty)| error_of([fine, coarse, hasty]));
         let wear = RailWear {
             extent: [journey.route.distance, journey.route.axles],
             wears: self.wears(),
