@@ -248,3 +248,14 @@ fn an_axle_bears_its_moment() {
     let said = contacts("motion.wheel_rail.axle_moment=3 kN m").unwrap_err().to_string();
     assert!(said.contains("does not bear") && said.contains("2.7"), "{said}");
 }
+
+/// A wheel that wears at one point, without a route, gives whole tables: rows of new and of worn profiles have the same columns.
+#[test]
+fn a_point_that_wears_is_written() {
+    let options = [WEARS, "motion.wheel_rail.distance=1 km", "frame.elements=16"];
+    let resolved = resolve(MANCHESTER, &options).expect("a case");
+    let results = resolved.case.solve(|_, _| ControlFlow::Continue(())).expect("wear");
+    let at: Vec<_> = results.contacts.iter().map(|one| one.at).collect();
+    let [new, worn] = [false, true].map(|worn| Some(AtPoint { point: 1, worn }));
+    assert_eq!(at, [new, worn]);
+}

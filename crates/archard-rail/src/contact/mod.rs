@@ -36,7 +36,7 @@ use archard::friction::Friction;
 use archard::wear::WearLaw;
 
 use crate::search::JOIN;
-use crate::setup::{Attitude, Setup, Velocity};
+use crate::setup::{Attitude, Setup, Side, Velocity};
 use archard::parameters::Invalid;
 
 /// Bending of a patch (rad) from which on a plane is an approximation: 10 degrees.
@@ -67,6 +67,15 @@ pub struct Operation {
     pub velocity: Velocity,
     /// Vertical force (N) on the rail, greater than zero.
     pub load: f64,
+}
+
+impl Operation {
+    /// The operation of the right side as a side sees it.
+    #[must_use]
+    pub fn of_side(&self, side: Side) -> Self {
+        let (attitude, velocity) = (side.attitude(self.attitude), side.velocity(self.velocity));
+        Self { attitude, velocity, load: self.load }
+    }
 }
 
 /// How finely patches are divided, and which stretches of overlap share a grid.

@@ -13,10 +13,10 @@ use crate::bounds;
 use crate::roots;
 use crate::setup::{Setup, Side, Velocity};
 
-/// The first share by which the wheelset turns faster or slower than one that rolls on its nominal radius: rolling radii
-/// differ by less on a tread.
+/// The first share by which the wheelset turns faster or slower than one that rolls on its nominal radius. The search goes on from any:
+/// this is a usual creepage.
 const FIRST: f64 = 1e-3;
-/// Difference of these shares that counts for nothing, as rounding of a creepage in 1e-3 to the last but six digits.
+/// Difference of these shares that counts for nothing: a creepage of 1e-3 has six digits then.
 const SETTLED: f64 = 1e-9;
 
 /// The rate (rad/s) at which both wheels resist a moment (N m) that drives the wheelset forward, or brakes it where it is negative. The
@@ -36,10 +36,9 @@ pub fn pitch(
     let rate = |share: f64| rolls * (1.0 + share);
     let resists = |share: f64| {
         let velocity = Velocity { pitch: rate(share), ..operation.velocity };
+        let turning = Operation { velocity, ..*operation };
         let of = |(setup, side): (&Setup, Side)| {
-            let attitude = side.attitude(operation.attitude);
-            let velocity = side.velocity(velocity);
-            let own = Operation { attitude, velocity, load: operation.load };
+            let own = turning.of_side(side);
             let loaded = Loaded::new(setup, bodies, &own, resolution.join)?;
             let (_, patches) = loaded.on(resolution.elements, loaded.guess())?;
             Ok::<f64, ContactError>(

@@ -21,14 +21,8 @@ pub fn roll(
     let Attitude { shift, yaw, .. } = operation.attitude;
     let difference = |roll: f64| {
         let height = |side: Side| {
-            let attitude = side.attitude(Attitude { shift, roll, yaw });
-            let velocity = side.velocity(operation.velocity);
-            let patches = contact(
-                setup,
-                bodies,
-                &Operation { attitude, velocity, ..*operation },
-                resolution,
-            )?;
+            let rolled = Operation { attitude: Attitude { shift, roll, yaw }, ..*operation };
+            let patches = contact(setup, bodies, &rolled.of_side(side), resolution)?;
             patches.first().map(|patch| patch.values.z_wheel).ok_or(ContactError::NoContact)
         };
         Ok::<f64, ContactError>(height(Side::Right)? - height(Side::Left)?)

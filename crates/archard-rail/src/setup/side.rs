@@ -22,6 +22,17 @@ impl Side {
         }
     }
 
+    /// What the right side has and what the left one has, of those that are given; one that is not has what the first has.
+    ///
+    /// # Panics
+    /// If nothing is given.
+    pub fn both<'a, T>(sides: &[Self], of: &'a [T]) -> [&'a T; 2] {
+        [Self::Right, Self::Left].map(|side| {
+            let own = sides.iter().position(|&one| one == side);
+            &of[own.unwrap_or(0)]
+        })
+    }
+
     /// The attitude as this side sees it.
     pub fn attitude(self, of: Attitude) -> Attitude {
         match self {

@@ -85,20 +85,11 @@ impl Journey {
         point: &OperatingPoint,
         depths: &mut [Option<f64>],
     ) -> Result<Vec<Strips>, ContactError> {
-        let both = [Side::Right, Side::Left].map(|side| {
-            let own = self.sides.iter().position(|&one| one == side);
-            &setups[own.unwrap_or(0)]
-        });
+        let both = Side::both(&self.sides, setups);
         let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
-        let Operation { attitude, velocity, load } =
-            point.operation(both, &bodies, &self.resolution)?;
+        let operation = point.operation(both, &bodies, &self.resolution)?;
         let of_side = |(at, setup): (usize, &Setup)| {
-            let side = self.sides[at];
-            let operation = Operation {
-                attitude: side.attitude(attitude),
-                velocity: side.velocity(velocity),
-                load,
-            };
+            let operation = operation.of_side(self.sides[at]);
             let loaded = Loaded::new(setup, &bodies, &operation, self.resolution.join)?;
             let guess = depths[at].unwrap_or_else(|| loaded.guess());
             let (down, patches) = loaded.on(self.resolution.elements, guess)?;

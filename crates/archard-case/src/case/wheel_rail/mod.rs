@@ -13,7 +13,7 @@ use archard::friction::Friction;
 use archard::parameters::Invalid;
 use archard::wear::{Input, WearLaw};
 use archard_rail::conicity::{equivalent_conicity, rolling_radius_difference};
-use archard_rail::contact::{self, Bodies, ContactError, Operation, Resolution};
+use archard_rail::contact::{self, Bodies, ContactError, Resolution};
 use archard_rail::file::Format;
 use archard_rail::search::{Onset, Search};
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
@@ -319,7 +319,9 @@ impl Prepared {
         let conicity = |worn: Option<&[Worn]>| {
             let setups = self.setups(worn);
             self.wears()[0]
-                .then(|| equivalent_conicity(self.sides(&setups), AMPLITUDE).ok())
+                .then(|| {
+                    equivalent_conicity(Side::both(&self.running.sides, &setups), AMPLITUDE).ok()
+                })
                 .flatten()
         };
         let [fine, coarse, hasty] =
@@ -341,55 +343,48 @@ impl Prepared {
     /// # Errors
     /// If a contact cannot be found.
     pub fn contacts(&self, state: &State) -> Result<Vec<RailContact>, RailError> {
-        let radius = self.setup.wheelset().nominal_radius;
-        let point = state.point(radius, &self.bodies.friction)?;
-        let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
-        let wrong = |cause| RailError::Contact { point: None, cause: Box::new(cause) };
-        let (setup, resolution) = (&self.setup, &self.resolution);
-        let Operation { mut attitude, velocity, load } =
-            point.operation([setup; 2], &bodies, resolution).map_err(wrong)?;
-        if !point.rolls {
-            let operation = Operation { attitude, velocity, load };
-            let roll = contact::roll(setup, &bodies, &operation, resolution);
-            attitude.roll = roll.map_err(wrong)?;
-        }
-        let solve = |&side: &Side| {
-            let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
-            let operation = Operation { attitude, velocity, load };
-            let patches =
-                contact::contact(setup, &bodies, &operation, resolution).map_err(wrong)?;
-            Ok(RailContact { at: None, side, load, patches })
-        };
-        self.running.sides.iter().map(solve).collect()
+        self.at_point(state, &self.setups(None), None)
     }
 
-    /// The contacts at all points, with new profiles or with worn ones. The roll of points of a route is that at first touch.
+    /// The contacts at all points, with new profiles or with worn ones.
     fn all(&self, worn: Option<&[Worn]>) -> Result<Vec<RailContact>, RailError> {
         let states = self.running.states()?;
-        if self.running.route.is_empty() && worn.is_none() {
-            return self.contacts(&states[0]);
-        }
         let setups = self.setups(worn);
-        let radius = self.setup.wheelset().nominal_radius;
-        let at_point = |(index, state): (usize, &State)| {
-            let wrong =
-                |cause| RailError::Contact { point: Some(index + 1), cause: Box::new(cause) };
-            let point = state.point(radius, &self.bodies.friction)?;
-            let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
-            let Operation { attitude, velocity, load } =
-                point.operation(self.sides(&setups), &bodies, &self.resolution).map_err(wrong)?;
-            let solve = |(side, setup): (&Side, &Setup)| {
-                let (attitude, velocity) = (side.attitude(attitude), side.velocity(velocity));
-                let operation = Operation { attitude, velocity, load };
-                let patches = contact::contact(setup, &bodies, &operation, &self.resolution);
-                let at = Some(AtPoint { point: index + 1, worn: worn.is_some() });
-                Ok(RailContact { at, side: *side, load, patches: patches.map_err(wrong)? })
-            };
-            self.running.sides.iter().zip(&setups).map(solve).collect::<Result<Vec<_>, RailError>>()
-        };
-        let found: Vec<Result<Vec<RailContact>, RailError>> =
-            states.par_iter().enumerate().map(at_point).collect();
+        // One point of new profiles is a contact by itself.
+        let single = self.running.route.is_empty() && self.wears() == [false; 2];
+        let found = states.par_iter().enumerate().map(|(index, state)| {
+            let at = AtPoint { point: index + 1, worn: worn.is_some() };
+            self.at_point(state, &setups, (!single).then_some(at))
+        });
+        let found: Vec<Result<Vec<RailContact>, RailError>> = found.collect();
         Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
+    }
+
+    /// The contacts in a state. A roll that is not given is found from both wheels: of a contact by itself under their load, of a
+    /// point of a route at first touch, as its wear is.
+    fn at_point(
+        &self,
+        state: &State,
+        setups: &[Setup],
+        at: Option<AtPoint>,
+    ) -> Result<Vec<RailContact>, RailError> {
+        let point = at.map(|at| at.point);
+        let wrong = |cause| RailError::Contact { point, cause: Box::new(cause) };
+        let radius = self.setup.wheelset().nominal_radius;
+        let operating = state.point(radius, &self.bodies.friction)?;
+        let bodies = Bodies { friction: operating.friction.clone(), ..self.bodies.clone() };
+        let both = Side::both(&self.running.sides, setups);
+        let mut operation = operating.operation(both, &bodies, &self.resolution).map_err(wrong)?;
+        if at.is_none() && !operating.rolls {
+            let roll = contact::roll(&self.setup, &bodies, &operation, &self.resolution);
+            operation.attitude.roll = roll.map_err(wrong)?;
+        }
+        let solve = |(side, setup): (&Side, &Setup)| {
+            let own = operation.of_side(*side);
+            let patches = contact::contact(setup, &bodies, &own, &self.resolution);
+            Ok(RailContact { at, side: *side, load: own.load, patches: patches.map_err(wrong)? })
+        };
+        self.running.sides.iter().zip(setups).map(solve).collect()
     }
 
     /// The set-up of each side that is computed.
@@ -399,14 +394,6 @@ impl Prepared {
             None => self.setup.clone(),
         };
         (0..self.running.sides.len()).map(side).collect()
-    }
-
-    /// The right and the left side of those set-ups; one that is not computed is as the other.
-    fn sides<'a>(&self, setups: &'a [Setup]) -> [&'a Setup; 2] {
-        [Side::Right, Side::Left].map(|side| {
-            let own = self.running.sides.iter().position(|&one| one == side);
-            &setups[own.unwrap_or(0)]
-        })
     }
 
     /// The wheelset and its route.
@@ -442,8 +429,7 @@ impl Prepared {
             attitude.roll = self.setup.roll(&self.setup, attitude.shift, attitude.yaw)?;
         }
         let touch = |&side: &Side| {
-            let search = Search::new(&self.setup, side.attitude(attitude))?;
-            let onset = search.onset();
+            let onset = Search::first_touch(&self.setup, side.attitude(attitude))?;
             let onset =
                 onset.ok_or_else(|| Invalid::new("shift", "the wheel is not over its rail"))?;
             Ok((side, onset))
