@@ -141,7 +141,8 @@ fn image(patch: &Patch) -> Image {
 /// What can be believed of the contacts.
 pub fn rail_verdict(results: &RailResults) -> Verdict {
     let RailResults { contacts, wear } = results;
-    let off = contacts.iter().map(RailContact::off).fold(0.0, f64::max);
+    let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
+    let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
     let spread = patches(contacts).map(|(_, patch)| patch.angle_spread).fold(0.0, f64::max);
     let mut lines = vec![verdict::load(off), verdict::bent(spread.to_degrees())];
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));

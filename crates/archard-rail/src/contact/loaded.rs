@@ -74,6 +74,12 @@ impl<'a> Loaded<'a> {
         Ok((height - self.onset, patches))
     }
 
+    /// How far what patches bear is off the load, relative to it: it may jump over the load.
+    pub fn off(&self, patches: &[Pressed]) -> f64 {
+        let borne: f64 = patches.iter().map(Pressed::vertical).sum();
+        (borne / self.operation.load - 1.0).abs()
+    }
+
     /// What is known of a patch.
     pub fn tell(&self, pressed: &Pressed) -> Quantities {
         let Pressed { patch, creepage, .. } = pressed;

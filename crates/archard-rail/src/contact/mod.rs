@@ -144,8 +144,7 @@ pub fn contact(
         grids.push(pressed);
     }
     let told = |pressed: &Pressed| loaded.tell(pressed);
-    let borne: f64 = grids[2].iter().map(Pressed::vertical).sum();
-    let off = (borne / operation.load - 1.0).abs();
+    let off = loaded.off(&grids[2]);
     let patches = grids[2].iter().enumerate().filter(|(_, pressed)| pressed.normal > 0.0);
     let patches = patches.map(|(at, pressed)| {
         let same = grids.iter().all(|grid| grid.len() == grids[2].len());

@@ -24,25 +24,31 @@ pub struct Step<'a> {
     pub worn: &'a [Worn],
 }
 
+/// Where a route has led to.
+pub(super) struct Gone {
+    pub worn: Vec<Worn>,
+    /// Steps taken.
+    pub steps: usize,
+    /// How far loads were off, the mean over the route, at the worst step.
+    pub off: f64,
+}
+
 impl Journey {
-    /// Goes over the whole route; also the number of steps.
+    /// Goes over the whole route.
     pub(super) fn march(
         &self,
         mut watch: impl FnMut(&Step<'_>) -> ControlFlow<()>,
-    ) -> Result<(Vec<Worn>, usize), WearError> {
+    ) -> Result<Gone, WearError> {
         let mut worn = self.unworn()?;
         let mut depths: Depths = vec![vec![None; worn.len()]; self.route.points.len()];
         let (mut progress, mut steps) = (0.0, 0);
         let mut length = self.tolerance.sqrt();
-        let show =
-            |progress: f64, worn: &[Worn], watch: &mut dyn FnMut(&Step<'_>) -> ControlFlow<()>| {
-                match watch(&Step { progress, worn }) {
-                    ControlFlow::Continue(()) => Ok(()),
-                    ControlFlow::Break(()) => Err(WearError::Stopped { progress }),
-                }
-            };
-        show(progress, &worn, &mut watch)?;
-        let mut first = self.rates(&worn, progress, &mut depths)?;
+        let mut show = |progress: f64, worn: &[Worn]| match watch(&Step { progress, worn }) {
+            ControlFlow::Continue(()) => Ok(()),
+            ControlFlow::Break(()) => Err(WearError::Stopped { progress }),
+        };
+        show(progress, &worn)?;
+        let (mut first, mut off) = self.rates(&worn, progress, &mut depths)?;
         while progress < 1.0 {
             let left = 1.0 - progress;
             length = length.min(left);
@@ -52,8 +58,8 @@ impl Journey {
             let mut at_the_end = depths.clone();
             let tried = advanced(&worn, &[(&first, length)])
                 .and_then(|end| self.rates(&end, progress + length, &mut at_the_end));
-            let second = match tried {
-                Ok(second) => second,
+            let (second, off_then) = match tried {
+                Ok(found) => found,
                 // Too far: what is wrong at the beginning of a step is told by the one before.
                 Err(error) => {
                     length *= CHANGES[0];
@@ -77,15 +83,18 @@ impl Journey {
                 worn = advanced(&worn, &[(&first, 0.5 * length), (&second, 0.5 * length)])?;
                 progress = if length >= left { 1.0 } else { progress + length };
                 steps += 1;
-                show(progress, &worn, &mut watch)?;
+                off = off.max(off_then);
+                show(progress, &worn)?;
                 depths = at_the_end;
                 if progress < 1.0 {
-                    first = self.rates(&worn, progress, &mut depths)?;
+                    let off_now;
+                    (first, off_now) = self.rates(&worn, progress, &mut depths)?;
+                    off = off.max(off_now);
                 }
             }
             length *= factor;
         }
-        Ok((worn, steps))
+        Ok(Gone { worn, steps, off })
     }
 }
 
@@ -109,7 +118,7 @@ fn advanced(worn: &[Worn], rates: &[(&Rates, f64)]) -> Result<Vec<Worn>, WearErr
         .collect()
 }
 
-/// The size of volumes at the points of all profiles: the root of the sum of their squares.
+/// The size of volumes at the points of all profiles: the root of the sum of the squares of their depths.
 fn norm(worn: &[Worn], volumes: impl Fn(usize, usize) -> Vec<f64>) -> f64 {
     let squares = |one: usize, body: usize| {
         let depths = profile(&worn[one], body).as_depths(&volumes(one, body));

@@ -184,6 +184,9 @@ pub struct Travelled {
     pub hasty: Vec<Worn>,
     /// Steps taken as asked for.
     pub steps: usize,
+    /// How far what wheels bore was off their load, relative to it: the mean over the route, at the worst step. It jumps where
+    /// stretches of overlap become one patch.
+    pub off: f64,
     /// What is told after each step of the three, in the same order.
     told: [Vec<Told>; 3],
 }
@@ -255,7 +258,7 @@ impl Journey {
                 ..self.clone()
             };
             let mut told = vec![];
-            let (worn, steps) = journey.march(|step| {
+            let gone = journey.march(|step| {
                 let of = |one: &Worn| Told {
                     progress: step.progress,
                     side: one.side,
@@ -264,15 +267,21 @@ impl Journey {
                 told.extend(step.worn.iter().map(of));
                 watch(pass, step)
             })?;
-            Ok::<_, WearError>((worn, steps, told))
+            Ok::<_, WearError>((gone, told))
         };
         // The error of a step grows with its square.
         let loose = (4.0 * self.tolerance).min(1.0);
-        let (hasty, _, of_hasty) = pass(Pass::Hasty, elements / 2, loose)?;
-        let (coarse, _, of_coarse) = pass(Pass::Coarse, elements / 2, self.tolerance)?;
-        let (worn, steps, told) = pass(Pass::Fine, elements, self.tolerance)?;
-        let told = [told, of_coarse, of_hasty];
-        Ok(Travelled { worn, coarse, hasty, steps, told })
+        let (hasty, of_hasty) = pass(Pass::Hasty, elements / 2, loose)?;
+        let (coarse, of_coarse) = pass(Pass::Coarse, elements / 2, self.tolerance)?;
+        let (fine, told) = pass(Pass::Fine, elements, self.tolerance)?;
+        Ok(Travelled {
+            worn: fine.worn,
+            coarse: coarse.worn,
+            hasty: hasty.worn,
+            steps: fine.steps,
+            off: fine.off,
+            told: [told, of_coarse, of_hasty],
+        })
     }
 
     /// The profiles as they are before the first metre.

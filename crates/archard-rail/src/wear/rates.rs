@@ -13,6 +13,9 @@ pub(super) type Rates = Vec<[Vec<f64>; 2]>;
 /// How far (m) wheels went down at each point of the route and each side, to begin with the next time.
 pub(super) type Depths = Vec<Vec<Option<f64>>>;
 
+/// What is lost at a point of the route, on each side, and how far what is borne is off the load, relative to it.
+type AtPoint = (Vec<Strips>, f64);
+
 /// What lines of patches lose: for the wheel and for the rail, their ends (m along the curve) and the volume (m^3, of a rail m^2).
 type Strips = [Vec<([f64; 2], f64)>; 2];
 
@@ -44,13 +47,13 @@ impl OperatingPoint {
 }
 
 impl Journey {
-    /// The rates with the profiles as they are, at a share of the distance.
+    /// The rates with the profiles as they are, at a share of the distance, and how far loads are off, the mean over the route.
     pub(super) fn rates(
         &self,
         worn: &[Worn],
         progress: f64,
         depths: &mut Depths,
-    ) -> Result<Rates, WearError> {
+    ) -> Result<(Rates, f64), WearError> {
         let setups = worn.iter().map(|one| self.setup.worn(one.rail.curve(), one.wheel.curve()));
         let setups: Vec<Setup> = setups.collect();
         let points = self.route.points.par_iter().zip(depths.par_iter_mut()).enumerate();
@@ -62,11 +65,14 @@ impl Journey {
                 cause: Box::new(cause),
             })
         });
-        let strips = strips.collect::<Vec<Result<Vec<Strips>, _>>>();
+        let strips = strips.collect::<Vec<Result<AtPoint, _>>>();
         let none = |one: &Worn| [&one.wheel, &one.rail].map(|profile| vec![0.0; profile.len()]);
         let mut rates: Rates = worn.iter().map(none).collect();
-        for point in strips {
-            for ((one, strips), rates) in worn.iter().zip(point?).zip(&mut rates) {
+        let mut off = 0.0;
+        for (point, strips) in self.route.points.iter().zip(strips) {
+            let (strips, of_point) = strips?;
+            off += point.share * of_point;
+            for ((one, strips), rates) in worn.iter().zip(strips).zip(&mut rates) {
                 one.wheel.lay(&strips[0], &mut rates[0]);
                 one.rail.lay(&strips[1], &mut rates[1]);
             }
@@ -75,7 +81,7 @@ impl Journey {
             *wheel = one.wheel.smoothed(std::mem::take(wheel));
             *rail = one.rail.smoothed(std::mem::take(rail));
         }
-        Ok(rates)
+        Ok((rates, off))
     }
 
     /// What is lost at a point of the route on each side.
@@ -84,23 +90,26 @@ impl Journey {
         setups: &[Setup],
         point: &OperatingPoint,
         depths: &mut [Option<f64>],
-    ) -> Result<Vec<Strips>, ContactError> {
+    ) -> Result<AtPoint, ContactError> {
         let both = Side::both(&self.sides, setups);
         let bodies = Bodies { friction: point.friction.clone(), ..self.bodies.clone() };
         let operation = point.operation(both, &bodies, &self.resolution)?;
+        let mut off = 0.0f64;
         let of_side = |(at, setup): (usize, &Setup)| {
             let operation = operation.of_side(self.sides[at]);
             let loaded = Loaded::new(setup, &bodies, &operation, self.resolution.join)?;
             let guess = depths[at].unwrap_or_else(|| loaded.guess());
             let (down, patches) = loaded.on(self.resolution.elements, guess)?;
             depths[at] = Some(down);
+            off = off.max(loaded.off(&patches));
             let mut strips = Strips::default();
             for patch in &patches {
                 self.of_patch(&loaded, patch, point, &mut strips)?;
             }
-            Ok(strips)
+            Ok::<Strips, ContactError>(strips)
         };
-        setups.iter().enumerate().map(of_side).collect()
+        let strips = setups.iter().enumerate().map(of_side).collect::<Result<Vec<_>, _>>()?;
+        Ok((strips, off))
     }
 
     /// Adds what the lines of a patch lose.
