@@ -14,7 +14,8 @@ use crate::search::Search;
 use crate::setup::{Attitude, Setup, Side};
 use archard::parameters::Invalid;
 
-/// Distance (m) between the shifts at which rolling radii are found. Between them their difference is taken for straight.
+/// Distance (m) between the shifts at which rolling radii are found. Between them their difference is taken for
+/// straight. A choice of cost.
 const STEP: f64 = 1e-4;
 /// Points of the midpoint rule over a quarter of the period, which is smooth in the angle it is taken over.
 const POINTS: usize = 2000;
@@ -54,12 +55,12 @@ pub fn equivalent_conicity(setups: [&Setup; 2], amplitude: f64) -> Result<f64, I
         .par_iter()
         .map(|&shift| rolling_radius_difference(setups, shift, 0.0, None))
         .collect::<Result<Vec<_>, _>>()?;
-    let wavelength =
+    let half_period =
         Weaving::new(&shifts, &differences).half_period(amplitude).ok_or_else(|| {
             Invalid::new("amplitude", "the wheelset does not steer itself back at this amplitude")
         })?;
-    // The half period in units of sqrt(e r).
-    Ok(2.0 * PI * PI / (2.0 * wavelength).powi(2))
+    // In units of sqrt(e r).
+    Ok(2.0 * PI * PI / (2.0 * half_period).powi(2))
 }
 
 /// The motion with dr given by points, straight between them.

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use archard::body::Profile;
 use archard::body::profile::{PROFILES, Table};
 use archard::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
-use archard_surface::file::{Format, Scale, read};
+use archard_surface::file::{Format, Scale, read, unit};
 use archard_surface::{HeightMap, Level};
 
 /// The profiles of bodies in contact: those of the library, and a measured surface.
@@ -95,12 +95,8 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
         }
         (along_x, along_y) => along_x.map(|along_x| [along_x, along_y.unwrap_or(along_x)]),
     };
-    let unit = values.word("unit").map(|word| match word {
-        "m" => 1.0,
-        "mm" => 1e-3,
-        "um" => 1e-6,
-        _ => 1e-9,
-    });
+    let unit = values.word("unit").map(unit).transpose();
+    let unit = unit.map_err(|error| Invalid::new("unit", error.to_string()))?;
     let map =
         read(bytes, format, Scale { pixel, unit }).map_err(|error| wrong(error.to_string()))?;
     let map = if values.is_true("inverted") { map.inverted() } else { map };
@@ -111,7 +107,10 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
         _ => None,
     };
     let lost = |error: archard_surface::NoMap| Invalid::new("level", error.to_string());
-    let map = level.map_or_else(|| Ok(map.clone()), |level| map.levelled(level)).map_err(lost)?;
+    let map = match level {
+        Some(level) => map.levelled(level).map_err(lost)?,
+        None => map,
+    };
     if values.word("holes") == Some("fill") { map.filled().map_err(lost) } else { Ok(map) }
 }
 

@@ -20,7 +20,7 @@ pub(crate) struct Rail {
     contacts: Rows,
     /// Depths over the profiles, and dimensions over the route; empty where nothing wears.
     wear: Rows,
-    pub(crate) dimensions: Rows,
+    dimensions: Rows,
     pub(crate) summary: Value,
     pub(crate) mark: Option<String>,
     /// Points (y and z, m) of the rail and of the wheel in the track, for each side.
@@ -29,7 +29,7 @@ pub(crate) struct Rail {
 
 /// Rows of a table of numbers and words.
 #[derive(Debug, Default)]
-pub(crate) struct Rows {
+struct Rows {
     names: Vec<String>,
     rows: Vec<Vec<String>>,
 }
@@ -74,7 +74,7 @@ impl Rows {
     }
 
     /// The numbers of a column, times a factor; what is none is no number.
-    pub(crate) fn numbers(&self, column: &str, factor: f64) -> Vec<f64> {
+    fn numbers(&self, column: &str, factor: f64) -> Vec<f64> {
         self.cells(column).map(|cell| factor * cell.parse().unwrap_or(f64::NAN)).collect()
     }
 

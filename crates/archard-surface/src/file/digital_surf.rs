@@ -5,7 +5,7 @@ use super::{ReadError, Scale, unit};
 use crate::map::HeightMap;
 
 const MAGIC: &[u8] = b"DIGITAL SURF";
-/// Kinds of objects whose points are a surface: 2, and 5 of several layers.
+/// The kind of an object whose points are a surface.
 const SURFACE: u16 = 2;
 
 pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {

@@ -139,7 +139,10 @@ fn matrix(elements: [usize; 2], values: Vec<f64>, scale: Scale) -> Result<Height
 }
 
 /// A unit of length (m) as instruments write it.
-fn unit(text: &str) -> Result<f64, ReadError> {
+///
+/// # Errors
+/// If it is none.
+pub fn unit(text: &str) -> Result<f64, ReadError> {
     let word = text.trim_matches(|letter: char| letter.is_whitespace() || letter == '\0');
     Ok(match word {
         "m" => 1.0,

@@ -41,7 +41,7 @@ fn words(row: &str) -> Vec<&str> {
     match row {
         _ if row.contains(';') => split(';'),
         _ if row.contains('\t') => split('\t'),
-        // A row of one comma number has no other separator: a matrix has several columns.
+        // Commas without any blank part numbers; with blanks they may be decimal signs.
         _ if row.contains(',') && !row.trim().contains(' ') => split(','),
         _ if row.contains(", ") => split(','),
         _ => row.split_whitespace().collect(),

@@ -1,10 +1,11 @@
 //! A case of a railway wheel on its rail: what to compute, in SI, and what to expect.
 
+mod forecast;
+mod prepared;
 mod print;
 mod running;
 mod shape;
 
-use std::fmt::{self, Display, Formatter};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
@@ -12,24 +13,20 @@ use archard::body::Material;
 use archard::friction::Friction;
 use archard::parameters::Invalid;
 use archard::wear::{Input, WearLaw};
-use archard_rail::conicity::{equivalent_conicity, rolling_radius_difference};
-use archard_rail::contact::{self, Bodies, ContactError, Resolution};
-use archard_rail::file::Format;
-use archard_rail::search::{Onset, Search};
+use archard_rail::contact::{Bodies, ContactError, Resolution};
+use archard_rail::search::Onset;
 use archard_rail::setup::{Attitude, Setup, Side, Track, Wheelset};
-use archard_rail::wear::{Journey, Pass, Route, Step, WearError, Worn, error_of};
-use rayon::prelude::*;
+use archard_rail::wear::{Pass, Step, WearError};
 
+pub use forecast::WheelRailForecast;
+pub use prepared::Prepared;
 pub use running::{Running, State, WHEEL_RAIL};
 pub use shape::{RAILS, RailShape, WHEELS, WheelShape};
 
 use super::chosen::Chosen;
 use super::key::Key;
 use super::problem::Problem;
-use crate::output::{AtPoint, RailContact, RailResults, RailWear, rail_files};
-
-/// Amplitude (m) of the lateral motion that the equivalent conicity is told for: that of UIC 519 and EN 15302.
-pub const AMPLITUDE: f64 = 3e-3;
+use crate::output::{RailResults, rail_files};
 
 /// A wheel or a rail, with its profile.
 #[derive(Debug, Clone, PartialEq)]
@@ -116,34 +113,6 @@ impl From<Problem> for RailError {
 
 /// Points (y and z, m) of a profile in the track.
 pub type Outline = Vec<(f64, f64)>;
-
-/// What the set-up tells before any elasticity.
-#[non_exhaustive]
-#[derive(Debug, Clone, Default)]
-pub struct WheelRailForecast {
-    /// Roll (rad) of the wheelset.
-    pub roll: f64,
-    /// Each side with its first touch.
-    pub sides: Vec<(Side, Onset)>,
-    /// Rolling radius (m) of the right wheel less that of the left one, where both stand on their rails.
-    pub radius_difference: Option<f64>,
-    /// Equivalent conicity for an amplitude of 3 mm, where the wheelset steers itself back.
-    pub conicity: Option<f64>,
-    /// Points of the route.
-    pub points: usize,
-}
-
-/// A wheel over its rail, ready to be pressed on in any state.
-#[derive(Debug, Clone)]
-pub struct Prepared {
-    setup: Setup,
-    bodies: Bodies,
-    resolution: Resolution,
-    /// How the case has the wheelset stand and run.
-    pub running: Running,
-    /// The formats in which the profiles of the wheel and of the rail were read.
-    pub formats: [Format; 2],
-}
 
 impl WheelRailCase {
     /// Reads the profiles and puts wheel and rail into the track.
@@ -294,159 +263,6 @@ impl WheelRailCase {
     }
 }
 
-impl Prepared {
-    /// Which of wheel and rail wear.
-    pub fn wears(&self) -> [bool; 2] {
-        self.bodies.wear.each_ref().map(Option::is_some)
-    }
-
-    /// The contacts at all points, and the wear over the route; `watch` is shown each step and may stop it.
-    ///
-    /// # Errors
-    /// If a contact cannot be found, or the route not be gone through.
-    pub fn solve(
-        &self,
-        watch: impl FnMut(Pass, &Step<'_>) -> ControlFlow<()>,
-    ) -> Result<RailResults, RailError> {
-        if self.wears() == [false; 2] {
-            return Ok(RailResults { contacts: self.all(None)?, wear: None });
-        }
-        let journey = self.journey()?;
-        let mut contacts = self.all(None)?;
-        let travelled = journey.travel(watch)?;
-        contacts.extend(self.all(Some(&travelled.worn))?);
-        // Rails of other wear are met on the way: only a worn wheel keeps its conicity.
-        let conicity = |worn: Option<&[Worn]>| {
-            let setups = self.setups(worn);
-            self.wears()[0]
-                .then(|| {
-                    equivalent_conicity(Side::both(&self.running.sides, &setups), AMPLITUDE).ok()
-                })
-                .flatten()
-        };
-        let [fine, coarse, hasty] =
-            [&travelled.worn, &travelled.coarse, &travelled.hasty].map(|worn| conicity(Some(worn)));
-        let error = fine.zip(coarse).zip(hasty);
-        let error = error.map(|((fine, coarse), hasty)| error_of([fine, coarse, hasty]));
-        let wear = RailWear {
-            extent: [journey.route.distance, journey.route.axles],
-            wears: self.wears(),
-            conicity: [conicity(None), fine, error],
-            formats: self.formats,
-            travelled,
-        };
-        Ok(RailResults { contacts, wear: Some(wear) })
-    }
-
-    /// The contacts of a wheelset in that state, its roll found from both wheels under their load where it is not given.
-    ///
-    /// # Errors
-    /// If a contact cannot be found.
-    pub fn contacts(&self, state: &State) -> Result<Vec<RailContact>, RailError> {
-        self.at_point(state, &self.setups(None), None)
-    }
-
-    /// The contacts at all points, with new profiles or with worn ones.
-    fn all(&self, worn: Option<&[Worn]>) -> Result<Vec<RailContact>, RailError> {
-        let states = self.running.states()?;
-        let setups = self.setups(worn);
-        // One point of new profiles is a contact by itself.
-        let single = self.running.route.is_empty() && self.wears() == [false; 2];
-        let found = states.par_iter().enumerate().map(|(index, state)| {
-            let at = AtPoint { point: index + 1, worn: worn.is_some() };
-            self.at_point(state, &setups, (!single).then_some(at))
-        });
-        let found: Vec<Result<Vec<RailContact>, RailError>> = found.collect();
-        Ok(found.into_iter().collect::<Result<Vec<_>, _>>()?.into_iter().flatten().collect())
-    }
-
-    /// The contacts in a state. A roll that is not given is found from both wheels: of a contact by itself under their load, of a
-    /// point of a route at first touch, as its wear is.
-    fn at_point(
-        &self,
-        state: &State,
-        setups: &[Setup],
-        at: Option<AtPoint>,
-    ) -> Result<Vec<RailContact>, RailError> {
-        let point = at.map(|at| at.point);
-        let wrong = |cause| RailError::Contact { point, cause: Box::new(cause) };
-        let radius = self.setup.wheelset().nominal_radius;
-        let operating = state.point(radius, &self.bodies.friction)?;
-        let bodies = Bodies { friction: operating.friction.clone(), ..self.bodies.clone() };
-        let both = Side::both(&self.running.sides, setups);
-        let mut operation = operating.operation(both, &bodies, &self.resolution).map_err(wrong)?;
-        if at.is_none() && !operating.rolls {
-            let roll = contact::roll(&self.setup, &bodies, &operation, &self.resolution);
-            operation.attitude.roll = roll.map_err(wrong)?;
-        }
-        let solve = |(side, setup): (&Side, &Setup)| {
-            let own = operation.of_side(*side);
-            let patches = contact::contact(setup, &bodies, &own, &self.resolution);
-            Ok(RailContact { at, side: *side, load: own.load, patches: patches.map_err(wrong)? })
-        };
-        self.running.sides.iter().zip(setups).map(solve).collect()
-    }
-
-    /// The set-up of each side that is computed.
-    fn setups(&self, worn: Option<&[Worn]>) -> Vec<Setup> {
-        let side = |at: usize| match worn.and_then(|worn| worn.get(at)) {
-            Some(worn) => self.setup.worn(worn.rail.curve(), worn.wheel.curve()),
-            None => self.setup.clone(),
-        };
-        (0..self.running.sides.len()).map(side).collect()
-    }
-
-    /// The wheelset and its route.
-    fn journey(&self) -> Result<Journey, Invalid> {
-        let radius = self.setup.wheelset().nominal_radius;
-        let states = self.running.states()?;
-        let points = states.iter().map(|state| state.point(radius, &self.bodies.friction));
-        let route = Route {
-            points: points.collect::<Result<_, _>>()?,
-            distance: self.running.distance.unwrap_or(0.0),
-            axles: self.running.axles.unwrap_or(0.0),
-        };
-        Journey {
-            setup: self.setup.clone(),
-            sides: self.running.sides.clone(),
-            bodies: self.bodies.clone(),
-            route,
-            resolution: self.resolution,
-            tolerance: self.running.tolerance,
-            smoothing: self.running.wear_smoothing,
-        }
-        .checked()
-    }
-
-    /// What the set-up tells before any elasticity.
-    fn forecast(&self) -> Result<WheelRailForecast, Invalid> {
-        let states = self.running.states()?;
-        if !self.running.route.is_empty() || self.wears() != [false; 2] {
-            self.journey()?;
-        }
-        let mut attitude = states[0].attitude;
-        if !states[0].rolls {
-            attitude.roll = self.setup.roll(&self.setup, attitude.shift, attitude.yaw)?;
-        }
-        let touch = |&side: &Side| {
-            let onset = Search::first_touch(&self.setup, side.attitude(attitude))?;
-            let onset =
-                onset.ok_or_else(|| Invalid::new("shift", "the wheel is not over its rail"))?;
-            Ok((side, onset))
-        };
-        let sides = self.running.sides.iter().map(touch).collect::<Result<_, Invalid>>()?;
-        let both = [&self.setup; 2];
-        let (shift, yaw, roll) = (attitude.shift, attitude.yaw, Some(attitude.roll));
-        Ok(WheelRailForecast {
-            roll: attitude.roll,
-            sides,
-            radius_difference: rolling_radius_difference(both, shift, yaw, roll).ok(),
-            conicity: equivalent_conicity(both, AMPLITUDE).ok(),
-            points: states.len(),
-        })
-    }
-}
-
 /// The forecast of a case and what is wrong with it.
 pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
     let mut problems = vec![];
@@ -468,31 +284,5 @@ pub(super) fn check(case: &WheelRailCase) -> (WheelRailForecast, Vec<Problem>) {
             problems.push(problem);
             (WheelRailForecast::default(), problems)
         }
-    }
-}
-
-impl Display for WheelRailForecast {
-    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if self.points > 1 {
-            writeln!(
-                f,
-                "route             {} points, the first of which touches like this:",
-                self.points
-            )?;
-        }
-        writeln!(f, "roll              {:.5} mrad", 1e3 * self.roll)?;
-        for (side, onset) in &self.sides {
-            let [x, y, z] = onset.at.point.to_array().map(|one| 1e3 * one);
-            let height = 1e3 * onset.height;
-            writeln!(f, "{:<18}touches at a height of {height:.4} mm", side.name())?;
-            writeln!(f, "                  x {x:.3} mm, y {y:.3} mm, z {z:.3} mm of the track")?;
-        }
-        if let Some(difference) = self.radius_difference {
-            writeln!(f, "rolling radii     right less left {:.4} mm", 1e3 * difference)?;
-        }
-        if let Some(conicity) = self.conicity {
-            writeln!(f, "conicity          {conicity:.4} at an amplitude of 3 mm")?;
-        }
-        Ok(())
     }
 }
