@@ -9,7 +9,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Component, Path, PathBuf};
 
-use super::{Error, file};
+use super::{CASE, Error, file};
 use crate::files;
 
 /// The file.
@@ -143,7 +143,10 @@ impl Manifest {
         next.iter().try_for_each(|name| self.admit(name).map(|_| ()))?;
         self.names.iter().try_for_each(|name| self.find_no_links(name))?;
         self.remove_parts(|_| true);
-        self.names.iter().try_for_each(|name| file::remove(&self.dir.join(name)))?;
+        // The case goes last: a run that is killed on the way leaves no results whose case is not told.
+        let (case, results): (Vec<_>, Vec<_>) = self.names.iter().partition(|name| *name == CASE);
+        let mut all = results.into_iter().chain(case);
+        all.try_for_each(|name| file::remove(&self.dir.join(name)))?;
         for folder in self.folders() {
             // One that holds anything else stays.
             let _ = fs::remove_dir(self.dir.join(folder));
@@ -280,6 +283,25 @@ mod tests {
         let left = fs::read_dir(dir.path()).unwrap().count();
         assert_eq!(left, mine.len() + 1, "the folder of fields is empty and goes");
         assert_eq!(names(dir.path()), ["summary.json"]);
+    }
+
+    /// A removal that stops at a file, as a kill would: the case of what is left is still told.
+    #[test]
+    fn the_case_outlives_its_results() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        for name in ["case.toml", "history.csv", "a.csv"] {
+            write(&mut manifest, name, "one");
+        }
+        for stops in ["history.csv", "a.csv"] {
+            let path = dir.path().join(stops);
+            let _ = fs::remove_file(&path);
+            fs::create_dir(&path).unwrap();
+            let mut manifest = Manifest::read(dir.path()).unwrap();
+            assert!(manifest.begin(["case.toml"]).is_err(), "{stops}");
+            assert!(dir.path().join("case.toml").exists(), "{stops}");
+            fs::remove_dir(&path).unwrap();
+        }
     }
 
     #[test]
