@@ -11,6 +11,7 @@ mod flat;
 mod flat_end;
 mod paraboloid;
 mod power;
+mod self_affine;
 mod sphere;
 mod table;
 mod wave;
@@ -24,6 +25,7 @@ pub use flat::Flat;
 pub use flat_end::FlatEnd;
 pub use paraboloid::Paraboloid;
 pub use power::Power;
+pub use self_affine::{Roughness, SelfAffine};
 pub use sphere::Sphere;
 pub use table::Table;
 pub use wave::Wave;
@@ -73,6 +75,7 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     axisymmetric_power::CHOICE,
     table::CHOICE,
     wave::CHOICE,
+    self_affine::CHOICE,
 ];
 
 /// Recess (m) of a circle of that radius (m) at a distance (m) from its apex, without cancellation;
