@@ -7,6 +7,7 @@
 //! - `profiles.csv`: at each output the sections through the contact;
 //! - `length_profiles.csv`, where a surface swings: at each output its worn section and depth from end to end;
 //! - `worn_profiles.csv`, where bodies roll: at each output their transverse profiles, before and after;
+//! - `distributions.csv`, of rough surfaces: at each output the pressure, gap and heights that each share reaches;
 //! - `fretting_loop.csv`, where bodies are shifted to and fro: force over shift in the first cycle and in
 //!   every one in which an output falls due, a row an increment;
 //! - `fields.pvd`, the [`Collection`] of outputs for ParaView, and for each `fields/NNNN.vti`, the [`Image`] of all
@@ -31,6 +32,7 @@
 mod closed_forms;
 mod contacts;
 mod derived;
+mod distributions;
 mod elastic;
 mod evidence;
 mod fields;

@@ -1,11 +1,14 @@
 //! Contacts of many patches: a wavy and a random surface, far from the convex shapes the rest of the
 //! suite lives on.
 
+use std::f64::consts::PI;
+
+use approx::assert_relative_eq;
 use archard::frame::Part;
 use archard::motion::Control;
 use archard::solve::{Outcome, SOLVERS, Start, Status, Step, press};
 
-use crate::common::{Ball, at_rest, solver};
+use crate::common::{Ball, Rows, at_rest, case, solver, states};
 use crate::surfaces::OnAFlat;
 
 /// Roughness without pattern between -1 and 1, one value a pair.
@@ -110,4 +113,71 @@ fn rough_contact_takes_few_applications() {
         let outcome = self_affine_contact(256, repeats, None);
         assert!(outcome.applications <= most, "{} applications", outcome.applications);
     }
+}
+
+/// Waves along both axes on a frame of two by two wavelengths: crests in its middle, on its sides and at its corners, which are
+/// four on surfaces that repeat themselves.
+#[test]
+fn spots_and_texture_of_waves_are_those_of_a_sine() {
+    let text = "frame.size = [\"1 mm\", \"1 mm\"]\nframe.elements = [64, 64]\nframe.periodic = true\n\
+        body.wavy.material = { young = \"210 GPa\", poisson = 0.3 }\n\
+        body.wavy.profile.wave = { amplitude = \"0.5 um\", length_x = \"0.5 mm\", length_y = \"0.5 mm\" }\n\
+        body.wavy.wear.archard.coefficient = \"1e-9 mm^3/(N m)\"\n\
+        body.flat.material = { young = \"210 GPa\", poisson = 0.3 }\nbody.flat.profile.flat = {}\n\
+        motion.indentation = { load = \"20 MPa\", increments = 2 }\n";
+    let mut rows = Rows::default();
+    case(text, &[]).run(&mut [&mut rows]).unwrap();
+    assert_eq!(rows.column("contact_spots"), [0.0, 4.0, 4.0]);
+    let [area, largest] = ["contact_area_m2", "largest_spot_m2"].map(|name| rows.last(name));
+    // Of elements, some thirty to a spot.
+    assert_relative_eq!(4.0 * largest, area, max_relative = 0.1);
+    // a^2 (cos u + cos v)^2 has the mean a^2, and a slope of 2 pi a / l along each axis a mean square of half its square.
+    assert_relative_eq!(rows.last("rms_height_wavy_m"), 0.5e-6, max_relative = 1e-12);
+    let slope = 2.0 * PI * 0.5e-6 / 0.5e-3;
+    // Six neighbours at 32 to a wave: (2 pi / 32)^6 / 140.
+    assert_relative_eq!(rows.last("rms_gradient_wavy"), slope, max_relative = 1e-6);
+    assert!(rows.last("skewness_wavy").abs() < 1e-9);
+    assert!(rows.0.iter().flatten().all(|(name, _)| name != "rms_height_flat_m"));
+    // Just touching at the crests, the gap is a (2 - cos u - cos v).
+    assert_relative_eq!(rows.column("mean_gap_m")[0], 1e-6, max_relative = 1e-9);
+    assert!(rows.last("mean_gap_m") < 1e-6);
+}
+
+/// Flattened altogether, nothing is left of the gap.
+#[test]
+fn flattened_waves_have_one_spot_and_no_gap() {
+    let text = "frame.size = [\"1 mm\", \"1 mm\"]\nframe.elements = [32, 32]\nframe.periodic = true\n\
+        body.wavy.material = { young = \"210 GPa\", poisson = 0.3 }\n\
+        body.wavy.profile.wave = { amplitude = \"0.5 um\", length_x = \"0.5 mm\", length_y = \"0.5 mm\" }\n\
+        body.flat.material = { young = \"210 GPa\", poisson = 0.3 }\nbody.flat.profile.flat = {}\n\
+        motion.indentation = { load = \"2 GPa\", increments = 1 }\n";
+    let mut rows = Rows::default();
+    case(text, &[]).run(&mut [&mut rows]).unwrap();
+    assert_eq!(rows.last("contact_spots"), 1.0);
+    assert_relative_eq!(rows.last("largest_spot_m2"), 1e-6, max_relative = 1e-9);
+    assert!(rows.last("mean_gap_m") < 1e-12);
+}
+
+/// A made surface on finer elements is the same surface. Its real area up to the edge between elements is near that of four times as
+/// many elements to a wave where that of whole elements is not yet.
+#[test]
+fn the_area_up_to_the_edge_converges_before_that_of_elements() {
+    let area = |elements: usize| {
+        let text = format!(
+            "frame.size = [\"128 um\", \"128 um\"]\nframe.elements = [{elements}, {elements}]\nframe.periodic = true\n\
+             body.ground.material = {{ young = \"210 GPa\", poisson = 0.3 }}\n\
+             body.ground.profile.self_affine = {{ rms_slope = 0.01, hurst = 0.8, short = \"16 um\", long = \"128 um\", seed = 5 }}\n\
+             body.flat.material = {{ young = \"210 GPa\", poisson = 0.3 }}\nbody.flat.profile.flat = {{}}\n\
+             motion.indentation = {{ load = \"50 MPa\", increments = 1 }}\n"
+        );
+        let simulation = case(&text, &[]);
+        let (state, ..) = states(&simulation).unwrap().pop().unwrap();
+        let touching = state.pressure.iter().filter(|pressure| **pressure > 0.0).count();
+        let of_elements = touching as f64 * (128e-6 / elements as f64).powi(2);
+        [state.contact_area(&simulation.problem), of_elements]
+    };
+    let [[edge, counted], [finest, _]] = [64, 512].map(area);
+    let off = [edge, counted].map(|area| (area / finest - 1.0).abs());
+    assert!(off[0] < 0.03, "{off:?}");
+    assert!(off[0] < 0.5 * off[1], "{off:?}");
 }

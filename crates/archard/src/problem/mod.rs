@@ -5,11 +5,13 @@ mod even;
 mod gap;
 mod grip;
 mod heat;
+mod rough;
 mod surface;
 
 pub(crate) use edge::GROWS;
 pub use gap::Gap;
 pub use heat::{Flash, Heating, NoTemperature};
+pub use rough::{Spots, Unworn};
 pub use surface::{Grid, Surface};
 
 use std::borrow::Cow;
@@ -44,6 +46,8 @@ pub struct ContactProblem {
     pub friction: Option<Arc<dyn Friction>>,
     /// How the pairs rub.
     pub motion: Motion,
+    /// The bodies at the pairs before they wear, once anyone asks.
+    pub unworn: Unworn,
 }
 
 impl ContactProblem {

@@ -12,7 +12,7 @@ use crate::frame::{ContactFrame, Rectangle};
 use crate::friction::Friction;
 use crate::motion::{Planned, Schedule};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity};
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, Unworn};
 use crate::solve::tangential::{FrictionSolver, Newton};
 use crate::solve::{ConjugateGradient, Solver};
 
@@ -201,7 +201,14 @@ impl Builder {
         if periodic {
             repeats(&motion, &frame)?;
         }
-        let problem = ContactProblem { bodies, frame, compliance, friction, motion };
+        let problem = ContactProblem {
+            bodies,
+            frame,
+            compliance,
+            friction,
+            motion,
+            unworn: Unworn::default(),
+        };
         problem.fits()?;
         Ok(Simulation {
             problem,

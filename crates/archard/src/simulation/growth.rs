@@ -14,7 +14,7 @@ use super::surroundings::More;
 use super::{Error, Simulation};
 use crate::frame::{ContactFrame, Part};
 use crate::numerics::vector::map;
-use crate::problem::{ContactProblem, ContactState, Gap, Surface, Tangential};
+use crate::problem::{ContactProblem, ContactState, Gap, Surface, Tangential, Unworn};
 
 /// A frame that has grown.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -92,6 +92,7 @@ impl Simulation {
                 frame,
                 friction: problem.friction.clone(),
                 motion: problem.motion.clone(),
+                unworn: Unworn::default(),
             },
             solver: Arc::clone(solver),
             friction_solver: Arc::clone(friction_solver),

@@ -184,6 +184,32 @@ pub const COLUMNS: &[Column] = &[
         |r, _| Some(r.state.contact_area(r.problem)),
     ),
     column(
+        "contact_spots",
+        "",
+        Class::Uncertain,
+        "regions in contact, of elements side by side, between rough surfaces",
+        |r, _| rough(r).map(|r| r.state.spots(r.problem).count as f64),
+    ),
+    column("largest_spot_m2", "m2", Class::Uncertain, "area of the largest of them", |r, _| {
+        rough(r).map(|r| r.state.spots(r.problem).largest)
+    }),
+    column("mean_gap_m", "m", Class::Uncertain, "mean gap between rough surfaces", |r, _| {
+        rough(r).map(|r| r.state.mean_gap(r.problem))
+    }),
+    column(
+        "rms_height_BODY_m",
+        "m",
+        Class::Uncertain,
+        "rms height Sq of each body that is rough or wears to be",
+        |r, i| uneven(r, i).map(|r| r.problem.spread(r.state, i)[0]),
+    ),
+    column("rms_gradient_BODY", "", Class::Uncertain, "its rms gradient Sdq", |r, i| {
+        uneven(r, i).and_then(|r| r.problem.rms_gradient(r.state, i))
+    }),
+    column("skewness_BODY", "", Class::Uncertain, "its skewness Ssk", |r, i| {
+        uneven(r, i).map(|r| r.problem.spread(r.state, i)[1])
+    }),
+    column(
         WORN_VOLUME,
         "m3",
         Class::Volume,
@@ -442,6 +468,18 @@ pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
 fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Rolling) -> f64) -> Option<f64> {
     let rolling = report.problem.motion.rolling()?.at(report.state.progress);
     report.state.tangential.as_ref().map(|own| value(own, &rolling))
+}
+
+/// A report of rough surfaces; `None` of others.
+fn rough<'a, 'b>(report: &'b Report<'a>) -> Option<&'b Report<'a>> {
+    Some(report).filter(|report| report.problem.is_rough())
+}
+
+/// A report of rough surfaces, for a body that is one or wears to be.
+fn uneven<'a, 'b>(report: &'b Report<'a>, index: usize) -> Option<&'b Report<'a>> {
+    let body = &report.problem.bodies[index];
+    let measured = body.profile.places().iter().all(|places| !places.is_empty());
+    rough(report).filter(|_| measured || body.wear.is_some())
 }
 
 /// How bodies with friction are shifted; `None` of others.

@@ -23,7 +23,7 @@ use archard::simulation::Simulation;
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 13\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 14\n");
 /// The longest a run is not kept where it could be.
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
@@ -36,7 +36,7 @@ const PAIR: Duration = Duration::from_nanos(100);
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Kept {
     /// The tables, in their order in the folder.
-    pub tables: [Option<KeptTable>; 5],
+    pub tables: [Option<KeptTable>; TABLES.len()],
     pub fretting_loop: FrettingLoop,
     pub outputs: Vec<(f64, String)>,
     pub iterations: usize,

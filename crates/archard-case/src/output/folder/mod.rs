@@ -7,6 +7,8 @@ mod lock;
 #[cfg(test)]
 mod tests;
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::error::Error as StdError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -16,6 +18,7 @@ use checkpoint::{Clock, Kept};
 pub use claim::Claim;
 use lock::Lock;
 
+use super::distributions::{self, DISTRIBUTIONS};
 use super::evidence::Evidence;
 use super::fretting_loop::FrettingLoop;
 use super::length_profiles;
@@ -41,8 +44,9 @@ const WORN_PROFILES: &str = "worn_profiles.csv";
 const LENGTH_PROFILES: &str = "length_profiles.csv";
 /// The file of force over shift.
 const FRETTING_LOOP: &str = "fretting_loop.csv";
-/// All tables.
-const TABLES: [&str; 5] = [HISTORY, PROFILES, WORN_PROFILES, LENGTH_PROFILES, FRETTING_LOOP];
+/// All tables; the first two are always there.
+const TABLES: [&str; 6] =
+    [HISTORY, PROFILES, WORN_PROFILES, LENGTH_PROFILES, FRETTING_LOOP, DISTRIBUTIONS];
 
 /// Writes the results of a run into a folder as it goes; see [the module](super) for the files.
 #[derive(Debug)]
@@ -51,14 +55,9 @@ pub struct ResultFolder {
     manifest: Manifest,
     /// Held until the results are whole.
     _lock: Lock,
-    history: Table,
-    profiles: Table,
-    /// The profiles of bodies that roll, once there are any.
-    worn_profiles: Option<Table>,
-    /// Surfaces that swing from end to end, once there are any.
-    length_profiles: Option<Table>,
-    /// The loops of bodies that are shifted, once there are any, and the one under way.
-    fretting_loops: Option<Table>,
+    /// Those of [`TABLES`], once there are any.
+    tables: BTreeMap<&'static str, Table>,
+    /// The loop of bodies that are shifted, under way.
     fretting_loop: FrettingLoop,
     /// Every output so far, and the last one's fields on their way.
     collection: Collection,
@@ -88,12 +87,10 @@ impl ResultFolder {
         let Claim { dir, lock, mut manifest, .. } = claim;
         manifest.begin([CASE, HISTORY, PROFILES])?;
         file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
+        let always = [HISTORY, PROFILES].map(|name| Ok((name, Table::create(dir.join(name))?)));
+        let tables = always.into_iter().collect::<Result<_, Error>>()?;
         Ok(Self {
-            history: Table::create(dir.join(HISTORY))?,
-            profiles: Table::create(dir.join(PROFILES))?,
-            worn_profiles: None,
-            length_profiles: None,
-            fretting_loops: None,
+            tables,
             fretting_loop: FrettingLoop::default(),
             collection: Collection::default(),
             behind: Behind::default(),
@@ -121,19 +118,12 @@ impl ResultFolder {
             claim.manifest.remove(name)?;
         }
         let Claim { dir, lock, manifest, .. } = claim;
-        let resume = |index: usize| {
-            tables[index].map(|kept| Table::resume(dir.join(TABLES[index]), kept)).transpose()
-        };
-        let begun = |index: usize| match resume(index)? {
-            Some(table) => Ok(table),
-            None => Table::create(dir.join(TABLES[index])),
-        };
+        let there = TABLES.into_iter().zip(tables).filter_map(|(name, kept)| Some((name, kept?)));
+        let tables = there
+            .map(|(name, kept)| Ok((name, Table::resume(dir.join(name), kept)?)))
+            .collect::<Result<_, Error>>()?;
         Ok(Self {
-            history: begun(0)?,
-            profiles: begun(1)?,
-            worn_profiles: resume(2)?,
-            length_profiles: resume(3)?,
-            fretting_loops: resume(4)?,
+            tables,
             fretting_loop,
             collection: Collection { outputs },
             behind: Behind::default(),
@@ -160,14 +150,10 @@ impl ResultFolder {
         let begun = Instant::now();
         let Some(run) = report.checkpoint() else { return Ok(()) };
         self.behind.wait()?;
-        let keep = |table: Option<&Table>| table.map(Table::keep).transpose();
-        let tables = [
-            keep(Some(&self.history))?,
-            keep(Some(&self.profiles))?,
-            keep(self.worn_profiles.as_ref())?,
-            keep(self.length_profiles.as_ref())?,
-            keep(self.fretting_loops.as_ref())?,
-        ];
+        let mut tables = [None; TABLES.len()];
+        for (kept, name) in tables.iter_mut().zip(TABLES) {
+            *kept = self.tables.get(name).map(Table::keep).transpose()?;
+        }
         let kept = Kept {
             tables,
             fretting_loop: self.fretting_loop.clone(),
@@ -212,10 +198,7 @@ impl ResultFolder {
     /// If a file cannot be written.
     pub fn finish(mut self, totals: &Totals) -> Result<(), Error> {
         self.behind.wait()?;
-        let more = [&self.worn_profiles, &self.length_profiles, &self.fretting_loops];
-        let mut tables =
-            [&self.history, &self.profiles].into_iter().chain(more.into_iter().flatten());
-        tables.try_for_each(Table::sync)?;
+        self.tables.values().try_for_each(Table::sync)?;
         let verdict = self.verdict().ended(totals.failure.as_deref());
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
         file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
@@ -226,6 +209,14 @@ impl ResultFolder {
                 self.manifest.settle()
             }
         }
+    }
+
+    /// The table of that name, begun if it is not there yet.
+    fn table(&mut self, name: &'static str) -> Result<&mut Table, Error> {
+        Ok(match self.tables.entry(name) {
+            Entry::Occupied(table) => table.into_mut(),
+            Entry::Vacant(free) => free.insert(Table::create(self.manifest.claim(name)?)?),
+        })
     }
 
     /// Takes up a report.
@@ -239,15 +230,17 @@ impl ResultFolder {
         finite(report, &row)?;
         let cells: Vec<_> =
             row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
-        self.history.row(&cells)?;
-        self.history.flush()?;
-        self.history.find()?;
+        let history = self.table(HISTORY)?;
+        history.row(&cells)?;
+        history.flush()?;
+        history.find()?;
         if report.output {
             self.put_out(report)?;
         }
         if self.fretting_loop.take(report, &row) {
-            let table = begun(&mut self.fretting_loops, (&mut self.manifest, FRETTING_LOOP))?;
-            self.fretting_loop.write(table)?;
+            let fretting_loop = std::mem::take(&mut self.fretting_loop);
+            fretting_loop.write(self.table(FRETTING_LOOP)?)?;
+            self.fretting_loop = fretting_loop;
         }
         self.evidence.take(report, &row);
         self.iterations += report.effort.iterations;
@@ -260,14 +253,14 @@ impl ResultFolder {
         self.put_out_fields(report)?;
         let swings = |body: usize| Some((body, report.state.surfaces[body].grid.swings()?));
         if let Some(swinging) = (0..2).find_map(swings) {
-            let table = begun(&mut self.length_profiles, (&mut self.manifest, LENGTH_PROFILES))?;
+            let table = self.table(LENGTH_PROFILES)?;
             length_profiles::write(table, (report.problem, report.state), swinging)?;
         }
+        if report.problem.is_rough() {
+            distributions::write(self.table(DISTRIBUTIONS)?, report.problem, report.state)?;
+        }
         match WornProfiles::of(report.problem, report.state) {
-            Some(profiles) => {
-                let table = begun(&mut self.worn_profiles, (&mut self.manifest, WORN_PROFILES))?;
-                profiles.write(table)
-            }
+            Some(profiles) => profiles.write(self.table(WORN_PROFILES)?),
             None => Ok(()),
         }
     }
@@ -287,26 +280,14 @@ impl ResultFolder {
         let collection = self.collection.clone();
         if uniform {
             let image = Image::of(problem, state);
-            sections::write(&mut self.profiles, progress, &image, through)?;
+            sections::write(self.table(PROFILES)?, progress, &image, through)?;
             self.behind.write(move || image.write(&path).and_then(|()| collection.write(&all)))
         } else {
             let surface = Surface::of(problem, state);
-            sections::write_surface(&mut self.profiles, progress, &surface, through)?;
+            sections::write_surface(self.table(PROFILES)?, progress, &surface, through)?;
             self.behind.write(move || surface.write(&path).and_then(|()| collection.write(&all)))
         }
     }
-}
-
-/// A table, begun under that name if it is not there yet.
-fn begun<'a>(
-    table: &'a mut Option<Table>,
-    (manifest, name): (&mut Manifest, &str),
-) -> Result<&'a mut Table, Error> {
-    let begun = match table.take() {
-        Some(begun) => begun,
-        None => Table::create(manifest.claim(name)?)?,
-    };
-    Ok(table.insert(begun))
 }
 
 impl Observer for ResultFolder {

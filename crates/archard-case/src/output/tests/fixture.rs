@@ -10,7 +10,7 @@ use archard::frame::{ContactFrame, Direction, VectorField};
 use archard::friction::{FRICTION as FRICTION_LAWS, Grip};
 use archard::motion::{Control, Drive, MOTIONS, Motion, Rolling, Stepping};
 use archard::parameters::{Choice, Value, Values};
-use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
+use archard::problem::{ContactProblem, ContactState, Surface, Tangential, Unworn};
 use archard::simulation::{Effort, Observer, Report};
 use archard::wear::WEAR_LAWS;
 
@@ -90,6 +90,7 @@ impl Run {
                 compliance: Arc::new(Stiff),
                 friction: None,
                 motion: build(MOTIONS, "sliding", &motion).0,
+                unworn: Unworn::default(),
             },
         }
     }
@@ -157,6 +158,7 @@ impl Run {
                     build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]).into(),
                 ),
                 motion: Motion::Rolling(rolling),
+                unworn: Unworn::default(),
             },
         }
     }
