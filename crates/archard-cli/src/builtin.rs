@@ -108,6 +108,7 @@ pub const CASES: &[Builtin] = &[
         text: include_str!("../cases/warm_twin_disc/case.toml"),
         files: &[("wear.csv", include_bytes!("../cases/warm_twin_disc/wear.csv"))],
     },
+    without_files("ground_pin", include_str!("../cases/ground_pin/case.toml")),
     without_files("rough_on_flat", include_str!("../cases/rough_on_flat/case.toml")),
     Builtin {
         name: "rough_surface",

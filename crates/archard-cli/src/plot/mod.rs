@@ -20,6 +20,7 @@ mod pressure;
 pub(crate) mod rail;
 mod raster;
 pub(crate) mod results;
+mod rough;
 pub(crate) mod scale;
 mod study;
 pub(crate) mod tables;
@@ -200,6 +201,7 @@ pub(crate) fn groups(
     let groups = [
         ("history", "History", history),
         ("loops", "Fretting loops", loops),
+        ("rough", "Rough surfaces", rough::panels(results)?),
         ("profiles", "Profiles", profiles),
         ("tractions", "Tractions", tractions),
     ];
@@ -239,6 +241,10 @@ fn sliding(results: &Results) -> anyhow::Result<Vec<Picture>> {
             panels.push(pressure::section(results, *axis, SHOWN)?);
         }
         pictures.push(Picture::new("profiles", panels));
+    }
+    let panels = rough::panels(results)?;
+    if !panels.is_empty() {
+        pictures.push(Picture::new("rough", panels));
     }
     if results.image.is_some() {
         if results.shown_axes().len() > 1 {

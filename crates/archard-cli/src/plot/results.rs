@@ -18,7 +18,8 @@ use serde_json::{Map, Value};
 use super::LINE;
 use super::scale::Unit;
 use super::tables::{
-    Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_profiles, size,
+    Axis, Profile, Table, largest, last_profile, read_history, read_loops, read_outputs,
+    read_profiles, size,
 };
 
 /// What a result folder holds.
@@ -41,6 +42,8 @@ pub(crate) struct Results {
     pub(crate) case: Option<Case>,
     /// Surfaces that swing, from end to end, at the last output.
     pub(crate) lengths: Option<Profile>,
+    /// What shares of rough surfaces reach, a table an output.
+    pub(crate) distributions: Vec<Table>,
     /// What the run ended with; null until it has.
     pub(crate) summary: Value,
     /// What closed forms start from; null until a run has ended.
@@ -104,6 +107,7 @@ impl Results {
         let summary = dir.join("summary.json");
         let summary = if summary.exists() { Some(read_summary(&summary)?) } else { None };
         let lengths = dir.join("length_profiles.csv");
+        let distributions = dir.join("distributions.csv");
         Ok(Self {
             bodies: history.bodies(),
             profiles: if profiles.exists() { read_profiles(&profiles)? } else { Vec::new() },
@@ -117,6 +121,10 @@ impl Results {
             image: last_image(dir)?,
             surface: last_surface(dir)?,
             mark: mark(summary.as_ref()),
+            distributions: match distributions.exists() {
+                true => read_outputs(&distributions)?,
+                false => Vec::new(),
+            },
             lengths: if lengths.exists() { last_profile(&lengths)? } else { None },
             closed_form: summary
                 .as_ref()

@@ -179,6 +179,23 @@ pub(crate) fn read_profiles(path: &Path) -> anyhow::Result<Vec<Profile>> {
     Ok(profiles)
 }
 
+/// The rows of each output of a run, whose first column is the progress.
+pub(crate) fn read_outputs(path: &Path) -> anyhow::Result<Vec<Table>> {
+    let mut outputs: Vec<(f64, Table)> = Vec::new();
+    read_rows(path, |cells| {
+        let cells = numbers(cells)?;
+        let progress = cells.first().map_or(0.0, |cell| cell.1);
+        if outputs.last().is_none_or(|last| last.0 != progress) {
+            outputs.push((progress, Table::default()));
+        }
+        if let Some((_, table)) = outputs.last_mut() {
+            table.push(cells.into_iter());
+        }
+        Ok(())
+    })?;
+    Ok(outputs.into_iter().map(|(_, table)| table).collect())
+}
+
 /// The loops of force over shift, one a cycle.
 pub(crate) fn read_loops(path: &Path) -> anyhow::Result<Vec<Table>> {
     let mut loops: Vec<Table> = Vec::new();
