@@ -24,6 +24,7 @@ from archard._errors import (
 )
 from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
+from archard._surface import Surface, surface
 from archard._sweep import Row, Sweep, sweep
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Snapshot, Table, Verdict
@@ -50,6 +51,7 @@ __all__ = [
     "RunError",
     "Snapshot",
     "State",
+    "Surface",
     "Sweep",
     "Table",
     "Verdict",
@@ -58,5 +60,6 @@ __all__ = [
     "cases",
     "fit",
     "rail",
+    "surface",
     "sweep",
 ]

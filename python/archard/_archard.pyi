@@ -17,6 +17,7 @@ __all__ = [
     "fit",
     "next_tests",
     "read_fields",
+    "read_surface",
     "solve_elastic",
 ]
 __version__: str
@@ -100,3 +101,6 @@ def fit(
 def next_tests(
     coefficients: Sequence[tuple[float, float, float]], correlation: float, points: Sequence[Sequence[float]]
 ) -> list[list[float]]: ...
+def read_surface(
+    file: CaseFile,
+) -> tuple[NDArray[np.float64], tuple[float, float], list[tuple[str, float]]]: ...

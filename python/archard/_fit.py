@@ -158,7 +158,7 @@ def fit(
     common = [(key, float(value)) for key, value in (uncertain or {}).items()]
 
     def run(folder: str | os.PathLike[str]) -> Fit:
-        return Fit(*_archard.fit(one._compiled(), table, named, parameter, common, folder))
+        return Fit(*_archard.fit(one._in(Path(folder))._compiled(), table, named, parameter, common, folder))
 
     if out is None:
         with tempfile.TemporaryDirectory() as folder:

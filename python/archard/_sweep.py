@@ -128,8 +128,9 @@ def sweep(
         one = base.copy()
         for key, value in row.items():
             one[key] = value
-        checked = functions.check(one)
         folder = None if out is None else Path(out).absolute() / "rows" / f"{number:04}"
+        one = one if folder is None else one._in(folder)
+        checked = functions.check(one)
         kept = None if folder is None else _text(folder / "case.toml")
         if kept is not None and not functions.is_kept(one, kept):
             raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")

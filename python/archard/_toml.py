@@ -73,6 +73,16 @@ def path(dotted: str) -> list[str]:
     return names
 
 
+def leaves(table: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
+    """All values by their dotted keys."""
+    for name, entry in table.items():
+        own = f"{prefix}{key(name)}"
+        if isinstance(entry, Mapping):
+            yield from leaves(entry, f"{own}.")
+        else:
+            yield own, entry
+
+
 def frozen(given: Any) -> Any:
     """The same, unchangeable: a change of a copy would be lost without a word."""
     if isinstance(given, dict):

@@ -10,7 +10,7 @@ from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from archard import _archard, _toml
+from archard import _archard, _surface, _toml
 from archard._errors import CaseWarning, Problem
 from archard._law import FrictionFunction, Law, WearFunction
 
@@ -46,7 +46,9 @@ class Case:
 
     Values are set and read by their dotted key, ``case["motion.sliding.load"] = "20 N"``. Those with a
     dimension are text with a unit, or anything with ``magnitude`` and ``units`` (pint); a bare number is refused
-    where a unit belongs. Files that a case names are looked for from its folder on.
+    where a unit belongs. Files that a case names are looked for from its folder on. A measured surface may be
+    given in place of its file: ``profile.surface.file`` takes a NumPy array (with ``pixel`` and ``unit``), an
+    xarray ``DataArray``, or a surface of SurfaceTopography or surfalize.
     """
 
     def __init__(self, source: str | os.PathLike[str] | Mapping[str, Any] | Case) -> None:
@@ -54,11 +56,15 @@ class Case:
         self._text: str
         self._folder: Path
         self._options: list[str] = []
+        # Arrays of surfaces by the files that stand for them.
+        self._held: dict[str, Any] = {}
         if isinstance(source, Case):
             self._name, self._text, self._folder = source._name, source._text, source._folder
             self._options = list(source._options)
+            self._held = dict(source._held)
         elif isinstance(source, Mapping):
-            self._name, self._text, self._folder = "case", _toml.document(source), Path.cwd()
+            tree = _surface.laid(source, self._held)
+            self._name, self._text, self._folder = "case", _toml.document(tree), Path.cwd()
         elif isinstance(source, str) and "\n" in source:
             self._name, self._text, self._folder = "case", source, Path.cwd()
         else:
@@ -75,9 +81,10 @@ class Case:
 
     def __setitem__(self, key: str, value: object) -> None:
         """Set a value, or a table, at a dotted key; what stands there is replaced."""
-        text = _toml.value(value)
-        self._lay(key, text)
-        self._options.append(f"{key}={text}")
+        for name, entry in _surface.laid({key: value}, self._held).items():
+            text = _toml.value(entry)
+            self._lay(name, text)
+            self._options.append(f"{name}={text}")
 
     def __getitem__(self, key: str) -> Any:
         """Return the value at a dotted key as it was written; tables and lists cannot be changed."""
@@ -201,6 +208,14 @@ class Case:
             force=force,
             cache=cache,
         )
+
+    def _in(self, folder: Path) -> Case:
+        """Return the case with the arrays of its surfaces as files in a folder, which its results keep."""
+        case = self.copy()
+        for key, path in _toml.leaves(self._tree):
+            if isinstance(path, str) and path in self._held:
+                case[key] = _surface.write(self._held[path], folder.absolute())
+        return case
 
     def _lay(self, key: str, text: str) -> None:
         """Do to the tree what an option does to the case."""

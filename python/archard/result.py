@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from archard import _archard
 from archard._errors import ResultWarning
+from archard._surface import PREFIX
 
 Array = NDArray[np.float64]
 
@@ -362,7 +363,7 @@ class _Folder(Mapping[str, bytes]):
     def __iter__(self) -> Iterator[str]:
         # The list of what was written comes first: it makes the rest replaceable.
         tops = ["manifest.txt", "*.json", "*.toml", "*.csv", "*.pvd", "*.vtu", "checkpoint", "fields/*.vt?"]
-        for top in tops:
+        for top in [*tops, f"{PREFIX}*.npy"]:
             for path in sorted(self._folder.glob(top)):
                 yield path.relative_to(self._folder).as_posix()
 

@@ -63,9 +63,9 @@ class Run:
             if error > _COARSE:
                 message = f"friction: lines between {len(pressures)} points are {error:.1e} off the function"
                 warnings.warn(message, ArchardWarning, stacklevel=4)
-        file = case._with_laws(laws, friction)
         self._folder = _folder(case, self, out, resume)
         try:
+            file = case._in(self._folder)._with_laws(laws, friction)
             self._run = _archard.Run(
                 file,
                 self._folder,

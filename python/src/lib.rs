@@ -13,6 +13,7 @@ mod friction;
 mod law;
 mod rail;
 mod run;
+mod surface;
 
 use pyo3::prelude::*;
 
@@ -40,6 +41,8 @@ mod _archard {
     use super::rail::WheelRail;
     #[pymodule_export]
     use super::run::Run;
+    #[pymodule_export]
+    use super::surface::read_surface;
 
     use pyo3::prelude::*;
 

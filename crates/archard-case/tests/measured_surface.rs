@@ -89,6 +89,13 @@ fn wrong_files_are_refused_in_words() {
     write("wrong.txt", "1 2\n3 x\n");
     write("scan.sur", "no surface at all");
     write("scan.xyz", "1 2\n3 4\n");
+    // A surface of 5 x 4 points in pixels of 2 x 3 um, of which one was not measured.
+    let files = Path::new(env!("CARGO_MANIFEST_DIR")).join("../archard-surface/tests/files");
+    for (from, to) in
+        [("x3pio.x3p", "scan.x3p"), ("gwyfile.gwy", "scan.gwy"), ("gwyfile.gwy", "scan.sdf")]
+    {
+        fs::copy(files.join(from), dir.path().join(to)).unwrap();
+    }
     for (keys, expected) in [
         ("file = \"ball.txt\", pixel = \"20 um\"", "give it"),
         ("file = \"ball.txt\", unit = \"um\"", "`pixel`"),
@@ -102,6 +109,14 @@ fn wrong_files_are_refused_in_words() {
         ("file = \"wrong.txt\", unit = \"um\", pixel = \"20 um\"", "line 2: `x`"),
         ("file = \"scan.sur\"", "is no Digital Surf"),
         ("file = \"scan.xyz\"", "no known ending"),
+        ("file = \"scan.x3p\"", "1 of 20 points have no height"),
+        ("file = \"scan.gwy\"", "1 of 20 points have no height"),
+        ("file = \"scan.sdf\"", "it is Gwyddion (.gwy)"),
+        ("file = \"scan.gwy\", unit = \"um\"", "leave `unit` out"),
+        // Slopes of the ball, 0.01, become 1e4 and 10; pixels of a picometre do the same.
+        ("file = \"ball.txt\", unit = \"m\", pixel = \"20 um\"", "`unit = \"um\"`?"),
+        ("file = \"ball.txt\", unit = \"um\", pixel = \"2 pm\"", "larger, would be plausible"),
+        ("file = \"scan.x3p\", pixel = \"2 pm\"", "larger, would be plausible"),
         ("file = \"none.sur\"", "none.sur"),
         ("pixel = \"20 um\"", "`body.ball.profile.surface.file`"),
     ] {

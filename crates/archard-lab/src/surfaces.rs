@@ -71,15 +71,10 @@ pub(super) fn read(
             .map_err(|error| refuse(format!("cannot read it: {error}")))?;
         // These errors begin with the name of the file.
         let unread = |why: String| Error::Reading { table: table.source().to_owned(), line, why };
-        let surface = Table::read(file, &bytes).and_then(|own| {
-            // A profile along one axis has no place along the other.
-            let there =
-                |(name, title): &&(&str, &str)| own.has(title) || name.starts_with(['z', 'Z']);
-            let names: Vec<_> = files.columns.iter().filter(there).copied().collect();
-            own.naming(&names)
-        });
-        let surface = surface.map_err(|error| unread(error.to_string()))?;
-        let surface = Surface::of(&surface).map_err(|error| unread(error.to_string()))?;
+        let surface = match Surface::of_file(file, &bytes, files::free_memory()) {
+            Some(surface) => surface.map_err(|error| unread(error.to_string()))?,
+            None => in_a_table((file, &bytes), files.columns).map_err(unread)?,
+        };
         let kind = shape.kind(surface.axis()).map_err(refuse)?;
         let scar = shape.scar(&surface).map_err(|error| refuse(error.to_string()))?;
         let quantity = Quantity { name: shape.name(kind, name), kind, body };
@@ -105,6 +100,16 @@ pub(super) fn read(
         });
     }
     Ok((columns, all))
+}
+
+/// The surface in a table, whose columns have other titles.
+fn in_a_table((file, bytes): (&str, &[u8]), columns: &[(&str, &str)]) -> Result<Surface, String> {
+    let table = Table::read(file, bytes).map_err(|error| error.to_string())?;
+    // A profile along one axis has no place along the other.
+    let there = |(name, title): &&(&str, &str)| table.has(title) || name.starts_with(['z', 'Z']);
+    let names: Vec<_> = columns.iter().filter(there).copied().collect();
+    let table = table.naming(&names).map_err(|error| error.to_string())?;
+    Surface::of(&table).map_err(|error| error.to_string())
 }
 
 /// Refuses a key of the shape that surfaces were levelled by: runs with another value would be held against sections and

@@ -19,9 +19,11 @@
 
 pub mod file;
 mod map;
+mod plausible;
 mod prepare;
 mod texture;
 
-pub use map::{HeightMap, NoMap};
+pub use map::{HeightMap, MOST, NoMap};
+pub use plausible::Implausible;
 pub use prepare::Level;
 pub use texture::Texture;

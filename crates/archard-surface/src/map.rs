@@ -14,9 +14,20 @@ pub struct HeightMap {
 /// Why heights make no map.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NoMap {
-    /// Too few or too many pixels.
-    #[error("{} x {} points make no surface: 2 x 2 at least, and {MOST} in all at most", .0[0], .0[1])]
+    /// Too few pixels.
+    #[error("{} x {} points make no surface: 2 x 2 at least", .0[0], .0[1])]
     Size([usize; 2]),
+    /// Too many pixels.
+    #[error(
+        "{} x {} points take {:.1} GB, and there is room for {:.1} million points: save a part of the surface, or every second point",
+        .elements[0], .elements[1], gigabytes(.elements), 1e-6 * *.most as f64
+    )]
+    Room {
+        /// How many points there are along x and y.
+        elements: [usize; 2],
+        /// How many points there may be.
+        most: usize,
+    },
     /// A pixel without a size.
     #[error("a pixel of {:e} x {:e} m has no size", .0[0], .0[1])]
     Pixel([f64; 2]),
@@ -33,16 +44,30 @@ pub enum NoMap {
     Empty,
 }
 
+/// Memory (GB) for the heights of so many points.
+fn gigabytes(elements: &[usize; 2]) -> f64 {
+    1e-9 * size_of::<f64>() as f64 * elements[0] as f64 * elements[1] as f64
+}
+
+/// How many points a map has, which is told before memory is taken for them.
+///
+/// # Errors
+/// If there are too few along an axis, or more than `most` in all.
+pub(crate) fn count(elements: [usize; 2], most: usize) -> Result<usize, NoMap> {
+    if elements.iter().any(|&count| count < 2) {
+        return Err(NoMap::Size(elements));
+    }
+    let count = elements[0].checked_mul(elements[1]).filter(|count| *count <= most);
+    count.ok_or(NoMap::Room { elements, most })
+}
+
 impl HeightMap {
     /// The map of so many points along x and y, pixels of that size (m), and heights (m), those along x first, from the lowest y.
     ///
     /// # Errors
     /// If there are too few points or too many, a pixel has no size, or no height is a number.
     pub fn new(elements: [usize; 2], pixel: [f64; 2], heights: Vec<f64>) -> Result<Self, NoMap> {
-        let count = elements[0].checked_mul(elements[1]).filter(|count| *count <= MOST);
-        let Some(count) = count.filter(|_| elements.iter().all(|&count| count >= 2)) else {
-            return Err(NoMap::Size(elements));
-        };
+        let count = count(elements, MOST)?;
         if !pixel.iter().all(|size| size.is_finite() && *size > 0.0) {
             return Err(NoMap::Pixel(pixel));
         }

@@ -1,5 +1,6 @@
 //! Reads one value as the quantity its declaration asks for.
 
+use std::ffi::OsStr;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -9,6 +10,7 @@ use super::tree::{Item, Node};
 use crate::files::{self, Contents};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
 use archard::units::{self, Measure};
+use archard_surface::file::Format;
 
 /// Why a value cannot be read.
 pub(super) struct Wrong {
@@ -307,7 +309,13 @@ fn file(node: &Node, folder: &Path) -> Result<(Value, Option<PathBuf>), Wrong> {
         return Err(format!("expected the name of a file, found {}", node.item.kind()).into());
     };
     let path = folder.join(name);
-    let bytes = files::read(&path, Contents::Text).map_err(|cause| Wrong {
+    // Surfaces in bytes take little more than their file; they are the largest of all.
+    let extension = path.extension().and_then(OsStr::to_str).unwrap_or_default();
+    let contents = match Format::of_extension(extension) {
+        None | Some(Format::Text | Format::Sdf) => Contents::Text,
+        Some(_) => Contents::Numbers,
+    };
+    let bytes = files::read(&path, contents).map_err(|cause| Wrong {
         help: help(&path),
         message: format!("cannot read {}: {cause}", path.display()),
         within: None,

@@ -5,8 +5,10 @@ use std::sync::LazyLock;
 use archard::body::Profile;
 use archard::body::profile::{PROFILES, Table};
 use archard::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
-use archard_surface::file::{Format, Scale, read, unit};
-use archard_surface::{HeightMap, Level};
+use archard_surface::file::{Format, Scale, read_up_to, unit};
+use archard_surface::{HeightMap, Implausible, Level};
+
+use crate::files::free_memory;
 
 /// The profiles of bodies in contact: those of the library, and a measured surface.
 pub fn profiles() -> &'static [Choice<Box<dyn Profile>>] {
@@ -42,7 +44,7 @@ const SURFACE: Choice<Box<dyn Profile>> = Choice {
 const FILE: Parameter = Parameter::required(
     "file",
     Quantity::File,
-    "Digital Surf (.sur), SDF (.sdf), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)",
+    "Digital Surf (.sur), SDF (.sdf), X3P (.x3p), Gwyddion (.gwy), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)",
 );
 const PIXEL: Parameter = Parameter::optional(
     "pixel",
@@ -51,9 +53,11 @@ const PIXEL: Parameter = Parameter::optional(
 );
 const PIXEL_Y: Parameter =
     Parameter::optional("pixel_y", Quantity::Length, "distance of points along y");
+/// Each is a thousand times as large as the next.
+const UNITS: &[&str] = &["m", "mm", "um", "nm"];
 const UNIT: Parameter = Parameter::optional(
     "unit",
-    Quantity::Word(&["m", "mm", "um", "nm"]),
+    Quantity::Word(UNITS),
     "unit of the heights of a matrix, whose file does not tell it",
 );
 const LEVEL: Parameter = Parameter::optional(
@@ -85,7 +89,7 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
     };
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     let format = Format::of_extension(extension).ok_or_else(|| {
-        let known = "sur, sdf, npy, csv, txt, asc, dat";
+        let known = "sur, sdf, x3p, gwy, npy, csv, txt, asc, dat";
         wrong(format!("`.{extension}` is no known ending: {known}"))
     })?;
     let pixel = match (values.number("pixel"), values.number("pixel_y")) {
@@ -97,8 +101,10 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
     };
     let unit = values.word("unit").map(unit).transpose();
     let unit = unit.map_err(|error| Invalid::new("unit", error.to_string()))?;
-    let map =
-        read(bytes, format, Scale { pixel, unit }).map_err(|error| wrong(error.to_string()))?;
+    let most = (free_memory() / BYTES_OF_A_POINT) as usize;
+    let map = read_up_to(bytes, format, Scale { pixel, unit }, most)
+        .map_err(|error| wrong(error.to_string()))?;
+    map.plausible().map_err(|error| in_doubt(values, error))?;
     let map = if values.is_true("inverted") { map.inverted() } else { map };
     let map = if values.is_true("flipped") { map.flipped() } else { map };
     let level = match values.word("level") {
@@ -112,6 +118,27 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
         None => map,
     };
     if values.word("holes") == Some("fill") { map.filled().map_err(lost) } else { Ok(map) }
+}
+
+/// Memory (bytes) for a point: its height as it was read, as it is prepared, and in the profile.
+const BYTES_OF_A_POINT: f64 = 3.0 * size_of::<f64>() as f64;
+
+/// The key whose unit is wrong, and the one that would be plausible.
+fn in_doubt(values: &Values, error: Implausible) -> Invalid {
+    let given = values.word("unit").and_then(|unit| UNITS.iter().position(|one| *one == unit));
+    let by = match error {
+        Implausible::Steep { factor } => (-factor.log10() / 3.0).round() as usize,
+        Implausible::Flat { .. } => 0,
+    };
+    match given {
+        Some(given) => {
+            let better = UNITS.get(given + by).filter(|_| by > 0);
+            let better = better.map_or_else(String::new, |unit| format!(": `unit = \"{unit}\"`?"));
+            Invalid::new("unit", format!("{error}{better}"))
+        }
+        None if values.number("pixel").is_some() => Invalid::new("pixel", error.to_string()),
+        None => Invalid::new("file", error.to_string()),
+    }
 }
 
 /// A map without holes.

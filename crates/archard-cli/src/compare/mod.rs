@@ -9,6 +9,7 @@ mod runs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Error, Result, ensure};
+use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
 use archard_case::measured::surface::Surface;
 
@@ -94,9 +95,14 @@ pub(crate) fn of(
 
 /// A run beside a measured table.
 fn measured(results: &Results, path: &Path, options: &Options) -> Result<Comparison> {
-    let table = table::names(&options.columns)
-        .and_then(|names| table::read(path, &names))
-        .map_err(Error::msg)?;
+    let name = path.display().to_string();
+    let bytes =
+        files::read(path, Contents::Text).with_context(|| format!("cannot read `{name}`"))?;
+    if let Some(surface) = Surface::of_file(&name, &bytes, files::free_memory()) {
+        return map::compare(results, &surface?, body(results, options)?, options.levelled);
+    }
+    let names = table::names(&options.columns).map_err(Error::msg)?;
+    let table = Table::read(&name, &bytes)?.naming(&names)?;
     let has = |name: &str| table.names().any(|known| known == name);
     let body = body(results, options)?;
     if !has("x") && !has("y") {

@@ -235,6 +235,10 @@ fn a_height_map_of_the_run_itself_is_the_run() {
     };
     for (factor, off) in [(1.0, 0.0), (1.5, -33.3)] {
         let mut text = String::from("x [mm];y [mm];z [um]\n");
+        // The same as an instrument writes it, whose middle is at 0.
+        let mut scan = String::from(
+            "aISO-1.0\nNumPoints = 91\nNumProfiles = 91\nXscale = 18e-6\nYscale = 18e-6\nZscale = 1e-6\n*\n",
+        );
         for (i, j) in (-45..=45).flat_map(|j| (-45..=45).map(move |i| (i, j))) {
             let [x, y] = [i, j].map(|i| 18e-6 * f64::from(i));
             let r = x.hypot(y);
@@ -242,18 +246,23 @@ fn a_height_map_of_the_run_itself_is_the_run() {
             let z = z + 30e-6 + 2e-3 * x - 1e-3 * y;
             let cell =
                 if (3 * i + 5 * j) % 29 == 0 { String::new() } else { format!("{:.5}", z * 1e6) };
+            scan += if cell.is_empty() { "BAD" } else { &cell };
+            scan += "\n";
             text += &format!("{:.4};{:.4};{cell}\n", x * 1e3 + 7.0, y * 1e3).replace('.', ",");
         }
-        fs::write(dir.path().join("map.csv"), text).unwrap();
-        let said = printed(&archard(&dir, &["compare", "pin_on_disc", "map.csv"]).success());
-        for name in ["deepest", "worn volume"] {
-            let line = said.lines().find(|line| line.trim().starts_with(name)).unwrap();
-            let share = line.split("computed ").last().unwrap().split(' ').next().unwrap();
-            let share: f64 = share.parse().unwrap();
-            // Depths are averaged over a fiftieth of the map; the pin is round to the size of an element.
-            assert!((share - off).abs() < 3.0, "{line}");
+        for (file, text) in [("map.csv", text), ("map.sdf", scan + "*\n")] {
+            fs::write(dir.path().join(file), text).unwrap();
+            let said = printed(&archard(&dir, &["compare", "pin_on_disc", file]).success());
+            for name in ["deepest", "worn volume"] {
+                let line = said.lines().find(|line| line.trim().starts_with(name)).unwrap();
+                let share = line.split("computed ").last().unwrap().split(' ').next().unwrap();
+                let share: f64 = share.parse().unwrap();
+                // Depths are averaged over a fiftieth of the map; the pin is round to the size of an element.
+                assert!((share - off).abs() < 3.0, "{file}: {line}");
+            }
+            assert!(said.contains("places in the scar without a reading"), "{said}");
+            let tilt = "2.0000 \u{b5}m/mm along x, -1.0000 \u{b5}m/mm along y";
+            assert!(said.contains(tilt), "{said}");
         }
-        assert!(said.contains("places in the scar without a reading"), "{said}");
-        assert!(said.contains("2.0000 \u{b5}m/mm along x, -1.0000 \u{b5}m/mm along y"), "{said}");
     }
 }

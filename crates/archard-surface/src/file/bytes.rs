@@ -26,6 +26,21 @@ impl<'a> Bytes<'a> {
         self.take(count).map(|_| ())
     }
 
+    /// The bytes up to the next zero, which is left out.
+    pub fn zero_ended(&mut self) -> Result<&'a [u8], ReadError> {
+        let rest = self.rest();
+        let length = rest.iter().position(|&byte| byte == 0);
+        let found = self.all.len();
+        let taken = self.take(length.ok_or(ReadError::Short { found, needed: found + 1 })?)?;
+        self.skip(1)?;
+        Ok(taken)
+    }
+
+    /// What was not read yet.
+    pub fn rest(&self) -> &'a [u8] {
+        self.all.get(self.at..).unwrap_or_default()
+    }
+
     fn array<const N: usize>(&mut self) -> Result<[u8; N], ReadError> {
         let mut array = [0; N];
         array.copy_from_slice(self.take(N)?);
@@ -38,6 +53,10 @@ impl<'a> Bytes<'a> {
 
     pub fn u16(&mut self) -> Result<u16, ReadError> {
         Ok(u16::from_le_bytes(self.array()?))
+    }
+
+    pub fn u32(&mut self) -> Result<usize, ReadError> {
+        Ok(u32::from_le_bytes(self.array()?) as usize)
     }
 
     pub fn i32(&mut self) -> Result<i32, ReadError> {

@@ -1,20 +1,17 @@
 //! `.sur` of Digital Surf: a head of 512 bytes, a comment, private bytes, and points of 16 or 32 bits, row by row.
 
-use super::bytes::{Bytes, beginning};
+use super::bytes::Bytes;
 use super::{ReadError, Scale, unit};
-use crate::map::HeightMap;
+use crate::map::{HeightMap, count};
 
-const MAGIC: &[u8] = b"DIGITAL SURF";
+/// How files begin.
+pub(super) const MAGIC: &[u8] = b"DIGITAL SURF";
 /// The kind of an object whose points are a surface.
 const SURFACE: u16 = 2;
 
-pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
+pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
     let mut bytes = Bytes::new(all);
-    let magic = bytes.take(MAGIC.len()).unwrap_or_default();
-    if magic != MAGIC {
-        let wanted = "Digital Surf (DIGITAL SURF)";
-        return Err(ReadError::Format { wanted, found: beginning(all) });
-    }
+    bytes.skip(MAGIC.len())?;
     if bytes.u16()? != 0 {
         return Err(ReadError::Unsupported("a big-endian .sur".to_owned()));
     }
@@ -46,7 +43,7 @@ pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
     // Levelling, reserved, date, duration, reserved.
     bytes.skip(2 + 12 + 14 + 4 + 10)?;
     let (comment, private) = (bytes.u16()?, bytes.u16()?);
-    // Client, offsets, reserved.
+    // Client, offsets (that of heights says nothing about their shape), reserved.
     bytes.skip(128 + 12 + 34)?;
     bytes.skip(usize::from(comment) + usize::from(private))?;
     let elements = [nx, ny].map(|count| usize::try_from(count).unwrap_or(0));
@@ -55,8 +52,7 @@ pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
         32 => 4,
         _ => return Err(ReadError::Unsupported(format!("a .sur of {bits} bits"))),
     };
-    let count = elements[0].saturating_mul(elements[1]);
-    let data = bytes.take(count.saturating_mul(width))?;
+    let data = bytes.take(count(elements, most)? * width)?;
     let [dx, dy, dz] = [
         unit(&units[0])? * spacing[0],
         unit(&units[1])? * spacing[1],

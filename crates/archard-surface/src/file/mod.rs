@@ -2,22 +2,30 @@
 //!
 //! - `.sur` of Digital Surf (little endian, 16 or 32 bits);
 //! - `.sdf` of ISO 25178-71, binary and text;
+//! - `.x3p` of ISO 25178-72, with all types of numbers and the marks of points that were not measured;
+//! - `.gwy` of Gwyddion: the first channel of heights, without what its mask covers;
 //! - `.npy` of NumPy, a matrix of numbers;
 //! - text and CSV, a row of heights for each row of points, with commas, semicolons, tabs or blanks between.
 //!
-//! Of the last two nothing tells the size of a pixel and the unit of heights: [`Scale`] does. Rows run along x, and the first
-//! row has the lowest y.
+//! Of the last two nothing tells the size of a pixel and the unit of heights: [`Scale`] does.
+//!
+//! Rows run along x, and the first row has the lowest y, in every format: so ISO 25178-72 defines it, and so SurfaceTopography
+//! and surfalize read the others. Gwyddion and MountainsMap draw the first row at the top, where a picture with y upwards has
+//! the highest y; [`HeightMap::flipped`] sets a map as they draw it.
 
 mod bytes;
 mod digital_surf;
+mod gwyddion;
+mod known;
 mod npy;
 mod sdf;
 mod text;
+mod x3p;
 
 #[cfg(test)]
 mod tests;
 
-use crate::map::{HeightMap, NoMap};
+use crate::map::{HeightMap, MOST, NoMap};
 
 /// A format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +34,10 @@ pub enum Format {
     DigitalSurf,
     /// ISO 25178-71.
     Sdf,
+    /// ISO 25178-72.
+    X3p,
+    /// Gwyddion.
+    Gwyddion,
     /// NumPy.
     Npy,
     /// Rows of numbers.
@@ -38,15 +50,34 @@ impl Format {
         Some(match extension.trim_start_matches('.').to_ascii_lowercase().as_str() {
             "sur" => Self::DigitalSurf,
             "sdf" => Self::Sdf,
+            "x3p" => Self::X3p,
+            "gwy" => Self::Gwyddion,
             "npy" => Self::Npy,
             "csv" | "txt" | "asc" | "dat" => Self::Text,
             _ => return None,
         })
     }
 
+    /// The format of a file by its first bytes; `None` of text, and of what is not read.
+    pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        known::of(bytes)?.format
+    }
+
+    /// What it is called, with its ending.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::DigitalSurf => "Digital Surf (.sur)",
+            Self::Sdf => "SDF (.sdf)",
+            Self::X3p => "X3P (.x3p)",
+            Self::Gwyddion => "Gwyddion (.gwy)",
+            Self::Npy => "NumPy (.npy)",
+            Self::Text => "text",
+        }
+    }
+
     /// Whether a file says how large its pixels are, and in which unit its heights.
     pub fn tells_its_scale(self) -> bool {
-        matches!(self, Self::DigitalSurf | Self::Sdf)
+        !matches!(self, Self::Npy | Self::Text)
     }
 }
 
@@ -64,13 +95,16 @@ pub struct Scale {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ReadError {
     /// The file is of another format than its ending says.
-    #[error("is no {wanted} file: it begins with {found}")]
+    #[error("is no {wanted} file: {found}")]
     Format {
         /// What it should be.
         wanted: &'static str,
-        /// What it begins with.
+        /// What it is, or how it begins.
         found: String,
     },
+    /// The file was changed after it was written, or its parts do not fit each other.
+    #[error("is damaged: {0}")]
+    Damaged(String),
     /// The file ends too early.
     #[error("ends after {found} bytes, and {needed} are needed: it was cut off")]
     Short {
@@ -117,16 +151,33 @@ pub enum ReadError {
 /// The heights in those bytes of a file.
 ///
 /// # Errors
-/// If they are not of that format, cut off, or their scale is not known.
+/// If they are not of that format, cut off or damaged, or their scale is not known.
 pub fn read(bytes: &[u8], format: Format, scale: Scale) -> Result<HeightMap, ReadError> {
+    read_up_to(bytes, format, scale, MOST)
+}
+
+/// The same of so many points at most, for whom memory is short: a packed file of a few kilobytes may hold millions.
+///
+/// # Errors
+/// As [`read`], and if there are more points, before memory is taken for them.
+pub fn read_up_to(
+    bytes: &[u8],
+    format: Format,
+    scale: Scale,
+    most: usize,
+) -> Result<HeightMap, ReadError> {
     if format.tells_its_scale() && scale.unit.is_some() {
         return Err(ReadError::Told);
     }
+    known::expect(bytes, format)?;
+    let most = most.min(MOST);
     match format {
-        Format::DigitalSurf => digital_surf::read(bytes, scale),
-        Format::Sdf => sdf::read(bytes, scale),
-        Format::Npy => npy::read(bytes, scale),
-        Format::Text => text::read(bytes, scale),
+        Format::DigitalSurf => digital_surf::read(bytes, scale, most),
+        Format::Sdf => sdf::read(bytes, scale, most),
+        Format::X3p => x3p::read(bytes, scale, most),
+        Format::Gwyddion => gwyddion::read(bytes, scale, most),
+        Format::Npy => npy::read(bytes, scale, most),
+        Format::Text => text::read(bytes, scale, most),
     }
 }
 

@@ -3,16 +3,14 @@
 //! A head names the kind of the numbers, their order and the shape as a Python dict, of which three keys count. The packages
 //! that read it bring a parser of Python with them; this needs none.
 
-use super::bytes::{Bytes, beginning};
+use super::bytes::Bytes;
 use super::{ReadError, Scale, matrix};
-use crate::map::{HeightMap, MOST, NoMap};
+use crate::map::{self, HeightMap};
 
-const MAGIC: &[u8] = b"\x93NUMPY";
+/// How files begin.
+pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 
-pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
-    if !all.starts_with(MAGIC) {
-        return Err(ReadError::Format { wanted: "NumPy (.npy)", found: beginning(all) });
-    }
+pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
     let mut bytes = Bytes::new(all);
     bytes.skip(MAGIC.len())?;
     let version = bytes.u8()?;
@@ -30,7 +28,7 @@ pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
     let &[ny, nx] = &shape[..] else {
         return Err(ReadError::Unsupported(format!("an array of {} axes", shape.len())));
     };
-    let count = nx.checked_mul(ny).filter(|count| *count <= MOST).ok_or(NoMap::Size([nx, ny]))?;
+    let count = map::count([nx, ny], most)?;
     let unknown = || ReadError::Unsupported(format!("an array of `{kind}`"));
     let (order_of_bytes, number) = kind.split_at_checked(1).ok_or_else(unknown)?;
     let (width, value) = number_of(number).ok_or_else(unknown)?;

@@ -1,22 +1,23 @@
 //! `.sdf` of ISO 25178-71: a head, then points, in bytes or in text.
 
-use super::bytes::{Bytes, beginning};
+use super::bytes::Bytes;
 use super::{ReadError, Scale};
-use crate::map::HeightMap;
+use crate::map::{HeightMap, count};
 
 /// What heads of every version begin with, after a letter for bytes or text.
 const MAGICS: [&[u8]; 3] = [b"ISO-1.0", b"BCR-1.0", b"ISO-2.0"];
 
-pub(super) fn read(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
+/// Whether a file begins as one.
+pub(super) fn begins(all: &[u8]) -> bool {
     let known = all.get(1..8).is_some_and(|magic| MAGICS.contains(&magic));
-    match all.first() {
-        Some(b'b') if known => binary(all, scale),
-        Some(b'a') if known => ascii(all, scale),
-        _ => Err(ReadError::Format { wanted: "SDF (ISO 25178-71)", found: beginning(all) }),
-    }
+    known && matches!(all.first(), Some(b'a' | b'b'))
 }
 
-fn binary(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
+pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
+    if all.starts_with(b"b") { binary(all, scale, most) } else { ascii(all, scale, most) }
+}
+
+fn binary(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
     let mut bytes = Bytes::new(all);
     // Magic, manufacturer, dates of creation and change.
     bytes.skip(8 + 10 + 12 + 12)?;
@@ -34,14 +35,17 @@ fn binary(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
         7 => 8,
         _ => return Err(ReadError::Unsupported(format!("an .sdf of data type {kind}"))),
     };
-    let data = bytes.take(elements[0] * elements[1] * width)?;
+    let data = bytes.take(count(elements, most)? * width)?;
     let value = |point: &[u8]| match (kind, point) {
         (1, &[a, b]) => missing(u16::from_le_bytes([a, b]), u16::MAX),
         (5, &[a, b]) => missing(i16::from_le_bytes([a, b]), i16::MIN),
         (2, &[a, b, c, d]) => missing(u32::from_le_bytes([a, b, c, d]), u32::MAX),
         (6, &[a, b, c, d]) => missing(i32::from_le_bytes([a, b, c, d]), i32::MIN),
-        (3, &[a, b, c, d]) => f64::from(f32::from_le_bytes([a, b, c, d])),
-        (7, &[a, b, c, d, e, f, g, h]) => f64::from_le_bytes([a, b, c, d, e, f, g, h]),
+        // The lowest number marks points here too, or they are not a number.
+        (3, &[a, b, c, d]) => missing(f32::from_le_bytes([a, b, c, d]), f32::MIN),
+        (7, &[a, b, c, d, e, f, g, h]) => {
+            missing(f64::from_le_bytes([a, b, c, d, e, f, g, h]), f64::MIN)
+        }
         _ => f64::NAN,
     };
     let heights = data.chunks_exact(width).map(|point| dz * value(point)).collect();
@@ -53,7 +57,7 @@ fn missing<T: Copy + PartialEq + Into<f64>>(value: T, mark: T) -> f64 {
     if value == mark { f64::NAN } else { value.into() }
 }
 
-fn ascii(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
+fn ascii(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
     let text: String = all.iter().map(|&byte| char::from(byte)).collect();
     let mut keys = [None; 5];
     let names = ["numpoints", "numprofiles", "xscale", "yscale", "zscale"];
@@ -88,5 +92,6 @@ fn ascii(all: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
     };
     heights.iter_mut().for_each(|height| *height *= dz);
     let elements = [nx as usize, ny as usize];
+    count(elements, most)?;
     Ok(HeightMap::new(elements, scale.pixel.unwrap_or([dx, dy]), heights)?)
 }

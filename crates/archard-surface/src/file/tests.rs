@@ -165,7 +165,7 @@ fn every_format_gives_the_same_map() {
 #[test]
 fn what_is_wrong_is_told() {
     let said = |bytes: &[u8], format, scale| read(bytes, format, scale).unwrap_err().to_string();
-    assert!(said(&sdf(7), Format::DigitalSurf, Scale::default()).contains("begins with `bISO-1.0"));
+    assert!(said(&sdf(7), Format::DigitalSurf, Scale::default()).contains("it is SDF (.sdf)"));
     assert!(said(b"1 2\n3 4\n", Format::Text, Scale::default()).contains("`pixel`"));
     let pixel = Scale { unit: None, ..MICRO };
     assert!(said(b"1 2\n3 4\n", Format::Text, pixel).contains("`unit`"));

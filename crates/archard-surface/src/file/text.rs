@@ -1,12 +1,12 @@
 //! Rows of numbers, as spreadsheets and instruments export matrices.
 
 use super::{ReadError, Scale, matrix};
-use crate::map::HeightMap;
+use crate::map::{HeightMap, count};
 
 /// Words for points that were not measured.
 const MISSING: [&str; 6] = ["nan", "bad", "***", "none", "null", "--"];
 
-pub(super) fn read(bytes: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
+pub(super) fn read(bytes: &[u8], scale: Scale, most: usize) -> Result<HeightMap, ReadError> {
     let text: String = String::from_utf8(bytes.to_vec())
         .unwrap_or_else(|_| bytes.iter().map(|&byte| char::from(byte)).collect());
     let text = text.trim_start_matches('\u{feff}');
@@ -29,6 +29,7 @@ pub(super) fn read(bytes: &[u8], scale: Scale) -> Result<HeightMap, ReadError> {
         }
         (columns, rows) = (found, rows + 1);
     }
+    count([columns, rows], most)?;
     matrix([columns, rows], heights, scale)
 }
 

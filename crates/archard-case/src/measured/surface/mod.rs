@@ -1,7 +1,8 @@
 //! Measured surfaces: profiles along an axis, and height maps, as instruments write them.
 //!
 //! A profile has columns `x` or `y` and `z`, a height map all three, its readings on a grid along the axes. Heights rise out
-//! of the material. An empty cell is a place without a reading; a reading far off those around it counts as none.
+//! of the material. An empty cell is a place without a reading; a reading far off those around it counts as none. Files of
+//! instruments that tell their scale (`.sur`, `.sdf`, `.x3p`, `.gwy`) are height maps too.
 
 mod integral;
 mod no_scar;
@@ -20,6 +21,7 @@ use super::plane::Height;
 use super::{Error, Table};
 use archard::numerics::WRITTEN;
 use archard::units::Measure;
+use archard_surface::file::{Format, ReadError, Scale, read_up_to};
 
 /// A measured surface, on the places of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,6 +53,14 @@ pub enum NoSurface {
         /// The titles there are.
         titles: String,
     },
+    /// The file of an instrument that cannot be read.
+    #[error("{file}: {why}")]
+    File {
+        /// The file.
+        file: String,
+        /// Why.
+        why: ReadError,
+    },
     /// Places alone.
     #[error("{table}: no place has a height: the column `z` is empty")]
     NoHeight {
@@ -75,6 +85,8 @@ pub enum NoSurface {
 
 /// The columns of surfaces.
 const COLUMNS: [&str; 3] = ["x", "y", "z"];
+/// Memory (bytes) for a point of a height map: its height, the same in a map, and those around it, which tell spikes.
+const BYTES_OF_A_POINT: f64 = 64.0;
 /// The least share of a grid that has readings.
 const FILLED: f64 = 0.5;
 
@@ -122,6 +134,23 @@ impl Surface {
             return Err(NoSurface::NoGrid { table: surface.source, places, readings: count });
         }
         Ok(surface.without_spikes())
+    }
+
+    /// The height map in the file of an instrument that tells its scale, by the ending of its name; `None` of any other
+    /// file, which is a table. The middle of the map is at 0, its first row has the lowest y. It may take so much memory
+    /// (bytes).
+    pub fn of_file(name: &str, bytes: &[u8], memory: f64) -> Option<Result<Self, NoSurface>> {
+        let format = Format::of_extension(name.rsplit_once('.')?.1)?;
+        let most = (memory / BYTES_OF_A_POINT) as usize;
+        format.tells_its_scale().then(|| {
+            let map = read_up_to(bytes, format, Scale::default(), most)
+                .map_err(|why| NoSurface::File { file: name.to_owned(), why })?;
+            let places = [0, 1].map(|axis| {
+                (0..map.elements()[axis]).map(|index| map.place(axis, index)).collect()
+            });
+            let heights = map.heights().to_vec();
+            Ok(Self { source: name.to_owned(), axis: None, places, heights }.without_spikes())
+        })
     }
 
     /// Readings put on the grid of their places; several at one place are averaged.

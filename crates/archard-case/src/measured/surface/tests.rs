@@ -412,3 +412,25 @@ fn columns_of_surfaces_are_known_by_their_names() {
         assert!(!Surface::has_column(name), "{name}");
     }
 }
+
+/// A file of Gwyddion with heights 3 x - 50 y + 7 x y (nm) of 5 x 4 points, one of them masked, in pixels of 2 x 3 um; by
+/// `archard-surface/tests/files/make.py`.
+#[test]
+fn files_of_instruments_are_height_maps() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../archard-surface/tests/files/gwyfile.gwy");
+    let bytes = std::fs::read(path).unwrap();
+    let of = |name: &str, memory: f64| Surface::of_file(name, &bytes, memory);
+    let surface = of("scan.gwy", 1e6).unwrap().unwrap();
+    assert_eq!((surface.axis(), surface.source()), (None, "scan.gwy"));
+    let readings = surface.readings();
+    assert_eq!(readings.len(), 19);
+    for [x, y, z] in readings {
+        let [x, y] = [x / 2e-6 + 2.0, y / 3e-6 + 1.5];
+        assert!((z - 1e-9 * (3.0 * x - 50.0 * y + 7.0 * x * y)).abs() < 1e-15, "{x} {y} {z}");
+    }
+    assert!(of("scan.csv", 1e6).is_none());
+    let error = of("scan.x3p", 1e6).unwrap().unwrap_err().to_string();
+    assert!(error.starts_with("scan.x3p: is no X3P (.x3p) file: it is Gwyddion"), "{error}");
+    let error = of("scan.gwy", 1e3).unwrap().unwrap_err().to_string();
+    assert!(error.contains("5 x 4 points take"), "{error}");
+}
