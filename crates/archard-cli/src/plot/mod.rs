@@ -22,6 +22,7 @@ mod raster;
 pub(crate) mod results;
 pub(crate) mod scale;
 mod study;
+pub(crate) mod surface;
 pub(crate) mod tables;
 mod traction;
 mod transverse;
