@@ -3,7 +3,8 @@
 //! F. R. Hampel's identifier (*J. Amer. Statist. Assoc.* 69 (1974) 383) on the difference of a point to the median of its neighbours, over
 //! the median of the sizes of all these differences. The threshold is W. Chauvenet's (*A Manual of Spherical and Practical Astronomy* (1863)):
 //! of as many Gaussian differences half a point would lie beyond it. Neighbours are those within two points along each axis
-//! whose opposite was measured too, so that a slope makes no difference; spikes of up to 3 x 3 points are fewer than half of them.
+//! whose opposite was measured too, so that a slope makes no difference; spikes of up to 3 x 3 points are fewer than half of them. Points beyond the
+//! threshold are compared once more, with neighbours that are not beyond it.
 
 use statrs::function::erf::erfc_inv;
 
@@ -40,40 +41,43 @@ impl HeightMap {
     /// # Errors
     /// If more than half of the heights do not differ from their neighbours, or none is left.
     pub fn without_outliers(&self) -> Result<(Self, Outliers), NoTest> {
-        let mut sorted = Vec::with_capacity((2 * REACH + 1).pow(2));
         let differences: Vec<f64> =
-            (0..self.heights().len()).map(|at| self.difference(at, &mut sorted)).collect();
+            (0..self.heights().len()).map(|at| self.difference(at, self)).collect();
         let mut sizes: Vec<f64> =
             differences.iter().filter(|one| !one.is_nan()).map(|one| one.abs()).collect();
         let count = sizes.len() as f64;
         let middle = median(&mut sizes).filter(|middle| *middle > 0.0).ok_or(NoTest::NoScatter)?;
         // P(|g| > t) is erfc(t/sqrt 2): one half at the median, 1/(2 N) at the threshold.
         let threshold = middle * erfc_inv(0.5 / count) / erfc_inv(0.5);
-        let heights = self.heights().iter().zip(&differences);
-        let kept =
-            heights.map(|(height, one)| if one.abs() > threshold { f64::NAN } else { *height });
+        let suspect = |at: usize| differences[at].abs() > threshold;
+        let height = |at: usize| if suspect(at) { f64::NAN } else { self.heights()[at] };
+        let others = self.of_heights((0..differences.len()).map(height).collect());
+        // A spike on a slope moves the median of its neighbours: without suspects among theirs they may turn out to be none.
+        let cleared = |at: usize| self.difference(at, &others).abs() <= threshold;
+        let kept = (0..differences.len())
+            .map(|at| if suspect(at) && !cleared(at) { f64::NAN } else { self.heights()[at] });
         let map = Self::new(self.elements(), self.pixel(), kept.collect())?;
         let count = map.missing() - self.missing();
         Ok((map, Outliers { count, threshold }))
     }
 
-    /// The difference (m) of a point to the median of its neighbours; not a number without neighbours.
-    fn difference(&self, at: usize, sorted: &mut Vec<f64>) -> f64 {
+    /// The difference (m) of a point to the median of its neighbours in another map; not a number without neighbours.
+    fn difference(&self, at: usize, others: &Self) -> f64 {
         let place = [at % self.elements()[0], at / self.elements()[0]];
         let reach = [0, 1].map(|axis| {
             let beyond = self.elements()[axis] - 1 - place[axis];
             REACH.min(place[axis]).min(beyond)
         });
-        sorted.clear();
+        let mut sorted = Vec::with_capacity((2 * REACH + 1).pow(2));
         for y in place[1] - reach[1]..=place[1] + reach[1] {
             for x in place[0] - reach[0]..=place[0] + reach[0] {
-                let opposite = self.at(2 * place[0] - x, 2 * place[1] - y);
-                if [x, y] != place && !opposite.is_nan() && !self.at(x, y).is_nan() {
-                    sorted.push(self.at(x, y));
+                let opposite = others.at(2 * place[0] - x, 2 * place[1] - y);
+                if [x, y] != place && !opposite.is_nan() && !others.at(x, y).is_nan() {
+                    sorted.push(others.at(x, y));
                 }
             }
         }
-        median(sorted).map_or(f64::NAN, |middle| self.heights()[at] - middle)
+        median(&mut sorted).map_or(f64::NAN, |middle| self.heights()[at] - middle)
     }
 }
 
@@ -150,6 +154,23 @@ mod tests {
         );
         assert_eq!(outliers.count, right.len() + wrong.len());
         assert!(outliers.threshold > 4e-7 && outliers.threshold < 7e-7, "{outliers:?}");
+    }
+
+    /// Single spikes on a steep slope, which move the medians around them, leave their neighbours where they are.
+    #[test]
+    fn neighbours_of_spikes_on_a_slope_are_kept() {
+        let mut random = Rng::with_seed(11);
+        let spiked = |x: usize, y: usize| x % 12 == 6 && y % 12 == 6;
+        let height = |at: usize| {
+            let (x, y) = (at % 96, at / 96);
+            let spike = if spiked(x, y) { 9e-6 } else { 0.0 };
+            spike + 2e-6 * x as f64 + 0.7e-6 * y as f64 + 1e-7 * normal(&mut random)
+        };
+        let map = HeightMap::new([96; 2], [1e-6; 2], (0..96 * 96).map(height).collect()).unwrap();
+        let (kept, outliers) = map.without_outliers().unwrap();
+        let taken = |at: usize| kept.heights()[at].is_nan();
+        assert!((0..96 * 96).all(|at| taken(at) || !spiked(at % 96, at / 96)));
+        assert!((64..=66).contains(&outliers.count), "{outliers:?}");
     }
 
     #[test]

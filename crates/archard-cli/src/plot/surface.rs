@@ -57,8 +57,8 @@ fn heights(map: &HeightMap) -> Panel {
 
 fn radial(spectrum: &Spectrum) -> Panel {
     let mut curves = Curves::new();
-    curves.add(points(&spectrum.radial()), Pen::line(COLOURS[0]), None);
-    let labels = ["Power spectrum, mean of all directions", FREQUENCY, "C (m⁴)"];
+    curves.add(points(&spectrum.radial(), 1e36), Pen::line(COLOURS[0]), None);
+    let labels = ["Power spectrum, mean of all directions", FREQUENCY, "C (nm⁴)"];
     curves.panel(labels, |view| View { log: true, ..view })
 }
 
@@ -66,16 +66,16 @@ fn along(spectrum: &Spectrum) -> Panel {
     let mut curves = Curves::new();
     for (axis, name) in ["along x", "along y"].into_iter().enumerate() {
         let pen = Pen::line(COLOURS[1 + axis]);
-        curves.add(points(&spectrum.along(axis)), pen, Some(name));
+        curves.add(points(&spectrum.along(axis), 1e27), pen, Some(name));
     }
-    let labels = ["Power spectrum of profiles", FREQUENCY, "C (m³)"];
+    let labels = ["Power spectrum of profiles", FREQUENCY, "C (nm³)"];
     curves.panel(labels, |view| View { log: true, ..view })
 }
 
-const FREQUENCY: &str = "Frequency, 1 over the wavelength (1/m)";
+const FREQUENCY: &str = "Frequency, 1 over the wavelength (1/mm)";
 
-/// What a logarithmic axis can show.
-fn points(modes: &[Mode]) -> Vec<(f64, f64)> {
+/// What a logarithmic axis can show, with the factor of the density from SI: the library that draws takes all below 1e-10 for that.
+fn points(modes: &[Mode], factor: f64) -> Vec<(f64, f64)> {
     let positive = modes.iter().filter(|mode| mode.density > 0.0);
-    positive.map(|mode| (mode.frequency, mode.density)).collect()
+    positive.map(|mode| (1e-3 * mode.frequency, factor * mode.density)).collect()
 }
