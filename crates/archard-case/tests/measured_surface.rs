@@ -121,7 +121,10 @@ fn preparations_are_done_in_order_and_said() {
     // Nothing is left but noise.
     assert!(all.map.heights().iter().all(|height| height.abs() < 2e-9));
     let tilt = prepared("level = \"plane\"").unwrap();
-    assert!(tilt.steps[0].said.contains("tilt 10.0"), "{:?}", tilt.steps);
+    // 10 mrad; the holes on one side of the ball leave a plane a hundredth less.
+    let words = tilt.steps[0].said.split("tilt ").nth(1).unwrap();
+    let slope: f64 = words.split(' ').next().unwrap().parse().unwrap();
+    assert!((slope - 10.0).abs() < 0.2, "{:?}", tilt.steps);
     for (keys, place, words) in [
         ("form = \"sphere\", level = \"plane\"", "profile.surface.level", "leave `level` out"),
         ("radius = \"5 mm\"", "profile.surface.radius", "give `form"),
