@@ -80,6 +80,66 @@ fn a_measured_ball_is_pressed_like_a_ball() {
     assert!(first.to_string() == again.to_string());
 }
 
+/// The steps of a preparation and what is left, of a ball of known tilt with a wave of known cutoff and one spike.
+#[test]
+fn preparations_are_done_in_order_and_said() {
+    let dir = tempdir().unwrap();
+    let mut rows: Vec<Vec<String>> =
+        ball(0.01, true).lines().map(|row| row.split(' ').map(str::to_owned).collect()).collect();
+    // Noise of 1 nm, by which a spike of 3 um stands out: a sequence of van der Corput along each axis.
+    for (y, row) in rows.iter_mut().enumerate() {
+        for (x, height) in row.iter_mut().enumerate() {
+            let noise = (x as f64 * 0.618 + y as f64 * 0.7549).fract() - 0.5;
+            let spike = if [x, y] == [20, 33] { 3.0 } else { 0.0 };
+            *height = format!("{:.9}", height.parse::<f64>().unwrap() + 0.001 * noise + spike);
+        }
+    }
+    let text: Vec<String> = rows.iter().map(|row| row.join(" ")).collect();
+    fs::write(dir.path().join("ball.txt"), text.join("\n")).unwrap();
+    let prepared = |keys: &str| {
+        let text = format!(
+            "profile.surface = {{ file = \"ball.txt\", unit = \"um\", pixel = \"20 um\", {keys} }}"
+        );
+        let file = CaseFile::from_text("case.toml", text, dir.path());
+        file.prepared_surface().map_err(|problems| file.describe(&problems[0]))
+    };
+    let all = prepared(
+        "holes = \"fill\", spacing = \"40 um\", rough = \"1 mm\", smooth = \"50 um\", form = \"sphere\", outliers = \"remove\", \
+         inverted = false",
+    )
+    .unwrap();
+    let keys: Vec<&str> = all.steps.iter().map(|step| step.key).collect();
+    assert_eq!(keys, ["outliers", "form", "smooth", "rough", "spacing", "holes"]);
+    assert_eq!((all.map.elements(), all.map.pixel(), all.map.missing()), ([30, 30], [40e-6; 2], 0));
+    let said = |index: usize| all.steps[index].said.as_str();
+    assert!(said(0).starts_with("1 points off"), "{}", said(0));
+    // A ball of 50 mm as the paraboloid that the file holds, tilted by 1e-2: R (1 + slope^2)^(3/2).
+    assert!(said(1).starts_with("convex sphere off, radius 50.0"), "{}", said(1));
+    assert!(said(2).starts_with("waves shorter than 50.00 um off"), "{}", said(2));
+    assert!(said(4).contains("of that slope"), "{}", said(4));
+    assert!(said(5).ends_with("points filled"), "{}", said(5));
+    // Nothing is left but noise.
+    assert!(all.map.heights().iter().all(|height| height.abs() < 2e-9));
+    let tilt = prepared("level = \"plane\"").unwrap();
+    // 10 mrad; the holes on one side of the ball leave a plane a hundredth less.
+    let words = tilt.steps[0].said.split("tilt ").nth(1).unwrap();
+    let slope: f64 = words.split(' ').next().unwrap().parse().unwrap();
+    assert!((slope - 10.0).abs() < 0.2, "{:?}", tilt.steps);
+    for (keys, place, words) in [
+        ("form = \"sphere\", level = \"plane\"", "profile.surface.level", "leave `level` out"),
+        ("radius = \"5 mm\"", "profile.surface.radius", "give `form"),
+        ("form = \"sphere\", radius = \"0.5 mm\"", "profile.surface.radius", "too small"),
+        ("smooth = \"80 um\", rough = \"80 um\"", "profile.surface.smooth", "longer `rough`"),
+        ("smooth = \"30 um\"", "profile.surface.smooth", "shorter than two pixels"),
+        ("rough = \"5 mm\"", "profile.surface.rough", "longer than the shorter side"),
+        ("spacing = \"10 um\"", "profile.surface.spacing", "closer than those of the map"),
+        ("level = \"sextic\"", "profile.surface.level", "quintic"),
+    ] {
+        let said = prepared(keys).err().unwrap_or_else(|| panic!("{keys} passes"));
+        assert!(said.contains(place) && said.contains(words), "{keys}: {said}");
+    }
+}
+
 #[test]
 fn wrong_files_are_refused_in_words() {
     let dir = tempdir().unwrap();

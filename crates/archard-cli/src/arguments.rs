@@ -53,7 +53,8 @@ pub enum Command {
     /// Find wear coefficients from measured tests: median, interval, and where the next test will lie
     #[command(after_help = FIT_EXAMPLES)]
     Fit(Fit),
-    /// Show what is in the file of a measured surface: its size, and its texture after ISO 25178-2
+    /// Show what is in the file of a measured surface: its size, its texture after ISO 25178-2, its spectrum, and what preparing
+    /// takes off
     #[command(after_help = SURFACE_EXAMPLES)]
     Surface {
         /// Digital Surf (.sur), SDF (.sdf), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)
@@ -62,6 +63,9 @@ pub enum Command {
         /// A key of `profile.surface` and its value
         #[arg(long = "set", value_name = "KEY=VALUE")]
         set: Vec<String>,
+        /// Draw the heights and the power spectra into this file (.png, .svg, or .pdf if built with it)
+        #[arg(short, long, value_name = "PICTURE", value_hint = ValueHint::FilePath)]
+        output: Option<PathBuf>,
     },
     /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
     Doctor,
@@ -228,7 +232,9 @@ Examples:
   what an instrument wrote:
     archard surface scan.sur
   a matrix, whose file tells no sizes, less its tilt:
-    archard surface scan.npy --set pixel=\"2 um\" --set unit=um --set level=plane";
+    archard surface scan.npy --set pixel=\"2 um\" --set unit=um --set level=plane
+  the roughness of a ball below 0.8 mm, without its spikes, and a picture:
+    archard surface ball.sur --set form=sphere --set outliers=remove --set rough=\"0.8 mm\" -o ball.png";
 
 const PLOT_EXAMPLES: &str = "\
 Examples:

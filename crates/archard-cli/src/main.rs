@@ -54,7 +54,7 @@ fn main() -> ExitCode {
         Command::New(arguments) => new::new(&arguments),
         Command::Laws => laws::laws(),
         Command::Doctor => doctor::doctor(),
-        Command::Surface { file, set } => surface::surface(&file, &set),
+        Command::Surface { file, set, output } => surface::surface(&file, &set, output.as_deref()),
         Command::Completions { shell } => shell::completions(shell),
         Command::Man { dir } => shell::man(&dir),
         Command::Paraview { dir } => paraview::write(&dir),

@@ -1,48 +1,104 @@
-//! `archard surface`: what is in the file of a measured surface.
+//! `archard surface`: what is in the file of a measured surface, and what preparing took off it.
 
 use std::path::Path;
 
-use archard_case::CaseFile;
-use archard_surface::Texture;
+use archard_case::{CaseFile, PreparedSurface};
+use archard_surface::{Form, HeightMap, Nominal, Spectrum, Texture, Window};
 
 use crate::diagnose::show;
 use crate::failure::Failure;
 use crate::number::four;
+use crate::plot;
 use crate::say::say;
 
-/// Reads a file, with keys of `profile.surface`, and says what is in it.
-pub fn surface(file: &Path, options: &[String]) -> Result<(), Failure> {
+/// Distances of points, in pixels, of which is told what they do not resolve.
+const COARSER: [f64; 3] = [2.0, 4.0, 8.0];
+
+/// Reads a file, with keys of `profile.surface`, says what is in it, and draws it if a picture is named.
+pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Result<(), Failure> {
     let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let name = toml_text(&path.display().to_string());
     let text = format!("profile.surface.file = {name}");
     let read = CaseFile::from_text(file.display().to_string(), text, "");
     let set = |case: CaseFile, option: &String| case.set(format!("profile.surface.{option}"));
     let case = options.iter().fold(read, set);
-    let map = case.surface().map_err(|problems| {
+    let PreparedSurface { map, steps } = case.prepared_surface().map_err(|problems| {
         show(&case, &problems);
         Failure::Shown
     })?;
+    for step in &steps {
+        line(step.key, &step.said, "")?;
+    }
+    size(&map)?;
+    texture(&map)?;
+    line("sphere", &sphere(&map), "")?;
+    let spectrum = Spectrum::of(&map, Window::Hann);
+    let spectrum = spectrum.map_err(|error| Failure::wrong(error.to_string()))?;
+    resolved(&map, &spectrum)?;
+    let Some(picture) = picture else { return Ok(()) };
+    let files = plot::surface::draw(picture, &map, &spectrum);
+    let files = files.map_err(|error| Failure::because(&error))?;
+    files.iter().try_for_each(|file| say(&file.display().to_string()))
+}
+
+fn line(name: &str, value: &str, meaning: &str) -> Result<(), Failure> {
+    say(format!("{name:<10}{value:<24}{meaning}").trim_end())
+}
+
+fn size(map: &HeightMap) -> Result<(), Failure> {
     let [nx, ny] = map.elements();
     let [width, height] = map.size().map(|size| four(1e3 * size));
     let [dx, dy] = map.pixel().map(|size| four(1e6 * size));
-    let line = |name: &str, value: String, meaning: &str| {
-        say(format!("{name:<10}{value:<24}{meaning}").trim_end())
-    };
-    line("size", format!("{width} x {height} mm"), "")?;
-    line("points", format!("{nx} x {ny}"), "")?;
-    line("pixel", format!("{dx} x {dy} um"), "")?;
-    line("missing", map.missing().to_string(), "points without a height")?;
-    let of = Texture::of(&map);
+    line("size", &format!("{width} x {height} mm"), "")?;
+    line("points", &format!("{nx} x {ny}"), "")?;
+    line("pixel", &format!("{dx} x {dy} um"), "")?;
+    line("missing", &map.missing().to_string(), "points without a height")
+}
+
+fn texture(map: &HeightMap) -> Result<(), Failure> {
+    let of = Texture::of(map);
     let um = |value: f64| format!("{} um", four(1e6 * value));
-    line("Sa", um(of.mean_deviation), "mean deviation")?;
-    line("Sq", um(of.rms), "rms height")?;
-    line("Ssk", four(of.skewness), "skewness")?;
-    line("Sku", four(of.kurtosis), "kurtosis, 3 of a Gaussian")?;
-    line("Sp", um(of.peak), "highest peak")?;
-    line("Sv", um(of.pit), "deepest pit")?;
-    line("Sz", um(of.height()), "from pit to peak")?;
-    line("Sdq", four(of.rms_gradient), "rms gradient")?;
-    line("Sdr", format!("{} %", four(100.0 * of.developed)), "developed area")
+    line("Sa", &um(of.mean_deviation), "mean deviation")?;
+    line("Sq", &um(of.rms), "rms height")?;
+    line("Ssk", &four(of.skewness), "skewness")?;
+    line("Sku", &four(of.kurtosis), "kurtosis, 3 of a Gaussian")?;
+    line("Sp", &um(of.peak), "highest peak")?;
+    line("Sv", &um(of.pit), "deepest pit")?;
+    line("Sz", &um(of.height()), "from pit to peak")?;
+    line("Sdq", &four(of.rms_gradient), "rms gradient")?;
+    line("Sdr", &format!("{} %", four(100.0 * of.developed)), "developed area")?;
+    line("curvature", &format!("{} 1/mm", four(1e-3 * of.rms_curvature)), "rms mean curvature")
+}
+
+/// The sphere that fits what is left.
+fn sphere(map: &HeightMap) -> String {
+    match Nominal::of(map, Form::Sphere, None) {
+        Ok(found) if found.curvature.abs() > 2.0 * found.deviation => {
+            let side = if found.curvature > 0.0 { "convex" } else { "concave" };
+            let [radius, deviation] = found.radius().map(|length| four(1e3 * length));
+            format!("{side}, radius {radius} mm, standard deviation {deviation} mm")
+        }
+        Ok(found) => {
+            let [curvature, deviation] = [found.curvature, found.deviation].map(four);
+            format!(
+                "none: the curvature, {curvature} 1/m, is within two standard deviations, {deviation} 1/m, of a plane"
+            )
+        }
+        Err(error) => format!("none: {error}"),
+    }
+}
+
+/// What points further apart do not resolve.
+fn resolved(map: &HeightMap, spectrum: &Spectrum) -> Result<(), Failure> {
+    say("points further apart leave out, of the mean squares of height, slope and curvature:")?;
+    let pixel = map.pixel()[0].max(map.pixel()[1]);
+    COARSER.into_iter().try_for_each(|factor| {
+        let left = spectrum.unresolved(factor * pixel);
+        let shares = [left.height, left.slope, left.curvature];
+        let [height, slope, curvature] = shares.map(|share| four(100.0 * share));
+        let distance = format!("{} um", four(1e6 * factor * pixel));
+        line(&distance, &format!("  {height} %, {slope} %, {curvature} %"), "")
+    })
 }
 
 /// A text as TOML has it.

@@ -1,7 +1,8 @@
 //! Measured surfaces: heights on a grid, read from the files of instruments, and what standards tell of them.
 //!
-//! [`file::read`] takes the bytes of a file and gives a [`HeightMap`]; [`Texture`] has its parameters after ISO 25178-2.
-//! Everything is in SI units.
+//! [`file::read`] takes the bytes of a file and gives a [`HeightMap`]; [`Texture`] has its parameters after ISO 25178-2, [`Spectrum`] the
+//! wavelengths it is made of. Maps are levelled ([`Polynomial`]), lose their nominal shape ([`Nominal`]), their outliers, their short or long
+//! waves, and are put onto other points by the functions of [`HeightMap`]. Everything is in SI units.
 //!
 //! ```
 //! use archard_surface::file::{Format, Scale, read};
@@ -18,12 +19,27 @@
 #![warn(missing_docs)]
 
 pub mod file;
+mod filter;
+mod fit;
+mod form;
+mod level;
 mod map;
+mod means;
+mod outliers;
 mod plausible;
 mod prepare;
+mod spectrum;
 mod texture;
 
+#[cfg(test)]
+mod tests;
+
+pub use filter::NoFilter;
+pub use form::{Form, NoForm, Nominal};
+pub use level::{Level, Polynomial};
 pub use map::{HeightMap, MOST, NoMap};
+pub use means::NoMeans;
+pub use outliers::{NoTest, Outliers};
 pub use plausible::Implausible;
-pub use prepare::Level;
+pub use spectrum::{Mode, Spectrum, Unresolved, Window};
 pub use texture::Texture;

@@ -116,6 +116,21 @@ impl HeightMap {
         self.heights[x + self.elements[0] * y]
     }
 
+    /// Places (m) of the points that were measured, from the middle of the map, with their heights (m).
+    pub(crate) fn measured(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+        let nx = self.elements[0];
+        let heights = self.heights.iter().enumerate().filter(|(_, height)| !height.is_nan());
+        heights.map(move |(at, &height)| ([self.place(0, at % nx), self.place(1, at / nx)], height))
+    }
+
+    /// The map less a surface, whose height (m) is known at each place (m).
+    pub(crate) fn less(&self, surface: impl Fn([f64; 2]) -> f64) -> Self {
+        let nx = self.elements[0];
+        let place = |at: usize| [self.place(0, at % nx), self.place(1, at / nx)];
+        let heights = self.heights.iter().enumerate();
+        self.of_heights(heights.map(|(at, height)| height - surface(place(at))).collect())
+    }
+
     /// Place (m) of a point along x (0) or y (1), from the middle of the map.
     pub fn place(&self, axis: usize, index: usize) -> f64 {
         self.pixel[axis] * (index as f64 - 0.5 * (self.elements[axis] - 1) as f64)

@@ -1,58 +1,11 @@
-//! What is done to a map before it is used: levelled, its holes filled, turned over.
+//! Maps with their holes filled, and maps turned over.
 
 use crate::map::{HeightMap, NoMap};
-
-/// What is taken off a map.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Level {
-    /// The plane that fits best.
-    Plane,
-    /// The surface of second degree that fits best: tilt, bow and twist.
-    Quadratic,
-}
-
-impl Level {
-    /// The terms of the polynomial at a place, each axis from -1 to 1.
-    fn terms(self, [x, y]: [f64; 2]) -> Vec<f64> {
-        match self {
-            Self::Plane => vec![1.0, x, y],
-            Self::Quadratic => vec![1.0, x, y, x * x, x * y, y * y],
-        }
-    }
-}
 
 /// Rest of the residual at which holes are filled, relative to the first: heights have fewer digits.
 const FILLED: f64 = 1e-10;
 
 impl HeightMap {
-    /// The map less what fits best to the points that were measured, by least squares.
-    ///
-    /// # Errors
-    /// If no height is left.
-    pub fn levelled(&self, level: Level) -> Result<Self, NoMap> {
-        let [nx, ny] = self.elements();
-        let place = |at: usize| {
-            let share = |index: usize, count: usize| 2.0 * index as f64 / (count - 1) as f64 - 1.0;
-            [share(at % nx, nx), share(at / nx, ny)]
-        };
-        let size = level.terms([0.0; 2]).len();
-        let mut equations = vec![vec![0.0; size + 1]; size];
-        for (at, height) in self.heights().iter().enumerate().filter(|(_, one)| !one.is_nan()) {
-            let terms = level.terms(place(at));
-            for (row, one) in equations.iter_mut().zip(&terms) {
-                for (value, other) in row.iter_mut().zip(terms.iter().chain([height])) {
-                    *value += one * other;
-                }
-            }
-        }
-        let fit = solved(equations);
-        let surface = |at: usize| -> f64 {
-            level.terms(place(at)).iter().zip(&fit).map(|(term, factor)| term * factor).sum()
-        };
-        let heights = self.heights().iter().enumerate().map(|(at, height)| height - surface(at));
-        Self::new(self.elements(), self.pixel(), heights.collect())
-    }
-
     /// The map with heights where nothing was measured: the harmonic function between those that were, flat across the rim. It has no
     /// hill or pit of its own.
     ///
@@ -136,46 +89,13 @@ impl HeightMap {
     }
 }
 
-/// The solution of equations, each with its right-hand side last: Gauss with the largest pivots.
-fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
-    let size = rows.len();
-    for at in 0..size {
-        let best = (at..size).max_by(|&a, &b| rows[a][at].abs().total_cmp(&rows[b][at].abs()));
-        rows.swap(at, best.unwrap_or(at));
-        let pivot = rows[at].clone();
-        // Points on one line leave a tilt open.
-        if pivot[at] == 0.0 {
-            continue;
-        }
-        for (_, row) in rows.iter_mut().enumerate().filter(|(other, _)| *other != at) {
-            let share = row[at] / pivot[at];
-            row.iter_mut().zip(&pivot).for_each(|(value, pivot)| *value -= share * pivot);
-        }
-    }
-    let value = |at: usize| if rows[at][at] == 0.0 { 0.0 } else { rows[at][size] / rows[at][at] };
-    (0..size).map(value).collect()
-}
-
 #[cfg(test)]
 mod tests {
-    use super::Level;
     use crate::map::HeightMap;
 
     fn map(height: impl Fn(f64, f64) -> f64) -> HeightMap {
         let heights = (0..30 * 20).map(|at| height((at % 30) as f64, (at / 30) as f64)).collect();
         HeightMap::new([30, 20], [2e-6, 3e-6], heights).unwrap()
-    }
-
-    #[test]
-    fn planes_and_bows_are_taken_off() {
-        let hole = |x: f64, y: f64| if x > 5.0 && x < 9.0 && y < 7.0 { f64::NAN } else { 0.0 };
-        let plane = map(|x, y| 3.0 + 0.2 * x - 0.1 * y + hole(x, y));
-        let bow = map(|x, y| 3.0 + 0.2 * x - 0.1 * y + 0.01 * x * y - 0.02 * y * y + hole(x, y));
-        for (map, level) in [(plane, Level::Plane), (bow, Level::Quadratic)] {
-            let levelled = map.levelled(level).unwrap();
-            assert_eq!(levelled.missing(), map.missing());
-            assert!(levelled.heights().iter().all(|one| one.is_nan() || one.abs() < 1e-12));
-        }
     }
 
     /// x^2 - y^2 in metres is harmonic on its pixels too, and what is measured stays.

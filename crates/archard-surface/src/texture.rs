@@ -9,6 +9,9 @@ use crate::map::HeightMap;
 /// Weights of the seven points about one for its slope, over 60 spacings.
 const SLOPE: [f64; 7] = [-1.0, 9.0, -45.0, 0.0, 45.0, -9.0, 1.0];
 
+/// Weights of the same for its second derivative, over 180 squares of the spacing.
+const BEND: [f64; 7] = [2.0, -27.0, 270.0, -490.0, 270.0, -27.0, 2.0];
+
 /// The parameters of a map.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Texture {
@@ -28,6 +31,8 @@ pub struct Texture {
     pub pit: f64,
     /// Sdq: root of the mean square of the gradient; not a number on fewer than seven points along an axis.
     pub rms_gradient: f64,
+    /// Root of the mean square (1/m) of the mean curvature, half of d2z/dx2 + d2z/dy2, of the same points.
+    pub rms_curvature: f64,
     /// Sdr: how much more area the surface has than its projection.
     pub developed: f64,
 }
@@ -51,7 +56,14 @@ impl Texture {
             kurtosis: moment(4) / rms.powi(4),
             peak: highest - mean,
             pit: mean - lowest,
-            rms_gradient: rms_gradient(map),
+            rms_gradient: rms_of(map, |along| {
+                let slope = |axis: usize| along(axis, &SLOPE) / (60.0 * map.pixel()[axis]);
+                slope(0).powi(2) + slope(1).powi(2)
+            }),
+            rms_curvature: rms_of(map, |along| {
+                let bend = |axis: usize| along(axis, &BEND) / (180.0 * map.pixel()[axis].powi(2));
+                (0.5 * (bend(0) + bend(1))).powi(2)
+            }),
             developed: developed(map),
         }
     }
@@ -62,19 +74,20 @@ impl Texture {
     }
 }
 
-fn rms_gradient(map: &HeightMap) -> f64 {
+/// The root of the mean of a square, over all points that have it; it is told what the seven points along an axis sum to by their weights.
+fn rms_of(map: &HeightMap, square: impl Fn(&dyn Fn(usize, &[f64; 7]) -> f64) -> f64) -> f64 {
     let [nx, ny] = map.elements();
     let (mut sum, mut count) = (0.0_f64, 0.0);
     for y in 3..ny.saturating_sub(3) {
         for x in 3..nx.saturating_sub(3) {
-            let along = |axis: usize| {
+            let along = |axis: usize, weights: &[f64; 7]| {
                 let part = |(at, weight): (usize, &f64)| {
                     let place = if axis == 0 { [x + at - 3, y] } else { [x, y + at - 3] };
                     weight * map.at(place[0], place[1])
                 };
-                SLOPE.iter().enumerate().map(part).sum::<f64>() / (60.0 * map.pixel()[axis])
+                weights.iter().enumerate().map(part).sum::<f64>()
             };
-            let square = along(0).powi(2) + along(1).powi(2);
+            let square = square(&along);
             if !square.is_nan() {
                 sum += square;
                 count += 1.0;
@@ -139,6 +152,21 @@ mod tests {
             0.5 * texture.rms_gradient.powi(2),
             max_relative = 0.03
         );
+    }
+
+    /// A paraboloid has the mean of its principal curvatures, and the sixth power of x a second derivative that is exact.
+    #[test]
+    fn a_paraboloid_has_its_curvature() {
+        let place = |at: usize| [2e-3 * (at % 20) as f64, 1e-3 * (at / 20) as f64];
+        let of = |height: &dyn Fn([f64; 2]) -> f64| {
+            let heights = (0..200).map(|at| height(place(at))).collect();
+            Texture::of(&HeightMap::new([20, 10], [2e-3, 1e-3], heights).unwrap()).rms_curvature
+        };
+        let bowed = of(&|[x, y]| 3.0 * x * x - 4.0 * y * y + x * y);
+        assert_relative_eq!(bowed, 1.0, max_relative = 1e-9);
+        let sixth = of(&|[x, _]| x.powi(6));
+        let squares = (3..17).map(|x| (15.0 * (2e-3 * f64::from(x)).powi(4)).powi(2));
+        assert_relative_eq!(sixth, (squares.sum::<f64>() / 14.0).sqrt(), max_relative = 1e-9);
     }
 
     #[test]

@@ -18,6 +18,7 @@ use super::key::{Key, Part};
 use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
+use super::surface::PreparedSurface;
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
 use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
@@ -258,8 +259,16 @@ impl CaseFile {
     /// # Errors
     /// All that is wrong with it.
     pub fn surface(&self) -> Result<HeightMap, Vec<Problem>> {
+        self.prepared_surface().map(|prepared| prepared.map)
+    }
+
+    /// The same, with what was done to the heights of the file.
+    ///
+    /// # Errors
+    /// All that is wrong with it.
+    pub fn prepared_surface(&self) -> Result<PreparedSurface, Vec<Problem>> {
         let read = |reader: &mut Reader<'_>, root: &Section<'_>| reader.surface(root);
-        let built = |map: &Chosen<HeightMap>| {
+        let built = |map: &Chosen<PreparedSurface>| {
             let map = map.build();
             let key = || Key::of(["profile", "surface"]);
             let problem =

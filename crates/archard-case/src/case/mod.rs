@@ -60,4 +60,5 @@ pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};
 pub use similar::WearByKs;
+pub use surface::{Preparation, PreparedSurface};
 pub use wheel_rail::{Prepared, RailError, Running, State, WheelRailCase, WheelRailForecast};

@@ -1,14 +1,18 @@
 //! A surface from the file of an instrument, as a case names it; and all profiles that a case can name.
 
+mod prepare;
+
 use std::sync::LazyLock;
 
 use archard::body::Profile;
 use archard::body::profile::{PROFILES, Table};
 use archard::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
 use archard_surface::file::{Format, Scale, read_up_to, unit};
-use archard_surface::{HeightMap, Implausible, Level};
+use archard_surface::{HeightMap, Implausible};
 
 use crate::files::free_memory;
+use prepare::{FORM, HOLES, LEVEL, OUTLIERS, Preparing, RADIUS, ROUGH, SMOOTH, SPACING};
+pub use prepare::{Preparation, PreparedSurface};
 
 /// The profiles of bodies in contact: those of the library, and a measured surface.
 pub fn profiles() -> &'static [Choice<Box<dyn Profile>>] {
@@ -20,20 +24,30 @@ pub fn profiles() -> &'static [Choice<Box<dyn Profile>>] {
 }
 
 /// A measured surface by itself, in the table `profile`.
-pub(super) const MAPS: &[Choice<HeightMap>] =
-    &[Choice { name: NAME, meaning: MEANING, parameters: PARAMETERS, build: prepared }];
+pub(super) const MAPS: &[Choice<PreparedSurface>] = &[Choice {
+    name: NAME,
+    meaning: MEANING,
+    parameters: PARAMETERS,
+    build: |values| {
+        let Preparing { map, steps } = prepared(values, Some(vec![]))?;
+        Ok(PreparedSurface { map, steps: steps.unwrap_or_default() })
+    },
+}];
 
 const NAME: &str = "surface";
 const MEANING: &str =
     "a measured surface from the file of an instrument; its heights point towards the other body";
-const PARAMETERS: &[Parameter] = &[FILE, PIXEL, PIXEL_Y, UNIT, LEVEL, HOLES, INVERTED, FLIPPED];
+const PARAMETERS: &[Parameter] = &[
+    FILE, PIXEL, PIXEL_Y, UNIT, INVERTED, FLIPPED, OUTLIERS, LEVEL, FORM, RADIUS, SMOOTH, ROUGH,
+    SPACING, HOLES,
+];
 
 const SURFACE: Choice<Box<dyn Profile>> = Choice {
     name: NAME,
     meaning: MEANING,
     parameters: PARAMETERS,
     build: |values| {
-        let map = whole(prepared(values)?)?;
+        let map = whole(prepared(values, None)?.map)?;
         let places = |axis: usize| {
             (0..map.elements()[axis]).map(|index| map.place(axis, index)).collect::<Vec<f64>>()
         };
@@ -60,16 +74,6 @@ const UNIT: Parameter = Parameter::optional(
     Quantity::Word(UNITS),
     "unit of the heights of a matrix, whose file does not tell it",
 );
-const LEVEL: Parameter = Parameter::optional(
-    "level",
-    Quantity::Word(&["none", "plane", "quadratic"]),
-    "what is taken off that fits best: nothing (if not given), a plane, or tilt, bow and twist",
-);
-const HOLES: Parameter = Parameter::optional(
-    "holes",
-    Quantity::Word(&["refuse", "fill"]),
-    "what becomes of points without a height: refused (if not given), or filled by the harmonic function between the others",
-);
 const INVERTED: Parameter = Parameter::optional(
     "inverted",
     Quantity::Truth,
@@ -81,8 +85,23 @@ const FLIPPED: Parameter = Parameter::optional(
     "whether the first row of the file has the highest y, not the lowest",
 );
 
-/// The map of a file, prepared as it is asked for.
-fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
+/// The map of a file, prepared as it is asked for; what was done is added to the steps, if there are any.
+fn prepared(values: &Values, steps: Option<Vec<Preparation>>) -> Result<Preparing, Invalid> {
+    let mut preparing = Preparing { map: read_map(values)?, steps };
+    if values.is_true("inverted") {
+        let map = preparing.map.inverted();
+        preparing.done("inverted", map, |_, _| "hills for pits".to_owned());
+    }
+    if values.is_true("flipped") {
+        let map = preparing.map.flipped();
+        preparing.done("flipped", map, |_, _| "first row at the highest y".to_owned());
+    }
+    preparing.prepare(values)?;
+    Ok(preparing)
+}
+
+/// The map of a file.
+fn read_map(values: &Values) -> Result<HeightMap, Invalid> {
     let wrong = |message: String| Invalid::new("file", message);
     let Some(Value::File { name, bytes }) = values.get("file") else {
         return Err(wrong("is missing".to_owned()));
@@ -105,19 +124,7 @@ fn prepared(values: &Values) -> Result<HeightMap, Invalid> {
     let map = read_up_to(bytes, format, Scale { pixel, unit }, most)
         .map_err(|error| wrong(error.to_string()))?;
     map.plausible().map_err(|error| in_doubt(values, error))?;
-    let map = if values.is_true("inverted") { map.inverted() } else { map };
-    let map = if values.is_true("flipped") { map.flipped() } else { map };
-    let level = match values.word("level") {
-        Some("plane") => Some(Level::Plane),
-        Some("quadratic") => Some(Level::Quadratic),
-        _ => None,
-    };
-    let lost = |error: archard_surface::NoMap| Invalid::new("level", error.to_string());
-    let map = match level {
-        Some(level) => map.levelled(level).map_err(lost)?,
-        None => map,
-    };
-    if values.word("holes") == Some("fill") { map.filled().map_err(lost) } else { Ok(map) }
+    Ok(map)
 }
 
 /// Memory (bytes) for a point: its height as it was read, as it is prepared, and in the profile.

@@ -17,7 +17,7 @@ use kuva::render::plots::Plot;
 use super::figure::{LegendPosition, Map, Mark, Panel, Parts, Shape, View};
 use super::parts::{self, colour};
 use super::raster;
-use super::scale::tick;
+use super::scale::{tick, tick_of_decades};
 use kuva::render::render::Scene;
 
 /// Width of a PNG (px).
@@ -252,6 +252,10 @@ fn framed(layout: Layout, view: &View) -> Layout {
     if !view.named {
         layout = layout.with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())));
     }
+    if view.log {
+        layout =
+            layout.with_log_scale().with_tick_format(TickFormat::Custom(Arc::new(tick_of_decades)));
+    }
     view.notes.iter().fold(layout, |layout, (words, [x, y])| {
         layout.with_annotation(TextAnnotation::new(&**words, *x, *y).with_font_size(14))
     })
@@ -276,15 +280,23 @@ fn plot(Mark { shape, legend }: &Mark) -> Plot {
             let band = band.with_opacity(*opacity);
             Plot::Band(legend.into_iter().fold(band, BandPlot::with_legend))
         }
-        Shape::Map(Map { edges, rows }) => cells(*edges, rows.iter().map(Vec::as_slice)),
+        Shape::Map(Map { edges, rows }) => {
+            let signed = rows.iter().flatten().any(|value| *value < 0.0);
+            let colour = if signed { parts::colour_of_any } else { colour };
+            cells(*edges, rows.iter().map(Vec::as_slice), colour)
+        }
         Shape::Parts(parts) => {
-            cells(parts.edges, parts.stand_in().iter().map(<[f64; 2]>::as_slice))
+            cells(parts.edges, parts.stand_in().iter().map(<[f64; 2]>::as_slice), colour)
         }
     }
 }
 
 /// A map of equal cells between edges along x and y.
-fn cells<'a>([x, y]: [[f64; 2]; 2], rows: impl Iterator<Item = &'a [f64]>) -> Plot {
+fn cells<'a>(
+    [x, y]: [[f64; 2]; 2],
+    rows: impl Iterator<Item = &'a [f64]>,
+    colour: fn(f64) -> String,
+) -> Plot {
     Heatmap::new()
         .with_data(rows.map(|row| row.iter().copied()))
         .with_x_range(x[0], x[1])

@@ -56,7 +56,7 @@ pub(crate) struct Parts {
     pub(crate) parts: Vec<(Vec<[f64; 2]>, f64)>,
 }
 
-/// Values on cells, white where they are zero.
+/// Values on cells, white where they are zero; of values with a sign white where there are none.
 #[derive(Debug, Clone)]
 pub(crate) struct Map {
     /// Lowest and highest place along x and along y.
@@ -97,6 +97,8 @@ pub(crate) struct View {
     pub(crate) to_scale: bool,
     /// Whether values along y are named.
     pub(crate) named: bool,
+    /// Whether both axes are logarithmic.
+    pub(crate) log: bool,
 }
 
 impl Pen {
@@ -130,6 +132,7 @@ impl Default for View {
             notes: Vec::new(),
             to_scale: false,
             named: true,
+            log: false,
         }
     }
 }

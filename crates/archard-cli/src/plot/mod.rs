@@ -23,6 +23,7 @@ pub(crate) mod results;
 mod rough;
 pub(crate) mod scale;
 mod study;
+pub(crate) mod surface;
 pub(crate) mod tables;
 mod traction;
 mod transverse;

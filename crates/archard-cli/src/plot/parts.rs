@@ -30,6 +30,11 @@ pub(super) fn colour(share: f64) -> String {
     if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
 }
 
+/// The same of the lowest value too: none for what is no number.
+pub(super) fn colour_of_any(share: f64) -> String {
+    if share.is_nan() { "#ffffff".to_owned() } else { ColorMap::Viridis.map(share) }
+}
+
 /// Replaces the maps that stand for elements, in the order of their panels.
 pub(super) fn put(scene: &mut Scene, all: &[&Parts]) {
     let mut all = all.iter();

@@ -191,6 +191,13 @@ pub(crate) fn tick(value: f64) -> String {
     if short == "-0" { "0".to_owned() } else { short.replace('-', "\u{2212}") }
 }
 
+/// A tick of a logarithmic axis: a power of ten, or nothing between two of them.
+pub(crate) fn tick_of_decades(value: f64) -> String {
+    let power = value.log10();
+    let whole = (power - power.round()).abs() < 1e-6;
+    if whole { format!("10{}", superscript(power.round() as i32)) } else { String::new() }
+}
+
 /// A column name as a phrase: "share" is "Share", "distance_m" is "Distance".
 pub(crate) fn phrase(column: &str) -> String {
     let words = column.strip_suffix("_m").or(column.strip_suffix("_s")).unwrap_or(column);
@@ -201,7 +208,7 @@ pub(crate) fn phrase(column: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Unit, phrase, tick};
+    use super::{Unit, phrase, tick, tick_of_decades};
 
     #[test]
     fn volumes_keep_readable_numbers() {
@@ -238,6 +245,7 @@ mod tests {
         assert_eq!(Unit::of_column("distance_m", 5e3).show(500.0), "0.5 km");
         assert_eq!(tick(-0.00001), "0");
         assert_eq!(tick(0.5), "0.5");
+        assert_eq!([1e-12, 2e-12, 10.0].map(tick_of_decades), ["10⁻¹²", "", "10¹"]);
         assert_eq!(phrase("share"), "Share");
         assert_eq!(phrase("distance_m"), "Distance");
         assert_eq!(Unit::of_column("time_s", 9.0).label(&phrase("time_s")), "Time (s)");

@@ -12,14 +12,13 @@ use super::chosen::Chosen;
 use super::definition::{Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
-use super::surface::MAPS;
+use super::surface::{MAPS, PreparedSurface};
 use super::tree::Item;
 use archard::friction::{FRICTION, Friction};
 use archard::motion::{MOTIONS, Planned};
 use archard::parameters::{Choice, Quantity, Values};
 use archard::solve::SOLVERS;
 use archard::solve::tangential::{FRICTION_SOLVERS, FrictionSolver};
-use archard_surface::HeightMap;
 use finite::zone;
 
 /// The tables of a case.
@@ -86,7 +85,7 @@ impl Reader<'_> {
     }
 
     /// A measured surface by itself.
-    pub fn surface(&mut self, root: &Section<'_>) -> Option<Chosen<HeightMap>> {
+    pub fn surface(&mut self, root: &Section<'_>) -> Option<Chosen<PreparedSurface>> {
         self.unknown(root, "key", &["profile"]);
         let section = self.table(root, "profile", "a `profile.surface`")?;
         self.required(&section, "profile", MAPS)
