@@ -2,14 +2,15 @@
 
 use std::sync::OnceLock;
 
-use archard_surface::{HeightMap, Texture};
-
 use super::{ContactProblem, ContactState};
 use crate::body::Body;
 
 /// The recess (m) of both bodies at the pairs, before they wear; measured shapes take long to evaluate.
 #[derive(Debug, Default)]
 pub struct Unworn(OnceLock<[Vec<f64>; 2]>);
+
+/// Weights of the differences of the first, second and third neighbours for a slope, over 60 spacings (ISO 25178-2).
+const SLOPE: [f64; 3] = [45.0, -9.0, 1.0];
 
 /// Regions in contact.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -56,25 +57,33 @@ impl ContactProblem {
     }
 
     /// Root mean square of the gradient of a body as it is worn, on a uniform frame: Sdq of ISO 25178-2, which takes three
-    /// neighbours on either side; `None` on fewer than seven elements along an axis.
+    /// neighbours on either side. Pairs without them do not count; `None` if none has them.
     pub fn rms_gradient(&self, state: &ContactState, body: usize) -> Option<f64> {
-        const BESIDE: usize = 3;
-        let [nx, ny] = self.frame.elements();
-        if nx.min(ny) <= 2 * BESIDE {
-            return None;
-        }
+        let ([nx, ny], closed) = (self.frame.elements(), self.frame.measure().closed);
         let heights = self.heights(state, body);
-        let map = if self.frame.measure().closed {
-            // Neighbours of the last are the first.
-            let around =
-                |count: usize| (0..count + 2 * BESIDE).map(move |i| (i + count - BESIDE) % count);
-            let pairs = around(ny).flat_map(|y| around(nx).map(move |x| x + nx * y));
-            let wrapped = pairs.map(|pair| heights[pair]).collect();
-            HeightMap::new([nx, ny].map(|count| count + 2 * BESIDE), self.frame.spacing(), wrapped)
-        } else {
-            HeightMap::new([nx, ny], self.frame.spacing(), heights)
+        let beside = SLOPE.len();
+        let inside =
+            |count: usize| if closed { 0..count } else { beside..count.max(2 * beside) - beside };
+        let slope = |axis: usize, place: [usize; 2]| {
+            let at = |offset: usize, ahead: bool| {
+                let mut place = place;
+                let count = [nx, ny][axis];
+                place[axis] = (place[axis] + if ahead { offset } else { count - offset }) % count;
+                heights[place[0] + nx * place[1]]
+            };
+            let terms = SLOPE.iter().zip(1..);
+            let sum: f64 =
+                terms.map(|(weight, offset)| weight * (at(offset, true) - at(offset, false))).sum();
+            sum / (60.0 * self.frame.spacing()[axis])
         };
-        Some(Texture::of(&map.ok()?).rms_gradient)
+        let (mut sum, mut count) = (0.0, 0.0);
+        for y in inside(ny) {
+            for x in inside(nx) {
+                sum += slope(0, [x, y]).powi(2) + slope(1, [x, y]).powi(2);
+                count += 1.0;
+            }
+        }
+        (count > 0.0 && nx.min(ny) > 2 * beside).then(|| (sum / count).sqrt())
     }
 }
 
