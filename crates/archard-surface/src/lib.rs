@@ -17,6 +17,7 @@
 
 #![warn(missing_docs)]
 
+pub mod difference;
 pub mod file;
 mod map;
 mod prepare;
