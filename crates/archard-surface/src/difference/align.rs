@@ -4,10 +4,11 @@ use super::blocks::{smoothed, spread};
 use super::fit::{Fitted, Points, weight};
 use super::level::robust;
 use super::noise::Noise;
-use super::placement::Placement;
+use super::placement::{PARAMETERS, Placement};
 use super::refusal::NoDifference;
 use super::region::{FALSE_ALARM, NARROWEST, exceeded};
 use super::start::{self, median};
+use super::volume::ToldBy;
 use crate::map::HeightMap;
 use crate::prepare::Level;
 
@@ -29,6 +30,8 @@ pub(super) struct Pair {
     after: HeightMap,
     /// Both, smoothed, without their rims.
     inner: [HeightMap; 2],
+    /// Width (m) of their Gaussian.
+    width: f64,
     pub(super) reach: f64,
 }
 
@@ -49,7 +52,7 @@ impl Pair {
         let [earlier, later] = [0, 1].map(|own| by_gaussian(&level[own], width));
         let inner = [whole(&level[0], &earlier, width), whole(&level[1], &later, width)];
         let [x, y] = after.size();
-        Self { level, before: earlier, after: later, inner, reach: 0.5 * x.hypot(y) }
+        Self { level, before: earlier, after: later, inner, width, reach: 0.5 * x.hypot(y) }
     }
 
     /// The placement found by all points but those excluded, from the directions of slopes or the place as measured, whichever fits
@@ -77,6 +80,27 @@ impl Pair {
             (false, true) => Ok(Aligned { placement: Placement::default(), sought: false }),
             (false, false) => Err(NoDifference::Different { correlation, chance }),
         }
+    }
+
+    /// What tells the place: points and their weights as [`refined`](Self::refined) has them.
+    pub(super) fn told_by(&self, placement: &Placement, excluded: &[bool]) -> Option<ToldBy> {
+        let [before, after] = &self.inner;
+        let fitted = self.points(before, after, excluded).fitted(*placement, true)?;
+        let stride = stride(after);
+        let nx = after.elements()[0];
+        let own = |at: usize| {
+            let kept = (at % nx) % stride == 0 && (at / nx) % stride == 0 && !excluded[at];
+            let point = point(after, at).filter(|_| kept)?;
+            let (change, falls) = fitted.placement.change(before, point, self.reach)?;
+            Some((weight(change, fitted.scatter), falls))
+        };
+        let points = (0..after.heights().len()).map(own).collect();
+        Some(ToldBy::of(points, 0..PARAMETERS))
+    }
+
+    /// The Gaussian of the smoothed maps (points of the later one along x and y).
+    pub(super) fn deviation(&self) -> [f64; 2] {
+        self.after.pixel().map(|own| self.width / own)
     }
 
     /// A placement made better by all points that are not excluded.
@@ -125,7 +149,7 @@ impl Pair {
         after: &HeightMap,
         excluded: &[bool],
     ) -> Points<'a> {
-        let stride = (after.heights().len() as f64 / POINTS as f64).sqrt().ceil() as usize;
+        let stride = stride(after);
         let nx = after.elements()[0];
         let kept = |at: &usize| (at % nx) % stride == 0 && (at / nx) % stride == 0;
         let all = (0..after.heights().len()).filter(kept).filter(|&at| !excluded[at]);
@@ -162,6 +186,11 @@ impl Pair {
         let chance = exceeded(FALSE_ALARM / tried) / (independent - 3.0).max(1.0).sqrt();
         (correlation, chance.tanh())
     }
+}
+
+/// Every how manyth point along each axis counts.
+fn stride(map: &HeightMap) -> usize {
+    (map.heights().len() as f64 / POINTS as f64).sqrt().ceil() as usize
 }
 
 /// The place (m) and height (m) of a point; `None` if it has none.

@@ -37,7 +37,7 @@ use fit::{Points, weight};
 use noise::Noise;
 use placement::PARAMETERS;
 use region::{Changes, NARROWEST, Region};
-use volume::Uncertainty;
+use volume::{Falls, ToldBy, Uncertainty};
 
 pub use placement::Placement;
 pub use refusal::NoDifference;
@@ -262,29 +262,21 @@ fn found(scans: &Scans, round: &Round, sought: bool) -> Result<Difference, NoDif
     let map = scans.after.of_heights(change.clone());
     let count = change.len();
     let excluded = scans.excluded(&round.regions);
-    let first = if sought { 0 } else { placement::LEVEL };
-    let falls: Vec<Option<[f64; PARAMETERS]>> = (0..count)
+    let falls: Vec<Option<Falls>> = (0..count)
         .map(|at| {
-            let (_, mut falls) =
-                placement.change(&scans.pair.before, point(&scans.after, at)?, scans.pair.reach)?;
-            falls[..first].fill(0.0);
-            Some(falls)
+            let point = point(&scans.after, at)?;
+            Some(placement.change(&scans.pair.before, point, scans.pair.reach)?.1)
         })
         .collect();
-    let told_by: Vec<Option<(f64, [f64; PARAMETERS])>> = (0..count)
-        .map(|at| {
-            let weight = weight(change[at], *scatter);
-            falls[at].filter(|_| !excluded[at] && weight > 0.0).map(|falls| (weight, falls))
-        })
-        .collect();
-    let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
-    for (weight, falls) in told_by.iter().flatten() {
-        for i in 0..PARAMETERS {
-            (0..PARAMETERS).for_each(|j| matrix[i][j] += weight * falls[i] * falls[j]);
-        }
-    }
-    let inverse = solve::inverse(&matrix);
-    let uncertainty = Uncertainty { noise, told_by: &told_by, falls: &falls, inverse: &inverse };
+    let told = (0..count).map(|at| {
+        let weight = weight(change[at], *scatter);
+        falls[at].filter(|_| !excluded[at] && weight > 0.0).map(|falls| (weight, falls))
+    });
+    let level = ToldBy::of(told.collect(), placement::LEVEL..PARAMETERS);
+    let near = scans.spread(&excluded);
+    let told = Some(()).filter(|()| sought).and_then(|()| scans.pair.told_by(placement, &near));
+    let place = told.map(|told| (told, map.elements(), scans.pair.deviation()));
+    let uncertainty = Uncertainty { noise, falls: &falls, level, place };
     sums::Sums { scans, round, map, uncertainty, sought }.difference()
 }
 

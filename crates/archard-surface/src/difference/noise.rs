@@ -13,8 +13,8 @@ use super::fourier::Fourier;
 
 /// An exponential correlation keeps 1 - (1 + q) exp(-q) = 92 % of its integral within q = 3 sqrt 2 of its lengths.
 const RADII: f64 = 3.0;
-/// Numbers of the plane that residuals lost.
-const LOST: f64 = 3.0;
+/// Numbers of shift, turn and plane that residuals lost.
+const LOST: f64 = 6.0;
 
 /// The noise of a map of differences.
 pub(super) struct Noise {
@@ -74,7 +74,7 @@ impl Noise {
                 break;
             }
         }
-        // Each pair lost what the plane took away, as much at all lags.
+        // Each pair lost what the placement took away, as much at all lags.
         let lost = 1.0 / (1.0 - (LOST * lags / count).min(0.5));
         let window: Vec<f64> = (0..products.len())
             .map(|at| if radius(at) <= last { lost * covariance(at) } else { 0.0 })

@@ -139,14 +139,9 @@ impl Sums<'_> {
     /// Standard uncertainties of the placement.
     fn of_placement(&self) -> Placement {
         let deviation = |one: usize| {
-            let row = &self.uncertainty.inverse[one];
-            let weight = |told: &Option<(f64, [f64; PARAMETERS])>| {
-                told.map_or(0.0, |(weight, falls)| {
-                    weight * row.iter().zip(falls).map(|(row, fall)| row * fall).sum::<f64>()
-                })
-            };
-            let weights: Vec<f64> = self.uncertainty.told_by.iter().map(weight).collect();
-            self.uncertainty.noise.variance_of(&weights).sqrt()
+            let mut factors = [0.0; PARAMETERS];
+            factors[one] = 1.0;
+            self.uncertainty.of_numbers(factors)
         };
         let by: [f64; PARAMETERS] = std::array::from_fn(deviation);
         Placement::default().changed(by, self.scans.pair.reach)
