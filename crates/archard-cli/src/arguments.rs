@@ -44,7 +44,7 @@ pub enum Command {
     },
     /// Write a page about a run, a study or a fit that opens in any browser: results, verdict, theory, curves, maps
     Report(Report),
-    /// Hold a run against measured profiles, readings over the motion, or other runs
+    /// Hold a run against measured profiles, readings over the motion, or other runs; or tell what is worn between two scans
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Compare),
     /// Run a study: a case over lists, ranges and distributions of its values

@@ -89,7 +89,9 @@ impl Pair {
         let stride = stride(after);
         let nx = after.elements()[0];
         let own = |at: usize| {
-            let kept = (at % nx) % stride == 0 && (at / nx) % stride == 0 && !excluded[at];
+            let kept = (at % nx).is_multiple_of(stride)
+                && (at / nx).is_multiple_of(stride)
+                && !excluded[at];
             let point = point(after, at).filter(|_| kept)?;
             let (change, falls) = fitted.placement.change(before, point, self.reach)?;
             Some((weight(change, fitted.scatter), falls))
@@ -151,7 +153,8 @@ impl Pair {
     ) -> Points<'a> {
         let stride = stride(after);
         let nx = after.elements()[0];
-        let kept = |at: &usize| (at % nx) % stride == 0 && (at / nx) % stride == 0;
+        let kept =
+            |at: &usize| (at % nx).is_multiple_of(stride) && (at / nx).is_multiple_of(stride);
         let all = (0..after.heights().len()).filter(kept).filter(|&at| !excluded[at]);
         Points { before, after: all.filter_map(|at| point(after, at)).collect(), reach: self.reach }
     }

@@ -10,7 +10,7 @@ pub(super) fn means(map: &HeightMap, side: usize) -> Option<HeightMap> {
     }
     let count = map.elements().map(|all| {
         let count = all / side;
-        if (all - count * side) % 2 == 0 { count } else { count.saturating_sub(1) }
+        if (all - count * side).is_multiple_of(2) { count } else { count.saturating_sub(1) }
     });
     let first = [0, 1].map(|axis| (map.elements()[axis] - count[axis] * side) / 2);
     let mean = |at: usize| {

@@ -75,7 +75,7 @@ fn transposed(values: &[Complex<f64>], [nx, ny]: [usize; 2]) -> Vec<Complex<f64>
 /// Whether a number has no other prime factors than 2, 3 and 5.
 fn is_smooth(mut number: usize) -> bool {
     for factor in [2, 3, 5] {
-        while number > 1 && number % factor == 0 {
+        while number > 1 && number.is_multiple_of(factor) {
             number /= factor;
         }
     }

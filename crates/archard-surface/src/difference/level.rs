@@ -34,7 +34,7 @@ pub(super) fn robust(
         patches.iter().filter(|points| 2 * points.len() > fullest).filter_map(middle).collect();
     // Not a divisor of rows of points, mostly.
     let some: Vec<&([f64; 2], f64)> =
-        changes.iter().step_by(changes.len() / POINTS + 1 | 1).collect();
+        changes.iter().step_by((changes.len() / POINTS + 1) | 1).collect();
     // For three unknowns.
     let within = ((some.len() + 4) / 2).min(some.len());
     let mut best = (f64::INFINITY, None);

@@ -51,7 +51,8 @@ pub enum NoDifference {
     },
     /// No part of the surface stayed as it was.
     #[error(
-        "the scans differ by {:.3} um over lengths of the map: no part of it stayed as it was, or the instrument bends it; measure          wider, or give the part in which wear is to be found", 1e6 * .scatter
+        "the scans differ by {:.3} um over lengths of the map: no part of it stayed as it was, or the instrument bends it; measure \
+         wider, or give the part in which wear is to be found", 1e6 * .scatter
     )]
     NoReference {
         /// Standard deviation (m) of what did not stand out.

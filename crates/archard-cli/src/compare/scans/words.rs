@@ -4,7 +4,6 @@ use archard_surface::difference::Uncertain;
 
 use super::Compared;
 use crate::number::{four, length};
-use crate::report::quantity;
 
 impl Compared<'_> {
     /// A short table.
@@ -44,9 +43,9 @@ impl Compared<'_> {
 
     /// A volume with its standard uncertainty and its interval.
     fn volume(&self, own: &Uncertain) -> String {
-        let mm3 = 1e9;
-        let [low, high] = [-1.0, 1.0].map(|sign| quantity(own.value + sign * own.expanded, "m3"));
-        format!("{}, 95 %: {low} to {high}", with(own.value * mm3, own.standard * mm3, "mm3"))
+        let [value, by, half] = [own.value, own.standard, own.expanded].map(|own| 1e9 * own);
+        let [low, high] = [four(value - half), four(value + half)];
+        format!("{}, 95 %: {low} to {high} mm3", with(value, by, "mm3"))
     }
 
     /// What has to be known of the result.
