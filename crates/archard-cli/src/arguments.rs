@@ -44,7 +44,7 @@ pub enum Command {
     },
     /// Write a page about a run, a study or a fit that opens in any browser: results, verdict, theory, curves, maps
     Report(Report),
-    /// Hold a run against measured profiles, readings over the motion, or other runs
+    /// Hold a run against measured profiles, readings over the motion, or other runs; or tell what is worn between two scans
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Compare),
     /// Run a study: a case over lists, ranges and distributions of its values
@@ -283,18 +283,23 @@ Examples:
   depths over the distance, under the titles of the laboratory:
     archard compare results/pin_on_disc wear.csv --column distance=\"Weg [m]\" --column depth=\"Tiefe [um]\"
   another run:
-    archard compare results/pin_on_disc results/pin_on_disc_both";
+    archard compare results/pin_on_disc results/pin_on_disc_both
+  what is worn between two scans of a surface:
+    archard compare --before unworn.sur --after worn.sur -o results/scar";
 
 /// The arguments of `compare`.
 #[derive(Debug, Args)]
 pub struct Compare {
     /// A folder written by `run`; the picture goes into its folder `plots`
-    pub dir: PathBuf,
+    #[arg(required_unless_present = "before")]
+    pub dir: Option<PathBuf>,
     /// Measured tables (CSV), and folders of other runs
-    #[arg(required = true, value_name = "MEASURED.csv|DIR")]
+    #[arg(required_unless_present = "before", value_name = "MEASURED.csv|DIR")]
     pub others: Vec<PathBuf>,
     #[command(flatten)]
     pub options: crate::compare::Options,
+    #[command(flatten)]
+    pub scans: crate::compare::scans::Scans,
 }
 
 /// The arguments of `report`.

@@ -63,14 +63,7 @@ fn main() -> ExitCode {
         Command::Report(arguments) => report::run(&arguments)
             .map_err(|error| Failure::because(&error))
             .and_then(|file| say::say(&file.display().to_string())),
-        Command::Compare(arguments) => {
-            compare::run(&arguments.dir, &arguments.others, &arguments.options)
-                .map_err(|error| Failure::because(&error))
-                .and_then(|(words, files)| {
-                    words.iter().try_for_each(|line| say::say(line))?;
-                    files.iter().try_for_each(|file| say::say(&file.display().to_string()))
-                })
-        }
+        Command::Compare(arguments) => compared(&arguments),
         Command::Plot(arguments) => {
             drawn(&arguments).map_err(|error| Failure::because(&error)).and_then(|files| {
                 files.iter().try_for_each(|file| say::say(&file.display().to_string()))
@@ -84,6 +77,17 @@ fn main() -> ExitCode {
             ExitCode::from(failure.code())
         }
     }
+}
+
+/// Compares two scans, or a run with what is named.
+fn compared(arguments: &arguments::Compare) -> Result<(), Failure> {
+    let Some(dir) = &arguments.dir else {
+        return compare::scans::run(&arguments.scans);
+    };
+    let (words, files) = compare::run(dir, &arguments.others, &arguments.options)
+        .map_err(|error| Failure::because(&error))?;
+    words.iter().try_for_each(|line| say::say(line))?;
+    files.iter().try_for_each(|file| say::say(&file.display().to_string()))
 }
 
 /// Draws what a folder has, or what is asked for of a study.

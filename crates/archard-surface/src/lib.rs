@@ -18,6 +18,7 @@
 
 #![warn(missing_docs)]
 
+pub mod difference;
 pub mod file;
 mod filter;
 mod fit;

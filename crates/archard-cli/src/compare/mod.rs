@@ -1,10 +1,11 @@
-//! `archard compare`: a run beside measurements and other runs, in numbers and as pictures.
+//! `archard compare`: a run beside measurements and other runs, or two scans of a surface, in numbers and as pictures.
 
 mod course;
 mod level;
 mod map;
 mod profile;
 mod runs;
+pub mod scans;
 
 use std::path::{Path, PathBuf};
 

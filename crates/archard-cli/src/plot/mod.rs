@@ -83,6 +83,11 @@ impl Picture {
         Self { name, columns, size: PANEL, panels }
     }
 
+    /// The same picture with its panels below each other.
+    pub(crate) fn stacked(self) -> Self {
+        Self { columns: 1, ..self }
+    }
+
     /// The same picture with panels of that size (px).
     fn sized(self, size: [f64; 2]) -> Self {
         Self { size, ..self }

@@ -1,4 +1,4 @@
-//! `archard report`: a run, a study or a fit on one page that opens anywhere.
+//! `archard report`: a run, a study, a fit or two scans on one page that opens anywhere.
 //!
 //! The page holds all it needs: its words and tables as HTML, its figures as pictures, the panels of
 //! [`plot`](crate::plot) and the fields of all outputs as numbers, and plotly.js, which draws those where scripts may
@@ -11,6 +11,7 @@ mod maps;
 mod page;
 mod rail;
 mod run;
+mod scans;
 mod study;
 mod tables;
 mod words;
@@ -24,6 +25,7 @@ use crate::arguments::Report;
 use crate::compare;
 use crate::plot;
 use crate::plot::results::Results;
+pub(crate) use scans::SCANS;
 pub(crate) use words::quantity;
 
 /// The name of the page in its folder.
@@ -49,6 +51,9 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
     } else if fit::is_one(dir) {
         alone("fit")?;
         fit::page(dir)?
+    } else if scans::is_one(dir) {
+        alone("comparison of two scans")?;
+        scans::page(dir)?
     } else if plot::rail::is_one(dir) {
         alone("wheel on a rail")?;
         rail::page(dir)?
@@ -59,6 +64,16 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
     };
     let path = output.clone().unwrap_or_else(|| dir.join(NAME));
     write_whole(&path, page.document().as_bytes())?;
+    Ok(path)
+}
+
+/// Writes the page of two scans into their folder; returns its file.
+///
+/// # Errors
+/// If the folder has none, or the page cannot be written.
+pub(crate) fn of_scans(dir: &Path) -> Result<PathBuf> {
+    let path = dir.join(NAME);
+    write_whole(&path, scans::page(dir)?.document().as_bytes())?;
     Ok(path)
 }
 

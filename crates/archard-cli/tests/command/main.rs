@@ -11,6 +11,7 @@ mod hostile;
 mod memory;
 mod report;
 mod running;
+mod scans;
 mod surface;
 mod sweep;
 #[cfg(unix)]

@@ -1,0 +1,100 @@
+//! What is worn between two scans, in words.
+
+use archard_surface::difference::Uncertain;
+
+use super::Compared;
+use crate::number::{four, length};
+
+impl Compared<'_> {
+    /// A short table.
+    pub(super) fn lines(&self) -> Vec<String> {
+        let line = |name: &str, value: String| format!("{name:<18}{value}");
+        let found = &self.found;
+        let (placed, by) = (&found.placement, &found.uncertainty);
+        let both = |own: [f64; 2], by: [f64; 2], factor: f64, unit: &str| {
+            let [x, y] = [0, 1].map(|axis| with(own[axis] * factor, by[axis] * factor, unit));
+            format!("{x} along x, {y} along y")
+        };
+        let mut lines = vec![];
+        if found.sought {
+            lines.push(line("shift", both(placed.shift, by.shift, 1e6, "um")));
+            lines.push(line("turn", with(1e3 * placed.turn, 1e3 * by.turn, "mrad")));
+        }
+        lines.push(line("tilt", both(placed.tilt, by.tilt, 1e3, "mrad")));
+        lines.push(line("overlap", format!("{:.0} % of the later scan", 100.0 * found.overlap)));
+        let scatter = format!("{}, alike over {}", length(found.scatter), length(found.alike));
+        lines.push(line("unworn surface", format!("scatter {scatter}")));
+        lines.push(line("worn volume", self.volume(&found.worn)));
+        match &found.piled {
+            Some(piled) => lines.push(line("piled up", self.volume(piled))),
+            None => lines.push(line("piled up", "nothing stands out".to_owned())),
+        }
+        lines.push(line("net volume", self.volume(&found.net)));
+        let depth = &found.depth;
+        lines.push(line("greatest depth", with(1e6 * depth.value, 1e6 * depth.standard, "um")));
+        let scar = &found.scar;
+        let [long, wide] = [scar.length, scar.width].map(|size| four(1e3 * size));
+        let turned = format!("turned by {:.0} degrees from x", scar.direction.to_degrees());
+        lines.push(line("scar", format!("{long} x {wide} mm, {turned}")));
+        lines.push(line("worn area", format!("{} mm2", four(1e6 * found.area))));
+        lines.extend(self.remarks().iter().map(|remark| line("remark", remark.clone())));
+        lines
+    }
+
+    /// A volume with its standard uncertainty and its interval.
+    fn volume(&self, own: &Uncertain) -> String {
+        let [value, by, half] = [own.value, own.standard, own.expanded].map(|own| 1e9 * own);
+        let [low, high] = [four(value - half), four(value + half)];
+        format!("{}, 95 %: {low} to {high} mm3", with(value, by, "mm3"))
+    }
+
+    /// What has to be known of the result.
+    pub(super) fn remarks(&self) -> Vec<String> {
+        let found = &self.found;
+        let mut remarks = vec![];
+        if !found.sought && !self.scans.placed {
+            remarks.push("the surface has no features to find a shift by: the scans lie as they were measured, and only the level was found".to_owned());
+        }
+        if found.reaches_rim {
+            remarks.push(
+                "a worn region reaches the end of what both scans show: more may be worn beyond it"
+                    .to_owned(),
+            );
+        }
+        if found.missing > 0 {
+            remarks.push(format!(
+                "points without a height in worn regions: {}; their change was taken from those around them",
+                found.missing
+            ));
+        }
+        if found.count[0] > 1 {
+            remarks.push(format!("worn regions: {}; their volumes are added", found.count[0]));
+        }
+        remarks
+    }
+}
+
+/// A value with its standard uncertainty, which has two digits: "1.234 ± 0.012 um", "(1.23 ± 0.45)e-5 mm3".
+fn with(value: f64, by: f64, unit: &str) -> String {
+    let size = value.abs().max(by);
+    let power = if size > 0.0 { size.log10().floor() as i32 } else { 0 };
+    let power = if (-3..6).contains(&power) { 0 } else { power };
+    let scale = 10f64.powi(-power);
+    let (value, by) = (value * scale, by * scale);
+    let decimals = if by > 0.0 { (1.0 - by.log10().floor()).clamp(0.0, 12.0) as usize } else { 3 };
+    let both = format!("{value:.decimals$} \u{b1} {by:.decimals$}");
+    if power == 0 { format!("{both} {unit}") } else { format!("({both})e{power} {unit}") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with;
+
+    #[test]
+    fn uncertainties_have_two_digits() {
+        assert_eq!(with(1.23456, 0.0123, "um"), "1.235 \u{b1} 0.012 um");
+        assert_eq!(with(1.5e-5, 2.5e-7, "mm3"), "(1.500 \u{b1} 0.025)e-5 mm3");
+        assert_eq!(with(123.4, 25.0, "um"), "123 \u{b1} 25 um");
+        assert_eq!(with(0.0, 0.0, "um"), "0.000 \u{b1} 0.000 um");
+    }
+}

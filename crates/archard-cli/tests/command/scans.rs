@@ -1,0 +1,64 @@
+//! `archard compare --before A --after B`.
+
+use std::f64::consts::PI;
+use std::fs;
+
+use serde_json::Value;
+use tempfile::TempDir;
+
+use super::{archard, text};
+
+const POINTS: usize = 64;
+/// Half widths (um) and depth (um) of the scar.
+const SCAR: [f64; 3] = [30.0, 36.0, 1.0];
+
+/// A matrix of heights (um) 2 um apart: waves of unlike lengths, noise of 10 nm, and a scar.
+fn scan(seed: u64, ground: f64, scar: bool) -> String {
+    let mut random = fastrand::Rng::with_seed(seed);
+    let row = |y: usize| {
+        let height = |x: usize| {
+            let [x, y] = [x, y].map(|index| 2.0 * (index as f64 - 31.5));
+            let waves: f64 = (1..12)
+                .map(f64::from)
+                .map(|k| (ground * k * x * 0.05 + (7.0 * k).sin() * 0.3 * y + k * k).sin())
+                .sum();
+            let far = (x / SCAR[0]).powi(2) + (y / SCAR[1]).powi(2);
+            let noise = (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+            let worn = if scar { SCAR[2] * (1.0 - far).max(0.0) } else { 0.0 };
+            format!("{:.5}", 0.1 * waves + 0.01 * noise - worn)
+        };
+        (0..POINTS).map(height).collect::<Vec<_>>().join(" ")
+    };
+    (0..POINTS).map(row).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn what_is_worn_between_two_scans_is_said_and_written() {
+    let dir = TempDir::new().unwrap();
+    let put = |name: &str, text: String| fs::write(dir.path().join(name), text).unwrap();
+    put("a.csv", scan(1, 1.0, false));
+    put("b.csv", scan(2, 1.0, true));
+    put("c.csv", scan(3, 1.37, true));
+    let scans = ["compare", "--before", "a.csv", "--set", "pixel=2 um", "--set", "unit=um"];
+    let with = |more: &[&'static str]| archard(&dir, &[&scans[..], more].concat());
+    let made = ["--after", "b.csv", "-o", "out", "--test", "T", "--at", "distance_m=250"];
+    let words = text(&with(&made).success().get_output().stdout);
+    assert!(words.contains("worn volume") && words.contains("mm3, 95 %: "), "{words}");
+    let read = |name: &str| fs::read_to_string(dir.path().join("out").join(name)).unwrap();
+    let found: Value = serde_json::from_str(&read("difference.json")).unwrap();
+    let worn = &found["worn_volume_m3"];
+    let volume = 0.5e-18 * PI * SCAR[0] * SCAR[1] * SCAR[2];
+    let by = worn["standard_uncertainty"].as_f64().unwrap();
+    assert!((worn["value"].as_f64().unwrap() - volume).abs() < 3.0 * by, "{worn} {volume}");
+    assert!(by < 0.02 * volume, "{worn}");
+    let tests = read("tests.csv");
+    assert!(tests.starts_with("test,distance_m,volume_mm3,u_volume_mm3\nT,250,"), "{tests}");
+    assert!(
+        read("report.html").contains("Worn volume") && read("section.csv").lines().count() > 20
+    );
+    assert!(dir.path().join("out/plots/difference.png").is_file());
+    let error = text(&with(&["--after", "c.csv"]).code(2).get_output().stderr);
+    assert!(error.contains("c.csv: the "), "{error}");
+    archard(&dir, &["compare", "--before", "a.csv"]).failure();
+    archard(&dir, &["compare"]).failure();
+}

@@ -1,0 +1,73 @@
+//! Why two maps tell no worn volume.
+
+/// Why two maps tell no worn volume.
+#[non_exhaustive]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NoDifference {
+    /// The maps hardly overlap.
+    #[error(
+        "the maps have {points} points in common, and {least} are needed: measure the same place twice, and see that the pixels \
+         of both are right"
+    )]
+    NoOverlap {
+        /// Points of the later map with a height in both.
+        points: usize,
+        /// How many are needed.
+        least: usize,
+    },
+    /// The one is not found in the other.
+    #[error(
+        "the surface of the one map is not found again in the other: their heights correlate by {:.2}, and {:.2} would be chance; \
+         give two maps of the same place, or say that they lie as they were measured",
+        .correlation, .chance
+    )]
+    Different {
+        /// Correlation of the heights where they fit best.
+        correlation: f64,
+        /// What two unlike surfaces of that texture come to once in a hundred times.
+        chance: f64,
+    },
+    /// Nothing is left to align by.
+    #[error(
+        "{:.0} % of the overlap is worn or raised, and less than half of it may be: nothing tells what did not wear; measure \
+         wider, or give the part in which wear is to be found",
+        100.0 * .share
+    )]
+    AllWorn {
+        /// Share of the overlap that changed.
+        share: f64,
+    },
+    /// Nothing stands out.
+    #[error(
+        "nothing is worn that stands out: a depth of {:.3} nm over {:.3} um would; give the part in which wear is to be found, and \
+         what is missing there is integrated all the same",
+        1e9 * .depth, 1e6 * .width
+    )]
+    NothingWorn {
+        /// The mean depth (m) that would stand out.
+        depth: f64,
+        /// Over a spot of that width (m).
+        width: f64,
+    },
+    /// No part of the surface stayed as it was.
+    #[error(
+        "the scans differ by {:.3} um over lengths of the map: no part of it stayed as it was, or the instrument bends it; measure \
+         wider, or give the part in which wear is to be found", 1e6 * .scatter
+    )]
+    NoReference {
+        /// Standard deviation (m) of what did not stand out.
+        scatter: f64,
+    },
+    /// The part that was given is none.
+    #[error(
+        "the part in which wear is to be found has {inside} points of the overlap inside and {outside} outside, and {least} of each are needed"
+    )]
+    Part {
+        /// Points inside.
+        inside: usize,
+        /// Points outside.
+        outside: usize,
+        /// How many are needed.
+        least: usize,
+    },
+}
