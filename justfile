@@ -21,7 +21,7 @@ soak:
     cargo test -p archard-case --test soak -- --ignored --nocapture
     cargo test -p archard-case --test honesty -- --ignored --nocapture
     cargo test -p archard-case --test damaged -- --ignored --nocapture --test-threads 1
-    cargo test -p archard-cli --bin archard -- damaged_folders --ignored --nocapture
+    cargo test -p archard-cli --lib -- damaged_folders --ignored --nocapture
     cargo test -p archard-cli --test faults -- --ignored
 
 # check formatting and lints
