@@ -21,7 +21,7 @@ soak:
     cargo test -p archard-case --test soak -- --ignored --nocapture
     cargo test -p archard-case --test honesty -- --ignored --nocapture
     cargo test -p archard-case --test damaged -- --ignored --nocapture --test-threads 1
-    cargo test -p archard-cli --bin archard -- damaged_folders --ignored --nocapture
+    cargo test -p archard-cli --lib -- damaged_folders --ignored --nocapture
     cargo test -p archard-cli --test faults -- --ignored
 
 # check formatting and lints
@@ -45,9 +45,16 @@ python:
     target/python/bin/pip install "./python[test]"
     target/python/bin/pytest python
 
-# build the wheel of the Python package, one for all versions of Python
+# build the wheel of the Python package and the command, one for all versions of Python, and for any Linux since 2018
 wheel:
-    maturin build --release --locked --manifest-path python/Cargo.toml
+    #!/usr/bin/env bash
+    set -euo pipefail
+    python3 -m venv target/maturin-tools
+    target/maturin-tools/bin/pip install -q "maturin[zig]>=1.16,<2.0"
+    portable=()
+    [ "$(uname -s)" != Linux ] || portable=(--compatibility manylinux_2_28 --zig)
+    PATH="$PWD/target/maturin-tools/bin:$PATH" maturin build --release --locked --features pdf \
+        --manifest-path python/Cargo.toml --out target/wheels "${portable[@]}"
 
 # run the published cases and write what they give into the book
 pages:

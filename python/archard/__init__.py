@@ -10,56 +10,18 @@ A :class:`Case` is a built-in name, a file, a TOML text or a dict. Values with a
 their unit, or anything with ``magnitude`` and ``units`` (pint); results are in SI, each column with its unit.
 """
 
-from archard import rail
-from archard._archard import __version__
-from archard._errors import (
-    ArchardWarning,
-    CaseError,
-    CaseWarning,
-    NotConverged,
-    Problem,
-    ResultWarning,
-    RunError,
-    WrongResult,
-)
-from archard._fit import Coefficient, Exponent, Fit, fit
-from archard._law import Law
-from archard._surface import Surface, surface
-from archard._sweep import Row, Sweep, sweep
-from archard.case import Case, Forecast, cases
-from archard.result import Profile, Result, Snapshot, Table, Verdict
-from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
-from archard.run import Run, State
+TYPE_CHECKING = False  # That of `typing`, which would take longer to load than the command.
 
-__all__ = [
-    "ArchardWarning",
-    "Case",
-    "CaseError",
-    "CaseWarning",
-    "Coefficient",
-    "Exponent",
-    "Fit",
-    "Forecast",
-    "Law",
-    "NotConverged",
-    "Problem",
-    "Profile",
-    "Result",
-    "ResultWarning",
-    "Row",
-    "Run",
-    "RunError",
-    "Snapshot",
-    "State",
-    "Surface",
-    "Sweep",
-    "Table",
-    "Verdict",
-    "WrongResult",
-    "__version__",
-    "cases",
-    "fit",
-    "rail",
-    "surface",
-    "sweep",
-]
+if TYPE_CHECKING:
+    from archard._api import *  # noqa: F403
+    from archard._api import __all__ as __all__
+    from archard._api import open as open
+else:
+    # NumPy is loaded with the first name: the command, which is in this package too, needs neither.
+    def __getattr__(name):
+        from importlib import import_module
+
+        return getattr(import_module("archard._api"), name)
+
+    def __dir__():
+        return sorted({*globals(), *__getattr__("__all__")})

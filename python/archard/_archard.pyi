@@ -14,6 +14,7 @@ __all__ = [
     "Run",
     "WheelRail",
     "__version__",
+    "command",
     "fit",
     "next_tests",
     "read_fields",
@@ -22,6 +23,8 @@ __all__ = [
 ]
 __version__: str
 UNITS: list[str]
+
+def command(words: Sequence[str]) -> int: ...
 
 _Told = tuple[str, str, str, str | None, str]
 _Arrays = dict[str, NDArray[np.float64]]

@@ -6,6 +6,7 @@
 mod away;
 mod build;
 mod case;
+mod command;
 mod elastic;
 mod fields;
 mod fit;
@@ -31,6 +32,8 @@ fn units() -> Vec<&'static str> {
 mod _archard {
     #[pymodule_export]
     use super::case::{CaseFile, Checked};
+    #[pymodule_export]
+    use super::command::command;
     #[pymodule_export]
     use super::elastic::solve_elastic;
     #[pymodule_export]

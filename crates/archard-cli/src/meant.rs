@@ -5,9 +5,21 @@ use clap::CommandFactory;
 use clap::error::{ContextKind, ContextValue};
 
 use crate::arguments::Arguments;
+use crate::failure::Failure;
+
+/// Shows an error of the command line, or the help that was asked for, and returns the exit code.
+pub fn show(error: clap::Error) -> u8 {
+    let error = with_hint(error);
+    // Whoever closes the pipe has read enough.
+    let _ = error.print();
+    match error.use_stderr() {
+        true => Failure::Shown.code(),
+        false => 0,
+    }
+}
 
 /// An error of the command line with the subcommand that may have been meant.
-pub fn with_hint(mut error: clap::Error) -> clap::Error {
+fn with_hint(mut error: clap::Error) -> clap::Error {
     let Some(ContextValue::String(written)) = error.get(ContextKind::InvalidSubcommand) else {
         return error;
     };

@@ -1,6 +1,8 @@
 //! The results of a run that is under way, with all that its summary needs.
 
+use std::ffi::OsString;
 use std::path::Path;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use archard_case::files::{self, Contents};
@@ -8,6 +10,14 @@ use archard_case::output::{Error, ResultFolder, Totals};
 use archard_case::verdict::Verdict;
 use indicatif::ProgressBar;
 use serde_json::Value;
+
+/// The words of the command line. A process has one; where Python is the program, they are not those of `std::env`.
+static WORDS: OnceLock<Vec<OsString>> = OnceLock::new();
+
+/// Tells which words were typed after `archard`.
+pub fn typed(words: Vec<OsString>) {
+    let _ = WORDS.set(words);
+}
 
 /// The command as it was typed, quoted where a shell needs it.
 pub fn command() -> String {
@@ -18,7 +28,8 @@ pub fn command() -> String {
         true => word,
         false => format!("'{}'", word.replace('\'', "'\\''")),
     };
-    let words = std::env::args_os().skip(1).map(|word| quoted(word.to_string_lossy().into_owned()));
+    let words = WORDS.get().into_iter().flatten();
+    let words = words.map(|word| quoted(word.to_string_lossy().into_owned()));
     std::iter::once("archard".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }
 

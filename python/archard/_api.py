@@ -1,0 +1,55 @@
+"""What a user of the package has: :mod:`archard` loads it where a name is first asked for."""
+
+from archard import rail
+from archard._archard import __version__
+from archard._errors import (
+    ArchardWarning,
+    CaseError,
+    CaseWarning,
+    NotConverged,
+    Problem,
+    ResultWarning,
+    RunError,
+    WrongResult,
+)
+from archard._fit import Coefficient, Exponent, Fit, fit
+from archard._law import Law
+from archard._surface import Surface, surface
+from archard._sweep import Row, Sweep, sweep
+from archard.case import Case, Forecast, cases
+from archard.result import Profile, Result, Snapshot, Table, Verdict
+from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
+from archard.run import Run, State
+
+__all__ = [
+    "ArchardWarning",
+    "Case",
+    "CaseError",
+    "CaseWarning",
+    "Coefficient",
+    "Exponent",
+    "Fit",
+    "Forecast",
+    "Law",
+    "NotConverged",
+    "Problem",
+    "Profile",
+    "Result",
+    "ResultWarning",
+    "Row",
+    "Run",
+    "RunError",
+    "Snapshot",
+    "State",
+    "Surface",
+    "Sweep",
+    "Table",
+    "Verdict",
+    "WrongResult",
+    "__version__",
+    "cases",
+    "fit",
+    "rail",
+    "surface",
+    "sweep",
+]
