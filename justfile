@@ -95,6 +95,10 @@ bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb1
         target/earlier/cases | tee -a target/page.md
     mv target/page.md $page
 
+# solve the same contacts by Archard, ASPHER, Tamaas and ContactMechanics, into the book
+peers:
+    python3 benches/peers/peers.py
+
 # all that has to pass before a merge
 ci:
     .ci/run

@@ -1,4 +1,5 @@
-//! Links of the book, the README and the pages of cases lead somewhere: to files that are there, and to headings in them.
+//! Links of the book, the README and the pages of cases lead somewhere: to files that are there, and to headings in them. Code that
+//! a page shows as that of a file stands in it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -66,13 +67,57 @@ fn broken(page: &Path) -> Vec<String> {
 fn links_lead_somewhere() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let mut found =
-        vec![root.join("README.md"), root.join("ARCHITECTURE.md"), root.join("CONTRIBUTING.md")];
+        ["README", "ARCHITECTURE", "CONTRIBUTING", "ROADMAP", "SECURITY", "paper/paper"]
+            .map(|page| root.join(page).with_extension("md"))
+            .to_vec();
     for folder in ["book/src", "cases", "examples"] {
         pages(&root.join(folder), &mut found);
     }
     assert!(found.len() > 40, "{found:?}");
     let broken: Vec<String> = found.iter().flat_map(|page| broken(page)).collect();
     assert!(broken.is_empty(), "\n{}", broken.join("\n"));
+}
+
+/// Blocks of a page that name the file they are from, ```` ```rust,ignore,file=crates/a.rs ````, and do not stand in it as
+/// they are; and how many do.
+fn strange_code(root: &Path, text: &str) -> (Vec<String>, usize) {
+    let blocks = text.split("\n```").skip(1).step_by(2);
+    let named = blocks.filter_map(|block| {
+        let (head, code) = block.split_once('\n')?;
+        Some((head.split_once("file=")?.1, code))
+    });
+    let (own, strange): (Vec<_>, Vec<_>) = named.partition(|(file, code)| {
+        fs::read_to_string(root.join(file)).is_ok_and(|source| source.contains(code.trim_end()))
+    });
+    let told = strange.iter().map(|(file, code)| format!("{file}:\n{code}"));
+    (told.collect(), own.len())
+}
+
+#[test]
+fn code_of_the_book_stands_in_the_files_it_names() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut found = vec![];
+    pages(&root.join("book/src"), &mut found);
+    let checked = found.iter().map(|page| strange_code(&root, &fs::read_to_string(page).unwrap()));
+    let (strange, own): (Vec<_>, Vec<_>) = checked.unzip();
+    let strange = strange.concat();
+    assert!(strange.is_empty(), "\n{}", strange.join("\n"));
+    // The walk to a wear law has five.
+    assert!(own.iter().sum::<usize>() >= 5, "{own:?}");
+}
+
+#[test]
+fn strange_code_is_noticed() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("a.rs"), "fn a() {\n    b()\n}\n").unwrap();
+    let block = |file: &str, code: &str| format!("A\n```rust,ignore,file={file}\n{code}\n```\n");
+    let count = |text: &str| {
+        let (strange, own) = strange_code(folder.path(), text);
+        (strange.len(), own)
+    };
+    assert_eq!(count(&block("a.rs", "    b()\n}")), (0, 1));
+    assert_eq!(count(&(block("a.rs", "    c()") + &block("b.rs", "b()"))), (2, 0));
+    assert_eq!(count("A\n```rust\nelse\n```\n"), (0, 0));
 }
 
 #[test]

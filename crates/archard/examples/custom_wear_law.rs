@@ -1,7 +1,8 @@
 //! A wear law of one's own: no wear below a threshold of pressure, Archard's beyond it.
 //!
 //! `cargo run --release --example custom_wear_law` slides a ball on a flat with it and prints the
-//! depth beside that of plain Archard wear.
+//! depth beside that of plain Archard wear. It ends in an error unless a threshold of zero wears as Archard's law does, and one
+//! above Hertz's largest pressure not at all.
 
 use std::error::Error;
 
@@ -64,5 +65,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for ((distance, archard), (_, threshold)) in plain.0.iter().zip(&own.0) {
         println!("{:13.0} {:13.4} {:20.4}", 1e3 * distance, 1e6 * archard, 1e6 * threshold);
     }
+    let none = ball_on_flat(Threshold { coefficient: 1.33e-13, threshold: 0.0 })?;
+    assert!(
+        none.0.iter().zip(&plain.0).all(|(own, archard)| (own.1 / archard.1 - 1.0).abs() < 1e-9)
+    );
+    // Hertz: 219 MPa in the middle of 10.2 N on a ball of 50 mm, steel on steel.
+    let high = ball_on_flat(Threshold { coefficient: 1.33e-13, threshold: 220e6 })?;
+    assert!(high.0.iter().all(|(_, depth)| *depth == 0.0));
     Ok(())
 }

@@ -127,13 +127,15 @@ pub fn of_study(dir: &Path, columns: &[String], paper: &Paper) -> anyhow::Result
     study::run(dir, columns, paper)
 }
 
-/// Writes pictures into `dir/plots`, each below a mark if there is one.
+/// Writes pictures into `dir/plots`, each below a mark if there is one; not through a link, which may lead anywhere.
 pub(crate) fn write(
     dir: &Path,
     pictures: Vec<Picture>,
     (mark, paper): (Option<&str>, &Paper),
 ) -> anyhow::Result<Vec<PathBuf>> {
     let plots = dir.join("plots");
+    let linked = plots.is_symlink();
+    ensure!(!linked, "`{}` is a link, through which nothing is written", plots.display());
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
     let mut files = Vec::new();
     for Picture { name, columns, size, panels } in pictures {

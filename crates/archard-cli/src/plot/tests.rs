@@ -174,6 +174,21 @@ fn a_sliding_run_has_its_four_pictures() {
     }
 }
 
+/// A folder of a stranger may hold a link in the place of `plots`.
+#[cfg(unix)]
+#[test]
+fn pictures_are_not_written_through_a_link() {
+    let [dir, other] = [tempdir().unwrap(), tempdir().unwrap()];
+    slide(dir.path(), [1.33e-13, 0.0], true);
+    let victim = other.path().join("wear.svg");
+    fs::write(&victim, "mine").unwrap();
+    std::os::unix::fs::symlink(other.path(), dir.path().join("plots")).unwrap();
+    let error = run(dir.path(), &[], &Paper::default()).unwrap_err().to_string();
+    assert!(error.contains("is a link"), "{error}");
+    assert_eq!(fs::read_to_string(&victim).unwrap(), "mine");
+    assert_eq!(fs::read_dir(other.path()).unwrap().count(), 1);
+}
+
 #[test]
 fn an_interrupted_run_is_drawn_without_closed_forms() {
     let dir = tempdir().unwrap();
