@@ -1,6 +1,6 @@
 // Markdown as far as it has to be known to leave code alone.
 
-const CODE = /^(`{3,}|~{3,})[^\n]*\n[\s\S]*?^\1[^\n]*$|(`+)[^`](?:[\s\S]*?[^`])?\2(?!`)/gm;
+const CODE = /^(`{3,}|~{3,})[^\n]*\n[\s\S]*?^\1[^\n]*$|(`+)(?!`)(?:(?!\n\s*\n)[\s\S])*?(?<!`)\2(?!`)/gm;
 
 /** The text with `change` made in all but blocks and spans of code. */
 export function outsideCode(text, change) {

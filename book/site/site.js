@@ -14,3 +14,11 @@ function letScroll() {
 
 window.addEventListener("load", letScroll);
 window.addEventListener("resize", letScroll);
+
+// The button of the contents is a label, which keys do not press.
+document.getElementById("mdbook-sidebar-toggle").addEventListener("keydown", (event) => {
+  if (event.key === "Enter" || event.key === " ") {
+    event.preventDefault();
+    event.currentTarget.click();
+  }
+});
