@@ -49,6 +49,10 @@ python:
 wheel:
     maturin build --release --locked --manifest-path python/Cargo.toml
 
+# build the site of the book into target/site and check it, after `just python`; just site --notebooks runs the notebooks first
+site *options:
+    book/site/build {{options}}
+
 # run the published cases and write what they give into the book
 pages:
     ARCHARD_PAGES=1 cargo test --test cases every_case_gives

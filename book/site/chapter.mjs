@@ -1,6 +1,6 @@
 // A page that is not in the book's folder, as mdBook takes it.
 
-/** A chapter below `parent`, at `path` in the book; its name is its first heading. */
+/** A chapter at `path` below a chapter of the book; its name is its first heading. */
 export function chapter(content, path, parent) {
   const name = /^# (.*)$/m.exec(content)?.[1];
   if (!name) {

@@ -7,7 +7,7 @@ import katex from "katex";
 
 import { escaped, outsideCode } from "./markdown.mjs";
 
-const EQUATION = /\$\$([\s\S]+?)\$\$|\$(?!\s)([^$\n]+?)(?<!\s)\$(?!\d)/g;
+const EQUATION = /\$\$([\s\S]+?)\$\$|\$(?!\s)([^$\n]+?)(?<!\s)\$(?!\d)([.,;:]?)/g;
 const UNREADABLE = [
   [/\\[^a-zA-Z\s]/, "a backslash before a sign: write \\lbrace, \\thinspace, \\lVert or \\cr"],
   [/[^a-zA-Z0-9\s\\]_/, "an underscore after a sign: put a letter before it"],
@@ -17,11 +17,14 @@ const UNREADABLE = [
 /** The page's text with its equations drawn. */
 export function drawMath(text, path) {
   return outsideCode(text, (part) =>
-    part.replace(EQUATION, (whole, display, inline) => draw((display ?? inline).trim(), display !== undefined, path)),
+    part.replace(EQUATION, (_, display, inline, stop) =>
+      display === undefined ? draw(inline, stop, false, path) : draw(display.trim(), "", true, path),
+    ),
   );
 }
 
-function draw(tex, displayMode, path) {
+/** An equation with the stop behind it, so that no line begins with that. */
+function draw(tex, stop, displayMode, path) {
   for (const [pattern, trouble] of UNREADABLE) {
     if (pattern.test(tex)) {
       throw new Error(`${path}: "${tex}": GitHub does not read ${trouble}`);
@@ -29,7 +32,8 @@ function draw(tex, displayMode, path) {
   }
   let drawn;
   try {
-    drawn = katex.renderToString(tex, { displayMode, output: "htmlAndMathml", strict: "error", throwOnError: true });
+    const stopped = stop ? `${tex}\\text{${stop}}` : tex;
+    drawn = katex.renderToString(stopped, { displayMode, output: "htmlAndMathml", strict: "error", throwOnError: true });
   } catch (problem) {
     throw new Error(`${path}: "${tex}": ${problem.message}`);
   }

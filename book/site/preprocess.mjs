@@ -45,7 +45,8 @@ function chapters(items) {
 try {
   for (const chapter of chapters(book.items)) {
     const below = added[chapter.path]?.(root, chapter) ?? [];
-    chapter.sub_items.push(...below.map((Chapter) => ({ Chapter })));
+    // Numbers are not shown; by their lengths the contents are folded.
+    below.forEach((Chapter, place) => chapter.sub_items.push({ Chapter: { ...Chapter, number: [...chapter.number, place + 1] } }));
     draw(chapter);
   }
 } catch (problem) {
