@@ -1,6 +1,6 @@
 """The notebooks run through, and are kept without output.
 
-With the environment variable ARCHARD_NOTEBOOKS those with output are left in the folder that it names, for the site.
+With the environment variable ARCHARD_NOTEBOOKS, a folder, those with output are left there for the site.
 """
 
 import os
