@@ -56,6 +56,10 @@ wheel:
     PATH="$PWD/target/maturin-tools/bin:$PATH" maturin build --release --locked --features pdf \
         --manifest-path python/Cargo.toml --out target/wheels "${portable[@]}"
 
+# build the site of the book into target/site and check it, after `just python`; just site --notebooks runs the notebooks first
+site *options:
+    book/site/build {{options}}
+
 # run the published cases and write what they give into the book
 pages:
     ARCHARD_PAGES=1 cargo test --test cases every_case_gives

@@ -1,5 +1,9 @@
-"""The notebooks run through, and are kept without output."""
+"""The notebooks run through, and are kept without output.
 
+With the environment variable ARCHARD_NOTEBOOKS, a folder, those with output are left there for the site.
+"""
+
+import os
 from pathlib import Path
 
 import nbformat
@@ -18,3 +22,6 @@ def test_notebooks_run(path, tmp_path):
         notebook, timeout=120, kernel_name="python3", resources={"metadata": {"path": tmp_path}}
     )
     client.execute()
+    if folder := os.environ.get("ARCHARD_NOTEBOOKS"):
+        Path(folder).mkdir(parents=True, exist_ok=True)
+        nbformat.write(notebook, Path(folder) / path.name)

@@ -3,6 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use toml::de::DeTable;
+
 /// What the page begins with.
 const HEAD: &str = "\
 # Gallery
@@ -16,6 +18,17 @@ fn book() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src")
 }
 
+/// What is seen in the picture of a case, from the list beside the pictures.
+fn seen(name: &str) -> String {
+    let list = fs::read_to_string(book().join("gallery/seen.toml")).expect("a list");
+    let list = DeTable::parse(&list).expect("a list in TOML");
+    let text = list.get_ref().get(name).and_then(|text| text.get_ref().as_str());
+    text.unwrap_or_else(|| {
+        panic!("gallery/seen.toml has to say what is seen in the picture of `{name}`")
+    })
+    .to_owned()
+}
+
 /// The part of a case: its title, its picture if it has one, the first paragraph of its own page.
 fn part(folder: &Path) -> String {
     let name = folder.file_name().unwrap().to_string_lossy();
@@ -23,7 +36,7 @@ fn part(folder: &Path) -> String {
     let title = about.lines().next().and_then(|line| line.strip_prefix("# ")).expect("a title");
     let paragraph = about.split("\n\n").nth(1).expect("a paragraph").trim_end_matches(':');
     let picture = match book().join(format!("gallery/{name}.png")).is_file() {
-        true => format!("![{title}](gallery/{name}.png)\n\n"),
+        true => format!("![{}](gallery/{name}.png)\n\n", seen(&name)),
         false => String::new(),
     };
     format!(

@@ -127,8 +127,30 @@ fn results_come_with_their_errors() {
     let case = root.join("cases/pin_on_disc/case.toml");
     let printed = printed(&archard(&dir, &["run", case.to_str().unwrap()]).success());
     let readme = fs::read_to_string(root.join("README.md")).unwrap();
-    let shown = readme.split("```").find_map(|block| block.strip_prefix("text\n")).unwrap();
+    let shown = block(&readme, "text");
     assert!(shown.lines().all(|line| line.contains(" +- ")), "{shown}");
+    assert_shown(shown, &printed);
+}
+
+/// The first page of the book shows a case and lines that its run prints.
+#[test]
+fn the_first_page_shows_what_its_case_gives() {
+    let dir = TempDir::new().unwrap();
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/index.md");
+    let page = fs::read_to_string(page).unwrap();
+    fs::create_dir(dir.path().join("pin")).unwrap();
+    fs::write(dir.path().join("pin/case.toml"), block(&page, "toml")).unwrap();
+    let printed = printed(&archard(&dir, &["run", "pin/case.toml"]).success());
+    assert_shown(block(&page, "text"), &printed);
+    archard(&dir, &["plot", "results/pin"]).success();
+}
+
+/// The first block of code of a kind on a page.
+fn block<'a>(page: &'a str, kind: &str) -> &'a str {
+    page.split("```").find_map(|block| block.strip_prefix(&format!("{kind}\n"))).unwrap()
+}
+
+fn assert_shown(shown: &str, printed: &str) {
     for line in shown.lines() {
         assert!(printed.contains(line), "{line} is not in\n{printed}");
     }
