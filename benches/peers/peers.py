@@ -134,11 +134,6 @@ def write(problem, folder):
     import numpy as np
 
     np.save(folder / "gap.npy", problem["gap"])
-    x = (np.arange(len(problem["gap"])) + 0.5) / len(problem["gap"]) - 0.5
-    y, x = np.meshgrid(x, x, indexing="ij")
-    columns = np.column_stack([x.ravel(), y.ravel(), -problem["gap"].ravel()])
-    # Digits that give the same heights back.
-    np.savetxt(folder / "heights.csv", columns, "%.17g", ",", header="x_m,y_m,z_m", comments="")
     told = {key: problem[key] for key in ("mean", "periodic", "radius")}
     (folder / "problem.json").write_text(json.dumps(told), "utf-8")
 

@@ -4,7 +4,7 @@ PROBLEM is a folder that `peers.py` has written: `gap.npy` (n x n, over the side
 E*, whether the frame repeats itself, the radius of the paraboloid if it is one). The packages get these pure numbers, so that
 units make no difference to them; Archard, which has units, gets them as metres and times 1 GPa. PRESSURES receives the pressures
 over E*. Printed is the CPU time (s) of preparing and of solving, imports left out. Archard prepares by reading its case, and the
-heights of rough surfaces from their file; it solves by a step that also writes the fields. The other packages have all in memory.
+heights of rough surfaces as an array; it solves by a step that also writes the fields. The other packages have all in memory.
 ASPHER does both in one call.
 """
 
@@ -22,13 +22,14 @@ MODULUS = "1 GPa"
 ITERATIONS = 100000
 
 
-def archard(folder, problem, gap, tolerance):
+def archard(_folder, problem, gap, tolerance):
     """The package of this repository: the first state of an indentation in one increment."""
     import archard as package
 
     n = len(gap)
     rough = problem["radius"] is None
-    shape = {"table": {"file": str(folder / "heights.csv")}}
+    # Rows of a map run along x.
+    shape = {"surface": {"file": -gap.T, "pixel": f"{1 / n!r} m", "unit": "m"}}
     ball = {"paraboloid": dict.fromkeys(("radius_x", "radius_y"), f"{problem['radius']!r} m")}
     frame = {"periodic": problem["periodic"]}
     if not rough:

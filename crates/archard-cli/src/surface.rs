@@ -16,16 +16,7 @@ const COARSER: [f64; 3] = [2.0, 4.0, 8.0];
 
 /// Reads a file, with keys of `profile.surface`, says what is in it, and draws it if a picture is named.
 pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Result<(), Failure> {
-    let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
-    let name = toml_text(&path.display().to_string());
-    let text = format!("profile.surface.file = {name}");
-    let read = CaseFile::from_text(file.display().to_string(), text, "");
-    let set = |case: CaseFile, option: &String| case.set(format!("profile.surface.{option}"));
-    let case = options.iter().fold(read, set);
-    let PreparedSurface { map, steps } = case.prepared_surface().map_err(|problems| {
-        show(&case, &problems);
-        Failure::Shown
-    })?;
+    let PreparedSurface { map, steps } = read(file, options)?;
     for step in &steps {
         line(step.key, &step.said, "")?;
     }
@@ -39,6 +30,20 @@ pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Resul
     let files = plot::surface::draw(picture, &map, &spectrum);
     let files = files.map_err(|error| Failure::because(&error))?;
     files.iter().try_for_each(|file| say(&file.display().to_string()))
+}
+
+/// The map in a file, prepared as keys of `profile.surface` ask for; what is wrong is shown.
+pub(crate) fn read(file: &Path, options: &[String]) -> Result<PreparedSurface, Failure> {
+    let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    let name = toml_text(&path.display().to_string());
+    let text = format!("profile.surface.file = {name}");
+    let read = CaseFile::from_text(file.display().to_string(), text, "");
+    let set = |case: CaseFile, option: &String| case.set(format!("profile.surface.{option}"));
+    let case = options.iter().fold(read, set);
+    case.prepared_surface().map_err(|problems| {
+        show(&case, &problems);
+        Failure::Shown
+    })
 }
 
 fn line(name: &str, value: &str, meaning: &str) -> Result<(), Failure> {

@@ -5,6 +5,9 @@
 //! however small the parts are that the cell is divided into, their bounds come to no more than if all stood at the nearest.
 //! Cells are divided in four, the one first whose division can gain most, until the gap is kept open or no division can do that.
 
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+
 use crate::compliance::Compliance;
 
 /// The pressures of a contact (Pa), summed by the cells of a tree.
@@ -46,6 +49,27 @@ impl Opening {
     }
 }
 
+/// In the order of what divisions can gain.
+impl Ord for Opening {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.gain().total_cmp(&other.gain())
+    }
+}
+
+impl PartialOrd for Opening {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Opening {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Opening {}
+
 impl Cells {
     /// Those of the pressures (Pa) of so many elements along x and y.
     pub fn of(elements: [usize; 2], pressure: &[f64]) -> Self {
@@ -68,7 +92,7 @@ impl Cells {
             return true;
         }
         let quarters = [[0, 0], [1, 0], [0, 1], [1, 1]];
-        let mut openings: Vec<Opening> = vec![];
+        let mut openings = BinaryHeap::new();
         let [mut least, mut most] = [apart; 2];
         let mut divided = vec![(self.levels.len() - 1, [0; 2])];
         loop {
@@ -81,12 +105,8 @@ impl Cells {
             if least >= 0.0 || most < 0.0 {
                 return least >= 0.0;
             }
-            let gains = |one: &usize, other: &usize| {
-                openings[*one].gain().total_cmp(&openings[*other].gain())
-            };
-            let next = (0..openings.len()).max_by(gains);
-            let next = next.filter(|&next| openings[next].gain() > 0.0);
-            let Some(one) = next.map(|next| openings.swap_remove(next)) else { return false };
+            let next = openings.pop().filter(|next: &Opening| next.gain() > 0.0);
+            let Some(one) = next else { return false };
             least -= one.least;
             most -= one.most;
             let cell = |quarter: [usize; 2]| [0, 1].map(|axis| 2 * one.cell[axis] + quarter[axis]);

@@ -8,18 +8,16 @@ mod words;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use archard_case::CaseFile;
-use archard_surface::HeightMap;
 use archard_surface::difference::{Difference, SectionPoint};
 
 pub use options::Scans;
 
-use crate::diagnose::show;
 use crate::failure::Failure;
+use crate::plot;
 use crate::plot::draw::Paper;
-use crate::plot::{self};
 use crate::report;
 use crate::say::say;
+use crate::surface;
 
 /// Two scans and what is worn between them.
 struct Compared<'a> {
@@ -35,7 +33,7 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
         return Err(Failure::wrong("give both scans: --before FILE --after FILE"));
     };
     let options = scans.options().map_err(Failure::wrong)?;
-    let maps = [read(before, &scans.set)?, read(after, &scans.set)?];
+    let maps = [surface::read(before, &scans.set)?.map, surface::read(after, &scans.set)?.map];
     let found = Difference::between(&maps[0], &maps[1], &options)
         .map_err(|error| Failure::wrong(format!("{}: {error}", after.display())))?;
     let section = found.section(&maps[0]);
@@ -51,20 +49,6 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
 fn default(before: &Path, after: &Path) -> PathBuf {
     let stem = |path: &Path| path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     Path::new("results").join(format!("{}_{}", stem(before), stem(after)))
-}
-
-/// The map in a file, with keys of `profile.surface`.
-fn read(file: &Path, options: &[String]) -> Result<HeightMap, Failure> {
-    let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
-    let name = path.display().to_string().replace('\\', "\\\\").replace('"', "\\\"");
-    let text = format!("profile.surface.file = \"{name}\"");
-    let read = CaseFile::from_text(file.display().to_string(), text, "");
-    let set = |case: CaseFile, option: &String| case.set(format!("profile.surface.{option}"));
-    let case = options.iter().fold(read, set);
-    case.surface().map_err(|problems| {
-        show(&case, &problems);
-        Failure::Shown
-    })
 }
 
 fn write(dir: &Path, compared: &Compared<'_>) -> Result<(), Failure> {
