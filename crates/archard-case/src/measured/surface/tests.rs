@@ -417,9 +417,8 @@ fn columns_of_surfaces_are_known_by_their_names() {
 /// `archard-surface/tests/files/make.py`.
 #[test]
 fn files_of_instruments_are_height_maps() {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../archard-surface/tests/files/gwyfile.gwy");
-    let bytes = std::fs::read(path).unwrap();
-    let of = |name: &str, memory: f64| Surface::of_file(name, &bytes, memory);
+    let bytes = include_bytes!("../../../../archard-surface/tests/files/gwyfile.gwy");
+    let of = |name: &str, memory: f64| Surface::of_file(name, bytes, memory);
     let surface = of("scan.gwy", 1e6).unwrap().unwrap();
     assert_eq!((surface.axis(), surface.source()), (None, "scan.gwy"));
     let readings = surface.readings();
