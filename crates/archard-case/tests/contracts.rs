@@ -40,7 +40,7 @@ const PROFILE_EXAMPLES: Examples = &[
     ("wave", &[("amplitude", 1e-6), ("length_x", 1e-3), ("length_y", 2e-3)]),
 ];
 /// Profiles that need more than numbers, tested beside their code.
-const OTHER_PROFILES: &[&str] = &["table"];
+const OTHER_PROFILES: &[&str] = &["table", "self_affine"];
 
 const WEAR_EXAMPLES: Examples = &[
     ("archard", &[("coefficient", 1.33e-13)]),
