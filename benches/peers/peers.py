@@ -185,9 +185,14 @@ def table(problem, measured):
 def page():
     """Measure everything and write the page."""
     columns = "| package | tolerance | residual | preparing s | solving s | solving / Archard |"
-    hertzian, shared = " rms error of p, % of p0 | largest p off p0, % |", " area / frame | other pairs | largest difference of p |"
+    hertzian, shared = (
+        " rms error of p, % of p0 | largest p off p0, % |",
+        " area / frame | other pairs | largest difference of p |",
+    )
     versions = ", ".join(f"{peer} {metadata.version(peer)}" for peer in PEERS)
-    lines = [(HERE / "head.md").read_text("utf-8").format(versions=versions, turns=TURNS, residual=f"{RESIDUAL:.0e}")]
+    lines = [
+        (HERE / "head.md").read_text("utf-8").format(versions=versions, turns=TURNS, residual=f"{RESIDUAL:.0e}")
+    ]
     for title, make, sizes, more in (("Hertz", hertz, (256, 512), hertzian), ("Rough", rough, (256, 512), shared)):
         for n in sizes:
             problem = make(n)

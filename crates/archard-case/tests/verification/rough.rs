@@ -8,6 +8,8 @@ use archard::frame::Part;
 use archard::motion::Control;
 use archard::solve::{Outcome, SOLVERS, Start, Status, Step, press};
 
+use archard_case::CaseFile;
+
 use crate::common::{Ball, Rows, at_rest, case, solver, states};
 use crate::surfaces::OnAFlat;
 
@@ -180,4 +182,18 @@ fn the_area_up_to_the_edge_converges_before_that_of_elements() {
     let off = [edge, counted].map(|area| (area / finest - 1.0).abs());
     assert!(off[0] < 0.03, "{off:?}");
     assert!(off[0] < 0.5 * off[1], "{off:?}");
+}
+
+/// Surfaces that repeat themselves have no edge at which a contact could be cut off: no warning says so where crests lie at the sides.
+#[test]
+fn a_crest_at_the_side_of_a_periodic_frame_is_no_edge() {
+    let text = "frame.centre = [\"0.25 mm\", \"0.2 mm\"]\nframe.size = [\"0.5 mm\", \"0.4 mm\"]\n\
+        frame.elements = [32, 32]\nframe.periodic = true\n\
+        body.wavy.material = { young = \"210 GPa\", poisson = 0.3 }\n\
+        body.wavy.profile.wave = { amplitude = \"0.5 um\", length_x = \"0.5 mm\", length_y = \"0.4 mm\" }\n\
+        body.flat.material = { young = \"210 GPa\", poisson = 0.3 }\nbody.flat.profile.flat = {}\n\
+        motion.indentation = { load = \"20 MPa\", increments = 1 }\n";
+    let resolved = CaseFile::from_text("case.toml", text, "").resolve().unwrap();
+    let titles: Vec<String> = resolved.warnings.iter().map(|warning| warning.title()).collect();
+    assert!(titles.iter().all(|title| !title.contains("at the edge of the frame")), "{titles:?}");
 }

@@ -1,10 +1,7 @@
-"""The surface of this case made anew, and pressed by ContactMechanics.
+"""The surface of the case rough_on_flat made anew, and pressed by ContactMechanics: python3 benches/peers/rough_on_flat.py.
 
-    pip install ContactMechanics
-    python reference.py
-
-prints the rms height of the surface and, at three mean pressures, the largest pressure and the area of the elements in contact: the
-values of expected.toml.
+Prints the rms height of the surface and, at three mean pressures, the largest pressure and the area of the elements in contact: the
+values of its expected.toml.
 """
 
 import numpy as np
@@ -57,7 +54,9 @@ def main():
         found = system.minimize_proxy(external_force=mean * PERIOD**2, pentol=1e-13)
         pressure = np.asarray(half_space.force) / element
         touching = (pressure > 0).sum() * element
-        print(f"{mean / 1e6:g} MPa: {found.success}, peak {pressure.max() / 1e6:.4f} MPa, {touching * 1e6:.6f} mm^2")
+        print(
+            f"{mean / 1e6:g} MPa: {found.success}, peak {pressure.max() / 1e6:.4f} MPa, {touching * 1e6:.6f} mm^2"
+        )
 
 
 if __name__ == "__main__":
