@@ -211,7 +211,7 @@ def test_a_sweep_finds_its_surfaces_again(tmp_path):
     _, keys = wavy()
     over = {"motion.sliding.load": ["50 MPa", "100 MPa"]}
     first = archard.sweep(keys, over, out=tmp_path / "study")
-    assert [row.error for row in first] == [None, None]
+    assert [row.error for row in first.rows] == [None, None]
     times = {path: path.stat().st_mtime_ns for path in tmp_path.glob("study/rows/*/history.csv")}
     assert len(times) == 2
     archard.sweep(keys, over, out=tmp_path / "study")
