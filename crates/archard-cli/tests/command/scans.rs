@@ -59,6 +59,20 @@ fn what_is_worn_between_two_scans_is_said_and_written() {
     assert!(dir.path().join("out/plots/difference.png").is_file());
     let error = text(&with(&["--after", "c.csv"]).code(2).get_output().stderr);
     assert!(error.contains("c.csv: the "), "{error}");
+    let wrong = |more: &[&'static str]| text(&with(more).code(2).get_output().stderr);
+    for key in ["level=plane", "form=sphere", "rough=50 um"] {
+        let error = wrong(&["--after", "b.csv", "--set", key]);
+        assert!(error.contains("takes off a part of what is worn"), "{error}");
+    }
+    let error = wrong(&["--after", "b.csv", "--at", "500"]);
+    assert!(error.contains("--at 500: write a column and a number"), "{error}");
+    // A file of the user's is in the way, and stays; what was written here before is replaced.
+    fs::create_dir(dir.path().join("mine")).unwrap();
+    put("mine/tests.csv", "mine".to_owned());
+    let error = wrong(&["--after", "b.csv", "-o", "mine"]);
+    assert!(error.contains("tests.csv` is in the way"), "{error}");
+    assert_eq!(fs::read_dir(dir.path().join("mine")).unwrap().count(), 1);
+    with(&made).success();
     archard(&dir, &["compare", "--before", "a.csv"]).failure();
     archard(&dir, &["compare"]).failure();
 }

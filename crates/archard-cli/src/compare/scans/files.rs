@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use archard_case::output::{Error, Field, Image, write_whole};
+use archard_case::output::{Error, Field, Image, Manifest, write_whole};
 use archard_surface::difference::{Placement, Uncertain};
 use serde_json::{Value, json};
 
@@ -10,12 +10,16 @@ use super::Compared;
 use crate::report::SCANS;
 
 impl Compared<'_> {
-    /// Writes `difference.json`, `section.csv`, `tests.csv` and `difference.vti`.
+    /// Writes `difference.json`, `section.csv`, `tests.csv` and `difference.vti`, none of them in the place of a file of others.
     pub(super) fn write(&self, dir: &Path) -> Result<(), Error> {
-        write_whole(&dir.join(SCANS), format!("{:#}\n", self.json()).as_bytes())?;
-        write_whole(&dir.join("section.csv"), self.section_csv().as_bytes())?;
-        write_whole(&dir.join("tests.csv"), self.tests_csv().as_bytes())?;
-        self.image().write(&dir.join("difference.vti"))
+        let mut manifest = Manifest::read(dir)?;
+        let names = [SCANS, "section.csv", "tests.csv", "difference.vti"];
+        names.iter().try_for_each(|name| manifest.admit(name).map(|_| ()))?;
+        let [json, section, tests, image] = names.map(|name| manifest.claim(name));
+        write_whole(&json?, format!("{:#}\n", self.json()).as_bytes())?;
+        write_whole(&section?, self.section_csv().as_bytes())?;
+        write_whole(&tests?, self.tests_csv().as_bytes())?;
+        self.image().write(&image?)
     }
 
     /// All numbers, in SI.
@@ -59,7 +63,8 @@ impl Compared<'_> {
 
     /// A row of the data of `archard fit`: progress and volume with its standard uncertainty.
     fn tests_csv(&self) -> String {
-        let (column, value) = self.scans.progress();
+        // What is no progress was refused before.
+        let (column, value) = self.scans.progress().unwrap_or_default();
         let test = self.scans.test.as_deref().unwrap_or("A").replace(['"', ',', '\n'], " ");
         let worn = &self.found.worn;
         let [volume, by] = [worn.value, worn.standard].map(|own| 1e9 * own);

@@ -8,6 +8,8 @@ mod words;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use archard_case::PreparedSurface;
+use archard_surface::HeightMap;
 use archard_surface::difference::{Difference, SectionPoint};
 
 pub use options::Scans;
@@ -18,6 +20,9 @@ use crate::plot::draw::Paper;
 use crate::report;
 use crate::say::say;
 use crate::surface;
+
+/// Keys of `profile.surface` that would take off a part of what is worn, each in its own way before and after.
+const WITH_WEAR: [&str; 3] = ["level", "form", "rough"];
 
 /// Two scans and what is worn between them.
 struct Compared<'a> {
@@ -33,7 +38,8 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
         return Err(Failure::wrong("give both scans: --before FILE --after FILE"));
     };
     let options = scans.options().map_err(Failure::wrong)?;
-    let maps = [surface::read(before, &scans.set)?.map, surface::read(after, &scans.set)?.map];
+    scans.progress().map_err(Failure::wrong)?;
+    let maps = [scan(before, &scans.set)?, scan(after, &scans.set)?];
     let found = Difference::between(&maps[0], &maps[1], &options)
         .map_err(|error| Failure::wrong(format!("{}: {error}", after.display())))?;
     let section = found.section(&maps[0]);
@@ -43,6 +49,18 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
     write(&dir, &compared)?;
     compared.lines().iter().try_for_each(|line| say(line))?;
     say(&format!("{:<18}{}", "results", dir.display()))
+}
+
+/// The map of a scan.
+fn scan(file: &Path, options: &[String]) -> Result<HeightMap, Failure> {
+    let PreparedSurface { map, steps } = surface::read(file, options)?;
+    match steps.iter().find(|step| WITH_WEAR.contains(&step.key)) {
+        Some(step) => Err(Failure::wrong(format!(
+            "--set {}: takes off a part of what is worn, too; leave it out: the scans are levelled by what did not wear",
+            step.key
+        ))),
+        None => Ok(map),
+    }
 }
 
 /// `results/BEFORE_AFTER`, of the names of the files.

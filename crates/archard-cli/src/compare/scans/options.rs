@@ -51,10 +51,16 @@ impl Scans {
         Ok(Options { turn: self.turn.to_radians(), placed: self.placed, worn })
     }
 
-    /// Column and value of the progress.
-    pub(super) fn progress(&self) -> (&str, &str) {
-        let given = self.at.as_deref().and_then(|at| at.split_once('='));
-        given.map_or(("distance_m", ""), |(column, value)| (column.trim(), value.trim()))
+    /// Column and value of the progress, which stays open if it is not given.
+    pub(super) fn progress(&self) -> Result<(&str, &str), String> {
+        let Some(at) = self.at.as_deref() else { return Ok(("distance_m", "")) };
+        let parts = at.split_once('=').map(|(column, value)| (column.trim(), value.trim()));
+        let named = |column: &str| {
+            !column.is_empty() && column.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
+        };
+        parts
+            .filter(|(column, value)| named(column) && value.parse().is_ok_and(f64::is_finite))
+            .ok_or_else(|| format!("--at {at}: write a column and a number, like distance_m=500"))
     }
 }
 

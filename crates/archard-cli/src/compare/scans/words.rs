@@ -34,7 +34,9 @@ impl Compared<'_> {
         lines.push(line("greatest depth", with(1e6 * depth.value, 1e6 * depth.standard, "um")));
         let scar = &found.scar;
         let [long, wide] = [scar.length, scar.width].map(|size| four(1e3 * size));
-        let turned = format!("turned by {:.0} degrees from x", scar.direction.to_degrees());
+        // The zero turns -0 into 0.
+        let turned = scar.direction.to_degrees().round() + 0.0;
+        let turned = format!("turned by {turned:.0} degrees from x");
         lines.push(line("scar", format!("{long} x {wide} mm, {turned}")));
         lines.push(line("worn area", format!("{} mm2", four(1e6 * found.area))));
         lines.extend(self.remarks().iter().map(|remark| line("remark", remark.clone())));
