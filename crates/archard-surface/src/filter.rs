@@ -4,7 +4,7 @@
 //! its amplitude, a wave of another length l the share 2^-(L/l)^2. At the rim and at points that were not measured the weights that are left are
 //! made to sum to one: constants stay what they are, a slope is bent within about half a cutoff of the rim.
 
-use std::f64::consts::LN_2;
+use std::f64::consts::{LN_2, PI};
 
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
@@ -52,29 +52,11 @@ impl HeightMap {
         if cutoff > most * (1.0 + ROUNDING) {
             return Err(NoFilter::Long { cutoff, most });
         }
-        // Heights as real parts, whether they were measured as imaginary ones: the weights are real and keep them apart.
-        let known = || self.heights().iter().copied().filter(|height| !height.is_nan());
-        let [low, high] =
-            [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)];
-        if high <= low {
-            return Ok(self.clone());
-        }
-        let range = high - low;
-        let packed = |height: &f64| match height.is_nan() {
-            true => Complex::ZERO,
-            false => Complex::new((height - low) / range, 1.0),
-        };
-        let [nx, ny] = self.elements();
-        let mut field: Vec<Complex<f64>> = self.heights().iter().map(packed).collect();
-        weigh(&mut field, nx, cutoff / self.pixel()[0]);
-        let mut turned = transposed(&field, nx);
-        weigh(&mut turned, ny, cutoff / self.pixel()[1]);
-        let means = transposed(&turned, ny);
-        let mean = |(height, sums): (&f64, &Complex<f64>)| match height.is_nan() {
-            true => f64::NAN,
-            false => low + range * sums.re / sums.im,
-        };
-        Ok(self.of_heights(self.heights().iter().zip(&means).map(mean).collect()))
+        // With alpha^2 = ln 2/pi the exponent is that of a normal distribution.
+        let deviation = cutoff * (0.5 * LN_2).sqrt() / PI;
+        let deviation = self.pixel().map(|pixel| deviation / pixel);
+        let means = gaussian(self.elements(), self.heights(), deviation);
+        Ok(self.of_heights(means.into_iter().map(|(mean, _)| mean).collect()))
     }
 
     /// The map without its long waves, of which half is taken off at the cutoff (m): the L-filter of ISO 25178-3.
@@ -88,18 +70,49 @@ impl HeightMap {
     }
 }
 
-/// Weighs each row of so many values by the Gaussian of a cutoff (in pixels).
-fn weigh(field: &mut [Complex<f64>], length: usize, cutoff: f64) {
-    // With alpha^2 = ln 2/pi the exponent is -pi^2/ln 2 (r/L)^2; beyond the reach it is below rounding.
-    let exponent = |offset: f64| (std::f64::consts::PI * offset / cutoff).powi(2) / LN_2;
-    let reach = cutoff * (LN_2 * -f64::EPSILON.ln()).sqrt() / std::f64::consts::PI;
-    let reach = (reach.ceil() as usize).min(length - 1);
+/// Values on a grid weighed by a Gaussian of that standard deviation (points along x and y): the mean of the numbers around each, and the
+/// share of all weights that these have. What is no number stays none.
+pub(crate) fn gaussian(
+    [nx, ny]: [usize; 2],
+    values: &[f64],
+    deviation: [f64; 2],
+) -> Vec<(f64, f64)> {
+    let known = || values.iter().copied().filter(|value| !value.is_nan());
+    let [low, high] =
+        [known().fold(f64::INFINITY, f64::min), known().fold(f64::NEG_INFINITY, f64::max)];
+    let range = if high > low { high - low } else { 1.0 };
+    // Values as real parts, whether they are numbers as imaginary ones: the weights are real and keep them apart.
+    let packed = |value: &f64| match value.is_nan() {
+        true => Complex::ZERO,
+        false => Complex::new((value - low) / range, 1.0),
+    };
+    let mut field: Vec<Complex<f64>> = values.iter().map(packed).collect();
+    weigh(&mut field, nx, deviation[0]);
+    let mut turned = transposed(&field, nx);
+    weigh(&mut turned, ny, deviation[1]);
+    let sums = transposed(&turned, ny);
+    let mean = |(value, sums): (&f64, &Complex<f64>)| match value.is_nan() {
+        true => (f64::NAN, sums.im),
+        false => (low + range * sums.re / sums.im, sums.im),
+    };
+    values.iter().zip(&sums).map(mean).collect()
+}
+
+/// Weighs each row of so many values by the Gaussian of that deviation (points), of sum one.
+fn weigh(field: &mut [Complex<f64>], length: usize, deviation: f64) {
+    // A deviation of nothing leaves each value by itself.
+    let deviation = deviation.max(f64::MIN_POSITIVE);
+    let weight = |offset: usize| (-0.5 * (offset as f64 / deviation).powi(2)).exp();
+    // Beyond the reach weights are below rounding.
+    let reach = (deviation * (-2.0 * f64::EPSILON.ln()).sqrt()).ceil() as usize;
+    let all = 2.0 * (0..=reach).map(weight).sum::<f64>() - 1.0;
+    let reach = reach.min(length - 1);
     let padded = (length + reach).next_power_of_two();
     let mut planner = FftPlanner::new();
     let (forward, backward) = (planner.plan_fft_forward(padded), planner.plan_fft_inverse(padded));
     let mut weights = vec![Complex::ZERO; padded];
     for offset in 0..=reach {
-        let weight = Complex::new((-exponent(offset as f64)).exp() / padded as f64, 0.0);
+        let weight = Complex::new(weight(offset) / (all * padded as f64), 0.0);
         weights[offset] = weight;
         weights[(padded - offset) % padded] = weight;
     }

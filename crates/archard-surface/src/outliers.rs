@@ -82,7 +82,7 @@ impl HeightMap {
 }
 
 /// The median of numbers, the mean of the middle two if they are even; `None` of none.
-fn median(values: &mut [f64]) -> Option<f64> {
+pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
     let half = values.len() / 2;
     if values.is_empty() {
         return None;

@@ -1,4 +1,4 @@
-//! The page about two scans: what is worn between them, and what that is uncertain by.
+//! The page about two scans: what is worn between them, and the uncertainty of that.
 
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,7 @@ const VALUES: [(&str, &str, &str); 4] = [
     ("net_volume_m3", "Worn less piled up", "m3"),
     ("depth_m", "Greatest depth", "m"),
 ];
-/// What it is uncertain by.
+/// Where its uncertainty comes from.
 const SOURCES: [(&str, &str); 5] = [
     ("by_noise", "Noise of the points that changed"),
     ("by_level", "Level: offset and tilt"),
@@ -53,7 +53,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     let alone = picture.as_ref().map_or_else(Html::default, Figure::alone);
     all.add("picture", "Map and section", &alone);
     let budgets: Html = VALUES.iter().map(|value| budget(&found, value).html()).collect();
-    all.add("budget", "What it is uncertain by", &budgets);
+    all.add("budget", "Uncertainty", &budgets);
     all.add("placement", "How the scans lie", &placed(&found).html());
     let remarks = found["remarks"].as_array().into_iter().flatten();
     let remarks: Vec<String> = remarks.filter_map(|one| one.as_str().map(str::to_owned)).collect();

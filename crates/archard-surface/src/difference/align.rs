@@ -1,21 +1,23 @@
 //! The later map laid on the earlier one, and whether it belongs there.
 
-use super::blocks::{smoothed, spread};
+use super::blocks::smoothed;
 use super::fit::{Fitted, Points, weight};
-use super::level::robust;
+use super::level::{PATCHES, robust};
 use super::noise::Noise;
 use super::placement::{PARAMETERS, Placement};
 use super::refusal::NoDifference;
 use super::region::{FALSE_ALARM, NARROWEST, exceeded};
-use super::start::{self, median};
+use super::start;
 use super::volume::ToldBy;
+use crate::filter::gaussian;
 use crate::level::Level;
 use crate::map::HeightMap;
+use crate::outliers::median;
 
-/// Points that a placement is fitted to, at most: enough for a ten-thousandth of the width of texture.
+/// Points that a placement is fitted to, at most. A choice of cost.
 const POINTS: usize = 20_000;
 /// Fewest points in common: one in each patch of the first level.
-pub(super) const FEWEST: usize = 64;
+pub(super) const FEWEST: usize = PATCHES * PATCHES;
 /// Points that count as one in means over noise without texture: one, and some chance.
 const FEATURELESS: f64 = 2.0;
 
@@ -230,9 +232,9 @@ const WHOLE: f64 = 0.98;
 
 /// A smoothed map without the points beside the rim and holes of the one that was smoothed.
 fn whole(map: &HeightMap, smooth: &HeightMap, width: f64) -> HeightMap {
-    let all = spread(map.elements(), map.heights(), map.pixel().map(|own| width / own));
+    let all = gaussian(map.elements(), map.heights(), map.pixel().map(|own| width / own));
     let known = all.iter().filter(|(mean, _)| !mean.is_nan()).map(|(_, share)| *share);
-    let least = WHOLE * median(known.collect()).unwrap_or(0.0);
+    let least = WHOLE * median(&mut known.collect::<Vec<f64>>()).unwrap_or(0.0);
     let own = |((_, share), height): ((f64, f64), &f64)| {
         if share < least { f64::NAN } else { *height }
     };

@@ -1,5 +1,6 @@
 //! Maps on fewer points: means over blocks, and smoothing by a Gaussian.
 
+use crate::filter::gaussian;
 use crate::map::HeightMap;
 
 /// The map of the means over blocks of an odd number of points along both axes; what is left over is cut off evenly at both ends, so
@@ -23,40 +24,9 @@ pub(super) fn means(map: &HeightMap, side: usize) -> Option<HeightMap> {
     HeightMap::new(count, map.pixel().map(|size| size * side as f64), heights).ok()
 }
 
-/// Values on a grid smoothed by a Gaussian of that standard deviation (points along x and y), where they are numbers: the mean of the
-/// numbers around each, so weighted, and the share of all weights that these have. A Gaussian is cut off at four deviations.
-pub(super) fn spread(elements: [usize; 2], values: &[f64], deviation: [f64; 2]) -> Vec<(f64, f64)> {
-    let known = |value: &f64| if value.is_nan() { (0.0, 0.0) } else { (*value, 1.0) };
-    let mut pairs: Vec<(f64, f64)> = values.iter().map(known).collect();
-    let strides = [1, elements[0]];
-    for axis in 0..2 {
-        let reach = (4.0 * deviation[axis]).ceil() as usize;
-        let weight = |lag: usize| (-0.5 * (lag as f64 / deviation[axis].max(1e-9)).powi(2)).exp();
-        let weights: Vec<f64> = (0..=reach).map(weight).collect();
-        let all = 2.0 * weights.iter().sum::<f64>() - 1.0;
-        let from = pairs.clone();
-        for (at, pair) in pairs.iter_mut().enumerate() {
-            let index = at / strides[axis] % elements[axis];
-            let (low, high) =
-                (index.saturating_sub(reach), (index + reach).min(elements[axis] - 1));
-            *pair = (0.0, 0.0);
-            for other in low..=high {
-                let weight = weights[other.abs_diff(index)] / all;
-                let (value, share) = from[at + other * strides[axis] - index * strides[axis]];
-                pair.0 += weight * value;
-                pair.1 += weight * share;
-            }
-        }
-    }
-    let mean = |((sum, share), value): ((f64, f64), &f64)| {
-        (if value.is_nan() { f64::NAN } else { sum / share }, share)
-    };
-    pairs.into_iter().zip(values).map(mean).collect()
-}
-
-/// The means of [`spread`] alone.
+/// Values on a grid smoothed by a Gaussian of that standard deviation (points along x and y), where they are numbers.
 pub(super) fn smoothed(elements: [usize; 2], values: &[f64], deviation: [f64; 2]) -> Vec<f64> {
-    spread(elements, values, deviation).into_iter().map(|(mean, _)| mean).collect()
+    gaussian(elements, values, deviation).into_iter().map(|(mean, _)| mean).collect()
 }
 
 #[cfg(test)]

@@ -6,8 +6,8 @@
 
 use super::placement::{LEVEL, PARAMETERS, Placement};
 use super::solve::{inverse, times};
-use super::start::median;
 use crate::map::HeightMap;
+use crate::outliers::median;
 
 const BIWEIGHT: f64 = 4.685;
 /// The median size of normal differences is 0.6745 standard deviations.
@@ -55,8 +55,8 @@ impl Points<'_> {
             if changes.len() <= PARAMETERS {
                 return None;
             }
-            let sizes = changes.iter().map(|one| one.0.abs()).collect();
-            let scatter = (median(sizes)? / MEDIAN).max(f64::MIN_POSITIVE);
+            let mut sizes: Vec<f64> = changes.iter().map(|one| one.0.abs()).collect();
+            let scatter = (median(&mut sizes)? / MEDIAN).max(f64::MIN_POSITIVE);
             let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
             let mut sums = [0.0; PARAMETERS];
             for (difference, falls) in &changes {

@@ -1,8 +1,11 @@
 //! Fourier transforms of maps.
 
+use std::sync::Arc;
+
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
-use std::sync::Arc;
+
+use crate::filter::transposed;
 
 /// The transforms of maps of one size.
 pub(super) struct Fourier {
@@ -62,14 +65,10 @@ impl Fourier {
     fn apply(&self, way: usize, mut values: Vec<Complex<f64>>) -> Vec<Complex<f64>> {
         let [along_x, along_y] = &self.plans[way];
         along_x.process(&mut values);
-        let mut turned = transposed(&values, self.size);
+        let mut turned = transposed(&values, self.size[0]);
         along_y.process(&mut turned);
-        transposed(&turned, [self.size[1], self.size[0]])
+        transposed(&turned, self.size[1])
     }
-}
-
-fn transposed(values: &[Complex<f64>], [nx, ny]: [usize; 2]) -> Vec<Complex<f64>> {
-    (0..nx * ny).map(|at| values[(at % ny) * nx + at / ny]).collect()
 }
 
 /// Whether a number has no other prime factors than 2, 3 and 5.

@@ -4,10 +4,10 @@
 //! planes through the medians of three patches the one that lies within the least distance of half of the points. Up to half of
 //! them may be anywhere. It only starts what is fitted by all points.
 
-use super::start::median;
+use crate::outliers::median;
 
 /// Patches along each axis.
-const PATCHES: usize = 6;
+pub(super) const PATCHES: usize = 6;
 /// Points whose distances are taken, about: their median is known to some per cent of a standard deviation.
 const POINTS: usize = 500;
 
@@ -28,7 +28,7 @@ pub(super) fn robust(
     let middle = |points: &Vec<([f64; 2], f64)>| {
         let [x, y] = [0, 1]
             .map(|axis| points.iter().map(|one| one.0[axis]).sum::<f64>() / points.len() as f64);
-        Some([x, y, median(points.iter().map(|one| one.1).collect())?])
+        Some([x, y, median(&mut points.iter().map(|one| one.1).collect::<Vec<f64>>())?])
     };
     let points: Vec<[f64; 3]> =
         patches.iter().filter(|points| 2 * points.len() > fullest).filter_map(middle).collect();

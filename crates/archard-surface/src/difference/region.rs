@@ -13,8 +13,8 @@ use std::f64::consts::PI;
 
 use statrs::distribution::{ContinuousCDF, Normal};
 
-use super::blocks::spread;
 use super::noise::Noise;
+use crate::filter::gaussian;
 
 /// How often an unworn map has a region by chance.
 pub(super) const FALSE_ALARM: f64 = 0.01;
@@ -99,7 +99,7 @@ impl Changes<'_> {
                 let out = within && mean.abs() * share.sqrt() > threshold;
                 if out { mean.signum() as i8 } else { 0 }
             };
-            let smooth = spread(self.elements, &values, deviation);
+            let smooth = gaussian(self.elements, &values, deviation);
             let signs: Vec<i8> = smooth.into_iter().enumerate().map(stands_out).collect();
             let found = self.grown(self.components(&signs), *width, (&values, noise));
             for region in &found {

@@ -11,6 +11,7 @@ use super::fourier::Fourier;
 use super::placement::Placement;
 use super::sample;
 use crate::map::HeightMap;
+use crate::outliers::median;
 
 /// Most points along an axis of the maps that are correlated.
 const MOST: f64 = 160.0;
@@ -78,7 +79,7 @@ fn directions(map: &HeightMap, size: [usize; 2], pixel: f64, turn: f64) -> Vec<C
     };
     let slopes: Vec<Option<Complex<f64>>> = (0..size[0] * size[1]).map(slope).collect();
     let middle = |part: fn(&Complex<f64>) -> f64| {
-        median(slopes.iter().flatten().map(part).collect()).unwrap_or(0.0)
+        median(&mut slopes.iter().flatten().map(part).collect::<Vec<f64>>()).unwrap_or(0.0)
     };
     let tilt = Complex::new(middle(|one| one.re), middle(|one| one.im));
     let direction = |slope: &Option<Complex<f64>>| {
@@ -87,10 +88,4 @@ fn directions(map: &HeightMap, size: [usize; 2], pixel: f64, turn: f64) -> Vec<C
         if length > 0.0 { slope / length } else { Complex::default() }
     };
     slopes.iter().map(direction).collect()
-}
-
-/// The median of numbers.
-pub(super) fn median(mut values: Vec<f64>) -> Option<f64> {
-    let middle = values.len() / 2;
-    (!values.is_empty()).then(|| *values.select_nth_unstable_by(middle, f64::total_cmp).1)
 }

@@ -12,7 +12,7 @@ use crate::map::HeightMap;
 /// The standard deviation of an even distribution is its half width over this.
 const EVEN: f64 = 1.732_050_807_568_877_2;
 
-/// The last round and what its sums are uncertain by.
+/// The last round, and the uncertainty of its sums.
 pub(super) struct Sums<'a> {
     pub(super) scans: &'a Scans,
     pub(super) round: &'a Round,

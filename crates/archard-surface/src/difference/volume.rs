@@ -1,4 +1,4 @@
-//! Volumes over regions, and what they are uncertain by.
+//! Volumes over regions, and their uncertainty.
 //!
 //! A volume is a sum of changes over points, less the plane and the place found by all other points: a sum over noise in which
 //! each point has a weight. Its variance follows from the covariance of the noise and holds all that is common to noise, level and
@@ -68,7 +68,7 @@ fn product(one: &Falls, other: &Falls) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
-/// What sums of changes are uncertain by.
+/// The uncertainty of sums of changes.
 ///
 /// The place is found from smoothed maps, and with it the level from maps as they are. An error of the place changes a sum by the slopes of
 /// its points, and by those of the points that the level is fitted to.
