@@ -80,9 +80,12 @@ fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
 
 /// Worn height (m) of a body, one value a pair.
 fn heights(problem: &ContactProblem, state: &ContactState, body: usize) -> Vec<f64> {
-    let worn = state.worn(body);
-    let at = |pair| height(problem, body, problem.frame.place(pair), worn[pair]);
-    (0..worn.len()).map(at).collect()
+    let mut heights = problem.heights(state, body);
+    if body == 1 {
+        // The zero turns -0, which would be shown, into 0.
+        heights.iter_mut().for_each(|height| *height = 0.0 - *height);
+    }
+    heights
 }
 
 /// Height (m) of a body at a place (m) where that depth (m) is worn off.

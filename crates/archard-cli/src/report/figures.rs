@@ -1,6 +1,10 @@
 //! Panels as the page shows them: a picture, traces and axes for plotly.js, and words for who cannot see them.
 
+use std::fs;
+use std::path::Path;
+
 use anyhow::Result;
+use archard_case::files::{self, Contents};
 use kuva::plot::ColorMap;
 use serde_json::{Value, json};
 
@@ -12,6 +16,8 @@ use archard::numerics::SAME;
 
 /// Most points of a curve: more cannot be told apart on a page.
 const MOST: usize = 1500;
+/// Bytes of the largest picture of a folder that a page takes. A choice of size.
+const LARGEST: u64 = 4_000_000;
 
 /// A figure: its picture, what draws it where scripts run, and what it shows in words.
 #[derive(Debug)]
@@ -31,9 +37,26 @@ impl Figure {
     }
 
     /// A picture of a file.
-    pub(super) fn file(title: &str, words: &str, still: Still) -> Self {
+    fn file(title: &str, words: &str, still: Still) -> Self {
         let [title, words] = [title, words].map(str::to_owned);
         Self { title, words, data: vec![], layout: Value::Null, still }
+    }
+
+    /// The first picture of a folder that there is and that is not too large for a page, by name and kind. It is shown as an
+    /// image, in which nothing runs.
+    pub(super) fn in_folder(
+        dir: &Path,
+        pictures: &[(&str, &'static str)],
+        [title, words]: [&str; 2],
+    ) -> Option<Self> {
+        let small = |path: &Path| fs::metadata(path).is_ok_and(|file| file.len() < LARGEST);
+        let read = |(name, kind): &(&str, &'static str)| {
+            let path = dir.join(name);
+            let bytes =
+                small(&path).then(|| files::read(&path, Contents::Numbers).ok()).flatten()?;
+            Some(Still { kind, bytes })
+        };
+        pictures.iter().find_map(read).map(|still| Self::file(title, words, still))
     }
 
     /// The figure without anything for a script to draw.

@@ -1,6 +1,5 @@
 //! The page about a fit: each coefficient with its interval, and what the next test will show.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -13,13 +12,10 @@ use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
 use super::words::{plain, quantity, range};
 use crate::number::percent;
-use crate::plot::draw::Still;
 
 /// What was found, and its picture.
 const FOUND: &str = "fit.json";
 const PICTURES: [(&str, &str); 2] = [("fit.svg", "image/svg+xml"), ("fit.png", "image/png")];
-/// Bytes of the largest picture that a page takes.
-const LARGEST: u64 = 4_000_000;
 
 /// Whether a folder is that of a fit.
 pub(super) fn is_one(dir: &Path) -> bool {
@@ -62,17 +58,11 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     Ok(Page { title, header, body: all.html, drawings: None })
 }
 
-/// The picture of the folder. It is shown as an image, in which nothing runs.
+/// The picture of the folder.
 fn picture(dir: &Path) -> Option<Figure> {
-    let small = |path: &Path| fs::metadata(path).is_ok_and(|file| file.len() < LARGEST);
-    let read = |(name, kind): (&str, &'static str)| {
-        let path = dir.join(name);
-        let bytes = small(&path).then(|| files::read(&path, Contents::Numbers).ok()).flatten()?;
-        Some(Still { kind, bytes })
-    };
-    let still = PICTURES.into_iter().find_map(read)?;
+    let title = "Readings, the case at the median, and both intervals";
     let words = "Points are readings, the line the case at the median; the dark band is its 95 % interval, the pale one that of the next test.";
-    Some(Figure::file("Readings, the case at the median, and both intervals", words, still))
+    Figure::in_folder(dir, &PICTURES, [title, words])
 }
 
 /// The colour of the verdict and its words.

@@ -1,6 +1,5 @@
 //! The page about two scans: what is worn between them, and the uncertainty of that.
 
-use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result};
@@ -12,13 +11,10 @@ use super::html::Html;
 use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
 use super::words::{quantity, range};
-use crate::plot::draw::Still;
 
 /// What was found.
 pub(crate) const SCANS: &str = "difference.json";
-const PICTURE: &str = "plots/difference.png";
-/// Bytes of the largest picture that a page takes.
-const LARGEST: u64 = 4_000_000;
+const PICTURES: [(&str, &str); 1] = [("plots/difference.png", "image/png")];
 /// What has an uncertainty: its key, its name and its unit.
 const VALUES: [(&str, &str, &str); 4] = [
     ("worn_volume_m3", "Worn volume", "m3"),
@@ -76,14 +72,11 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     Ok(Page { title, header, body: all.html, drawings: None })
 }
 
-/// The picture of the folder. It is shown as an image, in which nothing runs.
+/// The picture of the folder.
 fn picture(dir: &Path) -> Option<Figure> {
-    let path = dir.join(PICTURE);
-    fs::metadata(&path).ok().filter(|file| file.len() < LARGEST)?;
-    let bytes = files::read(&path, Contents::Numbers).ok()?;
-    let still = Still { kind: "image/png", bytes };
+    let title = "What is worn, and the section across it";
     let words = "Depths of worn regions on the later scan, and the section through the deepest point across the scar.";
-    Some(Figure::file("What is worn, and the section across it", words, still))
+    Figure::in_folder(dir, &PICTURES, [title, words])
 }
 
 /// The outcome in a sentence.

@@ -22,7 +22,7 @@ const ABSURD: f64 = 20.0;
 const BESIDE: f64 = 0.1;
 
 /// A reading against those around it.
-struct Among {
+pub(super) struct Among {
     /// By how much it lies off their median (m).
     off: f64,
     /// By how much it lies beyond them (m), and over what range they lie themselves (m).
