@@ -77,11 +77,13 @@ def test_a_signal_keeps_what_was_computed(stop, tmp_path):
 
 
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
-def test_ctrl_c_ends_a_command_that_has_nothing_to_save():
-    # Python's own handler would only note the signal until the command returns.
+@pytest.mark.parametrize(("before", "during"), [("default_int_handler", "SIG_DFL"), ("SIG_IGN", "SIG_IGN")])
+def test_ctrl_c_ends_a_command_that_has_nothing_to_save(before, during):
+    # Python's own handler would only note the signal until the command returns; jobs in the background ignore it.
     code = (
         "import signal, archard._command as it\n"
-        "it.command = lambda words: print(signal.getsignal(signal.SIGINT) is signal.SIG_DFL, words)\n"
+        f"signal.signal(signal.SIGINT, signal.{before})\n"
+        f"it.command = lambda words: print(signal.getsignal(signal.SIGINT) is signal.{during}, words)\n"
         "it.main()"
     )
     done = run("-c", code, "plot", "x", start=(sys.executable,))
