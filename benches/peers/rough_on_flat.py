@@ -1,18 +1,21 @@
 """The surface of the case rough_on_flat made anew, and pressed by ContactMechanics: python3 benches/peers/rough_on_flat.py.
 
 Prints the rms height of the surface and, at three mean pressures, the largest pressure and the area of the elements in contact: the
-values of its expected.toml.
+values of its expected.toml. Then what is pressed in of a surface that yields under 1 GPa: the values of the test
+`a_rough_surface_yields_as_in_another_program`.
 """
 
 import numpy as np
 from ContactMechanics import PeriodicFFTElasticHalfSpace
+from ContactMechanics.PlasticSystemSpecialisations import PlasticNonSmoothContactSystem
 from ContactMechanics.Systems import NonSmoothContactSystem
-from SurfaceTopography import Topography
+from SurfaceTopography import PlasticTopography, Topography
 
 PERIOD, SHORT, LONG = 0.512e-3, 16e-6, 0.128e-3
 SLOPE, HURST, SEED = 0.01, 0.8, 1
 POINTS = 256
 MODULUS = 210e9 / (2 * (1 - 0.3**2))
+HARDNESS = 1e9
 
 
 def random(index):
@@ -57,6 +60,12 @@ def main():
         print(
             f"{mean / 1e6:g} MPa: {found.success}, peak {pressure.max() / 1e6:.4f} MPa, {touching * 1e6:.6f} mm^2"
         )
+    half_space = PeriodicFFTElasticHalfSpace((POINTS, POINTS), MODULUS, size)
+    soft = PlasticTopography(Topography(surface.T, size, periodic=True), HARDNESS)
+    system = PlasticNonSmoothContactSystem(half_space, soft)
+    found = system.minimize_proxy(external_force=40e6 * PERIOD**2, pentol=1e-13)
+    imprint = -np.asarray(soft.plastic_displ)
+    print(f"yielding, 40 MPa: {found.success}, imprint {imprint.max() * 1e6:.8f} um, {imprint.sum() * element:.7e} m^3")
 
 
 if __name__ == "__main__":

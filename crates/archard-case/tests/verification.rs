@@ -55,4 +55,5 @@ mod verification {
     mod wear_laws;
     mod wider_frames;
     mod windows;
+    mod yielding;
 }

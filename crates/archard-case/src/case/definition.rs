@@ -77,6 +77,8 @@ pub struct BodyCase {
     pub depth: Option<f64>,
     /// Its density (kg/m^3); `None` where it is not given.
     pub density: Option<f64>,
+    /// The pressure (Pa) under which it yields; `None` where it stays elastic.
+    pub hardness: Option<f64>,
     /// How it conducts heat; `None` where that is not given.
     pub thermal: Option<Thermal>,
 }
@@ -287,6 +289,7 @@ impl BodyCase {
             wear: self.law()?,
             depth: self.depth,
             density: self.density,
+            hardness: self.hardness,
             thermal: self.thermal,
         })
     }

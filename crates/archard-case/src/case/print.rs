@@ -35,6 +35,9 @@ impl Display for Case {
             if let Some(depth) = body.depth {
                 writeln!(f, "{key}.depth = {}", si(depth, "m"))?;
             }
+            if let Some(hardness) = body.hardness {
+                writeln!(f, "{key}.hardness = {}", si(hardness, "Pa"))?;
+            }
             if let Some(density) = body.density {
                 writeln!(f, "{key}.density = {}", si(density, "kg/m^3"))?;
             }

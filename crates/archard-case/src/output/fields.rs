@@ -40,6 +40,10 @@ pub fn fields(problem: &ContactProblem, state: &ContactState) -> Vec<Field> {
         fields.push(Field::new(format!("wear_{}_m", body.name), state.worn(index).into_owned()));
     }
     fields.push(Field::new("wear_m", state.total_worn()));
+    for (index, body) in problem.bodies.iter().enumerate().filter(|one| one.1.hardness.is_some()) {
+        let imprint = state.surfaces[index].imprint.clone();
+        fields.push(Field::new(format!("imprint_{}_m", body.name), imprint));
+    }
     for (index, body) in problem.bodies.iter().enumerate() {
         fields.push(Field::new(format!("height_{}_m", body.name), heights(problem, state, index)));
     }

@@ -123,6 +123,7 @@ pub fn at_rest<'a>(problem: &'a ContactProblem, addition: &'a [f64], control: Co
         elements: problem.frame.elements(),
         measure: problem.frame.measure(),
         control,
+        hardness: f64::INFINITY,
     }
 }
 

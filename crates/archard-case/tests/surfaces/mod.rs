@@ -49,6 +49,7 @@ impl OnAFlat {
             elements: self.frame.elements(),
             measure: Measure { closed: self.repeats, ..self.frame.measure() },
             control: Control::Load(pressure * modulus * SLOPE * SIDE * SIDE),
+            hardness: f64::INFINITY,
         }
     }
 }

@@ -125,6 +125,7 @@ fn is_the_same(bodies: &Bodies, load: f64, by_approach: bool) -> bool {
         elements: frame.elements(),
         measure: frame.measure(),
         control: Control::Load(load),
+        hardness: f64::INFINITY,
     };
     let under_load = solver.solve(&rest, None);
     if under_load.status != Status::Converged {
@@ -201,6 +202,7 @@ fn a_contact_that_appears_elsewhere_is_found() {
         elements: frame.elements(),
         measure: frame.measure(),
         control: Control::Load(0.5),
+        hardness: f64::INFINITY,
     };
     let first = press(&*solver, &step, None);
     assert!(first.part.is_some());
@@ -268,6 +270,7 @@ fn worn_lines_are_solved_on_parts() {
             elements: frame.elements(),
             measure: frame.measure(),
             control: Control::Load(1.0),
+            hardness: f64::INFINITY,
         };
         let unworn = press(&*solver, &rest, None);
         let flow = frame.flow(Direction { axis, reversed: false }).unwrap();

@@ -43,6 +43,8 @@ pub struct Body {
     pub density: Option<f64>,
     /// How it conducts heat; `None` where that is not known.
     pub thermal: Option<Thermal>,
+    /// The largest pressure (Pa) it bears: it yields under that one, elastic and perfectly plastic. `None` where it stays elastic.
+    pub hardness: Option<f64>,
 }
 
 impl Body {
@@ -61,8 +63,16 @@ impl Body {
             depth: None,
             density: None,
             thermal: None,
+            hardness: None,
         }
     }
+
+    /// What a hardness is; its quantity is read from cases.
+    pub const HARDNESS: Parameter = Parameter::optional(
+        "hardness",
+        Quantity::Pressure,
+        "largest pressure the body bears, under which it yields and keeps the imprint",
+    );
 
     /// What a density is; its quantity is read from cases.
     pub const DENSITY: Parameter = Parameter::optional(
@@ -124,6 +134,18 @@ impl Body {
     #[must_use]
     pub fn thermal(self, thermal: Thermal) -> Self {
         Self { thermal: Some(thermal), ..self }
+    }
+
+    /// The same body, yielding under that pressure (Pa).
+    #[must_use]
+    pub fn hardness(self, hardness: f64) -> Self {
+        Self { hardness: Some(hardness), ..self }
+    }
+
+    /// The pressure (Pa) under which the softer of two bodies yields; infinite where none does.
+    pub fn softest(bodies: &[Self; 2]) -> f64 {
+        let known = bodies.iter().filter_map(|body| body.hardness);
+        known.fold(f64::INFINITY, f64::min)
     }
 
     /// The depths (m) of bodies that touch along a line within that width (m): where none is given the radius of the

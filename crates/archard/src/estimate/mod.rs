@@ -171,8 +171,14 @@ impl Subject<'_> {
         coupling(self.materials())
     }
 
-    /// The contact of the unworn bodies under a load or at an approach; `None` where there is no closed form.
+    /// The contact of the unworn bodies under a load or at an approach; `None` where there is no closed form, or bodies yield.
     pub fn contact(&self, control: Control) -> Option<Contact> {
+        let hardness = Body::softest(self.bodies);
+        self.elastic_contact(control).filter(|contact| contact.peak_pressure <= hardness)
+    }
+
+    /// The same of bodies that stay elastic.
+    fn elastic_contact(&self, control: Control) -> Option<Contact> {
         let (curvatures, modulus) = (self.curvatures()?, self.contact_modulus());
         if self.line {
             return self.line(control, curvatures, modulus);

@@ -56,6 +56,11 @@ impl ContactProblem {
         self.bodies.iter().any(|body| body.wear.is_some())
     }
 
+    /// The pressure (Pa) under which the softer body yields; infinite where none does.
+    pub fn hardness(&self) -> f64 {
+        Body::softest(&self.bodies)
+    }
+
     /// Whether a wear law asks for something.
     pub fn asks(&self, input: Input) -> bool {
         let asks =
@@ -279,7 +284,7 @@ impl Tangential {
 impl ContactState {
     /// Bodies apart and unworn, whose surfaces stay.
     pub fn untouched(frame: &ContactFrame) -> Self {
-        let surface = || Surface::unworn(Grid::of_pairs(frame.elements()), false);
+        let surface = || Surface::unworn(Grid::of_pairs(frame.elements()), false, false);
         Self {
             progress: 0.0,
             approach: 0.0,
@@ -294,6 +299,11 @@ impl ContactState {
     /// Depth worn off a body (m), one value a pair; of one that swings, in the middle position.
     pub fn worn(&self, body: usize) -> Cow<'_, [f64]> {
         self.surfaces[body].worn()
+    }
+
+    /// Depth (m) by which a body lies below its unworn shape, worn off and pressed in, one value a pair.
+    pub fn lowered(&self, body: usize) -> Cow<'_, [f64]> {
+        self.surfaces[body].lowered()
     }
 
     /// Normal gap (m) in a problem, one value a pair; zero in contact. Far from it it is computed from the pressures.

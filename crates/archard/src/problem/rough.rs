@@ -40,7 +40,8 @@ impl ContactProblem {
             self.bodies.each_ref().map(recess)
         })[body];
         // The zero turns -0, which would be shown, into 0.
-        unworn.iter().zip(&*state.worn(body)).map(|(recess, worn)| 0.0 - (recess + worn)).collect()
+        let lowered = state.lowered(body);
+        unworn.iter().zip(&*lowered).map(|(recess, lowered)| 0.0 - (recess + lowered)).collect()
     }
 
     /// Root mean square (m) and skewness of a body's heights as it is worn, from their mean: Sq and Ssk of ISO 25178-2. A plane has

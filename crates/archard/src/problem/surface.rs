@@ -18,6 +18,8 @@ pub struct Surface {
     pub depth: Vec<f64>,
     /// Distance (m) that its points slid under pressure; empty where nothing depends on it.
     pub slid: Vec<f64>,
+    /// Depth (m) that it was pressed in for good; empty of a body that does not yield.
+    pub imprint: Vec<f64>,
 }
 
 /// The elements of a surface, and which of them lies at a pair of the frame.
@@ -112,21 +114,32 @@ impl Grid {
 }
 
 impl Surface {
-    /// An unworn one; whether the distance that its points slide is counted.
-    pub fn unworn(grid: Grid, counts: bool) -> Self {
+    /// An unworn one; whether the distance that its points slide is counted, and whether it yields.
+    pub fn unworn(grid: Grid, counts: bool, yields: bool) -> Self {
         let [nx, ny] = grid.elements();
         let none = vec![0.0; nx * ny];
-        Self { grid, slid: if counts { none.clone() } else { vec![] }, depth: none }
+        let field = |there: bool| if there { none.clone() } else { vec![] };
+        Self { grid, slid: field(counts), imprint: field(yields), depth: none }
     }
 
     /// One with an element a pair, worn by those depths (m).
     pub fn of_pairs(frame: [usize; 2], depth: Vec<f64>) -> Self {
-        Self { grid: Grid::of_pairs(frame), depth, slid: vec![] }
+        Self { grid: Grid::of_pairs(frame), depth, slid: vec![], imprint: vec![] }
     }
 
     /// Depth worn off (m) at each pair of the frame, in the middle of a swing.
     pub fn worn(&self) -> Cow<'_, [f64]> {
         self.in_frame(&self.depth)
+    }
+
+    /// Depth (m) at each pair by which it lies below its unworn shape: worn off and pressed in.
+    pub fn lowered(&self) -> Cow<'_, [f64]> {
+        if self.imprint.is_empty() {
+            return self.worn();
+        }
+        Cow::Owned(
+            self.in_frame(&vector::map([&self.depth, &self.imprint], |[a, b]| a + b)).into_owned(),
+        )
     }
 
     /// Distance slid (m) there; empty where it is not counted.
@@ -181,7 +194,8 @@ impl Surface {
     #[must_use]
     pub fn map(&self, grid: Grid, change: impl Fn(&[f64]) -> Vec<f64>) -> Self {
         let field = |field: &[f64]| if field.is_empty() { vec![] } else { change(field) };
-        Self { grid, depth: field(&self.depth), slid: field(&self.slid) }
+        let [depth, slid, imprint] = [&self.depth, &self.slid, &self.imprint].map(|one| field(one));
+        Self { grid, depth, slid, imprint }
     }
 
     /// The same over a larger frame, in which its own begins at a pair; unworn beyond.
@@ -227,7 +241,7 @@ mod tests {
         let along_y = Grid::swinging([4, 2], 1, 3);
         assert_eq!(along_y.elements(), [4, 8]);
         assert_eq!([along_y.at(0, 0), along_y.at(0, 3), along_y.at(7, -3)], [12, 0, 31]);
-        let mut surface = Surface::unworn(grid, false);
+        let mut surface = Surface::unworn(grid, false, false);
         surface.depth[13] = 2.0;
         assert_eq!(surface.worn()[..], [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
         assert_eq!(surface.along(0)[3], [1.0, 2.0]);
@@ -235,7 +249,7 @@ mod tests {
 
     #[test]
     fn all_pairs_of_a_row_meet_what_passes() {
-        let mut surface = Surface::unworn(Grid::passing([3, 2], 0), true);
+        let mut surface = Surface::unworn(Grid::passing([3, 2], 0), true, false);
         surface.depth = vec![1.0, 2.0];
         assert_eq!(surface.worn()[..], [1.0, 1.0, 1.0, 2.0, 2.0, 2.0]);
         let larger = surface.moved([4, 1], Grid::passing([9, 4], 0));
@@ -246,7 +260,7 @@ mod tests {
     /// Wear that is laid down at an offset is met there again, and a larger frame meets it where the smaller one did.
     #[test]
     fn what_is_worn_stays_where_it_was_worn() {
-        let mut surface = Surface::unworn(Grid::swinging([4, 2], 0, 3), false);
+        let mut surface = Surface::unworn(Grid::swinging([4, 2], 0, 3), false, false);
         let depths: Vec<f64> = (1..9).map(f64::from).collect();
         surface.wear((&depths, &[]), 2, 0.5);
         for (pair, depth) in depths.iter().enumerate() {

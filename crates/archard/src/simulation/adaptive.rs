@@ -258,6 +258,7 @@ impl Adaptive {
                 }
             }
             shown.slid.clone_from(&fine.slid);
+            shown.imprint.clone_from(&fine.imprint);
         }
         let load_distance = 2.0 * self.fine.load_distance - self.coarse.load_distance;
         let surfaces = self.surfaces.clone();

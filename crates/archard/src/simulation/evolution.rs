@@ -51,7 +51,8 @@ pub(super) fn unworn(problem: &ContactProblem) -> [Surface; 2] {
     if let Some((body, grid)) = Swing::of(problem).map(|swing| swing.moved()) {
         grids[body] = grid;
     }
-    grids.map(|grid| Surface::unworn(grid, problem.counts_distance()))
+    let bodies = [0, 1].map(|body| (grids[body], problem.bodies[body].hardness.is_some()));
+    bodies.map(|(grid, yields)| Surface::unworn(grid, problem.counts_distance(), yields))
 }
 
 impl Evolution {
@@ -73,7 +74,30 @@ impl Evolution {
         let problem = &simulation.problem;
         let addition = vec![0.0; self.displacement.len()];
         let gap = self.undeformed_gap(problem);
-        self.contact(simulation, increment, (&gap, &addition), &*problem.compliance, effort)
+        self.contact(simulation, increment, (&gap, &addition), &*problem.compliance, effort)?;
+        self.imprint(problem);
+        Ok(())
+    }
+
+    /// Where bodies bear the hardness and overlap, the softer one keeps the overlap as an imprint; both do by half where they are as
+    /// hard.
+    pub(super) fn imprint(&mut self, problem: &ContactProblem) {
+        let hardness = problem.hardness();
+        if hardness.is_infinite() {
+            return;
+        }
+        let soft = problem.bodies.each_ref().map(|body| body.hardness == Some(hardness));
+        let share = 1.0 / soft.into_iter().filter(|soft| *soft).count() as f64;
+        let state = &mut self.state;
+        for (surface, _) in state.surfaces.iter_mut().zip(soft).filter(|(_, soft)| *soft) {
+            let fields: [&[f64]; 2] = [&state.gap.values, &state.pressure];
+            vector::update(&mut surface.imprint, fields, |imprint, [gap, pressure]| {
+                if pressure >= hardness { imprint + share * (-gap).max(0.0) } else { imprint }
+            });
+        }
+        vector::update(&mut state.gap.values, [&state.pressure], |gap, [pressure]| {
+            if pressure >= hardness { gap.max(0.0) } else { gap }
+        });
     }
 
     /// Pressures, and friction where the bodies roll, under a gap (m), with what pairs give way beside the compliance
@@ -104,7 +128,7 @@ impl Evolution {
 
     /// Gap of the worn, undeformed surfaces at zero approach (m), shifted as they are.
     pub(super) fn undeformed_gap(&self, problem: &ContactProblem) -> Vec<f64> {
-        let [first, second] = [self.state.worn(0), self.state.worn(1)];
+        let [first, second] = [self.state.lowered(0), self.state.lowered(1)];
         let frame = &problem.frame;
         let mut gap = vector::map([frame.gap(), &first, &second], |[gap, first, second]| {
             gap + first + second
@@ -175,6 +199,7 @@ impl Evolution {
             elements: problem.frame.elements(),
             measure: problem.frame.measure(),
             control: increment.control,
+            hardness: problem.hardness(),
         };
         let ContactState { pressure, approach, .. } = &self.state;
         let start = Start {
@@ -192,6 +217,13 @@ impl Evolution {
             Status::Converged if outcome.approach <= simulation.beside => {
                 self.take(outcome, simulation, increment);
                 Ok(())
+            }
+            Status::FrameFull if step.measure.closed && step.hardness.is_finite() => {
+                Err(Error::Overloaded {
+                    measure: problem.motion.progress(),
+                    progress: increment.progress,
+                    borne: step.measure.load(&vec![step.hardness; gap.len()]),
+                })
             }
             Status::Converged | Status::FrameFull => Err(Error::FrameFull {
                 measure: problem.motion.progress(),

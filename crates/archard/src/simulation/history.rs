@@ -210,6 +210,23 @@ pub const COLUMNS: &[Column] = &[
         uneven(r, i).map(|r| r.problem.spread(r.state, i)[1])
     }),
     column(
+        "imprint_BODY_m",
+        "m",
+        Class::Depth,
+        "deepest imprint of each body that yields",
+        |r, i| yields(r, i).map(|r| maximum(&r.state.surfaces[i].imprint)),
+    ),
+    column(
+        "imprint_volume_BODY_m3",
+        "m3",
+        Class::Volume,
+        "volume of the imprint of each body that yields",
+        |r, i| {
+            let volume = |r: &Report<'_>| r.problem.frame.integrate(&r.state.surfaces[i].imprint);
+            yields(r, i).map(volume)
+        },
+    ),
+    column(
         WORN_VOLUME,
         "m3",
         Class::Volume,
@@ -480,6 +497,11 @@ fn uneven<'a, 'b>(report: &'b Report<'a>, index: usize) -> Option<&'b Report<'a>
     let body = &report.problem.bodies[index];
     let measured = body.profile.places().iter().all(|places| !places.is_empty());
     rough(report).filter(|_| measured || body.wear.is_some())
+}
+
+/// A report, for a body that yields.
+fn yields<'a, 'b>(report: &'b Report<'a>, index: usize) -> Option<&'b Report<'a>> {
+    Some(report).filter(|report| report.problem.bodies[index].hardness.is_some())
 }
 
 /// How bodies with friction are shifted; `None` of others.

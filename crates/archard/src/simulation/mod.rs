@@ -211,6 +211,19 @@ pub enum Error {
         /// Progress at the end of the step.
         progress: f64,
     },
+    /// The load is more than the surfaces bear where all of them yield.
+    #[error(
+        "at {} the load is more than the {borne:.4e} N that the surfaces bear where all of them yield; lower it, or give a larger `hardness`",
+        .measure.at(*.progress)
+    )]
+    Overloaded {
+        /// What progress measures.
+        measure: Progress,
+        /// Progress at the end of the step.
+        progress: f64,
+        /// The hardness over the area of the frame (N).
+        borne: f64,
+    },
     /// The contact needs a larger frame than there may be.
     #[error(
         "at {} the contact needs a frame of {} x {} elements, which are too many; take larger elements, or let the surfaces repeat themselves (`frame.periodic`)",

@@ -23,6 +23,8 @@ pub enum Part {
     Wear(String),
     /// The share of the heat that flows into the body of that name.
     Share(String),
+    /// The hardness of a body, by its name.
+    Hardness(String),
     /// The law of friction.
     Friction,
     /// The motion.
@@ -38,6 +40,7 @@ impl fmt::Display for Part {
         match self {
             Self::Wear(body) => write!(f, "the wear law of `{body}`"),
             Self::Share(body) => write!(f, "the share of the heat of `{body}`"),
+            Self::Hardness(body) => write!(f, "the hardness of `{body}`"),
             Self::Friction => f.write_str("the law of friction"),
             Self::Motion => f.write_str("the motion"),
             Self::Bodies => f.write_str("the bodies"),
@@ -139,7 +142,30 @@ pub fn of_laws(
     let of_wear = bodies
         .iter()
         .filter_map(|body| known.wear(&**body.wear.as_ref()?, Part::Wear(body.name.clone())));
-    of_wear.chain(of_friction).collect()
+    of_wear.chain(of_friction).chain(yielding(bodies, friction, motion)).collect()
+}
+
+/// A body that yields where its surface does not stay opposite the other, or rubs in increments, or is meshed.
+fn yielding(
+    bodies: &[Body; 2],
+    friction: Option<&dyn Friction>,
+    motion: &Motion,
+) -> Option<Refusal> {
+    let body = bodies.iter().find(|body| body.hardness.is_some())?;
+    let moves = motion.rolling().is_some()
+        || motion.passing().is_some()
+        || motion.swing().is_some()
+        || motion.turns();
+    let what = if moves {
+        "is for surfaces that stay opposite each other, and these move"
+    } else if friction.is_some() && motion.shift().is_some() {
+        "is for bodies without friction under this motion: what slips is computed of elastic ones"
+    } else if bodies.iter().any(|body| body.finite.is_some()) {
+        "is for half-spaces: bodies of finite shape stay elastic"
+    } else {
+        return None;
+    };
+    Some(Refusal::new(Part::Hardness(body.name.clone()), what, "leave it out"))
 }
 
 /// What laws can depend on.

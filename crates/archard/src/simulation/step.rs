@@ -58,6 +58,7 @@ impl Evolution {
                 return Err(swung_out(problem, increment));
             }
             collector.wear(&mut self.state, &made, position);
+            self.imprint(problem);
             self.load_distance += self.work(simulation, increment, position)?;
         }
         if let Some(swing) = swing {

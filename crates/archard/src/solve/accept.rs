@@ -173,6 +173,7 @@ mod tests {
             elements: [2, 2],
             measure: frame.measure(),
             control: Control::Load(4.0),
+            hardness: f64::INFINITY,
         };
         let from = start.map(|pressure| vec![pressure; 4]);
         let start = from.as_ref().map(|pressure| Start {
@@ -221,6 +222,7 @@ mod tests {
             elements: [2, 2],
             measure: frame.measure(),
             control: Control::Load(0.0),
+            hardness: f64::INFINITY,
         };
         let solver = Claims(Mutex::new((vec![], vec![])), Status::Converged);
         let outcome = press(&solver, &step, None);

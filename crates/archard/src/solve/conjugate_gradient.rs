@@ -13,8 +13,12 @@
 //! change it, and the approach is the multiplier. The displacement follows by recurrence, so that an iteration applies the
 //! compliance once, and once more where pairs under pressure leave the set. Products of fields are weighted by the areas
 //! of the pairs, in which the compliance is symmetric.
+//!
+//! Where bodies yield, pairs at the hardness are held there as others are at no pressure, until their gap opens: the scheme of
+//! I. A. Polonsky and L. M. Keer, *Wear* 231 (1999) 206, with a second bound. What a load leaves beside them is borne by the set
+//! alone. Where the set cannot, pressures are projected on those between the bounds that bear the load.
 
-use super::contact_set::{Proportioning, Violations, belongs};
+use super::contact_set::{Proportioning, Violations, settle};
 use super::residual::Measure;
 use super::start::first_guess;
 use super::{Outcome, PARAMETERS, Settings, Solver, Start, Status, Step, TOLERANCE};
@@ -56,7 +60,7 @@ impl Default for ConjugateGradient {
 
 impl Solver for ConjugateGradient {
     fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
-        in_pool(|| self.iterate(Iteration::new(step, start)))
+        in_pool(|| step.overloaded().unwrap_or_else(|| self.iterate(Iteration::new(step, start))))
     }
 
     fn settings(&self) -> Settings {
@@ -72,7 +76,7 @@ impl ConjugateGradient {
             let violations = iteration.find_gap();
             let residual = violations.residual();
             if residual <= tolerance {
-                if iteration.cut_tensions() {
+                if iteration.cut_off() {
                     continue;
                 }
                 let status = iteration.converged();
@@ -101,7 +105,7 @@ struct Iteration<'a> {
     /// Gap (m) at the present pressure and approach, and the same on the contact, zero elsewhere.
     gap: Vec<f64>,
     overlap: Vec<f64>,
-    /// The set: one where the pressure may change, zero elsewhere.
+    /// The set: one where the pressure may change, zero elsewhere, where it is none or the hardness.
     contact: Vec<f64>,
     /// What the preconditioner makes of the gap that an approach of one closes, on the contact, and the load of it.
     uniform: Vec<f64>,
@@ -155,6 +159,11 @@ impl<'a> Iteration<'a> {
         }
         update(&mut iteration.contact, [&iteration.pressure], |_, [p]| f64::from(p > 0.0));
         iteration.begin_set();
+        let [beyond] = sum([&iteration.pressure], |[p]| [f64::from(p > step.hardness)]);
+        if beyond > 0.0 {
+            iteration.find_gap();
+            iteration.cut_off();
+        }
         iteration
     }
 
@@ -171,7 +180,7 @@ impl<'a> Iteration<'a> {
         [self.step.measure.weight, self.step.measure.closing]
     }
 
-    /// Scales the pressures to the load asked for, and the displacement with them.
+    /// Scales all pressures to the load asked for, and the displacement with them.
     fn meet_load(&mut self) {
         let Some(load) = self.load() else { return };
         let factor = load / self.step.measure.load(&self.pressure);
@@ -197,10 +206,11 @@ impl<'a> Iteration<'a> {
                 ([gap], [weight * uniform * gap])
             },
         );
-        let shift = if self.load().is_some() { mean / self.uniform_load } else { 0.0 };
+        let shift = if self.uniform_load > 0.0 { mean / self.uniform_load } else { 0.0 };
         self.approach += shift;
         let measure = Measure::of(self.step);
         let own = self.step.compliance.normal_self_term();
+        let hardness = self.step.hardness;
         let [gaps, changing, all, pressures] = sweep_with(
             self.beside(),
             [&mut self.gap, &mut self.overlap],
@@ -211,7 +221,8 @@ impl<'a> Iteration<'a> {
                 let left = overlap / (own + addition);
                 let violation = measure.violation(pressure, gap, addition);
                 let square = violation * violation;
-                let changes = belongs(pressure, gap, own + addition) != contact;
+                let own = own + addition;
+                let changes = settle(pressure, gap, own, hardness) != [pressure, contact];
                 let changing = if changes { square } else { 0.0 };
                 let sums = [left * left, changing, square, pressure * pressure];
                 ([gap, overlap], sums.map(|sum| weight * sum))
@@ -220,52 +231,118 @@ impl<'a> Iteration<'a> {
         Violations { gaps, changing, all, pressures }
     }
 
-    /// Takes the pairs that belong to the contact as the set and cuts off the pressures of others; returns whether it is
-    /// another set, and one that bears a load.
+    /// Takes the pairs whose pressures may change as the set and holds those of others; returns whether it is another set.
     fn change_set(&mut self) -> bool {
-        let own = self.step.compliance.normal_self_term();
+        let (own, hardness) = (self.step.compliance.normal_self_term(), self.step.hardness);
         let fields = [&self.pressure, &self.gap, self.step.addition, &self.contact];
-        let [load, changed] = sum_with(
-            self.beside(),
-            fields,
-            |[weight, closing], [pressure, gap, addition, before]| {
-                let contact = belongs(pressure, gap, own + addition);
-                [weight * closing * contact * pressure, f64::from(contact != before)]
-            },
-        );
-        if changed == 0.0 || self.load().is_some() && load <= 0.0 {
+        let changes = |pressure: f64, gap: f64, addition: f64, before: f64| {
+            let [kept, contact] = settle(pressure, gap, own + addition, hardness);
+            ([kept, contact], contact != before || contact == 0.0 && kept != pressure)
+        };
+        let [changed] = sum(fields, |[pressure, gap, addition, before]| {
+            [f64::from(changes(pressure, gap, addition, before).1)]
+        });
+        if changed == 0.0 {
             return false;
         }
         let [cut] = sweep(
             [&mut self.pressure, &mut self.contact],
             [&self.gap, self.step.addition],
-            |[pressure, _], [gap, addition]| {
-                let contact = belongs(pressure, gap, own + addition);
-                let kept = contact * pressure;
-                ([kept, contact], [f64::from(kept != pressure)])
+            |[pressure, before], [gap, addition]| {
+                let (next, _) = changes(pressure, gap, addition, before);
+                (next, [f64::from(next[0] != pressure)])
             },
         );
-        if cut > 0.0 {
-            self.meet_load();
-            self.refresh();
-        }
-        self.begin_set();
+        self.start_set(cut > 0.0);
         true
     }
 
-    /// Cuts off what is left of negative pressures, and the pairs under them from the set; returns whether there were any.
-    fn cut_tensions(&mut self) -> bool {
+    /// Holds what is left of pressures below zero and above the hardness there, and takes their pairs from the set; returns
+    /// whether there were any.
+    fn cut_off(&mut self) -> bool {
+        let hardness = self.step.hardness;
         let [cut] =
             sweep([&mut self.pressure, &mut self.contact], [], |[pressure, contact], []| {
-                let tension = f64::from(pressure < 0.0);
-                ([pressure.max(0.0), contact * (1.0 - tension)], [tension])
+                let kept = pressure.max(0.0).min(hardness);
+                let beyond = f64::from(kept != pressure);
+                ([kept, contact * (1.0 - beyond)], [beyond])
             });
         if cut > 0.0 {
-            self.meet_load();
-            self.refresh();
-            self.begin_set();
+            self.start_set(true);
         }
         cut > 0.0
+    }
+
+    /// Begins the iteration on the pairs of the set, whose pressures bear what the load leaves beside those that are held; where
+    /// they cannot, on the pairs that a projection leaves open. Whether pressures were changed.
+    fn start_set(&mut self, mut cut: bool) {
+        if let Some(load) = self.load()
+            && cut
+        {
+            let hardness = self.step.hardness;
+            let fields: [&[f64]; 2] = [&self.pressure, &self.contact];
+            let term = |[weight, closing]: [f64; 2], [pressure, contact]: [f64; 2]| {
+                let borne = weight * closing * pressure;
+                let most = if contact > 0.0 { weight * closing * hardness } else { 0.0 };
+                [contact * borne, (1.0 - contact) * borne, most]
+            };
+            let [open, held, most] =
+                sum_with(self.beside(), fields, term).map(|sum| sum * self.step.measure.area);
+            let left = load - held;
+            if open > 0.0 && 0.0 < left && left < most {
+                let factor = left / open;
+                update(&mut self.pressure, [&self.contact], |pressure, [contact]| {
+                    if contact > 0.0 { factor * pressure } else { pressure }
+                });
+            } else {
+                self.project(load);
+                cut = true;
+            }
+        }
+        if cut {
+            self.refresh();
+        }
+        self.begin_set();
+    }
+
+    /// Moves the bodies so that the pressures which the gaps ask of the pairs, between none and the hardness, bear the load (N).
+    fn project(&mut self, load: f64) {
+        let (own, hardness) = (self.step.compliance.normal_self_term(), self.step.hardness);
+        let asked = |[pressure, gap, addition]: [f64; 3], closed: f64| {
+            (pressure - (gap - closed) / (own + addition)).max(0.0).min(hardness)
+        };
+        let fields = [&self.pressure, &self.gap, self.step.addition];
+        let short = |approach: f64| {
+            let [sum] = sum_with(self.beside(), fields, |[weight, closing], values| {
+                [weight * closing * asked(values, closing * approach)]
+            });
+            load - sum * self.step.measure.area
+        };
+        let mut reach = own * load / self.step.measure.area / self.pressure.len() as f64;
+        let [mut far, mut near] = loop {
+            match [-reach, reach] {
+                [far, near] if short(far) >= 0.0 && short(near) <= 0.0 => break [far, near],
+                _ => reach *= 2.0,
+            }
+        };
+        let mut middle = 0.5 * (near + far);
+        while far < middle && middle < near {
+            if short(middle) > 0.0 {
+                far = middle
+            } else {
+                near = middle
+            }
+            middle = 0.5 * (near + far);
+        }
+        let [] = sweep_with(
+            [self.step.measure.closing],
+            [&mut self.pressure, &mut self.contact],
+            [&self.gap, self.step.addition],
+            |[closing], [pressure, _], [gap, addition]| {
+                let pressure = asked([pressure, gap, addition], closing * near);
+                ([pressure, f64::from(0.0 < pressure && pressure < hardness)], [])
+            },
+        );
     }
 
     /// Prepares the iteration on another set.
@@ -329,7 +406,7 @@ impl<'a> Iteration<'a> {
                 [weight * (overlap * correction), weight * closing * contact * correction]
             },
         );
-        let shift = if self.load().is_some() { load / self.uniform_load } else { 0.0 };
+        let shift = if self.uniform_load > 0.0 { load / self.uniform_load } else { 0.0 };
         let conjugation = if self.last_product > 0.0 { product / self.last_product } else { 0.0 };
         self.last_product = product;
         update(
@@ -343,7 +420,7 @@ impl<'a> Iteration<'a> {
 
     /// A solution, unless the frame cuts it off.
     fn converged(&self) -> Status {
-        let [touching] = sum([&self.contact], |[contact]| [contact]);
+        let [touching] = sum([&self.pressure], |[pressure]| [f64::from(pressure > 0.0)]);
         let full = touching as usize == self.contact.len() && !self.step.measure.closed;
         if full { Status::FrameFull } else { Status::Converged }
     }

@@ -49,9 +49,16 @@ impl Proportioning {
     }
 }
 
-/// One for a pair in contact and zero for one that is not, by its pressure (Pa), gap (m) and compliance (m/Pa).
-pub(super) fn belongs(pressure: f64, gap: f64, own: f64) -> f64 {
-    f64::from(pressure * own > gap)
+/// What a pair starts the next set with, by its pressure (Pa), gap (m), compliance to its own pressure (m/Pa) and hardness
+/// (Pa): its pressure, and one where that may change, zero where it is held at none or at the hardness.
+pub(super) fn settle(pressure: f64, gap: f64, own: f64, hardness: f64) -> [f64; 2] {
+    if pressure * own <= gap {
+        [0.0, 0.0]
+    } else if pressure >= hardness && (pressure - hardness) * own >= gap {
+        [hardness, 0.0]
+    } else {
+        [pressure, 1.0]
+    }
 }
 
 #[cfg(test)]

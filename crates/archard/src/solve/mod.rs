@@ -1,6 +1,7 @@
 //! Solvers of one contact step: pressures here, friction in [`tangential`].
 //!
-//! The problem: p >= 0, g >= 0, p g = 0 on every pair, with the gap
+//! The problem: p >= 0, g >= 0, p g = 0 on every pair; where bodies yield, p <= H too, and pairs that bear H may overlap: that is
+//! how deep they are imprinted. The gap is
 //! g = gap of the undeformed surfaces - approach + (C + D) p, where C is the compliance and D a
 //! diagonal addition that an implicit wear step puts there. Either the load or the approach is
 //! given; the other follows. On frames that are not uniform the approach closes each gap by its own
@@ -33,9 +34,10 @@ pub(crate) use cells::Cells;
 pub use conjugate_gradient::ConjugateGradient;
 pub use uzawa::Uzawa;
 
-use crate::compliance::Compliance;
+use crate::compliance::{Compliance, normal_displacement};
 use crate::frame::{Measure, Part};
 use crate::motion::Control;
+use crate::numerics::vector;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 /// One normal contact step.
@@ -53,6 +55,42 @@ pub struct Step<'a> {
     pub measure: Measure<'a>,
     /// The given load or approach.
     pub control: Control,
+    /// The largest pressure (Pa) that the bodies bear, under which they yield: infinite of elastic ones.
+    pub hardness: f64,
+}
+
+impl Step<'_> {
+    /// What comes of a load that the pairs do not bear even where all of them yield; `None` of one that they bear.
+    fn overloaded(&self) -> Option<Outcome> {
+        let Control::Load(load) = self.control else { return None };
+        if self.hardness.is_infinite() {
+            return None;
+        }
+        let pairs = self.gap.len();
+        let yielding = vec![self.hardness; pairs];
+        if load < self.measure.load(&yielding) {
+            return None;
+        }
+        let displacement = normal_displacement(self.compliance, &yielding);
+        let open = vector::map([self.gap, &displacement, self.addition], |[gap, up, addition]| {
+            gap + up + addition * self.hardness
+        });
+        let closing = |pair: usize| self.measure.closing.at(pair);
+        let closed = (0..pairs).filter(|&pair| closing(pair) > 0.0);
+        let approach =
+            closed.map(|pair| open[pair] / closing(pair)).fold(f64::NEG_INFINITY, f64::max);
+        Some(Outcome {
+            status: Status::FrameFull,
+            gap: (0..pairs).map(|pair| open[pair] - closing(pair) * approach).collect(),
+            pressure: yielding,
+            displacement,
+            part: None,
+            approach,
+            iterations: 0,
+            residual: f64::INFINITY,
+            applications: 1,
+        })
+    }
 }
 
 /// A solution to start an iteration from.
@@ -107,8 +145,8 @@ pub struct Outcome {
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Bound on the residual; of pressures, |min(p, g / c)| / |p| (2-norms; c: the compliance of a pair to its own
-    /// pressure), which measures both open gaps under pressure and penetrations.
+    /// Bound on the residual; of pressures, |p - q| / |p| (2-norms) with q the pressure p - g / c cut off below 0 and
+    /// above the hardness (c: the compliance of a pair to its own pressure). It measures both open gaps under pressure and penetrations.
     pub tolerance: f64,
     /// Iterations allowed.
     pub max_iterations: usize,

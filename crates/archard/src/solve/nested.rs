@@ -55,6 +55,7 @@ pub(super) fn solve(step: &Step<'_>) -> Option<FromCoarser> {
         elements: blocks.coarse,
         measure: Measure { area: 4.0 * area, side: 2.0 * side, ..step.measure },
         control: step.control,
+        hardness: step.hardness,
     };
     let guess = solver(0).solve(&coarse, None);
     if guess.status != Status::OutOfIterations {

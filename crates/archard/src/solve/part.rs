@@ -100,6 +100,7 @@ fn solve_on(
         // That all pairs of a part touch is for what is beside it to judge.
         measure: Measure { closed: true, ..step.measure },
         control: step.control,
+        hardness: step.hardness,
     };
     let start = Start { pressure, displacement: &displacement, part: None, approach };
     let outcome = judged(solver.solve(&within, Some(start)), &within, solver);

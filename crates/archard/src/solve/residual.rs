@@ -11,11 +11,14 @@ pub(super) struct Measure {
     own: f64,
     /// Gaps that are rounding (m).
     rounding: f64,
+    /// Largest pressure (Pa).
+    hardness: f64,
 }
 
 impl Measure {
     pub fn of(step: &Step<'_>) -> Self {
-        Self::new(step.compliance.normal_self_term(), step.control)
+        let measure = Self::new(step.compliance.normal_self_term(), step.control);
+        Self { hardness: step.hardness, ..measure }
     }
 
     /// For pairs of a compliance (m/Pa) to their own pressure.
@@ -25,17 +28,23 @@ impl Measure {
             Control::Load(_) => 0.0,
             Control::Approach(approach) => f64::EPSILON * approach.abs(),
         };
-        Self { own, rounding }
+        Self { own, rounding, hardness: f64::INFINITY }
     }
 
-    /// min(p, g / c) of a pair (Pa), c its compliance to its own pressure: zero exactly where p >= 0,
-    /// g >= 0 and p g = 0; up to rounding.
+    /// By how much the pressure of a pair (Pa) is off p - g / c cut off below 0 and above the hardness, c its compliance to its own
+    /// pressure: zero exactly where p >= 0, g >= 0 and p g = 0, or p is the hardness and g <= 0; up to rounding.
     pub fn violation(self, pressure: f64, gap: f64, addition: f64) -> f64 {
         let own = self.own + addition;
         let overlap = gap / own;
         // What is not a number stays so: `min` and `max` would hide it.
-        let lower = if pressure < overlap { pressure } else { overlap };
-        let beyond = lower.abs() - self.rounding / own;
+        let off = if pressure < overlap {
+            pressure
+        } else if pressure - overlap > self.hardness {
+            pressure - self.hardness
+        } else {
+            overlap
+        };
+        let beyond = off.abs() - self.rounding / own;
         if beyond < 0.0 { 0.0 } else { beyond }
     }
 
@@ -85,7 +94,7 @@ mod tests {
 
     #[test]
     fn what_is_not_a_number_is_never_solved() {
-        let measure = Measure { own: 1.0, rounding: 0.0 };
+        let measure = Measure { own: 1.0, rounding: 0.0, hardness: f64::INFINITY };
         assert!(measure.violation(1.0, f64::NAN, 0.0).is_nan());
         assert!(Measure::relative(0.0, f64::NAN).is_nan());
         assert_eq!(Measure::relative(0.0, 0.0), 0.0);

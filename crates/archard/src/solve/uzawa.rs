@@ -39,6 +39,9 @@ impl Default for Uzawa {
 
 impl Solver for Uzawa {
     fn solve(&self, step: &Step<'_>, start: Option<Start<'_>>) -> Outcome {
+        if let Some(overloaded) = step.overloaded() {
+            return overloaded;
+        }
         let (pressure, approach) = match start {
             Some(start) => (start.pressure.to_vec(), start.approach),
             None => first_guess(step),
@@ -108,9 +111,9 @@ impl<'a> Iteration<'a> {
                 Status::OutOfIterations
             } else {
                 self.count += 1;
-                let penalty = self.penalty;
+                let (penalty, hardness) = (self.penalty, self.step.hardness);
                 vector::update(&mut self.pressure, [&self.gap], |p, [gap]| {
-                    (p - penalty * gap).max(0.0)
+                    (p - penalty * gap).max(0.0).min(hardness)
                 });
                 continue;
             };

@@ -149,6 +149,7 @@ fn press(case: &Case, window: Rectangle) -> Option<Contact> {
         elements,
         measure: problem.frame.measure(),
         control: simulation.schedule.control,
+        hardness: problem.hardness(),
     };
     let outcome = solve::press(&ConjugateGradient::default(), &step, None);
     let element = case.frame.spacing();

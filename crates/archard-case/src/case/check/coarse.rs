@@ -81,6 +81,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
         wear: None,
         depth: None,
         density: None,
+        hardness: None,
         thermal: None,
     };
     mean(&body).ok()
@@ -98,6 +99,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         wear: None,
         depth: None,
         density: None,
+        hardness: None,
         thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)

@@ -145,6 +145,7 @@ impl<'a> Parts<'a> {
         let Refusal { part, what, help } = refusal;
         let (key, at_name) = match part {
             Part::Wear(body) => (Key::of(["body", &body, "wear"]), false),
+            Part::Hardness(body) => (Key::of(["body", &body, "hardness"]), false),
             Part::Friction => {
                 let law = self.case.friction.as_ref().map_or("", |law| law.choice.name);
                 (Key::of(["friction", law]), true)

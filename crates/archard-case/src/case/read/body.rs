@@ -28,6 +28,7 @@ const KEYS: &[&str] = &[
     "wear",
     "depth",
     "density",
+    "hardness",
     "thermal",
 ];
 
@@ -107,6 +108,10 @@ impl Reader<'_> {
             None => Some(None),
             Some((key, entry)) => self.number(key, &entry.node, Body::DENSITY.quantity).map(Some),
         };
+        let hardness = match section.get("hardness") {
+            None => Some(None),
+            Some((key, entry)) => self.number(key, &entry.node, Body::HARDNESS.quantity).map(Some),
+        };
         let thermal = self.thermal(&section);
         if let (Some(material), Some(layers), Some(depth)) = (&material, &layers, &depth) {
             self.stacked(&section, material.as_ref(), layers, *depth)?;
@@ -134,6 +139,7 @@ impl Reader<'_> {
             wear: wear?,
             depth: depth?,
             density: density?,
+            hardness: hardness?,
             thermal: thermal?,
         };
         if let Err(invalid) = case.law() {

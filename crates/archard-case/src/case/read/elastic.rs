@@ -45,7 +45,7 @@ impl Reader<'_> {
 
     /// Complains about what only a body in contact has.
     fn alone(&mut self, body: &Section<'_>) {
-        for name in ["wear", "profile", "density", "thermal"] {
+        for name in ["wear", "profile", "density", "hardness", "thermal"] {
             if let Some((key, _)) = body.get(name) {
                 let message = "has no effect on a body that nothing touches: leave it out";
                 self.push(Problem::error(key, message).at_name());

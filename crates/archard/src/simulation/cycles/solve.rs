@@ -75,6 +75,7 @@ impl Shifted {
         let ends = problem.motion.shift().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
             let rigid_slip = self.solve(simulation, increment, station, known, effort)?;
+            self.evolution.imprint(problem);
             return Ok(self.warm_start(rigid_slip));
         }
         self.settle_from_touch(simulation, (increment, station), known, effort)
