@@ -322,3 +322,21 @@ proptest! {
         prop_assert_eq!(resolve(&again).case, case);
     }
 }
+
+/// Elements that are too large for the texture of a surface are told, with what they miss of its slope; those of the shortest wave,
+/// and those of a smooth surface, are not.
+#[test]
+fn elements_that_miss_texture_are_told() {
+    let warnings = |set: &[&str]| {
+        let file = include_str!("../../../cases/rough_on_flat/case.toml");
+        let file =
+            set.iter().fold(CaseFile::from_text("case", file, "."), |file, one| file.set(*one));
+        let warnings = resolve(&file).warnings;
+        warnings.iter().filter(|one| one.message.contains("finer texture")).count()
+    };
+    assert_eq!(warnings(&[]), 0);
+    let coarse = ["frame.size=[0.512 mm, 0.512 mm]", "frame.elements=[64, 64]"];
+    assert_eq!(warnings(&coarse), 2);
+    let smooth = "body.ground.profile.self_affine.short=0.12 mm";
+    assert_eq!(warnings(&[coarse[0], coarse[1], smooth]), 0);
+}

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use archard::motion::{Control, Rolling, Shift};
 use archard::simulation::history::{
-    self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, LAYER_VOLUME, MASS_LOSS,
-    SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION, WORN_VOLUME, of_body,
-    stated,
+    self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, IMPRINT, IMPRINT_VOLUME,
+    LAYER_VOLUME, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION,
+    WORN_VOLUME, of_body, stated,
 };
 use archard::simulation::{Effort, Simulation};
 use archard_case::Forecast;
@@ -77,7 +77,7 @@ impl Outcome<'_> {
             let value = format!("{largest} K at most, {mean} K in the mean");
             lines.add("flash temperature", value, String::new());
         }
-        if simulation.problem.wears() {
+        if simulation.problem.wears() || simulation.problem.hardness().is_finite() {
             self.worn(&mut lines);
         }
         let Effort { steps, solves, .. } = self.effort;
@@ -112,7 +112,9 @@ impl Outcome<'_> {
             let depth = format!("{} um", four(self.last(&column) * 1e6));
             lines.add(format!("wear depth ({name})"), depth, self.error(&[&column]));
         }
-        let shown: [(&str, &str, Shown); 6] = [
+        let shown: [(&str, &str, Shown); 8] = [
+            ("imprint", IMPRINT, |depth| format!("{} um", four(depth * 1e6))),
+            ("pressed in", IMPRINT_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("worn volume", WORN_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("off its layers", LAYER_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("worn through", EXPOSED_AREA, |area| format!("{} mm^2", four(area * 1e6))),
@@ -123,7 +125,7 @@ impl Outcome<'_> {
         for (what, column, shown) in shown {
             // Nothing is worn through, as a rule.
             let told = |value: &f64| column != EXPOSED_AREA || *value > 0.0;
-            for name in &wearing {
+            for name in problem.bodies.iter().map(|body| &body.name) {
                 let column = of_body(column, name);
                 if let Some(value) = self.follower.number(&column).filter(told) {
                     lines.add(format!("{what} ({name})"), shown(value), self.error(&[&column]));

@@ -251,6 +251,7 @@ impl Builder {
                 return wrong("depth", "the layers are as thick as the body is deep");
             }
             body.density.map(|density| Body::DENSITY.admit(density)).transpose()?;
+            body.hardness.map(|hardness| Body::HARDNESS.admit(hardness)).transpose()?;
             let Some(finite) = &body.finite else { continue };
             match body.material {
                 None => {

@@ -61,6 +61,9 @@ pub fn digest(simulation: &Simulation) -> [u8; 32] {
             )
             .as_bytes(),
         );
+        if let Some(hardness) = body.hardness {
+            hash.update(&hardness.to_le_bytes());
+        }
         if let Some(thermal) = &body.thermal {
             hash.update(format!("{thermal:?}").as_bytes());
         }

@@ -29,6 +29,10 @@ pub(super) const MOMENT: &str = "moment_z_Nm";
 pub(super) const DISSIPATED: &str = "dissipated_J";
 /// Area in contact (m^2).
 pub const CONTACT_AREA: &str = "contact_area_m2";
+/// Deepest imprint of each body that yields (m).
+pub const IMPRINT: &str = "imprint_BODY_m";
+/// Volume of its imprint (m^3).
+pub const IMPRINT_VOLUME: &str = "imprint_volume_BODY_m3";
 /// Worn volume of a body that does not roll (m^3).
 pub const WORN_VOLUME: &str = "worn_volume_BODY_m3";
 /// Worn volume of the layers of a body that does not roll (m^3).
@@ -209,15 +213,11 @@ pub const COLUMNS: &[Column] = &[
     column("skewness_BODY", "", Class::Uncertain, "its skewness Ssk", |r, i| {
         uneven(r, i).map(|r| r.problem.spread(r.state, i)[1])
     }),
+    column(IMPRINT, "m", Class::Depth, "deepest imprint of each body that yields", |r, i| {
+        yields(r, i).map(|r| maximum(&r.state.surfaces[i].imprint))
+    }),
     column(
-        "imprint_BODY_m",
-        "m",
-        Class::Depth,
-        "deepest imprint of each body that yields",
-        |r, i| yields(r, i).map(|r| maximum(&r.state.surfaces[i].imprint)),
-    ),
-    column(
-        "imprint_volume_BODY_m3",
+        IMPRINT_VOLUME,
         "m3",
         Class::Volume,
         "volume of the imprint of each body that yields",

@@ -16,7 +16,7 @@ pub(super) fn write_contact(
 ) -> fmt::Result {
     match &estimate.contact {
         Some(contact) => contact_in_words(f, contact)?,
-        None => writeln!(f, "contact           no closed form for these profiles and this motion")?,
+        None => writeln!(f, "contact           no closed form for these bodies and this motion")?,
     }
     if let Some([x, y]) = cells {
         match estimate.contact {

@@ -2,7 +2,7 @@
 
 use super::words::{both, length, pressure, size_list_up, three};
 use super::{
-    Finiteness, Forecast, Parts, Solves, conforming, density, heat, rolling, shift, track,
+    Finiteness, Forecast, Parts, Solves, conforming, density, heat, rolling, shift, texture, track,
 };
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -39,6 +39,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     problems.extend(rolling::problems(parts, forecast.estimate.contact.as_ref()));
     problems.extend(shift::problems(parts, forecast));
     problems.extend(explicit(parts));
+    problems.extend(texture::problems(parts));
     problems.extend(long(parts, forecast));
     problems.extend(forecast.finiteness.iter().filter_map(Finiteness::doubt));
     if let Some(contact) = &forecast.estimate.contact {

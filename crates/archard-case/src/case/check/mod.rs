@@ -23,6 +23,7 @@ mod rolling;
 mod shift;
 pub(super) mod slender;
 mod surfaces;
+mod texture;
 mod track;
 mod words;
 

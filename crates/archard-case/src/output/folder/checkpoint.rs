@@ -23,7 +23,7 @@ use archard::simulation::Simulation;
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 14\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 15\n");
 /// The longest a run is not kept where it could be.
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
