@@ -125,7 +125,9 @@ impl Outcome<'_> {
         for (what, column, shown) in shown {
             // Nothing is worn through, as a rule.
             let told = |value: &f64| column != EXPOSED_AREA || *value > 0.0;
-            for name in problem.bodies.iter().map(|body| &body.name) {
+            let pressed = [IMPRINT, IMPRINT_VOLUME].contains(&column);
+            for body in problem.bodies.iter().filter(|body| pressed || body.wear.is_some()) {
+                let name = &body.name;
                 let column = of_body(column, name);
                 if let Some(value) = self.follower.number(&column).filter(told) {
                     lines.add(format!("{what} ({name})"), shown(value), self.error(&[&column]));
