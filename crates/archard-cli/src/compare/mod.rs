@@ -57,6 +57,20 @@ pub fn run(
     others: &[PathBuf],
     options: &Options,
 ) -> Result<(Vec<String>, Vec<PathBuf>)> {
+    let (words, picture, mark) = picture(dir, others, options)?;
+    let files = plot::write(dir, vec![picture], (mark.as_deref(), &Paper::default()))?;
+    Ok((words, files))
+}
+
+/// What came of comparing a run with each of the others, in words and as a picture, and what both have to say beside.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn picture(
+    dir: &Path,
+    others: &[PathBuf],
+    options: &Options,
+) -> Result<(Vec<String>, Picture, Option<String>)> {
     let results = Results::read(dir)?;
     let mut words = Vec::new();
     words.extend(results.mark.as_ref().map(|mark| format!("`{}`: {mark}", dir.display())));
@@ -67,9 +81,7 @@ pub fn run(
         words.extend(comparison.remarks.iter().map(|remark| format!("  {remark}")));
         panels.extend(comparison.panels);
     }
-    let pictures = vec![Picture::new("compare", panels)];
-    let files = plot::write(dir, pictures, (results.mark.as_deref(), &Paper::default()))?;
-    Ok((words, files))
+    Ok((words, Picture::new("compare", panels), results.mark))
 }
 
 /// What came of comparing a run with each of some tables and folders.
