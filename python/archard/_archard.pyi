@@ -114,7 +114,7 @@ def read_surface(
     file: CaseFile,
 ) -> tuple[NDArray[np.float64], tuple[float, float], list[tuple[str, float]]]: ...
 
-_Options = tuple[Sequence[str], str | None, bool]
+_Options = tuple[Sequence[str], str | None, bool, str | PathLike[str]]
 
 def page(
     dir: str | PathLike[str], others: Sequence[str | PathLike[str]], output: str | PathLike[str], options: _Options

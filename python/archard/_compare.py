@@ -6,8 +6,7 @@ import json
 import os
 import re
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +14,9 @@ from archard import _archard, _measured, _picture
 
 if TYPE_CHECKING:
     from archard.result import Result
+
+
+_Options = tuple[list[str], str | None, bool, Path]
 
 
 class Comparison:
@@ -42,13 +44,12 @@ def compare(
     result: Result, others: Iterable[Any], columns: Mapping[str, str] | None, body: str | None, levelled: bool
 ) -> Comparison:
     """Hold a result against others; see :meth:`Result.compare`."""
-    with result._on_disk() as folder, _on_disk(others) as paths, _by_arguments():
+    with _Place() as place:
+        folder, paths = place.of(result, others)
         if not paths:
             raise ValueError("give a measured table or another result to compare with")
-        lines, picture = _archard.comparison(folder, paths, _options(columns, body, levelled))
-    # A folder for the time of the comparison is called nothing.
-    said = "\n".join(lines) if result.folder is not None else "\n".join(lines).replace(f"`{folder}`", "the run")
-    return Comparison(said, json.loads(picture))
+        lines, picture = _archard.comparison(folder, paths, place.options(columns, body, levelled))
+    return Comparison("\n".join(map(place.plain, lines)), json.loads(picture))
 
 
 def report(
@@ -60,39 +61,43 @@ def report(
     levelled: bool,
 ) -> None:
     """Write the page of a result; see :meth:`Result.report`."""
-    with result._on_disk() as folder, _on_disk(beside) as paths, _by_arguments():
-        _archard.page(folder, paths, path, _options(columns, body, levelled))
+    with _Place() as place:
+        folder, paths = place.of(result, beside)
+        _archard.page(folder, paths, path, place.options(columns, body, levelled))
 
 
-@contextmanager
-def _on_disk(others: Iterable[Any]) -> Iterator[list[Path]]:
-    """Give the files and folders of others, those in memory for a time."""
-    with ExitStack() as stack:
+class _Place:
+    """Where what is in memory is written for a time; what is wrong with it is told in words of Python."""
+
+    def __enter__(self) -> _Place:
+        self._temporary = tempfile.TemporaryDirectory(prefix="archard-")
+        self.root = Path(self._temporary.name)
+        return self
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> None:
+        self._temporary.cleanup()
+        if isinstance(error, ValueError):
+            said = re.sub(r"--(body|levelled)\b ?", r"\1=", self.plain(str(error)))
+            raise ValueError(re.sub(r"--column\b", "`columns`", said)) from None
+
+    def of(self, result: Result, others: Iterable[Any]) -> tuple[Path, list[Path]]:
+        """Return the folder of a result, and the files and folders of others."""
         paths: list[Path] = []
         for number, one in enumerate(others, 2):
-            if hasattr(one, "_on_disk"):
-                paths.append(stack.enter_context(one._on_disk(f"run {number}")))
+            if hasattr(one, "_written"):
+                paths.append(one._written(self.root / f"run {number}"))
             elif isinstance(one, (str, os.PathLike)):
                 paths.append(Path(one))
             else:
                 name, content, _ = _measured.table(one)
-                folder = stack.enter_context(tempfile.TemporaryDirectory(prefix="archard-"))
-                paths.append(Path(folder) / f"{name}.csv")
+                paths.append(self.root / f"{name} {number}.csv")
                 paths[-1].write_bytes(content)
-        yield paths
+        return result._written(self.root / "run"), paths
 
+    def options(self, columns: Mapping[str, str] | None, body: str | None, levelled: bool) -> _Options:
+        """Return how a run is compared."""
+        return [f"{name}={header}" for name, header in (columns or {}).items()], body, levelled, self.root
 
-def _options(
-    columns: Mapping[str, str] | None, body: str | None, levelled: bool
-) -> tuple[list[str], str | None, bool]:
-    return [f"{name}={header}" for name, header in (columns or {}).items()], body, levelled
-
-
-@contextmanager
-def _by_arguments() -> Iterator[None]:
-    """What is wrong is told by the names of arguments here, not by the options of the command."""
-    try:
-        yield
-    except ValueError as error:
-        said = re.sub(r"--(body|levelled)\b ?", r"\1=", str(error))
-        raise ValueError(re.sub(r"--column\b", "columns:", said)) from None
+    def plain(self, text: str) -> str:
+        """Return a text without the place, which nobody knows."""
+        return text.replace(f"{self.root}{os.sep}", "")

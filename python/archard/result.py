@@ -367,15 +367,20 @@ class Result:
         return Result, (dict(self._files.items()), self.folder)
 
     @contextmanager
-    def _on_disk(self, name: str = "run", only: Sequence[str] | None = None) -> Iterator[Path]:
+    def _on_disk(self, only: Sequence[str] | None = None) -> Iterator[Path]:
         """Give the folder of the result; of one in memory, one for a time, with some of its files or all."""
-        if self.folder is not None:
-            yield self.folder
-            return
         with tempfile.TemporaryDirectory(prefix="archard-") as temporary:
-            folder = Path(temporary) / name
-            _write({one: self._files[one] for one in self._files if only is None or one in only}, folder)
-            yield folder
+            try:
+                yield self._written(Path(temporary) / "run", only)
+            except ValueError as error:
+                raise ValueError(str(error).replace(f"{temporary}{os.sep}", "")) from None
+
+    def _written(self, place: Path, only: Sequence[str] | None = None) -> Path:
+        """Return the folder of the result; of one in memory the place, with its files, some or all."""
+        if self.folder is not None:
+            return self.folder
+        _write({name: self._files[name] for name in self._files if only is None or name in only}, place)
+        return place
 
     def _pictures(self) -> dict[str, Any]:
         with self._on_disk() as folder:

@@ -8,9 +8,9 @@ use pyo3::prelude::*;
 
 use crate::away::{away, pool};
 
-/// How a run is compared: columns of measured tables as "name=title", the body that was measured, and whether profiles
-/// are level and placed.
-type Options = (Vec<String>, Option<String>, bool);
+/// How a run is compared: columns of measured tables as "name=title", the body that was measured, whether profiles are level
+/// and placed, and where what is in memory was written.
+type Options = (Vec<String>, Option<String>, bool, PathBuf);
 
 /// Does some work on a thread of its own.
 fn done<T: Send + 'static>(
@@ -20,8 +20,8 @@ fn done<T: Send + 'static>(
     away(py, &pool(Some(1))?, work).unless_interrupted()?.map_err(PyValueError::new_err)
 }
 
-fn comparing((columns, body, levelled): Options) -> Comparing {
-    Comparing { columns, body, levelled }
+fn comparing((columns, body, levelled, place): Options) -> Comparing {
+    Comparing { columns, body, levelled, place: Some(place) }
 }
 
 /// Writes the page of a folder, beside measured tables and other runs; returns its file.

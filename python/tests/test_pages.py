@@ -3,6 +3,8 @@
 import logging
 import re
 import shutil
+import subprocess
+import sys
 
 import matplotlib
 import numpy as np
@@ -80,12 +82,17 @@ def test_a_comparison_is_that_of_the_command(result, command, tmp_path):
     assert memory.text.splitlines()[1:] == comparison.text.splitlines()[1:]
     page = result.report(tmp_path / "page.html", beside=[columns], body="pin")
     assert "-9.1 % against measured" in page.read_text("utf-8")
+    assert "compared with `data 2.csv`" in page.read_text("utf-8")
     matplotlib.pyplot.close(figure)
 
 
 def test_results_are_compared(result, case):
     case["motion.sliding.load"] = "8 N"
-    assert "wear depth" in repr(result.compare(case.run())).lower()
+    comparison = result.compare(case.run())
+    assert re.search(r"wear depth +[0-9.]+ µm here, [0-9.]+ µm in `run 2`: -", comparison.text)
+    figure = comparison.plot()
+    assert not [words for words in figure.findobj(matplotlib.text.Text) if "archard-" in words.get_text()]
+    matplotlib.pyplot.close(figure)
 
 
 def test_comparisons_that_are_none_are_refused(result):
@@ -95,6 +102,8 @@ def test_comparisons_that_are_none_are_refused(result):
         result.compare(readings(result), body="ring")
     with pytest.raises(ValueError, match="data are a CSV file"):
         result.compare(3)
+    with pytest.raises(ValueError, match=r"^`data 2\.csv` has no reading .* Name one by `columns`"):
+        result.compare({"distance_mm": [12], "dept_um": [0.2]}, body="pin")
     with pytest.raises(ValueError, match=r"cannot read `nowhere\.csv`"):
         result.compare("nowhere.csv", body="pin")
 
@@ -111,18 +120,28 @@ def test_nothing_is_printed_and_the_log_tells(case, capfd, caplog):
     assert capfd.readouterr() == ("", "")
 
 
-@pytest.mark.filterwarnings("always::archard.ArchardWarning")
-def test_what_is_doubtful_is_told_once(case, capfd, caplog):
+DOUBTFUL = """
+import logging, sys
+import archard
+
+case = archard.Case("pin_on_disc")
+del case["accuracy"]
+case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [10, 10]}
+case["motion.sliding"] = {"load": "10.2 N", "distance": "6 mm", "step": "2 mm"}
+logging.basicConfig(level=logging.INFO, format="%(name)s: %(message)s", stream=sys.stdout)
+logging.captureWarnings(sys.argv[1] == "captured")
+case.run()
+"""
+
+
+def test_what_is_doubtful_is_told_once():
     """By warnings, which become log messages where that is asked for."""
-    case["frame.elements"] = [10, 10]
-    logging.captureWarnings(True)
-    try:
-        with caplog.at_level(logging.INFO):
-            case.run()
-    finally:
-        logging.captureWarnings(False)
-    told = [record for record in caplog.records if "elements across" in record.getMessage()]
-    assert {record.name for record in told} == {"py.warnings"}
-    kinds = [re.search(r"(\w+Warning)", record.getMessage())[1] for record in told]
-    assert sorted(kinds) == sorted(set(kinds))
-    assert capfd.readouterr().out == ""
+    told = {}
+    for how in ("captured", "not"):
+        done = subprocess.run([sys.executable, "-c", DOUBTFUL, how], capture_output=True, text=True, check=True)
+        told[how] = (done.stdout, done.stderr)
+    for kind in ("CaseWarning: ", "ResultWarning: the result is doubtful"):
+        assert [text.count(kind) for text in told["captured"]] == [1, 0]
+        assert [text.count(kind) for text in told["not"]] == [0, 1]
+    assert "archard: Case(" in told["not"][0]
+    assert "elements" not in told["not"][0]
