@@ -45,7 +45,7 @@ pub fn comparison(
     options: Options,
 ) -> PyResult<(Vec<String>, String)> {
     let (words, picture) =
-        done(py, move || library::comparison(&dir, &others, &comparing(options)))?;
+        done(py, move || library::comparison(&dir, &others, comparing(options)))?;
     Ok((words, picture.to_string()))
 }
 
