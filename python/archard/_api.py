@@ -2,6 +2,7 @@
 
 from archard import rail
 from archard._archard import __version__
+from archard._compare import Comparison
 from archard._errors import (
     ArchardWarning,
     CaseError,
@@ -27,6 +28,7 @@ __all__ = [
     "CaseError",
     "CaseWarning",
     "Coefficient",
+    "Comparison",
     "Exponent",
     "Fit",
     "Forecast",

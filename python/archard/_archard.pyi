@@ -15,8 +15,14 @@ __all__ = [
     "WheelRail",
     "__version__",
     "command",
+    "comparison",
     "fit",
+    "free_memory",
     "next_tests",
+    "numbers",
+    "page",
+    "pictures",
+    "quantity",
     "read_fields",
     "read_surface",
     "solve_elastic",
@@ -107,3 +113,16 @@ def next_tests(
 def read_surface(
     file: CaseFile,
 ) -> tuple[NDArray[np.float64], tuple[float, float], list[tuple[str, float]]]: ...
+
+_Options = tuple[Sequence[str], str | None, bool, str | PathLike[str]]
+
+def page(
+    dir: str | PathLike[str], others: Sequence[str | PathLike[str]], output: str | PathLike[str], options: _Options
+) -> PathLike[str]: ...
+def comparison(
+    dir: str | PathLike[str], others: Sequence[str | PathLike[str]], options: _Options
+) -> tuple[list[str], str]: ...
+def pictures(dir: str | PathLike[str]) -> str: ...
+def numbers(dir: str | PathLike[str]) -> tuple[str, list[str], list[list[str]]]: ...
+def quantity(value: float, unit: str) -> str: ...
+def free_memory() -> float: ...

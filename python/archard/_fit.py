@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 import os
 import tempfile
@@ -13,7 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from archard import _archard
+from archard import _archard, _html, _measured
+from archard._log import log
 from archard.case import Case
 
 
@@ -82,6 +81,29 @@ class Fit:
 
     def __repr__(self) -> str:
         return self._words.rstrip()
+
+    def _repr_html_(self) -> str:
+        def shown(unit: str, values: Sequence[float] | None) -> str:
+            *low, high = [_archard.quantity(value, unit) for value in values or ()] or ["not known"]
+            # Once is enough for a unit that both have.
+            own = high.partition(" ")[2]
+            return " to ".join([*(one.removesuffix(f" {own}") for one in low), high])
+
+        heads = ["Coefficient", "Median", "95 % of the median", "95 % of the next test", "Tests"]
+        rows = [
+            [
+                one.key,
+                shown(one.unit, [one.median]),
+                shown(one.unit, one.interval),
+                shown(one.unit, one.next_test),
+                str(len(one.tests)),
+            ]
+            for one in self.coefficients
+        ]
+        rejected = [f"{one.key}: {one.rejected}" for one in self.coefficients if one.rejected]
+        said = _html.lines([*rejected, *self.remarks])
+        whole = _html.folded("in words", _html.words(repr(self)))
+        return _html.block(_html.table(heads, rows), said, whole)
 
     def samples(self, count: int, seed: int = 0) -> list[dict[str, str]]:
         """Draw coefficients as the next tests will have them: the rows of :func:`archard.sweep`, a dict each.
@@ -153,12 +175,16 @@ def fit(
     """
     one = case if isinstance(case, Case) else Case(case)
     one.check()
-    table = _table(data)
+    table = _measured.table(data)
     named = list((columns or {}).items())
     common = [(key, float(value)) for key, value in (uncertain or {}).items()]
 
     def run(folder: str | os.PathLike[str]) -> Fit:
-        return Fit(*_archard.fit(one._in(Path(folder))._compiled(), table, named, parameter, common, folder))
+        log.info("%r is fitted to %s", one, table[0])
+        found = Fit(*_archard.fit(one._in(Path(folder))._compiled(), table, named, parameter, common, folder))
+        for known in found.coefficients:
+            log.info("%s: median %.4g %s of %d tests", known.key, known.median, known.unit, len(known.tests))
+        return found
 
     if out is None:
         with tempfile.TemporaryDirectory() as folder:
@@ -166,34 +192,6 @@ def fit(
     found = run(out)
     found.write(out)
     return found
-
-
-def _table(data: Any) -> tuple[str, bytes, Path]:
-    """Return the name and the bytes of a table, and the folder of the files it names."""
-    if isinstance(data, (str, os.PathLike)):
-        return os.fspath(data), Path(data).read_bytes(), Path(data).parent
-    if hasattr(data, "to_dict") and hasattr(data, "columns"):
-        data = {str(name): list(data[name]) for name in data.columns}
-    if not isinstance(data, Mapping) or not data:
-        raise ValueError("data are a CSV file, a dict of columns or a data frame")
-    text = io.StringIO()
-    # Without quotes a row that begins with `#` would be a comment.
-    writer = csv.writer(text, quoting=csv.QUOTE_ALL)
-    lengths = {name: len(column) for name, column in data.items()}
-    if len(set(lengths.values())) > 1:
-        raise ValueError(f"columns are of one length, a row a reading; these are not: {lengths}")
-    writer.writerow(data)
-    writer.writerows([_cell(value) for value in row] for row in zip(*data.values(), strict=True))
-    return "data", text.getvalue().encode(), Path()
-
-
-def _cell(value: Any) -> str:
-    """Return the text of a value; what is not a number was not measured."""
-    if value is None or type(value).__name__ in ("NAType", "NaTType") or value != value:
-        return ""
-    if isinstance(value, os.PathLike):
-        return str(os.fspath(value))
-    return str(value) if isinstance(value, (str, int)) else repr(float(value))
 
 
 def _coefficient(own: dict[str, Any]) -> Coefficient:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import inspect
-import logging
 from collections.abc import Callable, Mapping
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-log = logging.getLogger("archard")
+from archard._log import log
 
 Array = NDArray[np.float64]
 WearFunction = Callable[..., ArrayLike | tuple[ArrayLike, ArrayLike]]
@@ -50,7 +49,8 @@ def given(body: str, law: WearFunction | Law) -> tuple[str, WearFunction, str, l
         raise TypeError(f"the wear law of `{body}` is no function: {law.function!r}")
     if law.per not in ("increment", "cycle"):
         raise ValueError(f'the wear law of `{body}` takes an "increment" or a "cycle", not {law.per!r}')
-    return body, law.function, name(law.function), _columns(law.function), law.per == "cycle"
+    function = law.function
+    return body, _by_name(function), name(function), _columns(function), law.per == "cycle"
 
 
 def remark(laws: Mapping[str, WearFunction | Law] | None, friction: FrictionFunction | None) -> str:
@@ -64,6 +64,7 @@ def remark(laws: Mapping[str, WearFunction | Law] | None, friction: FrictionFunc
 
 def name(function: Callable[..., Any]) -> str:
     """What a function is called."""
+    function = _written(function)
     found = getattr(function, "__qualname__", None) or type(function).__qualname__
     return str(found)
 
@@ -71,13 +72,30 @@ def name(function: Callable[..., Any]) -> str:
 def _columns(function: Callable[..., Any]) -> list[str] | None:
     """The arguments after pressure and slip; ``None`` for all there are."""
     try:
-        parameters = list(inspect.signature(function).parameters.values())
+        parameters = list(inspect.signature(_written(function)).parameters.values())
     except (TypeError, ValueError):  # compiled functions
         return []
     if any(one.kind is one.VAR_KEYWORD for one in parameters):
         return None
     named = (inspect.Parameter.POSITIONAL_OR_KEYWORD, inspect.Parameter.KEYWORD_ONLY)
     return [one.name for one in parameters[2:] if one.kind in named and one.default is one.empty]
+
+
+def _written(function: Callable[..., Any]) -> Callable[..., Any]:
+    """The function in Python that a compiled one was made of, where it tells, as those of numba do."""
+    for holder in (function, getattr(function, "_dispatcher", None)):
+        written = getattr(holder, "py_func", None)
+        if callable(written):
+            return written  # type: ignore[no-any-return]
+    return function
+
+
+def _by_name(function: WearFunction) -> WearFunction:
+    """The function, which takes its columns by their names; ufuncs take them by their place."""
+    columns = _columns(function) if hasattr(function, "nin") else None
+    if not columns:
+        return function
+    return lambda p, s, **given: function(p, s, *(given[one] for one in columns))
 
 
 #: Pressures (Pa) between which friction is sampled, and the error it is sampled to, relative.

@@ -13,9 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from archard import _law, _toml
+from archard import _archard, _html, _law, _study, _toml
 from archard._errors import RunError
 from archard._law import FrictionFunction, Law, WearFunction
+from archard._log import log
+from archard._units import bare, shown
 from archard.case import Case
 from archard.result import Result, Table
 from archard.result import open as open_result
@@ -71,19 +73,80 @@ class Row(NamedTuple):
 class Sweep:
     """What a study came to."""
 
-    def __init__(self, rows: list[Row], keys: list[dict[str, Any]]) -> None:
+    def __init__(self, rows: list[Row], values: list[list[_Value]]) -> None:
         self.rows = rows
         """The rows, in the order of the design."""
-        self.table = _table(rows, keys)
+        self._values = values
+        self.table = _table(rows, [{one.name: one.number for one in row} for row in values])
         """A row a run: values of the keys (SI), ``status``, ``verdict``, last row of the history, ``error``."""
 
     def to_pandas(self) -> Any:
         """Return the table as a data frame."""
         return self.table.to_pandas()
 
+    def to_xarray(self, *, fields: Iterable[str] | None = None, grid: Any = None) -> Any:
+        """Return the results of all rows as an xarray ``Dataset``.
+
+        Fields are over the keys of the study, progress, y and x (or pair), the columns of the table over the keys.
+        A key is called by its last name where no other ends in it. Rows of a design of one's own, where not each
+        value meets each of the others, are over ``row``. Where grids differ, fields are means over the elements of
+        a common one: all that any row covers, in the smallest elements of all. They are NaN where a row has no
+        output or no field, or failed.
+
+        Args:
+            fields: the fields that are taken, as ``["pressure", "wear"]``; all if not given.
+            grid: the grid that the fields are laid on, as of :meth:`Result.to_xarray`; the common one if not.
+
+        Raises:
+            ValueError: no row has fields, no such field, or fields that lie on no such grid.
+            MemoryError: the dataset would take more memory than is free.
+
+        """
+        return _study.dataset(self, fields, grid)
+
+    def _repr_html_(self) -> str:
+        keys = list(dict.fromkeys(one.name for row in self._values for one in row))
+        last = [name for name in self.table if name.startswith(_SHOWN) and name != "wear_depth_m"]
+        last = [name for name in last if np.nansum(np.abs(self.table[name])) > 0.0]
+        rows = []
+        for index in range(len(self.rows)):
+            own = {one.name: one for one in self._values[index]}
+            row = [str(index + 1), *(own[name].shown() if name in own else "" for name in keys)]
+            verdict = str(self.table["verdict"][index]) or str(self.table["status"][index])
+            row += [_html.sign(verdict), *(_shown(name, self.table[name][index]) for name in last)]
+            rows.append([*row, str(self.table["error"][index])])
+        heads = [_study.label(name, keys, self._values) for name in keys]
+        heads = ["row", *heads, "verdict", *(bare(name).replace("_", " ") for name in last), "error"]
+        if not any(row[-1] for row in rows):
+            heads, rows = heads[:-1], [row[:-1] for row in rows]
+        return _html.block(_html.title(repr(self)), _html.table(heads, rows))
+
     def __repr__(self) -> str:
         failed = sum(row.error is not None for row in self.rows)
         return f"Sweep({len(self.rows)} rows{f', {failed} failed' if failed else ''})"
+
+
+#: Columns of the last row that are seen first.
+_SHOWN = ("wear_depth_", "worn_volume_", "peak_pressure_")
+
+
+class _Value(NamedTuple):
+    """The value of a key in a row."""
+
+    key: str
+    name: str
+    """The key with the unit, as columns of files have it."""
+    number: Any
+    """The value in SI; text where it is none."""
+    unit: str
+
+    def shown(self) -> str:
+        """Return the value in its usual unit."""
+        return _archard.quantity(self.number, self.unit) if isinstance(self.number, float) else str(self.number)
+
+
+def _shown(name: str, number: float) -> str:
+    return shown(name, float(number)) if np.isfinite(number) else ""
 
 
 def sweep(
@@ -123,7 +186,7 @@ def sweep(
         functions.travel()
     for key in {key for row in settings for key in row}:
         functions.refuse(key)
-    cases, keys, folders = [], [], []
+    cases, values, folders = [], [], []
     for number, row in enumerate(settings, 1):
         one = base.copy()
         for key, value in row.items():
@@ -135,14 +198,14 @@ def sweep(
         if kept is not None and not functions.is_kept(one, kept):
             raise ValueError(f"{folder} holds another case: choose another folder, or remove this one")
         cases.append(one)
-        keys.append({name: entry for key in row for name, entry in [_number(key, checked.toml)]})
+        values.append([_number(key, checked.toml) for key in row])
         folders.append(folder)
     if executor is None:
         with ProcessPoolExecutor() as pool:
             rows = _run_all(pool, settings, cases, folders, functions)
     else:
         rows = _run_all(executor, settings, cases, folders, functions)
-    study = Sweep(rows, keys)
+    study = Sweep(rows, values)
     if out is not None:
         _write(Path(out) / "sweep.csv", study.table)
     return study
@@ -171,7 +234,10 @@ def _run_all(
     pairs = zip(cases, folders, strict=True)
     futures = [executor.submit(_run, case, folder, laws) for case, folder in pairs]
     try:
-        outcomes = [future.result() for future in futures]
+        outcomes = []
+        for number, future in enumerate(futures, 1):
+            outcomes.append(future.result())
+            log.info("row %d of %d: %s", number, len(futures), outcomes[-1][1] or "done")
     except BaseException:
         for future in futures:
             future.cancel()
@@ -211,20 +277,20 @@ def _text(path: Path) -> str | None:
         return None
 
 
-def _number(key: str, toml: str) -> tuple[str, Any]:
-    """Return the value of a key in SI, under the key with its unit as columns of files have it."""
+def _number(key: str, toml: str) -> _Value:
+    """Return the value of a key in SI."""
     found: Any = _toml.read(toml)
     for name in _toml.path(key):
         found = found.get(name) if isinstance(found, dict) else None
     if isinstance(found, str):
         number, _, unit = found.partition(" ")
         try:
-            return key + _suffix(unit), float(number)
+            return _Value(key, key + _suffix(unit), float(number), unit)
         except ValueError:
-            return key, found
+            return _Value(key, key, found, "")
     if found is None:
-        return key, ""
-    return key, found if isinstance(found, int | float) else _toml.value(found)
+        return _Value(key, key, "", "")
+    return _Value(key, key, found if isinstance(found, int | float) else _toml.value(found), "")
 
 
 def _suffix(unit: str) -> str:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import difflib
 import os
+import re
 import warnings
 from collections.abc import Callable, Mapping
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from archard import _archard, _surface, _toml
+from archard import _archard, _html, _surface, _toml
 from archard._errors import CaseWarning, Problem
 from archard._law import FrictionFunction, Law, WearFunction
 
@@ -39,6 +40,24 @@ class Forecast(NamedTuple):
 
     def __repr__(self) -> str:
         return "\n".join([self.text, *map(str, self.warnings)])
+
+    def _repr_html_(self) -> str:
+        parts: list[str] = []
+        rows: list[list[str]] = []
+        for line in [*map(str.strip, self.text.splitlines()), ""]:
+            row = re.split(r"\s{2,}", line, maxsplit=1)
+            if len(row) == 2:
+                rows.append(row)
+                continue
+            if rows and line:
+                parts.append(_html.table([], rows))
+                rows = []
+            if line.startswith("# "):
+                parts.append(_html.title(line.removeprefix("# ")))
+            elif line:
+                parts.append(_html.lines([line]))
+        doubts = _html.lines(map(str, self.warnings))
+        return _html.block(*parts, _html.table([], rows), doubts, _html.folded("in SI", _html.words(self.toml)))
 
 
 class Case:
@@ -111,6 +130,11 @@ class Case:
     def __repr__(self) -> str:
         title = self._tree.get("title", "")
         return f"Case({self._name!r}{f': {title}' if title else ''})"
+
+    def _repr_html_(self) -> str:
+        leaves = [(key, entry) for key, entry in _toml.leaves(self._tree) if key != "title"]
+        rows = [[key, entry if isinstance(entry, str) else _toml.value(entry)] for key, entry in leaves]
+        return _html.block(_html.title(str(self._tree.get("title") or self._name)), _html.table([], rows))
 
     def copy(self) -> Case:
         """Another case like it."""

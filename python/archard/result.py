@@ -6,8 +6,10 @@ import csv
 import io
 import json
 import os
+import tempfile
 import warnings
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.etree import ElementTree
@@ -15,22 +17,12 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import NDArray
 
-from archard import _archard
+from archard import _archard, _compare, _dataset, _html, _picture, _toml
 from archard._errors import ResultWarning
 from archard._surface import PREFIX
+from archard._units import shown, unit
 
 Array = NDArray[np.float64]
-
-
-def unit(name: str) -> str:
-    """Return the unit that a column or field ends in; empty for pure numbers."""
-    for known in _archard.UNITS:
-        if name.endswith(f"_{known}"):
-            return _WRITTEN.get(known, known)
-    return ""
-
-
-_WRITTEN = {"m2": "m^2", "m3": "m^3", "Nm": "N m", "m3_per_Nm": "m^3/(N m)"}
 
 
 class Table(dict[str, Array]):
@@ -48,6 +40,21 @@ class Table(dict[str, Array]):
         frame = pandas.DataFrame(dict(self))
         frame.attrs["units"] = self.units
         return frame
+
+    def __repr__(self) -> str:
+        rows = next((len(column) for column in self.values()), 0)
+        return f"{type(self).__name__}({rows} rows: {', '.join(self)})"
+
+    def _repr_html_(self) -> str:
+        def end(name: str, place: int) -> str:
+            column = self[name]
+            if not len(column):
+                return ""
+            return shown(name, float(column[place])) if column.dtype.kind == "f" else str(column[place])
+
+        rows = [[name, end(name, 0), end(name, -1)] for name in self]
+        count = next((len(column) for column in self.values()), 0)
+        return _html.block(_html.title(f"{count} rows"), _html.table(["Column", "First", "Last"], rows))
 
 
 class Verdict(NamedTuple):
@@ -186,30 +193,30 @@ class Result:
     @property
     def history(self) -> Table:
         """A row a step."""
-        return self._table("history.csv") or Table()
+        return self._table("history.csv")
 
     @property
     def profiles(self) -> Table:
         """The sections through the contact, a row a place, for all outputs."""
-        return self._table("profiles.csv") or Table()
+        return self._table("profiles.csv")
 
     @property
-    def worn_profiles(self) -> Table | None:
+    def worn_profiles(self) -> Table:
         """Transverse profiles of bodies that roll, before and after, for all outputs."""
         return self._table("worn_profiles.csv")
 
     @property
-    def length_profiles(self) -> Table | None:
+    def length_profiles(self) -> Table:
         """Worn sections of a surface that swings, from end to end, for all outputs."""
         return self._table("length_profiles.csv")
 
     @property
-    def fretting_loop(self) -> Table | None:
+    def fretting_loop(self) -> Table:
         """Force over shift in the cycles that were put out, a row an increment."""
         return self._table("fretting_loop.csv")
 
     @property
-    def points(self) -> Table | None:
+    def points(self) -> Table:
         """Displacements and stresses at points inside of bodies."""
         return self._table("points.csv")
 
@@ -240,77 +247,104 @@ class Result:
         """Return the history as a pandas ``DataFrame``."""
         return self.history.to_pandas()
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self, *, fields: Iterable[str] | None = None, grid: Any = None) -> Any:
         """Return the fields of all outputs as an xarray ``Dataset`` over progress, y and x (or pair).
 
-        Units are attributes, so that plots label themselves. Variables are named without their unit. Outputs in
-        a smaller frame than the last (``frame.doubles``) are means over its elements, and NaN beside their own.
+        Units are attributes, so that plots label themselves. Variables are named without their unit. Outputs on
+        another grid are means over the elements of the one that is asked for, and NaN beside their own.
+
+        Args:
+            fields: the fields that are taken, as ``["pressure", "wear"]``; all if not given.
+            grid: the grid that the fields are laid on: another result, a dataset, or places along x and y
+                (m), ``(x, y)``, the centres of equal elements; that of the last output if not given.
+
+        Raises:
+            ValueError: no such field, or fields that lie on no such grid.
+            MemoryError: the dataset would take more memory than is free.
+
         """
-        import xarray
+        dataset = _dataset.dataset([self], {}, fields, grid)
+        return dataset.assign_attrs(verdict=self.verdict.word, complete=int(self.complete))
 
-        outputs = list(self.fields)
-        if not outputs:
-            raise ValueError("the result has no fields")
-        first = outputs[-1]
-        grid = first.z is None
-        dims = ("progress", "y", "x") if grid else ("progress", "pair")
-        variables = {
-            _bare(name): (
-                dims[: first[name].ndim + 1],
-                np.stack([_on_grid(one, name, first) if grid else one[name] for one in outputs]),
-                {"units": unit(name)},
-            )
-            for name in first.names
-            if first[name].ndim == len(dims) - 1
-        }
-        progress = next(iter(self.history))
-        at = np.array([one.progress for one in outputs])
-        coordinates: dict[str, Any] = {
-            "progress": ("progress", at, {"units": unit(progress), "long_name": _bare(progress)})
-        }
-        for axis, values in (("x", first.x), ("y", first.y), ("z", first.z)):
-            if values is not None:
-                coordinates[axis] = (axis if grid else "pair", values, {"units": "m"})
-        attributes = {"verdict": self.verdict.word, "complete": int(self.complete)}
-        return xarray.Dataset(variables, coordinates, attributes)
+    @property
+    def pictures(self) -> list[str]:
+        """The names of the pictures that :meth:`plot` draws, as ``archard plot`` has them."""
+        return [str(one["name"]) for one in self._pictures()["pictures"]]
 
-    def plot(self) -> Any:
-        """Draw history, pressure and worn depth; return the matplotlib figure."""
-        from matplotlib import pyplot
+    def plot(self, picture: str | None = None, *, size: _picture.Size | None = None) -> Any:
+        """Draw a picture of ``archard plot``; return the matplotlib figure.
 
-        if not self.fields:
-            raise ValueError("the result has no fields")
-        figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(13, 4), layout="constrained")
-        history, last = self.history, self.fields[-1]
-        progress = next(iter(history))
-        shown = "wear_depth_m" if history["wear_depth_m"].any() else "peak_pressure_Pa"
-        left.plot(history[progress], history[shown])
-        left.set(xlabel=_label(progress), ylabel=_label(shown))
-        if last.z is None:
-            drawn = middle.pcolormesh(last.x, last.y, last.pressure, shading="nearest")
-        else:
-            drawn = middle.scatter(last.x, last.y, c=last.pressure, s=8)
-        middle.set(xlabel="x (m)", ylabel="y (m)", aspect="equal")
-        figure.colorbar(drawn, ax=middle, label="pressure (Pa)")
-        for body in last.worn:
-            along = self.profile(body)
-            right.plot(along.coordinate, along.worn, label=body)
-        right.set(xlabel="x (m)", ylabel="worn depth (m)")
-        right.invert_yaxis()
-        right.legend()
-        if self.doubt:
-            figure.suptitle(self.doubt, color="tab:red", fontsize="small", wrap=True)
-        return figure
+        Args:
+            picture: one of :attr:`pictures`; the overview if not given.
+            size: ``"column"`` or ``"page"``, the width of a journal's, with letters of about eight points; that of
+                a screen if not given.
+
+        Raises:
+            ValueError: a result that has nothing to draw, or no such picture.
+
+        """
+        told = self._pictures()
+        return _picture.draw(_picture.chosen(told, picture), told["mark"], size)
+
+    def report(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        *,
+        beside: Iterable[Any] = (),
+        columns: Mapping[str, str] | None = None,
+        body: str | None = None,
+        levelled: bool = False,
+    ) -> Path:
+        """Write the page of ``archard report``, which opens in any browser; return its file.
+
+        Args:
+            path: the page; ``report.html`` in the folder of the result if not given.
+            beside: measured tables and other results that it is compared with, as of :meth:`compare`.
+            columns: as of :meth:`compare`.
+            body: as of :meth:`compare`.
+            levelled: as of :meth:`compare`.
+
+        Raises:
+            ValueError: a result in memory without a path, a file there that is no such page, or what cannot be
+                compared.
+
+        """
+        if path is None and self.folder is None:
+            raise ValueError('a result in memory has no folder for its page: say where it goes, "report.html"')
+        page = Path(path) if path is not None else Path(self.folder or "") / "report.html"
+        _compare.report(self, page, beside, columns, body, levelled)
+        return page
+
+    def compare(
+        self,
+        *others: Any,
+        columns: Mapping[str, str] | None = None,
+        body: str | None = None,
+        levelled: bool = False,
+    ) -> _compare.Comparison:
+        """Hold the run against measurements and other runs, as ``archard compare`` does.
+
+        Args:
+            others: measured profiles, height maps and readings over the motion (CSV files, dicts of columns or
+                data frames), and other runs (results or their folders).
+            columns: headers of other names, as ``{"z": "Tiefe [um]"}``; a profile has ``x`` (or ``y``) and ``z``,
+                readings have ``distance``, ``revolutions``, ``cycle`` or ``time``, and ``depth``, ``volume``,
+                ``section`` or ``mass``.
+            body: the body that was measured; the one that wears deepest if not given.
+            levelled: whether measured profiles are level and placed as the run has them.
+
+        Raises:
+            ValueError: a table or a result that cannot be read, or says nothing that can be compared.
+
+        """
+        return _compare.compare(self, others, columns, body, levelled)
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Write the files of the result into a folder that has none."""
         folder = Path(folder)
         if (folder / "history.csv").exists():
             raise FileExistsError(f"`{folder}` holds results")
-        for name, content in self._files.items():
-            path = folder / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content)
+        _write(self._files, folder)
 
     def __repr__(self) -> str:
         lines = [f"Result: {self.verdict.word}" + ("" if self.complete else f", incomplete: {self.failure}")]
@@ -318,12 +352,45 @@ class Result:
         lines += [f"  {name:<28}{value:.6g}" for name, value in last.items() if value is not None]
         return "\n".join(lines)
 
+    def _repr_html_(self) -> str:
+        signs = [_html.sign(self.verdict.word)] if self.complete else [_html.sign("incomplete")]
+        heading = _html.title(_read_title(self._files) or "Result", *signs)
+        try:
+            with self._on_disk(only=_NUMBERS) as folder:
+                caption, heads, rows = _archard.numbers(folder)
+        except ValueError:
+            return _html.block(heading, _html.words(repr(self)))
+        doubts = _html.lines([self.doubt] if self.doubt else [])
+        return _html.block(heading, doubts, _html.table([caption, *heads[1:]], rows))
+
     def __reduce__(self) -> tuple[Any, ...]:
         return Result, (dict(self._files.items()), self.folder)
 
-    def _table(self, name: str) -> Table | None:
+    @contextmanager
+    def _on_disk(self, only: Sequence[str] | None = None) -> Iterator[Path]:
+        """Give the folder of the result; of one in memory, one for a time, with some of its files or all."""
+        with tempfile.TemporaryDirectory(prefix="archard-") as temporary:
+            try:
+                yield self._written(Path(temporary) / "run", only)
+            except ValueError as error:
+                raise ValueError(str(error).replace(f"{temporary}{os.sep}", "")) from None
+
+    def _written(self, place: Path, only: Sequence[str] | None = None) -> Path:
+        """Return the folder of the result; of one in memory the place, with its files, some or all."""
+        if self.folder is not None:
+            return self.folder
+        _write({name: self._files[name] for name in self._files if only is None or name in only}, place)
+        return place
+
+    def _pictures(self) -> dict[str, Any]:
+        with self._on_disk() as folder:
+            found: dict[str, Any] = json.loads(_archard.pictures(folder))
+        return found
+
+    def _table(self, name: str) -> Table:
+        """Return a table; one without columns where there is none."""
         content = self._files.get(name)
-        return None if content is None else _read_table(content)
+        return Table() if content is None else _read_table(content)
 
 
 def open(folder: str | os.PathLike[str]) -> Result:
@@ -340,6 +407,25 @@ def open(folder: str | os.PathLike[str]) -> Result:
     if result.doubt:
         warnings.warn(f"{folder}: {result.doubt}", ResultWarning, stacklevel=2)
     return result
+
+
+#: The files that the numbers at the end of a run are read from.
+_NUMBERS = ("case.toml", "history.csv", "summary.json")
+
+
+def _write(files: Mapping[str, bytes], folder: Path) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, content in files.items():
+        path = folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+
+
+def _read_title(files: Mapping[str, bytes]) -> str:
+    try:
+        return str(_toml.read(files["case.toml"].decode()).get("title", ""))
+    except (KeyError, ValueError):
+        return ""
 
 
 def read(folder: Path, *, keep: bool) -> Result:
@@ -394,26 +480,6 @@ def _snapshot(progress: float, name: str, files: Mapping[str, bytes]) -> Snapsho
     return Snapshot(progress, *_archard.read_fields(name, files[name]))
 
 
-def _on_grid(one: Snapshot, name: str, grid: Snapshot) -> Array:
-    """Return a field as means over the elements of another output, NaN where it has none."""
-    if np.array_equal(one.x, grid.x) and np.array_equal(one.y, grid.y):
-        return one[name]
-    along_x, along_y = _shares(one.x, grid.x), _shares(one.y, grid.y)
-    covered = np.outer(along_y.sum(axis=1), along_x.sum(axis=1))
-    sums = along_y @ one[name] @ along_x.T
-    means: Array = np.full(sums.shape, np.nan)
-    np.divide(sums, covered, out=means, where=covered > 0.0)
-    return means
-
-
-def _shares(own: Array, grid: Array) -> Array:
-    """Return how long (m) each element of one axis (columns) lies in each of another (rows)."""
-    half, wide = 0.5 * (own[1] - own[0]), 0.5 * (grid[1] - grid[0])
-    rows = grid[:, None]
-    within: Array = np.minimum(own + half, rows + wide) - np.maximum(own - half, rows - wide)
-    return np.where(within > 1e-6 * half, within, 0.0)
-
-
 def _read_table(content: bytes) -> Table:
     rows = csv.reader(io.StringIO(content.decode(), newline=""))
     header = next(rows, [])
@@ -425,14 +491,3 @@ def _read_table(content: bytes) -> Table:
         except ValueError:
             table[name] = np.array(column)
     return table
-
-
-def _bare(name: str) -> str:
-    """Return a name without its unit."""
-    suffixes = (f"_{known}" for known in _archard.UNITS)
-    return next((name.removesuffix(one) for one in suffixes if name.endswith(one)), name)
-
-
-def _label(name: str) -> str:
-    written = unit(name)
-    return _bare(name).replace("_", " ") + (f" ({written})" if written else "")

@@ -14,10 +14,9 @@ from typing import Any
 
 from archard import _archard, _law
 from archard._errors import ArchardWarning, ResultWarning, RunError, WrongResult
+from archard._log import log
 from archard.case import Case
 from archard.result import Result, Snapshot, read
-
-log = logging.getLogger("archard")
 
 
 class State(Snapshot):
@@ -164,6 +163,7 @@ class Run:
             self._clean()
         summary = self._result.summary
         log.info("%s ends after %.2f s, %d steps", self._case, summary["seconds"], summary["steps"])
+        _tell(self._case, self._result)
 
     def _clean(self) -> None:
         if self._temporary is not None:
@@ -181,11 +181,20 @@ def solve(case: Case, *, threads: int | None, out: str | os.PathLike[str] | None
         _keep_the_case(case, folder)
         _archard.solve_elastic(case._compiled(), folder, threads=threads, force=force)
         result = read(folder, keep=out is None)
+    _tell(repr(case), result)
     if result.verdict.word == "wrong":
         raise _wrong(result)
     if result.verdict.word == "doubtful":
         warnings.warn(result.doubt, ResultWarning, stacklevel=3)
     return result
+
+
+def _tell(case: str, result: Result) -> None:
+    """Log what is to be thought of a result; what is doubtful about it is a warning besides."""
+    verdict = result.verdict
+    log.info("%s: the result is %s (%d checks)", case, verdict.word, len(verdict.lines))
+    for line in verdict.lines:
+        log.debug("%s: %s %.3g %s (%s)", case, line["subject"], line["value"], line["text"], line["word"])
 
 
 def _folder(

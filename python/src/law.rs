@@ -151,8 +151,20 @@ impl Law {
         let numpy = py.import("numpy")?;
         // A list is gone through once.
         let plain = numpy.call_method1("asarray", (returned,))?;
-        self.refuse_coarse(&plain.getattr("dtype")?)?;
-        let array = numpy.call_method1("asarray", (&plain, "float64"))?;
+        let kind = plain.getattr("dtype")?;
+        self.refuse_coarse(&kind)?;
+        let numbers = || {
+            if kind.getattr("kind")?.eq("c")? {
+                return Err(PyTypeError::new_err(format!("they are {kind}")));
+            }
+            numpy.call_method1("asarray", (&plain, "float64"))
+        };
+        let array = numbers().map_err(|error| {
+            PyValueError::new_err(format!(
+                "{self} returned a {what} of other than numbers: {}",
+                error.value(py)
+            ))
+        })?;
         let array = array.extract::<PyReadonlyArray1<'_, f64>>().ok();
         let Some(array) = array.filter(|array| array.len() == points) else {
             let shape = plain.getattr("shape")?;
@@ -167,7 +179,7 @@ impl Law {
     fn refuse_coarse(&self, kind: &Bound<'_, PyAny>) -> PyResult<()> {
         if kind.getattr("kind")?.eq("f")? && kind.getattr("itemsize")?.lt(size_of::<f64>())? {
             return Err(PyTypeError::new_err(format!(
-                "{self} returned {kind}: steps of wear agree to 1e-9, finer than that rounds; compute and return float64"
+                "{self} returned {kind}: steps of wear agree to 1e-9, finer than that rounds; compute and return float64 (of JAX by jax.config.update(\"jax_enable_x64\", True))"
             )));
         }
         Ok(())

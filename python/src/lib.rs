@@ -10,6 +10,7 @@ mod command;
 mod elastic;
 mod fields;
 mod fit;
+mod folders;
 mod friction;
 mod law;
 mod rail;
@@ -40,6 +41,8 @@ mod _archard {
     use super::fields::read_fields;
     #[pymodule_export]
     use super::fit::{fit, next_tests};
+    #[pymodule_export]
+    use super::folders::{comparison, free_memory, numbers, page, pictures, quantity};
     #[pymodule_export]
     use super::rail::WheelRail;
     #[pymodule_export]

@@ -242,3 +242,89 @@ def test_lists_cost_little_and_coarse_numbers_are_refused():
     assert calls["list"] == calls["array"]
     with pytest.raises(TypeError, match=r"returned float32.*return float64"):
         case.run(laws={"pin": counted("float32", np.float32)})
+
+
+class Arrays:
+    """What another library calls an array."""
+
+    def __init__(self, values):
+        self.values = values
+
+    def __array__(self, dtype=None, copy=None):
+        return np.asarray(self.values, dtype)
+
+
+@pytest.mark.parametrize(
+    "convert",
+    [
+        Arrays,
+        lambda depth: np.repeat(depth, 2)[::2],
+        lambda depth: depth[::-1].copy()[::-1],
+        lambda depth: depth.astype(np.longdouble),
+        lambda depth: depth.astype(">f8"),
+        lambda depth: depth.astype(object),
+    ],
+    ids=["__array__", "strided", "reversed", "longdouble", "big endian", "objects"],
+)
+def test_arrays_of_any_kind_are_converted(case, convert):
+    case["motion.sliding.distance"] = "4 mm"
+    close(case.run(laws={"pin": lambda p, s: convert(K * p * s)}), case.run(laws={"pin": archard_law}), 1e-14)
+
+
+@pytest.mark.parametrize(
+    "convert",
+    [lambda depth: depth.astype(complex), lambda depth: depth.astype(np.float16), lambda depth: depth[None]],
+)
+def test_other_numbers_are_refused_by_name(case, convert):
+    with pytest.raises((TypeError, ValueError), match=r"the wear law of `pin`, `.*<lambda>`, returned"):
+        case.run(laws={"pin": lambda p, s: convert(K * p * s)})
+
+
+def test_laws_of_numba_are_taken_as_they_are(case):
+    numba = pytest.importorskip("numba")
+    case["motion.sliding.distance"] = "4 mm"
+
+    @numba.njit
+    def loop(p, s):
+        depth = np.empty_like(p)
+        for i in range(p.size):
+            depth[i] = K * p[i] * s[i]
+        return depth
+
+    @numba.vectorize
+    def point(p, s):
+        return K * p * s if p > 0.0 else 0.0
+
+    @numba.vectorize(["float64(float64, float64, float64)"])
+    def faster(p, s, v):
+        return K * p * s * (1.0 + v)
+
+    @numba.njit
+    def slower(p, s, v):
+        return K * p * s * (1.0 + v), K * s * (1.0 + v)
+
+    native = case.run()
+    assert "the Python function `loop`" in case.run(laws={"pin": loop}).toml.replace(
+        "test_laws_of_numba_are_taken_as_they_are.<locals>.", ""
+    )
+    close(case.run(laws={"pin": loop}), native, 1e-7)
+    close(case.run(laws={"pin": point}), native, 1e-7)
+    case["motion.sliding.speed"] = "0.5 m/s"
+    twice = case.run(laws={"pin": lambda p, s: 1.5 * K * p * s})
+    close(case.run(laws={"pin": faster}), twice, 1e-7)
+    close(case.run(laws={"pin": slower}), twice, 1e-7)
+
+
+@pytest.mark.filterwarnings("ignore::archard.ArchardWarning")
+def test_friction_by_numba_is_taken_as_it_is():
+    numba = pytest.importorskip("numba")
+    case = archard.Case("cattaneo_mindlin")
+    case["frame.elements"] = [16, 16]
+    mu = float(case["friction.coulomb.coefficient"])
+
+    @numba.vectorize
+    def limit(p):
+        return mu * p
+
+    ours, native = case.run(friction=limit), case.run()
+    np.testing.assert_allclose(ours.history["force_x_N"], native.history["force_x_N"], rtol=1e-9, atol=1e-9)

@@ -92,16 +92,6 @@ def test_other_libraries_may_be_missing(result, monkeypatch):
             use()
 
 
-@pytest.mark.filterwarnings("ignore::archard.ArchardWarning")
-def test_plots_label_themselves(result):
-    figure = result.plot()
-    left, _, right, bar = figure.axes
-    assert left.get_ylabel() == "wear depth (m)"
-    assert bar.get_ylabel() == "pressure (Pa)"
-    assert len(right.lines) == 2
-    matplotlib.pyplot.close(figure)
-
-
 def test_a_result_pickles_and_is_saved(result, tmp_path):
     again = pickle.loads(pickle.dumps(result))
     assert repr(again) == repr(result)

@@ -1,4 +1,5 @@
-//! The command `archard` as a library, for the program of that name and the Python package: [`main`].
+//! The command `archard` as a library, for the program of that name and the Python package: [`main`], and in [`library`] what it
+//! makes of result folders.
 //!
 //! Exit codes: 0 done, 1 did not converge, 2 the case (or the command line) is wrong, 3 a run was interrupted, by SIGINT
 //! (Ctrl-C), SIGTERM or SIGHUP. Other commands leave these signals as they are: they have nothing to save.
@@ -17,6 +18,7 @@ mod fit;
 mod folder;
 mod interrupt;
 mod laws;
+pub mod library;
 mod lines;
 mod meant;
 mod new;

@@ -7,7 +7,7 @@ mod profile;
 mod runs;
 pub mod scans;
 
-use std::path::{Path, PathBuf};
+use std::path::{MAIN_SEPARATOR, Path, PathBuf};
 
 use anyhow::{Context, Error, Result, ensure};
 use archard_case::files::{self, Contents};
@@ -33,6 +33,22 @@ pub(crate) struct Comparison {
     pub(crate) panels: Vec<Panel>,
 }
 
+impl Comparison {
+    /// The same with names of files and folders that leave out the place they are in.
+    fn without(mut self, place: &Path) -> Self {
+        let place = format!("{}{MAIN_SEPARATOR}", place.display());
+        let panels = self.panels.iter_mut().flat_map(|panel| {
+            let legends = panel.marks.iter_mut().filter_map(|mark| mark.legend.as_mut());
+            legends.chain([&mut panel.title])
+        });
+        let words = self.lines.iter_mut().flatten().chain(&mut self.remarks);
+        for text in panels.chain(words).chain([&mut self.title]) {
+            *text = text.replace(&place, "");
+        }
+        self
+    }
+}
+
 /// How a run is compared.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Options {
@@ -46,6 +62,9 @@ pub struct Options {
     /// The measured profiles are level and placed as the run has them: they are not levelled and aligned
     #[arg(long)]
     pub levelled: bool,
+    /// Where a program has written for a time what it holds in memory: names of files and folders leave it out
+    #[arg(skip)]
+    pub place: Option<PathBuf>,
 }
 
 /// Compares the run in a folder with each of the others, prints what came out and draws it; returns the pictures.
@@ -57,6 +76,20 @@ pub fn run(
     others: &[PathBuf],
     options: &Options,
 ) -> Result<(Vec<String>, Vec<PathBuf>)> {
+    let (words, picture, mark) = picture(dir, others, options)?;
+    let files = plot::write(dir, vec![picture], (mark.as_deref(), &Paper::default()))?;
+    Ok((words, files))
+}
+
+/// What came of comparing a run with each of the others, in words and as a picture, and what both have to say beside.
+///
+/// # Errors
+/// As [`run`].
+pub(crate) fn picture(
+    dir: &Path,
+    others: &[PathBuf],
+    options: &Options,
+) -> Result<(Vec<String>, Picture, Option<String>)> {
     let results = Results::read(dir)?;
     let mut words = Vec::new();
     words.extend(results.mark.as_ref().map(|mark| format!("`{}`: {mark}", dir.display())));
@@ -67,9 +100,7 @@ pub fn run(
         words.extend(comparison.remarks.iter().map(|remark| format!("  {remark}")));
         panels.extend(comparison.panels);
     }
-    let pictures = vec![Picture::new("compare", panels)];
-    let files = plot::write(dir, pictures, (results.mark.as_deref(), &Paper::default()))?;
-    Ok((words, files))
+    Ok((words, Picture::new("compare", panels), results.mark))
 }
 
 /// What came of comparing a run with each of some tables and folders.
@@ -91,7 +122,10 @@ pub(crate) fn of(
     for path in tables {
         all.push(measured(results, &path, options)?);
     }
-    Ok(all)
+    Ok(match &options.place {
+        Some(place) => all.into_iter().map(|one| one.without(place)).collect(),
+        None => all,
+    })
 }
 
 /// A run beside a measured table.

@@ -12,6 +12,7 @@ pub(crate) mod figure;
 mod fit;
 mod fretting_loop;
 mod heights;
+mod json;
 mod lengths;
 mod load;
 pub(crate) mod outline;
@@ -100,14 +101,26 @@ impl Picture {
 /// # Errors
 /// If a folder is not a result folder, has no results yet, cannot be compared or cannot be written.
 pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<PathBuf>> {
+    let (pictures, mark) = pictures(dir, others)?;
+    write(dir, pictures, (mark.as_deref(), paper))
+}
+
+/// The pictures that make sense for a folder, and what they have to say beside what they show.
+///
+/// # Errors
+/// If there is nothing to draw, or it cannot be compared.
+pub(crate) fn pictures(
+    dir: &Path,
+    others: &[PathBuf],
+) -> anyhow::Result<(Vec<Picture>, Option<String>)> {
     if study::is_one(dir) {
         ensure!(others.is_empty(), "a study is not compared with runs");
-        return study::run(dir, &[], paper);
+        return study::pictures(dir, &[]);
     }
     if rail::is_one(dir) {
         ensure!(others.is_empty(), "a wheel on a rail is not compared with other runs");
         let found = rail::Rail::read(dir)?;
-        return write(dir, found.pictures(), (found.mark.as_deref(), paper));
+        return Ok((found.pictures(), found.mark));
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
@@ -115,7 +128,7 @@ pub fn run(dir: &Path, others: &[PathBuf], paper: &Paper) -> anyhow::Result<Vec<
         let compared = comparison::panel(dir, &results, others)?;
         pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
     }
-    write(dir, pictures, (results.mark.as_deref(), paper))
+    Ok((pictures, results.mark))
 }
 
 /// Draws the pictures of a study of these columns of the history; returns their files.

@@ -23,6 +23,7 @@ use archard_case::output::write_whole;
 
 use crate::arguments::Report;
 use crate::compare;
+use crate::library::Numbers;
 use crate::plot;
 use crate::plot::results::Results;
 pub(crate) use scans::SCANS;
@@ -63,6 +64,11 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
         run::page(dir, &results, compared)?
     };
     let path = output.clone().unwrap_or_else(|| dir.join(NAME));
+    ensure!(
+        page::may_replace(&path),
+        "`{}` is there, and is no page of this program: choose another file, or remove it",
+        path.display()
+    );
     write_whole(&path, page.document().as_bytes())?;
     Ok(path)
 }
@@ -75,6 +81,12 @@ pub(crate) fn of_scans(dir: &Path) -> Result<PathBuf> {
     let path = dir.join(NAME);
     write_whole(&path, scans::page(dir)?.document().as_bytes())?;
     Ok(path)
+}
+
+/// The numbers at the end of a run, as its page has them.
+pub(crate) fn numbers(results: &Results) -> Numbers {
+    let page::Table { caption, heads, rows } = tables::results(results);
+    (caption, heads, rows)
 }
 
 /// What a folder is called.

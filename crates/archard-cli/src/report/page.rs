@@ -1,6 +1,8 @@
 //! A page in HTML: its document, and the pieces it is made of.
 
+use std::fs::File;
 use std::io::{Read, Write};
+use std::path::Path;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -16,6 +18,10 @@ use super::html::{Html, fill};
 const PLOTLY: &[u8] = include_bytes!("../../assets/plotly.min.js.gz");
 const STYLE: &str = include_str!("../../assets/report.css");
 const SCRIPT: &str = include_str!("../../assets/report.js");
+
+/// What the title of every page ends in, and the bytes from the start of a page it is looked for in: titles may be long.
+const MARK: &str = "\u{2013} Archard</title>";
+const HEAD: u64 = 65_536;
 
 /// Most columns of a table: more cannot be read on a telephone.
 const COLUMNS: usize = 3;
@@ -71,6 +77,17 @@ impl Page {
         );
         document.as_str().to_owned()
     }
+}
+
+/// Whether a page may stand at that place: nothing does, or another page of this program.
+pub(super) fn may_replace(path: &Path) -> bool {
+    if !path.is_file() {
+        return !path.exists();
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut start));
+    let start = String::from_utf8_lossy(&start);
+    read.is_ok() && start.starts_with("<!DOCTYPE html>") && start.contains(MARK)
 }
 
 /// What the browser may do with the page. Plotly places its parts by `style` attributes, which run nothing, and shows its maps

@@ -60,6 +60,21 @@ fn folders_without_results_are_refused() {
 }
 
 #[test]
+fn a_page_replaces_no_other_file() {
+    let dir = TempDir::new().unwrap();
+    run(&dir, "pin_on_disc", &PIN, &["--report"]);
+    archard(&dir, &["report", "pin_on_disc"]).success();
+    for mine in ["notes", "<!DOCTYPE html>\n<title>Notes</title>", ""] {
+        let file = dir.path().join("notes.html");
+        fs::write(&file, mine).unwrap();
+        let refused = archard(&dir, &["report", "pin_on_disc", "-o", "notes.html"]).code(2);
+        let words = said(&refused);
+        assert!(words.contains("`notes.html` is there, and is no page of this program"), "{words}");
+        assert_eq!(fs::read_to_string(file).unwrap(), mine);
+    }
+}
+
+#[test]
 fn an_incomplete_run_says_so_at_the_top() {
     let dir = TempDir::new().unwrap();
     run(&dir, "pin_on_disc", &PIN, &[]);

@@ -1,0 +1,93 @@
+//! What the command makes of result folders, for a program that shows it by itself, as the Python package does: pages,
+//! comparisons, pictures as data, and numbers as they are usually written.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
+
+use crate::arguments::Report;
+use crate::compare::Options;
+use crate::failure::Failure;
+use crate::plot::results::Results;
+use crate::{compare, plot, report};
+
+/// How a run is compared.
+#[derive(Debug, Clone, Default)]
+pub struct Comparing {
+    /// Columns of measured tables by names, as `z=Height`.
+    pub columns: Vec<String>,
+    /// The body that was measured; the one that wears deepest if not given.
+    pub body: Option<String>,
+    /// Whether measured profiles are level and placed as the run has them.
+    pub levelled: bool,
+    /// Where the program has written for a time what it holds in memory: names of files and folders leave it out.
+    pub place: Option<PathBuf>,
+}
+
+impl From<Comparing> for Options {
+    fn from(Comparing { columns, body, levelled, place }: Comparing) -> Self {
+        Self { columns, body, levelled, place }
+    }
+}
+
+/// Writes the page of a folder, beside measured tables and other runs, as `archard report` does; returns its file.
+///
+/// # Errors
+/// Why there is no page, in words.
+pub fn page(
+    dir: &Path,
+    others: &[PathBuf],
+    output: Option<PathBuf>,
+    options: Comparing,
+) -> Result<PathBuf, String> {
+    let dirs = std::iter::once(dir.to_owned()).chain(others.iter().cloned()).collect();
+    let arguments = Report { dirs, output, measured: Vec::new(), options: options.into() };
+    report::run(&arguments).map_err(why)
+}
+
+/// What comes of a run beside measured tables and other runs, as `archard compare` prints it, and the picture of it.
+///
+/// # Errors
+/// Why they cannot be compared, in words.
+pub fn comparison(
+    dir: &Path,
+    others: &[PathBuf],
+    options: Comparing,
+) -> Result<(Vec<String>, Value), String> {
+    let (words, picture, mark) = compare::picture(dir, others, &options.into()).map_err(why)?;
+    Ok((words, json!({ "mark": mark, "pictures": [picture.json()] })))
+}
+
+/// The pictures that `archard plot` draws of a folder, as data: a mark, and of each picture its name and its panels with
+/// all that is drawn, in the units of their axes.
+///
+/// # Errors
+/// Why there is nothing to draw, in words.
+pub fn pictures(dir: &Path) -> Result<Value, String> {
+    let (pictures, mark) = plot::pictures(dir, &[]).map_err(why)?;
+    let pictures: Vec<Value> = pictures.iter().map(plot::Picture::json).collect();
+    Ok(json!({ "mark": mark, "pictures": pictures }))
+}
+
+/// The numbers at the end of a run as its page has them: a caption, the heads of the columns, the rows.
+pub type Numbers = (String, Vec<&'static str>, Vec<Vec<String>>);
+
+/// The numbers at the end of the run in a folder.
+///
+/// # Errors
+/// Why there are none, in words.
+pub fn numbers(dir: &Path) -> Result<Numbers, String> {
+    Results::read(dir).map(|results| report::numbers(&results)).map_err(why)
+}
+
+/// A value in SI as it is usually written: 2.05e-6 m is "2.05 µm".
+pub fn quantity(value: f64, unit: &str) -> String {
+    report::quantity(value, unit)
+}
+
+fn why(error: anyhow::Error) -> String {
+    match Failure::because(&error) {
+        Failure::Wrong(message) => message,
+        other => other.cause(),
+    }
+}
