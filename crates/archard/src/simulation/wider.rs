@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn sections_stay() {
         for axis in [0, 1] {
-            let mut surface = Surface::unworn(Grid::passing([8, 12], axis), false);
+            let mut surface = Surface::unworn(Grid::passing([8, 12], axis), false, false);
             surface.depth.iter_mut().enumerate().for_each(|(i, depth)| *depth = (i as f64).cos());
             let wide = widened(&surface);
             let section = |one: &Surface| one.depth.iter().sum::<f64>();
