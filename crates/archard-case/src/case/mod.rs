@@ -31,6 +31,8 @@ mod elastic;
 mod file;
 mod json;
 mod key;
+mod material;
+pub mod materials;
 #[cfg(test)]
 mod meshes;
 mod nearest;
@@ -56,6 +58,7 @@ pub use definition::{BodyCase, BuildError, Case, FrameCase, LayerCase, Output};
 pub use elastic::{ElasticCase, ElasticForecast};
 pub use file::{CaseFile, Resolved, ResolvedElastic, ResolvedWheelRail, Task, Unreadable};
 pub use key::Key;
+pub use material::MaterialCase;
 pub use nearest::nearest;
 pub use number::ValueAt;
 pub use problem::{Location, Problem, Severity, Source};

@@ -43,7 +43,7 @@ impl Limits {
             if let Some(gone) = gone(body, deepest) {
                 worst_of(&mut self.layers, gone, body);
             }
-            let hardness = body.wear.as_ref().and_then(|law| law.hardness());
+            let hardness = body.wear.as_ref().and_then(|law| law.hardness()).or(body.bears);
             let young = body.uppermost().map(|material| material.young);
             let young = young.filter(|young| *young >= verdict::ELASTOMERS);
             match (hardness, young) {
