@@ -10,6 +10,7 @@ mod good_cases {
     mod extremes;
     mod files;
     pub mod fretting;
+    mod laws;
     mod materials;
     mod meshed;
     pub mod rolling;

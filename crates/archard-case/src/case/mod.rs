@@ -43,6 +43,7 @@ mod problem;
 mod quantity;
 mod read;
 mod reader;
+mod rewritten;
 mod similar;
 mod surface;
 mod tree;
