@@ -17,7 +17,7 @@ fn a_law_is_shown_with_its_bounds_an_example_and_its_source() {
     for part in [
         "wear.energy\n",
         "alpha max(W - W0, 0)",
-        "alpha; greater than zero\n",
+        "alpha; zero or greater\n",
         "wear.energy = { coefficient = \"1e-5 mm^3/J\"",
         "Source: S. Fouvry",
     ] {

@@ -15,13 +15,13 @@ pub(super) fn warm(parts: &mut Parts<'_>) {
     if parts.friction.is_none() || !adds {
         return;
     }
-    for body in 0..2 {
-        parts.bodies[body].thermal = given[body].or(known[body]);
+    for (body, (given, known)) in parts.bodies.iter_mut().zip(given.into_iter().zip(known)) {
+        body.thermal = given.or(known);
     }
     let heating = Heating::of(&parts.bodies, &parts.motion).ok().filter(|_| is_fast(parts));
-    for body in 0..2 {
-        let warms = heating.is_some_and(|heating| heating.warms(body));
-        parts.bodies[body].thermal = parts.bodies[body].thermal.filter(|_| warms).or(given[body]);
+    for (place, (body, given)) in parts.bodies.iter_mut().zip(given).enumerate() {
+        let warms = heating.is_some_and(|heating| heating.warms(place));
+        body.thermal = body.thermal.filter(|_| warms).or(given);
     }
 }
 
