@@ -50,6 +50,22 @@ def test_hertz_is_met_from_a_dict():
     assert result.history.units["approach_m"] == "m"
 
 
+def test_materials_have_names():
+    """A name stands for its values, which the case in SI has in full, and reads back; a wrong one is answered."""
+    case = archard.Case(DICT)
+    case["body.ball.material"] = "100Cr6"
+    case["body.flat.material"] = {"name": "PMMA", "young": "3.3 GPa"}
+    toml = case.check().toml
+    assert 'body.ball.material.name = "100Cr6"' in toml
+    assert 'body.ball.material.young = "2.1e11 Pa"' in toml
+    assert 'body.flat.material.young = "3.3e9 Pa"' in toml
+    assert archard.Case(toml).check().toml == toml
+    case["body.ball.material"] = "100Cr5"
+    [wrong] = problems(case)
+    assert wrong.key == "body.ball.material"
+    assert "100Cr5" in wrong.message
+
+
 def test_values_are_set_read_and_removed():
     case = archard.Case("pin_on_disc")
     case["motion.sliding.load"] = "20 N"

@@ -31,8 +31,18 @@ pub enum Command {
     /// Write a case to start from: of a rig, or a built-in one
     #[command(after_help = NEW_EXAMPLES)]
     New(New),
-    /// List the laws of wear and friction, with their formulas, the motions they suit and what they take
-    Laws,
+    /// List the laws of wear and friction, with their formulas, the motions they suit and what they take; or show one in full
+    #[command(after_help = LAWS_EXAMPLES)]
+    Laws {
+        /// A law, for example energy or friction.table
+        name: Option<String>,
+    },
+    /// List the materials that a case can name, with what handbooks say of them; or show one with its source
+    #[command(after_help = MATERIALS_EXAMPLES)]
+    Materials {
+        /// A material, for example 100Cr6
+        name: Option<String>,
+    },
     /// Draw the pictures of a result folder, or of a study
     #[command(after_help = PLOT_EXAMPLES)]
     Plot(Plot),
@@ -44,6 +54,13 @@ pub enum Command {
     },
     /// Write a page about a run, a study or a fit that opens in any browser: results, verdict, theory, curves, maps
     Report(Report),
+    /// Keep the page of a run up to date while it goes on; the browser reloads it
+    #[command(after_help = WATCH_EXAMPLES)]
+    Watch {
+        /// The folder that `run` writes into
+        #[arg(value_hint = ValueHint::DirPath)]
+        dir: PathBuf,
+    },
     /// Hold a run against measured profiles, readings over the motion, or other runs; or tell what is worn between two scans
     #[command(after_help = COMPARE_EXAMPLES)]
     Compare(Compare),
@@ -205,10 +222,31 @@ fn share(text: &str) -> String {
     number.map_or_else(|_| text.to_owned(), |number| (unit * number).to_string())
 }
 
+const LAWS_EXAMPLES: &str = "\
+Examples:
+  all laws:
+    archard laws
+  one, with its bounds, an example and its source:
+    archard laws energy";
+
+const MATERIALS_EXAMPLES: &str = "\
+Examples:
+  all materials:
+    archard materials
+  one, with heat and its source:
+    archard materials 100Cr6";
+
+const WATCH_EXAMPLES: &str = "\
+Examples:
+  beside a run in another terminal; then open results/pin_on_disc/report.html:
+    archard watch results/pin_on_disc";
+
 const NEW_EXAMPLES: &str = "\
 Examples:
-  asks which rig it is:
+  asks which rig it is, then for its materials, sizes and loads:
     archard new
+  asks for those of a reciprocating rig:
+    archard new reciprocating --ask
   a case of a reciprocating rig, in the folder monday:
     archard new reciprocating -o monday
   all rigs and cases:
@@ -217,11 +255,14 @@ Examples:
 /// The arguments of `new`.
 #[derive(Debug, Args)]
 pub struct New {
-    /// A rig, or a built-in case; on a terminal you are asked for the rig if none is named
+    /// A rig, or a built-in case; on a terminal you are asked for the rig and its values if none is named
     pub name: Option<String>,
     /// List the rigs and the built-in cases
     #[arg(long, conflicts_with_all = ["name", "output"])]
     pub list: bool,
+    /// Ask for the materials, sizes and loads of the rig; Enter keeps those of its case
+    #[arg(long, conflicts_with = "list")]
+    pub ask: bool,
     /// The folder to write it into; the case's name if not given
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,

@@ -10,6 +10,9 @@ use archard_case::{CaseFile, nearest};
 use crate::failure::Failure;
 use crate::rigs::RIGS;
 
+/// Files, each with its name.
+pub type Files = &'static [(&'static str, &'static [u8])];
+
 /// A case to start from.
 #[derive(Debug)]
 pub struct Builtin {
@@ -18,7 +21,7 @@ pub struct Builtin {
     /// Its case file.
     pub text: &'static str,
     /// Files the case reads, each with its name.
-    pub files: &'static [(&'static str, &'static [u8])],
+    pub files: Files,
 }
 
 /// All of them.
@@ -129,7 +132,7 @@ impl Builtin {
     }
 
     /// The folder that its files are in: nowhere if it has none, otherwise beside the kept compliances.
-    fn folder(&self) -> Result<PathBuf, Failure> {
+    pub fn folder(&self) -> Result<PathBuf, Failure> {
         if self.files.is_empty() {
             return Ok(PathBuf::new());
         }

@@ -20,6 +20,7 @@ mod interrupt;
 mod laws;
 pub mod library;
 mod lines;
+mod materials;
 mod meant;
 mod new;
 mod number;
@@ -38,6 +39,7 @@ mod sweep;
 mod table;
 mod underway;
 mod verdict;
+mod watch;
 mod wheel_rail;
 
 use std::ffi::OsString;
@@ -62,7 +64,9 @@ pub fn main(words: Vec<OsString>) -> u8 {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::New(arguments) => new::new(&arguments),
-        Command::Laws => laws::laws(),
+        Command::Laws { name } => laws::laws(name.as_deref()),
+        Command::Materials { name } => materials::materials(name.as_deref()),
+        Command::Watch { dir } => watch::watch(&dir),
         Command::Doctor => doctor::doctor(),
         Command::Surface { file, set, output } => surface::surface(&file, &set, output.as_deref()),
         Command::Completions { shell } => shell::completions(shell),

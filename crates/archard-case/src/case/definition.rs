@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
+use super::material::MaterialCase;
 use crate::output::Store;
 use archard::body::mesh::{MeshError, Meshed, Shape, Supported};
-use archard::body::{
-    Body, Elasticity, Finite, Interpolation, Layer, Material, Profile, Support, Thermal,
-};
+use archard::body::{Body, Elasticity, Finite, Interpolation, Layer, Profile, Support, Thermal};
 use archard::compliance::bem::contact::{self, Condense, Job, condense};
 use archard::compliance::bem::{Making, Told};
 use archard::elastic::{Point, Section};
@@ -64,7 +63,7 @@ pub struct BodyCase {
     /// Its name.
     pub name: String,
     /// What it is made of, below its layers; `None` if that is rigid.
-    pub material: Option<Material>,
+    pub material: Option<MaterialCase>,
     /// Layers from its surface down.
     pub layers: Vec<LayerCase>,
     /// Its shape; of a meshed body, what its surface lies below the mesh.
@@ -75,11 +74,11 @@ pub struct BodyCase {
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
     /// How far below a line of contact its approach and shift are measured from (m); `None` for the default.
     pub depth: Option<f64>,
-    /// Its density (kg/m^3); `None` where it is not given.
+    /// Its density (kg/m^3); `None` where that of its material counts.
     pub density: Option<f64>,
     /// The pressure (Pa) under which it yields; `None` where it stays elastic.
     pub hardness: Option<f64>,
-    /// How it conducts heat; `None` where that is not given.
+    /// How it conducts heat; `None` where its material tells all that is known.
     pub thermal: Option<Thermal>,
 }
 
@@ -88,6 +87,10 @@ pub struct BodyCase {
 pub struct LayerCase {
     /// What it is made of, and how thick it is.
     pub layer: Layer,
+    /// The name of its material; `None` for one of the user's.
+    pub name: Option<String>,
+    /// Its indentation hardness (Pa); `None` where it is not known.
+    pub hardness: Option<f64>,
     /// How it wears; `None` if it wears as the body below it.
     pub wear: Option<Chosen<Box<dyn WearLaw>>>,
 }
@@ -278,18 +281,32 @@ impl BodyCase {
         Ok(Some(Arc::new(Layered::new(layers, below)?)))
     }
 
+    /// What its material tells of the body; nothing of one with layers, which is another at its surface.
+    pub(super) fn made_of<T>(&self, tells: fn(&MaterialCase) -> Option<T>) -> Option<T> {
+        self.material.as_ref().filter(|_| self.layers.is_empty()).and_then(tells)
+    }
+
+    /// Indentation hardness (Pa) of what it is made of at its surface, where that is known.
+    pub fn bears(&self) -> Option<f64> {
+        match self.layers.first() {
+            Some(layer) => layer.hardness,
+            None => self.made_of(|material| material.hardness),
+        }
+    }
+
     /// Builds the body.
     pub(super) fn build(&self) -> Result<Body, BuildError> {
         Ok(Body {
             name: self.name.clone(),
             profile: self.profile.build()?.into(),
-            material: self.material,
+            material: self.material.as_ref().map(|material| material.elastic),
             layers: self.layers.iter().map(|layer| layer.layer).collect(),
             finite: self.finite.as_ref().map(FiniteCase::build).transpose()?,
             wear: self.law()?,
             depth: self.depth,
-            density: self.density,
             hardness: self.hardness,
+            density: self.density.or(self.made_of(|material| material.density)),
+            bears: self.bears(),
             thermal: self.thermal,
         })
     }

@@ -51,7 +51,7 @@ impl ElasticCase {
         let case = self.body.finite.as_ref().ok_or_else(|| missing("mesh"))?;
         let finite = case.build()?;
         let slenderness = case.slenderness(&finite.meshed)?;
-        let material = self.body.material.ok_or_else(|| missing("material"))?;
+        let material = self.body.material.as_ref().ok_or_else(|| missing("material"))?.elastic;
         let name = self.body.name.clone();
         let (points, sections) = (self.points.clone(), self.sections.clone());
         Ok(ElasticBody { name, material, finite, points, sections, slenderness })

@@ -200,6 +200,16 @@ impl CaseFile {
         self
     }
 
+    /// The same file with another text.
+    pub(super) fn with_text(&self, text: String) -> Self {
+        Self { text, ..self.clone() }
+    }
+
+    /// The text of the file, without what is laid over it.
+    pub fn to_text(&self) -> &str {
+        &self.text
+    }
+
     /// What messages call a source.
     pub fn name(&self, source: Source) -> &str {
         match source {

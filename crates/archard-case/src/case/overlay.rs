@@ -7,6 +7,7 @@
 use toml::de::{DeTable, DeValue};
 
 use super::key::Key;
+use super::print::quoted;
 use super::problem::{Location, Problem, Source};
 use super::tree::{Entry, Item, Node, Origin, Table};
 
@@ -43,6 +44,20 @@ pub(super) fn read_path(text: &str, source: Source) -> Option<Vec<(String, Locat
     }
 }
 
+/// A value as TOML has it, whether or not it has its quotes.
+pub(super) fn as_toml(text: &str) -> String {
+    let trimmed = text.trim();
+    let is_toml = |text: &str| DeValue::parse(text).is_ok();
+    if is_toml(trimmed) {
+        return trimmed.to_owned();
+    }
+    Some(trimmed)
+        .filter(|text| text.starts_with(['[', '{']))
+        .map(quote_words)
+        .filter(|quoted| is_toml(quoted))
+        .unwrap_or_else(|| quoted(trimmed))
+}
+
 /// Reads a value as TOML, as TOML that lost its quotes, or as text.
 fn read_value(text: &str, start: usize, source: Source) -> Node {
     let leading = text.len() - text.trim_start().len();
@@ -71,7 +86,8 @@ fn quote_words(text: &str) -> String {
         if mark == "=" || word.trim().is_empty() || DeValue::parse(word.trim()).is_ok() {
             quoted.push_str(word);
         } else {
-            quoted.push_str(&format!("{:?}", word.trim()));
+            let before = word.len() - word.trim_start().len();
+            quoted.push_str(&format!("{}{:?}", &word[..before], word.trim()));
         }
         quoted.push_str(mark);
         word_start = place + mark.len();

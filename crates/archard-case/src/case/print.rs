@@ -9,7 +9,7 @@ use super::chosen::Chosen;
 use super::definition::{BodyCase, Case, FiniteCase, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
-use archard::body::{Elasticity, Interpolation, Support, Thermal};
+use archard::body::{Elasticity, Interpolation, Support};
 use archard::elastic::{Point, Section};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
 use archard::units::Measure;
@@ -42,7 +42,7 @@ impl Display for Case {
                 writeln!(f, "{key}.density = {}", si(density, "kg/m^3"))?;
             }
             if let Some(thermal) = &body.thermal {
-                print_thermal(f, &format!("{key}.thermal"), thermal)?;
+                print_values(f, &format!("{key}.thermal"), thermal.values())?;
             }
             writeln!(f)?;
         }
@@ -149,15 +149,18 @@ fn print_sections(f: &mut Formatter<'_>, key: &str, sections: &[Section]) -> fmt
 
 fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Result {
     if !body.layers.is_empty() {
-        let layers = body.layers.iter().map(|LayerCase { layer, wear }| {
+        let layers = body.layers.iter().map(|LayerCase { layer, name, hardness, wear }| {
             let [young, thickness] = [(layer.material.young, "Pa"), (layer.thickness, "m")]
                 .map(|(value, unit)| si(value, unit));
             let poisson = number(layer.material.poisson);
+            let name = name.as_ref().map(|name| format!(", name = {}", quoted(name)));
+            let hardness = hardness.map(|hardness| format!(", hardness = {}", si(hardness, "Pa")));
+            let [name, hardness] = [name, hardness].map(Option::unwrap_or_default);
             let wear = wear.as_ref().map_or_else(String::new, |wear| {
                 let lines = Lines("wear", wear).to_string();
                 lines.lines().map(|line| format!(", {line}")).collect()
             });
-            format!("{{ thickness = {thickness}, young = {young}, poisson = {poisson}{wear} }}")
+            format!("{{ thickness = {thickness}{name}, young = {young}, poisson = {poisson}{hardness}{wear} }}")
         });
         writeln!(f, "{key}.layers = [{}]", layers.collect::<Vec<_>>().join(", "))?;
     }
@@ -165,12 +168,19 @@ fn print_material(f: &mut Formatter<'_>, key: &str, body: &BodyCase) -> fmt::Res
         let rigid = if body.layers.is_empty() { "rigid = true" } else { "substrate = \"rigid\"" };
         return writeln!(f, "{key}.{rigid}");
     };
-    writeln!(f, "{key}.material.young = {}", si(material.young, "Pa"))?;
-    writeln!(f, "{key}.material.poisson = {}", number(material.poisson))
+    if let Some(name) = &material.name {
+        writeln!(f, "{key}.material.name = {}", quoted(name))?;
+    }
+    print_values(f, &format!("{key}.material"), material.values())
 }
 
-fn print_thermal(f: &mut Formatter<'_>, key: &str, thermal: &Thermal) -> fmt::Result {
-    for (parameter, value) in thermal.values() {
+/// Values by their parameters, a line each.
+fn print_values<'a>(
+    f: &mut Formatter<'_>,
+    key: &str,
+    values: impl Iterator<Item = (&'a Parameter, f64)>,
+) -> fmt::Result {
+    for (parameter, value) in values {
         let value = match parameter.quantity.unit() {
             "" => number(value),
             unit => si(value, unit),

@@ -151,7 +151,7 @@ pub fn layers(gone: f64, body: &str) -> Line {
 /// Selection in Mechanical Design*, chart of strength over modulus: yield strains of 2 % and less, a third of the hardness).
 pub fn modulus(over: f64, body: &str) -> Line {
     let text = format!(
-        "of Young's modulus of `{body}` is the largest pressure: metals and ceramics yield there; give the `hardness` of its wear law if it is harder"
+        "of Young's modulus of `{body}` is the largest pressure: metals and ceramics yield there; give the `hardness` of its material if it is harder"
     );
     Line::new("strain", over, Bound::AtMost([0.05, f64::INFINITY]), text)
 }

@@ -17,6 +17,7 @@ mod tables;
 mod words;
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
 use archard_case::output::write_whole;
@@ -38,6 +39,14 @@ pub const NAME: &str = "report.html";
 /// # Errors
 /// If a folder holds no results, the runs cannot be compared, or the page cannot be written.
 pub fn run(arguments: &Report) -> Result<PathBuf> {
+    write(arguments, None)
+}
+
+/// The same of a run that goes on, whose page reloads after that time where one is given.
+///
+/// # Errors
+/// As [`run`].
+pub fn write(arguments: &Report, reload: Option<Duration>) -> Result<PathBuf> {
     let Report { dirs, output, measured, options } = arguments;
     let (dir, others) = dirs.split_first().context("no result folder is named")?;
     let mut others = others.to_vec();
@@ -69,7 +78,7 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
         "`{}` is there, and is no page of this program: choose another file, or remove it",
         path.display()
     );
-    write_whole(&path, page.document().as_bytes())?;
+    write_whole(&path, page.document(reload).as_bytes())?;
     Ok(path)
 }
 
@@ -79,7 +88,7 @@ pub fn run(arguments: &Report) -> Result<PathBuf> {
 /// If the folder has none, or the page cannot be written.
 pub(crate) fn of_scans(dir: &Path) -> Result<PathBuf> {
     let path = dir.join(NAME);
-    write_whole(&path, scans::page(dir)?.document().as_bytes())?;
+    write_whole(&path, scans::page(dir)?.document(None).as_bytes())?;
     Ok(path)
 }
 

@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
+use std::time::Duration;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -45,8 +46,12 @@ pub(super) struct Table {
 
 impl Page {
     /// The whole document. Its policy runs the program's own two scripts, known by their digests, and nothing else; it fetches
-    /// nothing from anywhere.
-    pub(super) fn document(&self) -> String {
+    /// nothing from anywhere. Where a time is given, the browser reads it again after that.
+    pub(super) fn document(&self, reload: Option<Duration>) -> String {
+        let reload = reload.map_or_else(Html::default, |time| {
+            let seconds = time.as_secs_f64().ceil() as usize;
+            fill("<meta http-equiv=\"refresh\" content=\"{}\">\n", &[&seconds])
+        });
         let scripts = match &self.drawings {
             Some(drawings) => fill(
                 "<script type=\"text/plain\" id=\"data\">{}</script>\n\
@@ -62,12 +67,13 @@ impl Page {
         let document = fill(
             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
              <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
-             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}\
              <title>{} \u{2013} Archard</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#main\">To the results</a>\n{}\n<main id=\"main\">\n\
              <p id=\"trouble\" class=\"mark\" role=\"alert\" hidden></p>\n{}</main>\n{}</body>\n</html>\n",
             &[
                 &policy(self.drawings.is_some()),
+                &reload,
                 &self.title,
                 &Html::constant(STYLE),
                 &self.header,
@@ -277,7 +283,7 @@ mod tests {
             body: fill("<p>{}</p>", &[&"<b>"]),
             drawings: None,
         };
-        let document = page.document();
+        let document = page.document(None);
         assert!(document.contains("script-src &#39;none&#39;"), "{document}");
         assert!(!document.contains("<script"), "{document}");
         assert!(document.contains("<p>&lt;b&gt;</p>"), "{document}");

@@ -12,11 +12,13 @@ mod memory;
 mod report;
 mod running;
 mod scans;
+mod start;
 mod surface;
 mod sweep;
 #[cfg(unix)]
 mod tasks;
 mod verdict;
+mod watch;
 
 use std::fs;
 use std::path::Path;
@@ -290,7 +292,8 @@ fn completions_and_manuals_name_every_command() {
     let bash = printed(&archard(&dir, &["completions", "bash"]).success());
     archard(&dir, &["man", "man"]).success();
     let page = fs::read_to_string(dir.path().join("man/archard.1")).unwrap();
-    for command in ["run", "check", "new", "laws", "plot", "sweep", "doctor"] {
+    for command in ["run", "check", "new", "laws", "materials", "watch", "plot", "sweep", "doctor"]
+    {
         assert!(bash.contains(command), "{bash}");
         assert!(page.contains(&format!("archard\\-{command}")), "{page}");
         assert!(dir.path().join(format!("man/archard-{command}.1")).is_file());

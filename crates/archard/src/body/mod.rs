@@ -41,6 +41,9 @@ pub struct Body {
     pub depth: Option<f64>,
     /// Its density (kg/m^3), to weigh what is worn off; `None` where it is not known.
     pub density: Option<f64>,
+    /// Indentation hardness (Pa) of its material at the surface: elastic pressures above it are doubted. `None` where it is not
+    /// known.
+    pub bears: Option<f64>,
     /// How it conducts heat; `None` where that is not known.
     pub thermal: Option<Thermal>,
     /// The largest pressure (Pa) it bears: it yields under that one, elastic and perfectly plastic. `None` where it stays elastic.
@@ -62,6 +65,7 @@ impl Body {
             wear: None,
             depth: None,
             density: None,
+            bears: None,
             thermal: None,
             hardness: None,
         }
@@ -128,6 +132,12 @@ impl Body {
     #[must_use]
     pub fn density(self, density: f64) -> Self {
         Self { density: Some(density), ..self }
+    }
+
+    /// The same body of a material of that indentation hardness (Pa).
+    #[must_use]
+    pub fn bears(self, hardness: f64) -> Self {
+        Self { bears: Some(hardness), ..self }
     }
 
     /// The same body, conducting heat like that.

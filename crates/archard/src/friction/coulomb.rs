@@ -3,7 +3,7 @@
 //! A pair bears mu times its pressure and slips once that is reached (the paper's eq. 9).
 
 use super::Friction;
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "coulomb",
@@ -11,6 +11,12 @@ pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     parameters: &[COEFFICIENT],
     build: |values| Ok(Box::new(Coulomb::new(values.require("coefficient")?)?)),
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "C. A. Coulomb, Theorie des machines simples (1785)",
+    "{ coefficient = 0.3 }",
+);
 
 const COEFFICIENT: Parameter =
     Parameter::required("coefficient", Quantity::Number, "coefficient of friction mu")

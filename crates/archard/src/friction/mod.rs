@@ -1,6 +1,6 @@
 //! Friction laws: which tangential tractions a pair bears.
 //!
-//! A new law is one file here and one line in [`FRICTION`].
+//! A new law is one file here and a line in [`FRICTION`] and [`ABOUT_FRICTION`].
 
 mod coulomb;
 mod disc;
@@ -20,7 +20,7 @@ pub use orthotropic::Orthotropic;
 pub use table::Table;
 pub use tresca::Tresca;
 
-use crate::parameters::Choice;
+use crate::parameters::{About, Choice};
 
 /// The admissible tangential tractions under a pressure: an ellipse around zero, the image of a disc.
 pub trait Friction: Debug + Send + Sync {
@@ -55,3 +55,7 @@ pub trait Friction: Debug + Send + Sync {
 /// The friction laws a case can name.
 pub const FRICTION: &[Choice<Box<dyn Friction>>] =
     &[coulomb::CHOICE, orthotropic::CHOICE, tresca::CHOICE, table::CHOICE];
+
+/// Where they are from, and how a case has them, in the same order.
+pub const ABOUT_FRICTION: &[About] =
+    &[coulomb::ABOUT, orthotropic::ABOUT, tresca::ABOUT, table::ABOUT];

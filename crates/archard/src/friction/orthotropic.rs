@@ -6,7 +6,7 @@
 //! J. Mech. Sci.* (2022), doi 10.1016/j.ijmecsci.2022.107695.
 
 use super::{Friction, Map};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "orthotropic",
@@ -19,6 +19,12 @@ pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
         Ok(Box::new(Orthotropic::new(coefficients, values.number("angle").unwrap_or(0.0))?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "Z. Mroz and S. Stupkiewicz, Int. J. Solids Struct. 31 (1994) 1113; C. Julia and L. Rodriguez-Tembleque, Int. J. Mech. Sci. (2022), doi 10.1016/j.ijmecsci.2022.107695",
+    "{ coefficients = [0.2, 0.4], angle = \"30 deg\" }",
+);
 
 const COEFFICIENTS: Parameter = Parameter::required(
     "coefficients",

@@ -8,7 +8,7 @@
 
 use super::{Circumstance, Circumstances, Friction};
 use crate::numerics::piecewise::Piecewise;
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "table",
@@ -40,6 +40,13 @@ pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
         }
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "Coulomb's law with a tabulated coefficient, as finite element programs have it (Abaqus, frictional behavior)",
+    "{ file = \"mu.csv\" }",
+)
+.reading(&[("mu.csv", "pressure_MPa,coefficient\n0,0.5\n1000,0.3\n")]);
 
 /// limit = mu(x) p.
 #[derive(Debug, Clone, PartialEq)]

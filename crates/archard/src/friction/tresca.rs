@@ -4,7 +4,7 @@
 //! below it, limit = min(mu p, tau_max).
 
 use super::Friction;
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
     name: "tresca",
@@ -16,6 +16,12 @@ pub(super) const CHOICE: Choice<Box<dyn Friction>> = Choice {
         Ok(Box::new(Tresca::new(coefficient?, strength?)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "E. Orowan, Proc. Inst. Mech. Eng. 150 (1943) 140",
+    "{ coefficient = 0.6, shear_strength = \"400 MPa\" }",
+);
 
 const COEFFICIENT: Parameter =
     Parameter::required("coefficient", Quantity::Number, "coefficient of friction mu")

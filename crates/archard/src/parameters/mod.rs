@@ -5,11 +5,13 @@
 //! case files, help pages and error messages all work from that declaration, so a new choice needs
 //! no reader of its own.
 
+mod about;
 mod invalid;
 mod values;
 
 use std::fmt;
 
+pub use about::About;
 pub use invalid::Invalid;
 pub use values::{Column, Columns, OneOf, Value, Values};
 

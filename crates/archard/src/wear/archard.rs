@@ -4,7 +4,7 @@
 //! loses the depth k p s, with k = k_ad / H (the paper's eqs. 13 to 18).
 
 use super::{Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "archard",
@@ -23,6 +23,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         }))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "R. Holm, Electric Contacts (1946); J. F. Archard, J. Appl. Phys. 24 (1953) 981",
+    "{ k_ad = 1.1e-4, hardness = \"2.7 GPa\" }",
+);
 
 const COEFFICIENT: Parameter =
     Parameter::optional("coefficient", Quantity::WearCoefficient, "dimensional wear coefficient k")

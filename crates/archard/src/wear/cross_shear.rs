@@ -13,7 +13,7 @@
 //! does not creep.
 
 use super::{Input, Per, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "cross_shear",
@@ -26,6 +26,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(law.with_exponent(values.number("exponent").unwrap_or(1.0))?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "A. Wang, Wear 248 (2001) 38; L. Kang, A. L. Galvin, T. D. Brown, Z. Jin and J. Fisher, J. Biomech. 41 (2008) 340",
+    "{ unidirectional_coefficient = \"1e-8 mm^3/(N m)\", multidirectional_coefficient = \"1e-6 mm^3/(N m)\" }",
+);
 
 const ALONG: Parameter = Parameter::required(
     "unidirectional_coefficient",

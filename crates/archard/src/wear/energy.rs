@@ -7,7 +7,7 @@
 //! Limits: all work wears alike, whatever the pressure, the speed and the temperature. Debris is not followed.
 
 use super::{Input, Per, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "energy",
@@ -18,6 +18,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(Energy::new(values.require("coefficient")?, threshold)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "S. Fouvry, C. Paulin and T. Liskiewicz, Tribol. Int. 40 (2007) 1428",
+    "{ coefficient = \"1e-5 mm^3/J\", threshold = \"100 J/m^2\" }",
+);
 
 const COEFFICIENT: Parameter = Parameter::required(
     "coefficient",

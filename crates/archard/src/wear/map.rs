@@ -9,7 +9,7 @@
 //! program.
 
 use super::{Input, Rubbing, WearLaw};
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "map",
@@ -40,6 +40,16 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(Map::new(values.require("hardness")?, &regions)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "T. Jendel, Wear 253 (2002) 89",
+    "{ hardness = \"3 GPa\", file = \"regions.csv\" }",
+)
+.reading(&[(
+    "regions.csv",
+    "pressure,speed_m/s,coefficient\n0,0,1e-4\n0.5,0,1e-3\n0,0.2,2e-4\n0.5,0.2,2e-3\n",
+)]);
 
 const HARDNESS: Parameter =
     Parameter::required("hardness", Quantity::Pressure, "hardness H of the softer body");

@@ -1,6 +1,6 @@
 //! Wear laws: how deep a surface wears where it is rubbed.
 //!
-//! A new law is one file here and one line in [`WEAR_LAWS`].
+//! A new law is one file here and a line in [`WEAR_LAWS`] and [`ABOUT_WEAR_LAWS`].
 
 mod archard;
 mod cross_shear;
@@ -34,7 +34,7 @@ pub use table::{Over, Table};
 pub use threshold::Threshold;
 pub use trial::try_out;
 
-use crate::parameters::Choice;
+use crate::parameters::{About, Choice};
 
 /// What a law takes at once.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,4 +125,19 @@ pub const WEAR_LAWS: &[Choice<Box<dyn WearLaw>>] = &[
     t_gamma::CHOICE,
     map::CHOICE,
     expression::CHOICE,
+];
+
+/// Where they are from, and how a case has them, in the same order.
+pub const ABOUT_WEAR_LAWS: &[About] = &[
+    archard::ABOUT,
+    energy::ABOUT,
+    orthotropic::ABOUT,
+    cross_shear::ABOUT,
+    power::ABOUT,
+    threshold::ABOUT,
+    running_in::ABOUT,
+    table::ABOUT,
+    t_gamma::ABOUT,
+    map::ABOUT,
+    expression::ABOUT,
 ];

@@ -7,7 +7,7 @@
 //! Limits: the axes keep their direction in the frame, as on flat surfaces and on bodies that roll along an axis.
 
 use super::{Input, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "orthotropic",
@@ -20,6 +20,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(Orthotropic::new(coefficients, values.number("angle").unwrap_or(0.0))?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "C. Julia and L. Rodriguez-Tembleque, Int. J. Mech. Sci. (2022), doi 10.1016/j.ijmecsci.2022.107695",
+    "{ coefficients = [\"1e-6 mm^3/(N m)\", \"3e-6 mm^3/(N m)\"], angle = \"30 deg\" }",
+);
 
 const COEFFICIENTS: Parameter = Parameter::required(
     "coefficients",

@@ -8,7 +8,7 @@
 //! line through zero, which wears less than the formula there.
 
 use super::{Input, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "power",
@@ -39,6 +39,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         }))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "the generalised Archard equation of finite element programs (Ansys TB,WEAR,ARCD; COMSOL Multiphysics, node Wear)",
+    "{ coefficient = \"1e-6 mm^3/(N m)\", pressure_exponent = 1.5, reference_pressure = \"500 MPa\" }",
+);
 
 const COEFFICIENT: Parameter = Parameter::required(
     "coefficient",

@@ -6,7 +6,7 @@
 //! Limits: what runs a surface in is the distance alone, whatever the pressure it was slid under.
 
 use super::{Input, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "running_in",
@@ -19,6 +19,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(RunningIn::new([initial?, end?], distance?)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "Archard's law with a coefficient that decays exponentially over the distance",
+    "{ initial_coefficient = \"1e-5 mm^3/(N m)\", final_coefficient = \"1e-6 mm^3/(N m)\", running_in_distance = \"20 m\" }",
+);
 
 const INITIAL: Parameter = Parameter::required(
     "initial_coefficient",

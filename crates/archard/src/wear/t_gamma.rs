@@ -18,7 +18,7 @@
 //! Limits: these steels, dry, and the slips of the tests, which end at about x = 119 N/mm^2.
 
 use super::{Input, Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "t_gamma",
@@ -35,6 +35,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         )?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "R. Lewis and R. S. Dwyer-Joyce, Proc. Inst. Mech. Eng. J 218 (2004) 467; F. Braghin, R. Lewis, R. S. Dwyer-Joyce and S. Bruni, Wear 261 (2006) 1253",
+    "{ density = \"7850 kg/m^3\" }",
+);
 
 /// Mass over work.
 const PER_WORK: Quantity = Quantity::Measured { name: "a mass per work", unit: "kg/J" };

@@ -9,7 +9,7 @@
 
 use super::{Input, Rubbing, WearLaw};
 use crate::numerics::piecewise::Piecewise;
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "table",
@@ -40,6 +40,13 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         }
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "Archard's law with a tabulated coefficient, as finite element programs have it (Abaqus, surface wear)",
+    "{ file = \"k.csv\" }",
+)
+.reading(&[("k.csv", "distance_m,coefficient_1/Pa\n0,1e-14\n100,1e-15\n")]);
 
 /// What a wear coefficient is tabulated over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -6,7 +6,7 @@
 //! Limits: pressures up to the threshold never wear, however far a pair slides.
 
 use super::{Rubbing, WearLaw};
-use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
     name: "threshold",
@@ -18,6 +18,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(Threshold::new(coefficient?, threshold?)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "Archard's law, shifted by the pressure that wears nothing",
+    "{ coefficient = \"1e-6 mm^3/(N m)\", threshold = \"50 MPa\" }",
+);
 
 const COEFFICIENT: Parameter =
     Parameter::required("coefficient", Quantity::WearCoefficient, "wear coefficient k")

@@ -74,7 +74,7 @@ fn compliance(body: &BodyCase, elasticity: Elasticity) -> Option<f64> {
     };
     let body = BodyCase {
         name: body.name.clone(),
-        material: body.material,
+        material: body.material.clone(),
         layers: vec![],
         profile: Chosen::named("flat", PROFILES)?,
         finite: Some(coarse),
@@ -100,6 +100,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         depth: None,
         density: None,
         hardness: None,
+        bears: None,
         thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)

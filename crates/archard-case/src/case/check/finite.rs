@@ -50,7 +50,7 @@ impl Finiteness {
             return vec![];
         };
         let found = parts.meshed().filter_map(|(body, finite)| {
-            let material = body.material?;
+            let material = body.material.as_ref()?.elastic;
             let half_space = finite.elasticity == Elasticity::HalfSpace;
             let ends = ends(finite);
             let distance = ends.iter().map(|(distance, _)| *distance).min_by(f64::total_cmp)?;

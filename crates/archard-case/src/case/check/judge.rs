@@ -293,8 +293,14 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
 /// A pressure that no elastic body of that hardness bears.
 fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
     let hard = parts.case.bodies.iter().filter_map(|body| {
-        let wear = body.wear.as_ref()?;
-        let hardness = wear.values.number("hardness")?;
+        let key = Key::of(["body", &body.name]);
+        let by_law = body.wear.as_ref().and_then(|wear| {
+            let key = key.child("wear").child(wear.choice.name).child("hardness");
+            Some((wear.values.number("hardness")?, key))
+        });
+        let part = if body.layers.is_empty() { key.child("material") } else { key.child("layers") };
+        let own = || Some((body.bears()?, part.child("hardness")));
+        let (hardness, key) = by_law.or_else(own)?;
         let over = contact.peak_pressure / hardness;
         (verdict::hardness(over, &body.name).word() != Word::Good).then(|| {
             let message = format!(
@@ -302,8 +308,7 @@ fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
                 pressure(contact.peak_pressure),
                 three(over)
             );
-            let law = wear.choice.name;
-            Problem::warning(Key::of(["body", &body.name, "wear", law, "hardness"]), message)
+            Problem::warning(key, message)
         })
     });
     hard.collect()

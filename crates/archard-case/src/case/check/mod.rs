@@ -25,6 +25,7 @@ pub(super) mod slender;
 mod surfaces;
 mod texture;
 mod track;
+mod warmed;
 mod words;
 
 pub use crate::files::free_memory;
@@ -61,13 +62,15 @@ impl<'a> Parts<'a> {
     pub(super) fn of(case: &'a Case) -> Result<Self, BuildError> {
         let [first, second] = &case.bodies;
         let (motion, schedule) = case.motion.build()?;
-        Ok(Self {
+        let mut parts = Self {
             case,
             bodies: [first.build()?, second.build()?],
             friction: case.friction.as_ref().map(Chosen::build).transpose()?,
             motion,
             schedule,
-        })
+        };
+        warmed::warm(&mut parts);
+        Ok(parts)
     }
 
     /// What closed forms look at.

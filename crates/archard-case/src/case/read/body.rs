@@ -3,12 +3,13 @@
 use crate::case::chosen::Chosen;
 use crate::case::definition::{BodyCase, LayerCase};
 use crate::case::key::Key;
+use crate::case::material::MaterialCase;
 use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::surface::profiles;
 use crate::case::tree::{Entry, Item};
-use archard::body::{Body, Elasticity, Layer, Material, Thermal};
+use archard::body::{Body, Elasticity, Layer, Material};
 use archard::compliance::HalfSpace;
 use archard::parameters::Quantity;
 use archard::wear::{WEAR_LAWS, WearLaw};
@@ -31,9 +32,6 @@ const KEYS: &[&str] = &[
     "hardness",
     "thermal",
 ];
-
-/// What lies below layers that is not elastic.
-const RIGID: &str = "rigid";
 
 impl Reader<'_> {
     /// Both bodies, in the order in which they are written.
@@ -112,9 +110,10 @@ impl Reader<'_> {
             None => Some(None),
             Some((key, entry)) => self.number(key, &entry.node, Body::HARDNESS.quantity).map(Some),
         };
-        let thermal = self.thermal(&section);
+        let thermal = self.thermal(&section, material.as_ref().and_then(Option::as_ref));
         if let (Some(material), Some(layers), Some(depth)) = (&material, &layers, &depth) {
-            self.stacked(&section, material.as_ref(), layers, *depth)?;
+            let below = material.as_ref().map(|one| &one.elastic);
+            self.stacked(&section, below, layers, *depth)?;
         }
         if let (Some(None), Some(Some(_))) = (&material, &finite) {
             let message = "a rigid body does not deform: give its shape as a `profile` instead";
@@ -122,7 +121,7 @@ impl Reader<'_> {
             return None;
         }
         if let (Some(Some(material)), Some(Some(finite))) = (&material, &finite)
-            && material.poisson == 0.5
+            && material.elastic.poisson == 0.5
             && finite.elasticity == Elasticity::BoundaryElements
         {
             let message =
@@ -149,44 +148,6 @@ impl Reader<'_> {
         Some(case).filter(|_| named)
     }
 
-    /// The material of an elastic body, `Some(None)` where that is rigid; `None` if it is wrong.
-    pub(super) fn material(&mut self, body: &Section<'_>) -> Option<Option<Material>> {
-        if let Some((key, entry)) = body.get("substrate") {
-            let known = matches!(&entry.node.item, Item::Text(word) if word == RIGID);
-            if !known || body.get("layers").is_none() || body.get("material").is_some() {
-                let message = "stands for the material below layers: `substrate = \"rigid\"` with `layers` and without `material`";
-                self.push(Problem::error(key, message));
-                return None;
-            }
-            return Some(None);
-        }
-        let rigid = self.boolean(body, "rigid")?.unwrap_or(false);
-        if rigid {
-            if let Some((key, _)) = body.get("material") {
-                let message = "a rigid body does not deform: its material has no effect";
-                self.push(Problem::warning(key, message).at_name());
-            }
-            return Some(None);
-        }
-        let meaning = match body.get("layers") {
-            None => "`{ young = \"210 GPa\", poisson = 0.3 }`, or `rigid = true` next to it",
-            Some(_) => "what the layers are on, or `substrate = \"rigid\"`",
-        };
-        let section = self.table(body, "material", meaning)?;
-        let before = self.problems.len();
-        let (values, _) = self.values(&section, Material::PARAMETERS);
-        if self.problems.len() > before {
-            return None;
-        }
-        match Material::read(&values) {
-            Ok(material) => Some(Some(material)),
-            Err(invalid) => {
-                self.invalid(&section, invalid);
-                None
-            }
-        }
-    }
-
     /// The layers of a body from its surface down; `None` if one is wrong.
     fn layers(&mut self, body: &Section<'_>) -> Option<Vec<LayerCase>> {
         let Some((key, entry)) = body.get("layers") else { return Some(vec![]) };
@@ -207,11 +168,15 @@ impl Reader<'_> {
         let layers = nodes.iter().enumerate().map(|(place, node)| {
             let section = self.as_table(key.index(place), node)?;
             let wear = self.wear(&section);
-            let (values, _) = self.values_among(&section, Layer::PARAMETERS, &["wear"]);
-            let [young, poisson, thickness] =
-                ["young", "poisson", "thickness"].map(|name| values.number(name));
-            let material = Material { young: young?, poisson: poisson? };
-            Some(LayerCase { layer: Layer { material, thickness: thickness? }, wear: wear? })
+            let named = self.named_in(&section)?;
+            let parameters = MaterialCase::layer_parameters(named.is_some());
+            let (values, _) = self.values_among(&section, parameters, &["wear"]);
+            let thickness = values.number("thickness")?;
+            // What is missing was complained about.
+            let MaterialCase { name, elastic, hardness, .. } =
+                MaterialCase::read(&values, named).ok()?;
+            let layer = Layer { material: elastic, thickness };
+            Some(LayerCase { layer, name, hardness, wear: wear? })
         });
         let layers: Vec<_> = layers.collect();
         layers.into_iter().collect::<Option<_>>().filter(|_| self.problems.len() == before)
@@ -238,24 +203,6 @@ impl Reader<'_> {
             return None;
         }
         Some(())
-    }
-
-    /// How a body conducts heat, `Some(None)` where nothing is said; `None` if it is wrong.
-    fn thermal(&mut self, body: &Section<'_>) -> Option<Option<Thermal>> {
-        let Some((key, entry)) = body.get("thermal") else { return Some(None) };
-        let section = self.as_table(key, &entry.node)?;
-        let before = self.problems.len();
-        let (values, _) = self.values(&section, Thermal::PARAMETERS);
-        if self.problems.len() > before {
-            return None;
-        }
-        match Thermal::read(&values) {
-            Ok(thermal) => Some(Some(thermal)),
-            Err(invalid) => {
-                self.invalid(&section, invalid);
-                None
-            }
-        }
     }
 
     /// The wear law, `Some(None)` where there is none; `None` if it is wrong.

@@ -4,6 +4,7 @@ mod body;
 mod elastic;
 mod finite;
 mod frame;
+mod material;
 mod output;
 mod wheel_rail;
 

@@ -43,8 +43,8 @@ impl Limits {
             if let Some(gone) = gone(body, deepest) {
                 worst_of(&mut self.layers, gone, body);
             }
-            let of_law = || body.wear.as_ref().and_then(|law| law.hardness());
-            let hardness = body.hardness.or_else(of_law);
+            let of_law = body.wear.as_ref().and_then(|law| law.hardness());
+            let hardness = body.hardness.or(of_law).or(body.bears);
             let young = body.uppermost().map(|material| material.young);
             let young = young.filter(|young| *young >= verdict::ELASTOMERS);
             match (hardness, young) {

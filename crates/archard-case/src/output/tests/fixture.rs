@@ -66,6 +66,8 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)]).into()),
         depth: None,
         density: None,
+        bears: None,
+        hardness: None,
         thermal: None,
     }
 }

@@ -17,7 +17,7 @@ mod tests;
 use std::ops::Range;
 
 use super::{Columns, Input, Per, Rubbing, WearLaw, try_out};
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{About, Choice, Invalid, Parameter, Quantity};
 use crate::units::{self, Dimension};
 pub use look_up::LookUp;
 use parser::{File, Mistake};
@@ -50,6 +50,12 @@ pub(super) const CHOICE: Choice<Box<dyn WearLaw>> = Choice {
         Ok(Box::new(Expression::built(formula, &constants.collect::<Vec<_>>(), tables, per)?))
     },
 };
+
+pub(super) const ABOUT: About = About::new(
+    CHOICE.name,
+    "your own formula",
+    "{ depth = \"k*p*s*(v/v0)^0.5\", k = \"1e-15 1/Pa\", v0 = \"1 m/s\" }",
+);
 
 /// What a formula may name: how it is called, what it is and its dimension.
 const VARIABLES: &[(&str, Variable, Dimension)] = &[

@@ -45,6 +45,12 @@ fn pressures_are_held_against_what_bodies_bear() {
             assert_eq!(word(&verdict, "strain"), Some(strain), "{pressure}");
         }
     }
+    // What a material bears counts where the law gives no hardness of its own.
+    run.problem.bodies[0].bears = Some(1e9);
+    run.problem.bodies[1].bears = Some(1.5e9);
+    let verdict = judge([report(&run, &under(&run, 1.8e9))]);
+    assert_relative_eq!(value(&verdict, "hardness").unwrap(), 1.2, max_relative = 1e-12);
+    assert_eq!(word(&verdict, "hardness"), Some(Word::Doubtful));
     let rigid = Run::pressed([9, 8], 0.3);
     let verdict = judge([report(&rigid, &under(&rigid, 1e8))]);
     assert_relative_eq!(value(&verdict, "strain").unwrap(), 1e8 / 210e9, max_relative = 1e-12);
