@@ -13,6 +13,7 @@ from pathlib import Path
 import archard
 import matplotlib
 import numpy as np
+from archard import _archard, _toml
 from matplotlib import pyplot
 from PIL import Image
 
@@ -105,7 +106,7 @@ def opened(result, output):
     """Return an output by its place, or by its file if it is none of a motion."""
     if isinstance(output, str):
         content = (result.folder / output).read_bytes()
-        return archard.Snapshot(0.0, *archard._archard.read_fields(Path(output).name, content))
+        return archard.Snapshot(0.0, *_archard.read_fields(Path(output).name, content))
     return result.fields[output]
 
 
@@ -137,6 +138,11 @@ def surface(
         if cut:
             y, z = y[y >= 0.0], z[y >= 0.0]
         shown.append((snapshot, x, y, z))
+    new = None
+    if cut and quantity == "height":
+        # The section as it was before, above the first row.
+        middle = abs(snapshot.y).argmin()
+        new = shown[-1][3][0] + np.interp(x, snapshot.x * 1e3, field(snapshot, "wear", body)[middle])
     low, high = min(z.min() for *_, z in shown), max(z.max() for *_, z in shown)
     options = {"projection": "3d", "computed_zorder": False}
     drawn, axes = figure(5.4 if panels == 1 else 4.8, panels, subplot_kw=options)
@@ -145,6 +151,10 @@ def surface(
         faces = one.plot_surface(*np.meshgrid(x, y), z, linewidth=0, antialiased=False, **options)
         if cut:
             one.plot(x, 0.0 * x + y[0], z[0], color="black", linewidth=1.5)
+        if new is not None:
+            one.plot(x, 0.0 * x + y[0], new, "--", color=ORANGE, linewidth=2, label="new")
+            one.legend(loc="upper left")
+            high = max(high, new.max())
         wide, deep = np.ptp(x), np.ptp(y)
         high_drawn = share * max(wide, deep)
         one.set_box_aspect((wide, deep, high_drawn), zoom=1.1 if max(wide, deep) < 2.5 * min(wide, deep) else 1.0)
@@ -480,7 +490,7 @@ def rendered(drawn):
 
 def main():
     """Draw the picture of each case whose results are given."""
-    cases = archard._toml.read((HERE / "seen.toml").read_text(encoding="utf-8"))
+    cases = _toml.read((HERE / "seen.toml").read_text(encoding="utf-8"))
     for folder in map(Path, sys.argv[1:]):
         options = dict(cases[folder.name])
         name, _ = options.pop("picture"), options.pop("seen")
