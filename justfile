@@ -65,20 +65,16 @@ pages:
     ARCHARD_PAGES=1 cargo test --test cases every_case_gives
     ARCHARD_PAGES=1 cargo test --test cases the_gallery
 
-# run the published cases and draw their pictures into the book; takes rsvg-convert
+# run the published cases and draw the picture of each into the book, as book/src/gallery/seen.toml says, after `just python`
 gallery:
     #!/usr/bin/env bash
     set -euo pipefail
-    mkdir -p book/src/gallery
     for case in cases/*; do
-        name=$(basename "$case")
-        results=target/gallery/$name
+        results=target/gallery/$(basename "$case")
         cargo run --release --quiet -- run "$case" --quiet --force --output "$results"
-        cargo run --release --quiet -- plot "$results" > /dev/null || continue
-        for kind in fretting_loop creep_force overview; do
-            picture=$results/plots/$kind.svg
-            [ ! -f "$picture" ] || rsvg-convert --width 900 "$picture" --output "book/src/gallery/$name.png"
-        done
+        # A body by itself has nothing to plot.
+        cargo run --release --quiet -- plot "$results" > /dev/null || true
+        target/python/bin/python book/src/gallery/draw.py "$results"
     done
 
 # time whole solves in padded round trips, and whole cases against the last release

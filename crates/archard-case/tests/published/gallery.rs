@@ -22,7 +22,8 @@ fn book() -> PathBuf {
 fn seen(name: &str) -> String {
     let list = fs::read_to_string(book().join("gallery/seen.toml")).expect("a list");
     let list = DeTable::parse(&list).expect("a list in TOML");
-    let text = list.get_ref().get(name).and_then(|text| text.get_ref().as_str());
+    let case = list.get_ref().get(name).and_then(|case| case.get_ref().as_table());
+    let text = case.and_then(|case| case.get("seen")?.get_ref().as_str());
     text.unwrap_or_else(|| {
         panic!("gallery/seen.toml has to say what is seen in the picture of `{name}`")
     })

@@ -107,9 +107,7 @@ fn list() -> Result<(), Failure> {
     say(&format!("\nBuilt-in cases, with the picture in the repository under {PICTURES}\n"))?;
     let width = CASES.iter().map(|builtin| builtin.name.len()).max().unwrap_or(0);
     for builtin in CASES {
-        // A body by itself has results for ParaView, but no picture.
-        let moves = builtin.text.contains("[motion.");
-        let picture = if moves { format!("{}.png", builtin.name) } else { "-".to_owned() };
+        let picture = format!("{}.png", builtin.name);
         let wide = width + 4;
         say(&format!("  {:width$}  {picture:wide$}  {}", builtin.name, builtin.title()))?;
     }
