@@ -33,7 +33,7 @@ fn pressed(name: &str, hardness: f64, elements: usize) -> (Vec<f64>, Vec<f64>, f
 #[test]
 fn solvers_agree_on_bodies_that_yield() {
     let elastic = peak(&pressed("conjugate_gradient", f64::INFINITY, 24).0);
-    for share in [0.9, 0.5, 0.2] {
+    for share in [0.9, 0.5, 0.2, 0.1] {
         let hardness = share * elastic;
         let all: Vec<_> = SOLVERS.iter().map(|choice| pressed(choice.name, hardness, 24)).collect();
         for (pressure, gap, approach) in &all {
@@ -46,6 +46,26 @@ fn solvers_agree_on_bodies_that_yield() {
         }
         let yields = all[0].0.iter().filter(|p| **p == hardness).count();
         assert!(yields > 0, "{share}");
+    }
+}
+
+/// Pairs yield one after the other, and between two of them the load does not rise with the approach: it is found all the same.
+#[test]
+fn a_load_that_rises_in_steps_is_found() {
+    let text = "frame.size = [\"2 mm\", \"2 mm\"]\nframe.elements = [24, 24]\n\
+        body.a.material = { young = \"70 GPa\", poisson = 0.3 }\n\
+        body.a.profile.power = { coefficient = \"0.0954033 mm^-1\", exponent = 2 }\n\
+        body.b.material = { young = \"70 GPa\", poisson = 0.3 }\nbody.b.profile.flat = {}\n\
+        body.b.hardness = \"58.7 MPa\"\nmotion.indentation = { load = \"110.23 N\", increments = 1 }\n";
+    let approaches = SOLVERS.iter().map(|choice| {
+        let solver = format!("solver.{}.tolerance=1e-7", choice.name);
+        let mut rows = Rows::default();
+        case(text, &[&solver]).run(&mut [&mut rows]).unwrap();
+        [rows.last("approach_m"), rows.last("imprint_volume_b_m3")]
+    });
+    let approaches: Vec<[f64; 2]> = approaches.collect();
+    for index in [0, 1] {
+        assert_relative_eq!(approaches[0][index], approaches[1][index], max_relative = 1e-5);
     }
 }
 

@@ -122,28 +122,43 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Finds the approach that answers to a load (N), starting from a guess (m): secants on the load
-    /// to the power 2/3, which is proportional to the approach for a sphere.
+    /// Finds the approach that answers to a load (N), starting from a guess (m): secants on the load to the power 2/3, which is
+    /// proportional to the approach for a sphere, within what is known to be too little and too much. Where bodies yield, a pair
+    /// at a time, the load rises in steps, and secants leave them.
     fn meet(&mut self, load: f64, guess: f64) -> Outcome {
         let lowest = self.step.gap.iter().copied().fold(f64::INFINITY, f64::min);
         let measure = self.step.measure;
         let reached = |pressure: &[f64]| measure.load(pressure);
         let excess_of = |force: f64| (force / load).cbrt().powi(2) - 1.0;
+        let [mut little, mut much] = [lowest, f64::INFINITY];
         let mut last = (lowest, -1.0);
-        let mut approach = guess;
+        // A guess at which nothing touches is none.
+        let mut approach = if guess > lowest { guess } else { first_guess(self.step).1 };
         loop {
             let outcome = self.settle(approach);
             let excess = excess_of(reached(&outcome.pressure));
             let settled = excess.abs() <= self.settings.tolerance;
-            if outcome.status != Status::Converged || settled {
+            // A frame that is full of more than the load need not be full of it.
+            let beyond = outcome.status == Status::FrameFull && excess > 0.0;
+            if settled || !(beyond || outcome.status == Status::Converged) {
                 return outcome;
             }
-            if self.count >= self.settings.max_iterations || excess == last.1 {
+            if excess > 0.0 {
+                much = approach
+            } else {
+                little = approach
+            }
+            let between = if much.is_finite() {
+                0.5 * (little + much)
+            } else {
+                approach + (approach - lowest)
+            };
+            if self.count >= self.settings.max_iterations || between == approach {
                 return Outcome { status: Status::OutOfIterations, ..outcome };
             }
-            let next = approach - excess * (approach - last.0) / (excess - last.1);
+            let secant = approach - excess * (approach - last.0) / (excess - last.1);
             last = (approach, excess);
-            approach = next.max(0.5 * (lowest + approach));
+            approach = if little < secant && secant < much { secant } else { between };
         }
     }
 
