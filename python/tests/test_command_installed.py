@@ -22,6 +22,10 @@ LONG += ["motion.sliding.distance=50 m", "--set", "motion.sliding.step=1 mm", "-
 pytestmark = pytest.mark.skipif(not SCRIPT.exists(), reason="the package is not installed with its script")
 
 
+def heed_hangups():
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)
+
+
 def run(*words, cwd=None, start=(SCRIPT,)):
     return subprocess.run([*start, *words], cwd=cwd, capture_output=True, text=True, timeout=300)
 
@@ -59,7 +63,9 @@ def test_what_is_wrong_has_its_exit_code(tmp_path):
 @pytest.mark.skipif(os.name == "nt", reason="signals of POSIX")
 @pytest.mark.parametrize("stop", ["SIGINT", "SIGTERM"])
 def test_a_signal_keeps_what_was_computed(stop, tmp_path):
-    child = subprocess.Popen([SCRIPT, *LONG, "-o", tmp_path / "out"], stderr=subprocess.PIPE, text=True)
+    words = [SCRIPT, *LONG, "-o", tmp_path / "out"]
+    # Where hangups are ignored (`nohup`) the command leaves signals as they are.
+    child = subprocess.Popen(words, stderr=subprocess.PIPE, text=True, preexec_fn=heed_hangups)
     try:
         history, end = tmp_path / "out" / "history.csv", time.monotonic() + 120
         while not (history.exists() and len(history.read_text().splitlines()) > 3):
