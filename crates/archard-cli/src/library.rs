@@ -6,29 +6,11 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::arguments::Report;
-use crate::compare::Options;
 use crate::failure::Failure;
 use crate::plot::results::Results;
 use crate::{compare, plot, report};
 
-/// How a run is compared.
-#[derive(Debug, Clone, Default)]
-pub struct Comparing {
-    /// Columns of measured tables by names, as `z=Height`.
-    pub columns: Vec<String>,
-    /// The body that was measured; the one that wears deepest if not given.
-    pub body: Option<String>,
-    /// Whether measured profiles are level and placed as the run has them.
-    pub levelled: bool,
-    /// Where the program has written for a time what it holds in memory: names of files and folders leave it out.
-    pub place: Option<PathBuf>,
-}
-
-impl From<Comparing> for Options {
-    fn from(Comparing { columns, body, levelled, place }: Comparing) -> Self {
-        Self { columns, body, levelled, place }
-    }
-}
+pub use crate::compare::Options as Comparing;
 
 /// Writes the page of a folder, beside measured tables and other runs, as `archard report` does; returns its file.
 ///
@@ -41,7 +23,7 @@ pub fn page(
     options: Comparing,
 ) -> Result<PathBuf, String> {
     let dirs = std::iter::once(dir.to_owned()).chain(others.iter().cloned()).collect();
-    let arguments = Report { dirs, output, measured: Vec::new(), options: options.into() };
+    let arguments = Report { dirs, output, measured: Vec::new(), options };
     report::run(&arguments).map_err(why)
 }
 
@@ -54,7 +36,7 @@ pub fn comparison(
     others: &[PathBuf],
     options: Comparing,
 ) -> Result<(Vec<String>, Value), String> {
-    let (words, picture, mark) = compare::picture(dir, others, &options.into()).map_err(why)?;
+    let (words, picture, mark) = compare::picture(dir, others, &options).map_err(why)?;
     Ok((words, json!({ "mark": mark, "pictures": [picture.json()] })))
 }
 

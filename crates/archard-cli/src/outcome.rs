@@ -77,7 +77,8 @@ impl Outcome<'_> {
             let value = format!("{largest} K at most, {mean} K in the mean");
             lines.add("flash temperature", value, String::new());
         }
-        if simulation.problem.wears() || simulation.problem.hardness().is_finite() {
+        self.pressed_in(&mut lines);
+        if simulation.problem.wears() {
             self.worn(&mut lines);
         }
         let Effort { steps, solves, .. } = self.effort;
@@ -97,6 +98,26 @@ impl Outcome<'_> {
         self.follower.number(column).unwrap_or(0.0)
     }
 
+    /// Adds what is pressed into each body that yields.
+    fn pressed_in(&self, lines: &mut Lines) {
+        let shown: [(&str, &str, Shown); 2] = [
+            ("imprint", IMPRINT, |depth| format!("{} um", four(depth * 1e6))),
+            ("pressed in", IMPRINT_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
+        ];
+        for (what, column, shown) in shown {
+            for body in &self.simulation.problem.bodies {
+                let column = of_body(column, &body.name);
+                if let Some(value) = self.follower.number(&column) {
+                    lines.add(
+                        format!("{what} ({})", body.name),
+                        shown(value),
+                        self.error(&[&column]),
+                    );
+                }
+            }
+        }
+    }
+
     /// Adds what is worn off each body that wears, what both are worn by together, and how wide it is.
     fn worn(&self, lines: &mut Lines) {
         let problem = &self.simulation.problem;
@@ -112,9 +133,7 @@ impl Outcome<'_> {
             let depth = format!("{} um", four(self.last(&column) * 1e6));
             lines.add(format!("wear depth ({name})"), depth, self.error(&[&column]));
         }
-        let shown: [(&str, &str, Shown); 8] = [
-            ("imprint", IMPRINT, |depth| format!("{} um", four(depth * 1e6))),
-            ("pressed in", IMPRINT_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
+        let shown: [(&str, &str, Shown); 6] = [
             ("worn volume", WORN_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("off its layers", LAYER_VOLUME, |volume| format!("{} mm^3", four(volume * 1e9))),
             ("worn through", EXPOSED_AREA, |area| format!("{} mm^2", four(area * 1e6))),
@@ -125,9 +144,7 @@ impl Outcome<'_> {
         for (what, column, shown) in shown {
             // Nothing is worn through, as a rule.
             let told = |value: &f64| column != EXPOSED_AREA || *value > 0.0;
-            let pressed = [IMPRINT, IMPRINT_VOLUME].contains(&column);
-            for body in problem.bodies.iter().filter(|body| pressed || body.wear.is_some()) {
-                let name = &body.name;
+            for name in &wearing {
                 let column = of_body(column, name);
                 if let Some(value) = self.follower.number(&column).filter(told) {
                     lines.add(format!("{what} ({name})"), shown(value), self.error(&[&column]));

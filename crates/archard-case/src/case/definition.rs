@@ -287,7 +287,7 @@ impl BodyCase {
     }
 
     /// Indentation hardness (Pa) of what it is made of at its surface, where that is known.
-    pub fn bears(&self) -> Option<f64> {
+    pub fn indentation_hardness(&self) -> Option<f64> {
         match self.layers.first() {
             Some(layer) => layer.hardness,
             None => self.made_of(|material| material.hardness),
@@ -306,7 +306,7 @@ impl BodyCase {
             depth: self.depth,
             hardness: self.hardness,
             density: self.density.or(self.made_of(|material| material.density)),
-            bears: self.bears(),
+            indentation_hardness: self.indentation_hardness(),
             thermal: self.thermal,
         })
     }

@@ -31,7 +31,7 @@ fn a_body_has_what_its_material_has_where_the_case_gives_nothing() {
         let options = [&["body.pin.material=Al 7075-T6"], more].concat();
         with(&options).build().unwrap().problem.bodies[0].clone()
     });
-    assert_eq!((own.density, own.bears), (Some(named.density), named.hardness));
+    assert_eq!((own.density, own.indentation_hardness), (Some(named.density), named.hardness));
     assert_relative_eq!(given.density.unwrap(), 2900.0, max_relative = 1e-14);
 }
 
@@ -48,7 +48,7 @@ fn values_beside_a_name_replace_its_own() {
     assert_eq!(material.hardness, known.hardness);
     reads_back(&case);
     let own = with(&["body.pin.material={young=70 GPa, poisson=0.3, hardness=1 GPa}"]);
-    assert_eq!(own.build().unwrap().problem.bodies[0].bears, Some(1e9));
+    assert_eq!(own.build().unwrap().problem.bodies[0].indentation_hardness, Some(1e9));
     reads_back(&own);
 }
 
@@ -96,7 +96,7 @@ fn layers_are_named_too() {
     let (known, one) = (Named::find("DLC").unwrap(), &case.bodies[1].layers[0]);
     assert_eq!((one.layer.material.young, one.hardness), (known.young, known.hardness));
     let body = case.build().unwrap().problem.bodies[1].clone();
-    assert_eq!((body.bears, body.density), (known.hardness, None));
+    assert_eq!((body.indentation_hardness, body.density), (known.hardness, None));
     reads_back(&case);
     let own = "body.disc.layers=[{thickness=\"3 um\", name=\"DLC\", young=\"150 GPa\"}]";
     assert_eq!(

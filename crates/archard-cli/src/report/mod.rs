@@ -20,7 +20,6 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Context, Result, ensure};
-use archard_case::output::write_whole;
 
 use crate::arguments::Report;
 use crate::compare;
@@ -73,12 +72,7 @@ pub fn write(arguments: &Report, reload: Option<Duration>) -> Result<PathBuf> {
         run::page(dir, &results, compared)?
     };
     let path = output.clone().unwrap_or_else(|| dir.join(NAME));
-    ensure!(
-        page::may_replace(&path),
-        "`{}` is there, and is no page of this program: choose another file, or remove it",
-        path.display()
-    );
-    write_whole(&path, page.document(reload).as_bytes())?;
+    page.write(&path, reload)?;
     Ok(path)
 }
 
@@ -88,7 +82,7 @@ pub fn write(arguments: &Report, reload: Option<Duration>) -> Result<PathBuf> {
 /// If the folder has none, or the page cannot be written.
 pub(crate) fn of_scans(dir: &Path) -> Result<PathBuf> {
     let path = dir.join(NAME);
-    write_whole(&path, scans::page(dir)?.document(None).as_bytes())?;
+    scans::page(dir)?.write(&path, None)?;
     Ok(path)
 }
 

@@ -5,6 +5,8 @@ use std::io::{Read, Write};
 use std::path::Path;
 use std::time::Duration;
 
+use anyhow::{Result, ensure};
+use archard_case::output::write_whole;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -20,9 +22,9 @@ const PLOTLY: &[u8] = include_bytes!("../../assets/plotly.min.js.gz");
 const STYLE: &str = include_str!("../../assets/report.css");
 const SCRIPT: &str = include_str!("../../assets/report.js");
 
-/// What the title of every page ends in, and the bytes from the start of a page it is looked for in: titles may be long.
-const MARK: &str = "\u{2013} Archard</title>";
-const HEAD: u64 = 65_536;
+/// What every page begins with, and nothing else does.
+const START: &str = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+                     <meta name=\"generator\" content=\"Archard\">\n";
 
 /// Most columns of a table: more cannot be read on a telephone.
 const COLUMNS: usize = 3;
@@ -47,7 +49,7 @@ pub(super) struct Table {
 impl Page {
     /// The whole document. Its policy runs the program's own two scripts, known by their digests, and nothing else; it fetches
     /// nothing from anywhere. Where a time is given, the browser reads it again after that.
-    pub(super) fn document(&self, reload: Option<Duration>) -> String {
+    fn document(&self, reload: Option<Duration>) -> String {
         let reload = reload.map_or_else(Html::default, |time| {
             let seconds = time.as_secs_f64().ceil() as usize;
             fill("<meta http-equiv=\"refresh\" content=\"{}\">\n", &[&seconds])
@@ -65,8 +67,7 @@ impl Page {
             None => Html::default(),
         };
         let document = fill(
-            "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-             <meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
+            "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\">\n\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n{}\
              <title>{} \u{2013} Archard</title>\n<style>\n{}</style>\n</head>\n<body>\n\
              <a class=\"skip\" href=\"#main\">To the results</a>\n{}\n<main id=\"main\">\n\
@@ -81,19 +82,32 @@ impl Page {
                 &scripts,
             ],
         );
-        document.as_str().to_owned()
+        format!("{START}{}", document.as_str())
+    }
+
+    /// Writes the document, in the place of nothing or of another page of this program.
+    ///
+    /// # Errors
+    /// If something else is there, or it cannot be written.
+    pub(super) fn write(&self, path: &Path, reload: Option<Duration>) -> Result<()> {
+        ensure!(
+            may_replace(path),
+            "`{}` is there, and is no page of this program: choose another file, or remove it",
+            path.display()
+        );
+        Ok(write_whole(path, self.document(reload).as_bytes())?)
     }
 }
 
 /// Whether a page may stand at that place: nothing does, or another page of this program.
-pub(super) fn may_replace(path: &Path) -> bool {
+fn may_replace(path: &Path) -> bool {
     if !path.is_file() {
         return !path.exists();
     }
     let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut start));
-    let start = String::from_utf8_lossy(&start);
-    read.is_ok() && start.starts_with("<!DOCTYPE html>") && start.contains(MARK)
+    let read =
+        File::open(path).and_then(|file| file.take(START.len() as u64).read_to_end(&mut start));
+    read.is_ok() && start == START.as_bytes()
 }
 
 /// What the browser may do with the page. Plotly places its parts by `style` attributes, which run nothing, and shows its maps

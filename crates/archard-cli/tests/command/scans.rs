@@ -72,6 +72,11 @@ fn what_is_worn_between_two_scans_is_said_and_written() {
     let error = wrong(&["--after", "b.csv", "-o", "mine"]);
     assert!(error.contains("tests.csv` is in the way"), "{error}");
     assert_eq!(fs::read_dir(dir.path().join("mine")).unwrap().count(), 1);
+    fs::create_dir(dir.path().join("pages")).unwrap();
+    put("pages/report.html", "mine".to_owned());
+    let error = wrong(&["--after", "b.csv", "-o", "pages"]);
+    assert!(error.contains("report.html` is there, and is no page"), "{error}");
+    assert_eq!(fs::read_to_string(dir.path().join("pages/report.html")).unwrap(), "mine");
     with(&made).success();
     archard(&dir, &["compare", "--before", "a.csv"]).failure();
     archard(&dir, &["compare"]).failure();

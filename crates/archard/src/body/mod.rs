@@ -43,7 +43,7 @@ pub struct Body {
     pub density: Option<f64>,
     /// Indentation hardness (Pa) of its material at the surface: elastic pressures above it are doubted. `None` where it is not
     /// known.
-    pub bears: Option<f64>,
+    pub indentation_hardness: Option<f64>,
     /// How it conducts heat; `None` where that is not known.
     pub thermal: Option<Thermal>,
     /// The largest pressure (Pa) it bears: it yields under that one, elastic and perfectly plastic. `None` where it stays elastic.
@@ -65,7 +65,7 @@ impl Body {
             wear: None,
             depth: None,
             density: None,
-            bears: None,
+            indentation_hardness: None,
             thermal: None,
             hardness: None,
         }
@@ -136,8 +136,8 @@ impl Body {
 
     /// The same body of a material of that indentation hardness (Pa).
     #[must_use]
-    pub fn bears(self, hardness: f64) -> Self {
-        Self { bears: Some(hardness), ..self }
+    pub fn indentation_hardness(self, hardness: f64) -> Self {
+        Self { indentation_hardness: Some(hardness), ..self }
     }
 
     /// The same body, conducting heat like that.

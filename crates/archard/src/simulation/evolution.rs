@@ -218,13 +218,12 @@ impl Evolution {
                 self.take(outcome, simulation, increment);
                 Ok(())
             }
-            Status::FrameFull if step.measure.closed && step.hardness.is_finite() => {
-                Err(Error::Overloaded {
-                    measure: problem.motion.progress(),
-                    progress: increment.progress,
-                    borne: step.measure.load(&vec![step.hardness; gap.len()]),
-                })
-            }
+            // Surfaces that end or repeat themselves with the frame are full of nothing but yielding pairs.
+            Status::FrameFull if step.measure.closed => Err(Error::Overloaded {
+                measure: problem.motion.progress(),
+                progress: increment.progress,
+                borne: step.most(),
+            }),
             Status::Converged | Status::FrameFull => Err(Error::FrameFull {
                 measure: problem.motion.progress(),
                 progress: increment.progress,

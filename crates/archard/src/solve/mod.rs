@@ -60,17 +60,22 @@ pub struct Step<'a> {
 }
 
 impl Step<'_> {
+    /// The load (N) that the pairs bear where all of them yield; infinite of elastic bodies.
+    pub(crate) fn most(&self) -> f64 {
+        if self.hardness.is_infinite() {
+            return f64::INFINITY;
+        }
+        self.measure.load(&vec![self.hardness; self.gap.len()])
+    }
+
     /// What comes of a load that the pairs do not bear even where all of them yield; `None` of one that they bear.
     fn overloaded(&self) -> Option<Outcome> {
-        let Control::Load(load) = self.control else { return None };
-        if self.hardness.is_infinite() {
-            return None;
+        match self.control {
+            Control::Load(load) if load >= self.most() => {}
+            _ => return None,
         }
         let pairs = self.gap.len();
         let yielding = vec![self.hardness; pairs];
-        if load < self.measure.load(&yielding) {
-            return None;
-        }
         let displacement = normal_displacement(self.compliance, &yielding);
         let open = vector::map([self.gap, &displacement, self.addition], |[gap, up, addition]| {
             gap + up + addition * self.hardness

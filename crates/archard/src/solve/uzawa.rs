@@ -123,8 +123,8 @@ impl<'a> Iteration<'a> {
     }
 
     /// Finds the approach that answers to a load (N), starting from a guess (m): secants on the load to the power 2/3, which is
-    /// proportional to the approach for a sphere, within what is known to be too little and too much. Where bodies yield, a pair
-    /// at a time, the load rises in steps, and secants leave them.
+    /// proportional to the approach for a sphere, or the middle between what is known to be too little and too much where a secant
+    /// leaves these. Pairs yield one after the other: between two of them the load may not rise with the approach.
     fn meet(&mut self, load: f64, guess: f64) -> Outcome {
         let lowest = self.step.gap.iter().copied().fold(f64::INFINITY, f64::min);
         let measure = self.step.measure;

@@ -100,7 +100,7 @@ fn mean(body: &BodyCase) -> Result<f64, BuildError> {
         depth: None,
         density: None,
         hardness: None,
-        bears: None,
+        indentation_hardness: None,
         thermal: None,
     };
     let contact = contact::Contact::new([&body, &rigid], &contact::condense)

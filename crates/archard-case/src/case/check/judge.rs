@@ -299,7 +299,7 @@ fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
             Some((wear.values.number("hardness")?, key))
         });
         let part = if body.layers.is_empty() { key.child("material") } else { key.child("layers") };
-        let own = || Some((body.bears()?, part.child("hardness")));
+        let own = || Some((body.indentation_hardness()?, part.child("hardness")));
         let (hardness, key) = by_law.or_else(own)?;
         let over = contact.peak_pressure / hardness;
         (verdict::hardness(over, &body.name).word() != Word::Good).then(|| {

@@ -44,7 +44,7 @@ impl Limits {
                 worst_of(&mut self.layers, gone, body);
             }
             let of_law = body.wear.as_ref().and_then(|law| law.hardness());
-            let hardness = body.hardness.or(of_law).or(body.bears);
+            let hardness = body.hardness.or(of_law).or(body.indentation_hardness);
             let young = body.uppermost().map(|material| material.young);
             let young = young.filter(|young| *young >= verdict::ELASTOMERS);
             match (hardness, young) {

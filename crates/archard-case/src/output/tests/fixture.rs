@@ -66,7 +66,7 @@ fn body(name: &str, profile: Box<dyn Profile>, coefficient: f64) -> Body {
         wear: Some(build(WEAR_LAWS, "archard", &[("coefficient", coefficient)]).into()),
         depth: None,
         density: None,
-        bears: None,
+        indentation_hardness: None,
         hardness: None,
         thermal: None,
     }

@@ -1,32 +1,25 @@
 //! The next set: pairs whose pressures may change, and those that are held at none or at the hardness.
 
 use super::Iteration;
-use crate::numerics::vector::{sum, sum_with, sweep, sweep_with, update};
+use crate::numerics::vector::{sum_with, sweep, sweep_with, update};
 use crate::solve::contact_set::settle;
 
 impl Iteration<'_> {
     /// Takes the pairs whose pressures may change as the set and holds those of others; returns whether it is another set.
     pub fn change_set(&mut self) -> bool {
         let (own, hardness) = (self.step.compliance.normal_self_term(), self.step.hardness);
-        let fields = [&self.pressure, &self.gap, self.step.addition, &self.contact];
-        let changes = |pressure: f64, gap: f64, addition: f64, before: f64| {
-            let [kept, contact] = settle(pressure, gap, own + addition, hardness);
-            ([kept, contact], contact != before || contact == 0.0 && kept != pressure)
-        };
-        let [changed] = sum(fields, |[pressure, gap, addition, before]| {
-            [f64::from(changes(pressure, gap, addition, before).1)]
-        });
-        if changed == 0.0 {
-            return false;
-        }
-        let [cut] = sweep(
+        let [changed, cut] = sweep(
             [&mut self.pressure, &mut self.contact],
             [&self.gap, self.step.addition],
             |[pressure, before], [gap, addition]| {
-                let (next, _) = changes(pressure, gap, addition, before);
-                (next, [f64::from(next[0] != pressure)])
+                let next = settle(pressure, gap, own + addition, hardness);
+                let changed = next != [pressure, before];
+                (next, [f64::from(changed), f64::from(next[0] != pressure)])
             },
         );
+        if changed == 0.0 {
+            return false;
+        }
         self.start_set(cut > 0.0);
         true
     }

@@ -46,8 +46,8 @@ fn pressures_are_held_against_what_bodies_bear() {
         }
     }
     // What a material bears counts where the law gives no hardness of its own.
-    run.problem.bodies[0].bears = Some(1e9);
-    run.problem.bodies[1].bears = Some(1.5e9);
+    run.problem.bodies[0].indentation_hardness = Some(1e9);
+    run.problem.bodies[1].indentation_hardness = Some(1.5e9);
     let verdict = judge([report(&run, &under(&run, 1.8e9))]);
     assert_relative_eq!(value(&verdict, "hardness").unwrap(), 1.2, max_relative = 1e-12);
     assert_eq!(word(&verdict, "hardness"), Some(Word::Doubtful));
