@@ -52,7 +52,7 @@ impl Comparison {
 /// How a run is compared.
 #[derive(Debug, Clone, Default, clap::Args)]
 pub struct Options {
-    /// The column of a measured table that has a name, e.g. z="Tiefe [um]"; a profile has x (or y) and z, readings over the
+    /// The column of a measured table that has a name, e.g. `z="Tiefe [um]"`; a profile has x (or y) and z, readings over the
     /// motion have distance, revolutions, cycle or time, and depth, volume, section or mass
     #[arg(long = "column", value_name = "NAME=TITLE")]
     pub columns: Vec<String>,
