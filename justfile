@@ -24,6 +24,10 @@ soak:
     cargo test -p archard-cli --lib -- damaged_folders --ignored --nocapture
     cargo test -p archard-cli --test faults -- --ignored
 
+# count lines, constants, questions to the motion, types, tuples and circular imports into crates/archard/tests/house.csv
+house:
+    ARCHARD_HOUSE=1 cargo test -p archard --test house -- --nocapture
+
 # check formatting and lints
 lint:
     cargo fmt --all --check
