@@ -28,6 +28,16 @@ soak:
 house:
     ARCHARD_HOUSE=1 cargo test -p archard --test house -- --nocapture
 
+# hold the last rows of all cases against an earlier commit, to the bit, on one thread, on two and resumed: just same main~1 [CASE...]
+same earlier *cases:
+    #!/usr/bin/env bash
+    set -euo pipefail
+    rm -rf target/earlier && mkdir -p target/earlier
+    git archive {{earlier}} | tar -x -C target/earlier
+    CARGO_TARGET_DIR=target/of-earlier cargo build --release --manifest-path target/earlier/Cargo.toml -p archard-cli
+    cargo build --release -p archard-cli
+    python3 crates/archard-cli/benches/same.py target/of-earlier/release/archard target/release/archard cases {{cases}}
+
 # check formatting and lints
 lint:
     cargo fmt --all --check
