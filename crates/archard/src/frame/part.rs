@@ -93,6 +93,20 @@ impl Part {
         Self { frame, first: more.map(|[below, _]| below), size: elements }
     }
 
+    /// What two grids of so many elements share, as a part of each; the first begins at an element of the second.
+    pub fn shared(elements: [[usize; 2]; 2], first: [isize; 2]) -> [Self; 2] {
+        let ends = [first.map(|first| -first), first];
+        let begin = |grid: usize, axis: usize| {
+            usize::try_from(ends[grid][axis]).unwrap_or(0).min(elements[grid][axis])
+        };
+        let left = |grid: usize, axis: usize| elements[grid][axis] - begin(grid, axis);
+        let size = [0, 1].map(|axis| left(0, axis).min(left(1, axis)));
+        [0, 1].map(|grid| {
+            let first = [0, 1].map(|axis| begin(grid, axis));
+            Self { frame: elements[grid], first, size }
+        })
+    }
+
     /// Number of elements of the whole grid along x and y.
     pub fn frame(&self) -> [usize; 2] {
         self.frame
@@ -132,12 +146,6 @@ impl Part {
         Self { frame: outer.frame, first, size: self.size }
     }
 
-    /// Where a grid lies in the whole one, told by a rectangle of both: this one of the whole, `inner` of that grid.
-    pub fn seen_around(&self, inner: &Self) -> Self {
-        let first = [0, 1].map(|axis| self.first[axis] - inner.first[axis]);
-        Self { frame: self.frame, first, size: inner.frame }
-    }
-
     /// The number in the rectangle of a pair of the frame; `None` beside it.
     pub fn place(&self, pair: usize) -> Option<usize> {
         let [x, y] = [pair % self.frame[0], pair / self.frame[0]];
@@ -147,14 +155,14 @@ impl Part {
     }
 
     /// The rectangle's values of a field.
-    pub fn cut(&self, field: &[f64]) -> Vec<f64> {
-        self.rows().flat_map(|row| &field[row]).copied().collect()
+    pub fn cut<T: Clone>(&self, field: &[T]) -> Vec<T> {
+        self.rows().flat_map(|row| &field[row]).cloned().collect()
     }
 
     /// The field of the frame with these values in the rectangle.
-    pub fn pasted(&self, values: &[f64], mut field: Vec<f64>) -> Vec<f64> {
+    pub fn pasted<T: Clone>(&self, values: &[T], mut field: Vec<T>) -> Vec<T> {
         for (row, values) in self.rows().zip(values.chunks(self.size[0].max(1))) {
-            field[row].copy_from_slice(values);
+            field[row].clone_from_slice(values);
         }
         field
     }

@@ -7,6 +7,7 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
+use crate::frame::Part;
 use crate::numerics::vector;
 
 /// What is worn off a body, one value an element of its surface, x running fastest.
@@ -94,22 +95,15 @@ impl Grid {
         x + self.elements()[0] * y
     }
 
-    /// Where an element lies on the same surface over a larger frame, in which this one's begins at a pair; `None` beyond its
-    /// ends.
-    fn moved(self, element: usize, first: [usize; 2], to: Self) -> Option<usize> {
-        let [nx, _] = self.elements();
-        let own = [element % nx, element / nx];
-        let along = |axis: usize| {
-            let place = match (self.along[axis], to.along[axis]) {
-                (Along::Passes, _) => own[axis],
-                (Along::Swings(from), Along::Swings(to)) => {
-                    (own[axis] + first[axis] + to).checked_sub(from)?
-                }
-                _ => own[axis] + first[axis],
-            };
-            Some(place).filter(|&place| place < to.elements()[axis])
-        };
-        Some(along(0)? + to.elements()[0] * along(1)?)
+    /// Where its first element lies on the same surface over another frame, in which its own frame begins at a pair.
+    fn first_in(self, other: Self, first: [isize; 2]) -> [isize; 2] {
+        [0, 1].map(|axis| match (self.along[axis], other.along[axis]) {
+            (Along::Passes, Along::Passes) => 0,
+            (Along::Swings(own), Along::Swings(other)) => {
+                first[axis] + other as isize - own as isize
+            }
+            _ => first[axis],
+        })
     }
 }
 
@@ -198,19 +192,12 @@ impl Surface {
         Self { grid, depth, slid, imprint }
     }
 
-    /// The same over a larger frame, in which its own begins at a pair; unworn beyond.
+    /// The same over another frame, in which its own begins at a pair; unworn beyond its elements.
     #[must_use]
-    pub fn moved(&self, first: [usize; 2], grid: Grid) -> Self {
-        let [nx, ny] = grid.elements();
-        self.map(grid, |field| {
-            let mut moved = vec![0.0; nx * ny];
-            for (element, value) in field.iter().enumerate() {
-                if let Some(there) = self.grid.moved(element, first, grid) {
-                    moved[there] = *value;
-                }
-            }
-            moved
-        })
+    pub fn moved(&self, first: [isize; 2], grid: Grid) -> Self {
+        let elements = [self.grid, grid].map(Grid::elements);
+        let [own, there] = Part::shared(elements, self.grid.first_in(grid, first));
+        self.map(grid, |field| there.put(&own.cut(field)))
     }
 
     /// Mean and largest depth (m) of each row of elements across an axis, from end to end.

@@ -19,8 +19,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::evolution::{Evolution, Increment};
+use super::moving::{Move, Moving};
 use super::trial::{STATED, Trial, Way, depths, extrapolate, relative_change, slides};
-use super::wider::widened;
 use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Schedule};
 use crate::numerics::vector::Values;
@@ -152,17 +152,12 @@ impl Adaptive {
         }
     }
 
-    /// What the fine history's pressure at the centre lags by (Pa): half of what the coarse one's does. `at_centre` finds a
-    /// field's value there.
-    pub fn centre_lag(&self, problem: &ContactProblem, at_centre: impl Fn(&[f64]) -> f64) -> f64 {
-        let [coarse, fine] = [&self.coarse, &self.fine].map(|one| at_centre(&one.state.pressure));
+    /// What the fine history's pressure at the centre lags by (Pa): half of what the coarse one's does.
+    pub fn centre_lag(&self, problem: &ContactProblem) -> f64 {
+        let pressures = [&self.coarse, &self.fine].map(|one| &one.state.pressure);
+        let [coarse, fine] = pressures.map(|pressure| problem.frame.at_centre(pressure));
         let safe = problem.motion.swing().is_none() && relative_change(coarse, fine) < EDGE;
         if safe { coarse - fine } else { 0.0 }
-    }
-
-    /// The larger approach (m) of both histories.
-    pub fn approach(&self) -> f64 {
-        self.coarse.state.approach.max(self.fine.state.approach)
     }
 
     /// Both histories.
@@ -170,32 +165,9 @@ impl Adaptive {
         [&self.coarse, &self.fine]
     }
 
-    /// The same in another frame: `history` takes a history there, `surfaces` those of both bodies.
-    pub fn moved(
-        &self,
-        history: impl Fn(&Evolution) -> Evolution,
-        surfaces: impl Fn(&[Surface; 2]) -> [Surface; 2],
-    ) -> Self {
-        Self {
-            coarse: history(&self.coarse),
-            fine: history(&self.fine),
-            surfaces: surfaces(&self.surfaces),
-            ..*self
-        }
-    }
-
-    /// Both histories go over from the frame of a problem to a wider one.
-    pub fn widen(
-        &mut self,
-        from: &ContactProblem,
-        to: &Simulation,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
-        for history in [&mut self.coarse, &mut self.fine] {
-            *history = history.widened(from, to, effort)?;
-        }
-        self.surfaces = self.surfaces.each_ref().map(widened);
-        Ok(())
+    /// Both, to change.
+    pub fn histories_mut(&mut self) -> [&mut Evolution; 2] {
+        [&mut self.coarse, &mut self.fine]
     }
 
     /// One coarse and two fine steps.
@@ -266,6 +238,17 @@ impl Adaptive {
         // Nothing goes on from the state shown: it needs no displacement.
         let forward = self.fine.forward;
         Evolution { state, displacement: vec![], known: None, load_distance, forward }
+    }
+}
+
+impl Move for Adaptive {
+    fn moved(&self, to: &Moving<'_>) -> Self {
+        Self {
+            coarse: self.coarse.moved(to),
+            fine: self.fine.moved(to),
+            surfaces: self.surfaces.moved(to),
+            ..*self
+        }
     }
 }
 

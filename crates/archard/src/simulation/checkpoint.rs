@@ -7,6 +7,9 @@ use super::Simulation;
 use super::march::March;
 use crate::numerics::seal::{seal, unseal};
 
+/// What is kept begins with this; another layout of a [`March`] begins with another.
+const LAYOUT: &[u8] = b"march 2\n";
+
 /// Why a run does not go on from what was kept.
 #[non_exhaustive]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -25,14 +28,16 @@ impl March {
     /// All that further steps follow from.
     pub(super) fn to_bytes(&self) -> Vec<u8> {
         // Vectors and numbers, which always can be written.
-        let mut bytes = postcard::to_allocvec(self).unwrap_or_default();
+        let numbers = postcard::to_allocvec(self).unwrap_or_default();
+        let mut bytes = [LAYOUT, &numbers].concat();
         seal(&mut bytes);
         bytes
     }
 
     /// A run of a simulation from what was kept of it.
     pub(super) fn from_bytes(bytes: &[u8], simulation: &Simulation) -> Result<Self, NotResumed> {
-        let content = unseal(bytes).ok_or(NotResumed::Unreadable)?;
+        let content = unseal(bytes).and_then(|content| content.strip_prefix(LAYOUT));
+        let content = content.ok_or(NotResumed::Unreadable)?;
         let march: Self = postcard::from_bytes(content).map_err(|_| NotResumed::Unreadable)?;
         if march.digest != digest(simulation) {
             return Err(NotResumed::OtherCase);

@@ -79,6 +79,18 @@ impl Evolution {
         Ok(())
     }
 
+    /// Solves the contact anew, where only pressures and wear are known.
+    pub fn press_anew(
+        &mut self,
+        simulation: &Simulation,
+        effort: &mut Effort,
+    ) -> Result<(), Error> {
+        self.find_displacement(&simulation.problem, effort);
+        let progress = self.state.progress;
+        let control = simulation.schedule.control_at(progress);
+        self.press(simulation, Increment { advance: 0.0, progress, control }, effort)
+    }
+
     /// Where bodies bear the hardness and overlap, the softer one keeps the overlap as an imprint; both do by half where they are as
     /// hard.
     pub(super) fn imprint(&mut self, problem: &ContactProblem) {

@@ -4,10 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
-use super::growth::{Growth, Moved};
+use super::moving::{Move, Moving};
+use super::placed::Placed;
 use super::steps::Steps;
 use super::surroundings::More;
-use super::wider::Wider;
 use super::{Effort, Error, Report, Simulation};
 use crate::motion::Motion;
 use crate::problem::ContactState;
@@ -21,10 +21,10 @@ pub struct March {
     /// Of the simulation.
     pub(super) digest: [u8; 32],
     stepper: Stepper,
-    /// Frames that were left for wider ones.
-    behind: usize,
-    /// What became of the last frame, where the contact came to its rim.
-    growth: Option<Growth>,
+    /// Where it works.
+    placed: Placed,
+    /// The present state in the frame, where it works in a window.
+    shown: Option<ContactState>,
     /// Outputs that were put out.
     past: usize,
     /// Whether the fields of the present state are due.
@@ -46,66 +46,58 @@ impl March {
         for one in simulation.frames() {
             one.problem.fits()?;
         }
-        let (mut first, mut behind) = (simulation, 0);
-        let mut growth: Option<Growth> = None;
-        loop {
-            let grown = growth.as_ref().and_then(|growth| growth.simulation(first));
-            let present = grown.as_deref().unwrap_or(first);
-            let stepper = Stepper::begin(present);
+        let mut placed = Placed::default();
+        let stepper = loop {
+            let frame = placed.in_frame(simulation).unwrap_or(simulation);
+            let stepper = Stepper::begin(frame);
             let missed = match &stepper {
-                Ok(stepper) => stepper.missed(present),
-                Err(error) => all_touches(error, present),
+                Ok(stepper) => missed(frame, stepper.states()),
+                Err(error) => all_touches(error, frame),
             };
-            if let (Some(_), Some(wider)) = (missed, &first.wider) {
-                (first, behind) = (&wider.simulation, behind + 1);
-                continue;
-            }
-            let larger = missed.map(|more| Growth::by(first, growth.as_ref(), (more, 0.0)));
-            let Some(larger) = larger.transpose()?.flatten() else {
-                let (digest, stepper) = (digest(simulation), stepper?);
-                return Ok(Self { digest, stepper, behind, growth, past: 0, output: true });
-            };
-            growth = Some(larger);
-        }
+            let apart = [0.0, f64::NEG_INFINITY];
+            let larger = missed.map(|more| placed.larger(simulation, more, apart));
+            let Some(larger) = larger.transpose()?.flatten() else { break stepper? };
+            placed = larger;
+        };
+        let digest = digest(simulation);
+        let mut march = Self { digest, stepper, placed, shown: None, past: 0, output: true };
+        let window = march.placed.windowed(simulation, march.stepper.approach());
+        march.go(window, simulation)?;
+        Ok(march)
     }
 
-    /// Goes on to the next state that is shown; whether there was one.
+    /// Goes on to the next state that is shown; whether there was one. A step that missed something is taken again in a
+    /// larger place.
     pub(super) fn step(&mut self, simulation: &Simulation) -> Result<bool, Error> {
-        self.widen(simulation)?;
         let schedule = &simulation.schedule;
+        let margin = SAME * schedule.extent;
         let next = schedule.outputs.get(self.past).copied().unwrap_or(schedule.extent);
         let next = next.min(schedule.extent);
+        while let Some(doubled) = self.placed.doubled(simulation, self.state().progress + margin) {
+            self.go(doubled, simulation)?;
+        }
+        if self.placed.is_narrow(simulation, self.stepper.approach()) {
+            self.go(self.placed.roomier(simulation, self.stepper.approach()), simulation)?;
+        }
         let went = loop {
-            let first = self.first(simulation);
-            let grown = self.growth.as_ref().and_then(|growth| growth.simulation(first));
-            let present = grown.as_deref().unwrap_or(first);
-            let before = present.surroundings().grow().then(|| self.stepper.clone());
+            let present = self.placed.simulation(simulation).unwrap_or(simulation);
+            let may_miss = self.placed.is_window() || present.surroundings().grow();
+            // A step that fails may have worn the bodies: an explicit one does so first.
+            let before = may_miss.then(|| self.stepper.clone());
             let went = self.stepper.step(present, next);
-            let Some(before) = before else { break went? };
-            let missed = match &went {
-                Ok(true) => self.stepper.missed(present),
-                Ok(false) => None,
-                Err(error) => all_touches(error, present),
-            };
-            if let (Some(_), Some(Wider { simulation: wider, .. })) =
-                (missed, first.wider.as_deref())
-            {
-                self.stepper = before;
-                self.go_over(first, wider)?;
-                continue;
+            if went.is_ok() {
+                self.show(simulation);
             }
-            let at = self.state().progress;
-            let larger = missed.map(|more| Growth::by(first, self.growth.as_ref(), (more, at)));
-            let Some(larger) = larger.transpose()?.flatten() else { break went? };
-            let Some(larger_simulation) = larger.simulation(first) else { break went? };
-            let problems = [&present.problem, &larger_simulation.problem];
-            let moved = larger.from(self.growth.as_ref(), problems);
-            self.stepper = before.moved(&moved, &larger_simulation, self.stepper.effort());
-            self.growth = Some(larger);
+            let Some(before) = before else { break went? };
+            let Some(place) = self.larger(simulation, &went, before.approach())? else {
+                break went?;
+            };
+            let took = std::mem::replace(&mut self.stepper, before).effort();
+            self.stepper.took(took);
+            self.go(place, simulation)?;
         };
         if went {
             let progress = self.state().progress;
-            let margin = SAME * schedule.extent;
             self.output = schedule.extent - progress <= margin;
             let due = |past: &usize| {
                 schedule.outputs.get(*past).is_some_and(|&due| due <= progress + margin)
@@ -117,49 +109,60 @@ impl March {
         Ok(went)
     }
 
-    /// The simulation in the frame that the run went over to last, as it was before it grew.
-    fn first<'a>(&self, simulation: &'a Simulation) -> &'a Simulation {
-        simulation.frames().nth(self.behind).unwrap_or(simulation)
+    /// A place that holds what an attempt to go on missed; `None` where it missed nothing, or none holds more. The histories
+    /// went on from an approach (m).
+    fn larger(
+        &self,
+        simulation: &Simulation,
+        went: &Result<bool, Error>,
+        approach: f64,
+    ) -> Result<Option<Placed>, Error> {
+        let frame = self.placed.in_frame(simulation).unwrap_or(simulation);
+        let more = match (went, &self.shown) {
+            (Ok(false), _) => None,
+            (Ok(true), Some(shown)) => missed(frame, [shown]),
+            (Ok(true), None) => missed(frame, self.stepper.states()),
+            (Err(Error::FrameFull { .. }), Some(_)) => {
+                return Ok(Some(self.placed.roomier(simulation, approach)));
+            }
+            (Err(error), _) => all_touches(error, frame),
+        };
+        let reached = [self.state().progress, approach];
+        let larger = more.map(|more| self.placed.larger(simulation, more, reached));
+        Ok(larger.transpose()?.flatten())
     }
 
-    /// The simulation in the frame that the run is in.
-    fn present<'a>(&'a self, simulation: &'a Simulation) -> &'a Simulation {
-        let first = self.first(simulation);
-        self.growth.as_ref().and_then(|growth| growth.present(first)).unwrap_or(first)
+    /// Goes over to another place.
+    fn go(&mut self, place: Placed, simulation: &Simulation) -> Result<(), Error> {
+        self.go_straight(self.placed.whole(), simulation)?;
+        self.go_straight(place.whole(), simulation)?;
+        self.shown = place.is_window().then(|| self.state().clone());
+        self.go_straight(place, simulation)
     }
 
-    /// Whether the frame that the run is in can be made.
+    fn go_straight(&mut self, place: Placed, simulation: &Simulation) -> Result<(), Error> {
+        if let Some(to) = self.placed.to(&place, simulation) {
+            self.stepper.go(&to)?;
+        }
+        self.placed = place;
+        Ok(())
+    }
+
+    /// Takes the present state from a window to the frame.
+    fn show(&mut self, simulation: &Simulation) {
+        let Some(shown) = &mut self.shown else { return };
+        if let Some(to) = self.placed.to(&self.placed.whole(), simulation) {
+            *shown = self.stepper.state().moved(&to);
+        }
+    }
+
+    /// Whether the frame and the window that the run is in can be made.
     pub(super) fn can_go_on(&self, simulation: &Simulation) -> bool {
-        let first = self.first(simulation);
-        self.growth.as_ref().is_none_or(|growth| growth.simulation(first).is_some())
-    }
-
-    /// Goes over to wider frames where it is time to.
-    fn widen(&mut self, simulation: &Simulation) -> Result<(), Error> {
-        let margin = SAME * simulation.schedule.extent;
-        while let first = self.first(simulation)
-            && let Some(Wider { from, simulation: wider }) = first.wider.as_deref()
-            && self.state().progress >= from - margin
-        {
-            self.go_over(first, wider)?;
-        }
-        Ok(())
-    }
-
-    /// Goes over to a wider frame.
-    fn go_over(&mut self, from: &Simulation, to: &Simulation) -> Result<(), Error> {
-        if let Stepper::Steps(steps) = &mut self.stepper {
-            steps.widen(&from.problem, to)?;
-        }
-        self.behind += 1;
-        Ok(())
+        self.placed.simulation(simulation).is_some()
     }
 
     fn state(&self) -> &ContactState {
-        match &self.stepper {
-            Stepper::Steps(steps) => steps.state(),
-            Stepper::Cycles(cycles) => &cycles.shown().state,
-        }
+        self.shown.as_ref().unwrap_or_else(|| self.stepper.state())
     }
 
     /// What the run took, also after the last state shown.
@@ -170,7 +173,7 @@ impl March {
     /// The present state.
     pub(super) fn report<'a>(&'a self, simulation: &'a Simulation) -> Report<'a> {
         let (state, schedule) = (self.state(), &simulation.schedule);
-        let problem = &self.present(simulation).problem;
+        let problem = &self.placed.in_frame(simulation).unwrap_or(simulation).problem;
         let (effort, prescribed) = match &self.stepper {
             Stepper::Steps(steps) => (steps.effort, schedule.control_at(state.progress)),
             Stepper::Cycles(cycles) => (cycles.shown().effort, cycles.shown().control),
@@ -194,6 +197,20 @@ impl March {
 fn all_touches(error: &Error, simulation: &Simulation) -> Option<More> {
     let full = matches!(error, Error::FrameFull { .. } | Error::SwungOut { .. });
     full.then(|| simulation.surroundings().twice(&simulation.problem)).flatten()
+}
+
+/// How much more a frame needs that holds the contact of states in it.
+fn missed<'a>(
+    simulation: &Simulation,
+    states: impl IntoIterator<Item = &'a ContactState>,
+) -> Option<More> {
+    let (surroundings, problem) = (simulation.surroundings(), &simulation.problem);
+    let all = |one: More, other: More| {
+        [0, 1].map(|axis| [0, 1].map(|side| one[axis][side].max(other[axis][side])))
+    };
+    let grows = surroundings.grow();
+    let states = states.into_iter().filter(|_| grows);
+    states.filter_map(|state| surroundings.missed(problem, state)).reduce(all)
 }
 
 impl Stepper {
@@ -222,39 +239,47 @@ impl Stepper {
     fn effort(&self) -> Effort {
         match self {
             Self::Steps(steps) => steps.effort,
-            Self::Cycles(cycles) => cycles.effort(),
+            Self::Cycles(cycles) => cycles.effort,
         }
     }
 
-    /// What the frame is too small by for the contact of the states that it has come to.
-    fn missed(&self, simulation: &Simulation) -> Option<More> {
-        let (surroundings, problem) = (simulation.surroundings(), &simulation.problem);
-        if !surroundings.grow() {
-            return None;
-        }
-        let of = |state: &ContactState| surroundings.missed(problem, state);
-        let all = |one: More, other: More| {
-            [0, 1].map(|axis| [0, 1].map(|side| one[axis][side].max(other[axis][side])))
+    /// Counts what an attempt took that led nowhere.
+    fn took(&mut self, Effort { solves, applications, .. }: Effort) {
+        let effort = match self {
+            Self::Steps(steps) => &mut steps.effort,
+            Self::Cycles(cycles) => &mut cycles.effort,
         };
+        *effort = Effort { solves, applications, ..*effort };
+    }
+
+    /// The present state.
+    fn state(&self) -> &ContactState {
         match self {
-            Self::Steps(steps) => steps.contacts().filter_map(of).reduce(all),
-            Self::Cycles(cycles) => cycles.states().filter_map(of).reduce(all),
+            Self::Steps(steps) => steps.state(),
+            Self::Cycles(cycles) => &cycles.shown().state,
         }
     }
 
-    /// The same in a larger frame, after an attempt that took so much.
-    fn moved(&self, moved: &Moved<'_>, simulation: &Simulation, took: Effort) -> Self {
-        let Effort { solves, applications, .. } = took;
-        let of = |effort: Effort| Effort { solves, applications, ..effort };
+    /// The states that it has come to.
+    fn states(&self) -> Vec<&ContactState> {
         match self {
-            Self::Steps(steps) => {
-                let mut steps = steps.moved(moved, simulation);
-                steps.effort = of(steps.effort);
-                Self::Steps(Box::new(steps))
-            }
-            Self::Cycles(cycles) => {
-                Self::Cycles(Box::new(cycles.moved(moved, of(cycles.effort()))))
-            }
+            Self::Steps(steps) => steps.states().collect(),
+            Self::Cycles(cycles) => cycles.states().collect(),
         }
+    }
+
+    /// The largest approach (m) of them.
+    fn approach(&self) -> f64 {
+        let approaches = self.states().into_iter().map(|state| state.approach);
+        approaches.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Goes over to another frame.
+    fn go(&mut self, to: &Moving<'_>) -> Result<(), Error> {
+        match self {
+            Self::Steps(steps) => steps.go(to)?,
+            Self::Cycles(cycles) => cycles.go(to),
+        }
+        Ok(())
     }
 }

@@ -8,11 +8,12 @@ mod companion;
 mod cycles;
 mod evolution;
 mod friction;
-mod growth;
 pub mod history;
 mod march;
+mod moving;
 mod passing;
 mod periodic;
+mod placed;
 pub mod refusal;
 mod rolling;
 mod run;
@@ -24,7 +25,6 @@ mod surroundings;
 mod swing;
 mod trial;
 mod wider;
-mod window;
 mod worn;
 
 use std::error::Error as StdError;
@@ -68,7 +68,7 @@ pub struct Simulation {
     /// The same run on coarser grids, where an accuracy is asked for.
     pub companions: Option<Companions>,
     /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
-    /// [window](window::Window).
+    /// [window](placed::Placed::windowed).
     pub(crate) beside: f64,
     /// What it goes on with in a wider frame, where it does: see [`Simulation::widened`].
     pub wider: Option<Box<Wider>>,

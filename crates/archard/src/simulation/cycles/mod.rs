@@ -15,8 +15,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::growth::Moved;
 use super::march::SAME;
+use super::moving::{Move, Moving};
 use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Guide, Shift, Station, Stepping};
 use crate::problem::ContactState;
@@ -36,7 +36,8 @@ pub(super) struct Cycles {
     /// The rate of wear of the cycle before, where jumps follow it.
     rate: Option<Rate>,
     jump_control: JumpControl,
-    effort: Effort,
+    /// What the run took so far.
+    pub effort: Effort,
     shown: Shown,
     /// States behind a jump that are to be shown.
     waiting: VecDeque<Shown>,
@@ -171,41 +172,24 @@ impl Cycles {
         self.waiting.iter().chain([&self.shown]).map(|shown| &shown.state)
     }
 
-    /// The same in a larger frame. The solutions of the last cycle are not taken along, nor is its rate of wear.
-    pub fn moved(&self, moved: &Moved<'_>, mut effort: Effort) -> Self {
-        let shifted = self.position.shifted.moved(moved, &mut effort);
-        let memory = vec![None; self.position.memory.len()];
-        let open = self.open.as_ref().map(|open| Open {
-            index: open.index,
-            reference: open.reference.as_ref().map(|own| own.moved(moved, &mut effort)),
-            begun: open.begun.as_ref().map(|pressure| moved.field(pressure)),
-            change: None,
-        });
-        let shown = |shown: &Shown| Shown { state: moved.state(&shown.state), ..shown.clone() };
-        Self {
-            position: Position {
-                shifted,
-                memory,
-                done: self.position.done,
-                dissipated: self.position.dissipated,
-            },
-            open,
-            rate: None,
-            jump_control: self.jump_control,
-            effort,
-            shown: shown(&self.shown),
-            waiting: self.waiting.iter().map(shown).collect(),
+    /// Goes over to a larger frame. The solutions of the last cycle are not taken along, nor is its rate of wear.
+    pub fn go(&mut self, to: &Moving<'_>) {
+        let Self { position, open, effort, .. } = self;
+        position.shifted = position.shifted.moved(to, effort);
+        position.memory.fill(None);
+        if let Some(open) = open {
+            open.reference = open.reference.as_ref().map(|own| own.moved(to, effort));
+            (open.begun, open.change) = (open.begun.moved(to), None);
+        }
+        self.rate = None;
+        for shown in self.waiting.iter_mut().chain([&mut self.shown]) {
+            shown.state = shown.state.moved(to);
         }
     }
 
     /// The state to show.
     pub fn shown(&self) -> &Shown {
         &self.shown
-    }
-
-    /// What the run took so far.
-    pub fn effort(&self) -> Effort {
-        self.effort
     }
 
     /// Goes on to the next state, in jumps up to a place where fields are due; whether there was one.

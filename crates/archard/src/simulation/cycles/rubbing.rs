@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::problem::{ContactProblem, ContactState};
 use crate::simulation::evolution::Evolution;
-use crate::simulation::growth::Moved;
+use crate::simulation::moving::{Move, Moving};
 use crate::wear::{Per, Rubbing};
 
 /// What rubbing did since a cycle began.
@@ -33,18 +33,6 @@ impl Rubbed {
         let zeros = || vec![0.0; pairs];
         let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
         Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0, whole: vec![] }
-    }
-
-    /// The same in a larger frame.
-    pub fn moved(&self, moved: &Moved<'_>) -> Self {
-        Self {
-            depths: moved.both(&self.depths),
-            slopes: moved.both(&self.slopes),
-            slip: moved.field(&self.slip),
-            work: moved.field(&self.work),
-            dissipated: self.dissipated,
-            whole: moved.each(&self.whole),
-        }
     }
 
     /// Takes up what was rubbed since a state, and wears both bodies by it.
@@ -110,6 +98,23 @@ impl Rubbed {
                 self.slopes[index][pair] += wear.slopes[point] * rubbing.pressure;
                 worn[pair] += depth;
             }
+        }
+    }
+}
+
+impl Move for Rubbed {
+    fn moved(&self, to: &Moving<'_>) -> Self {
+        let whole = match self.whole.is_empty() {
+            true => vec![],
+            false => to.over(&self.whole, vec![None; to.pairs()]),
+        };
+        Self {
+            depths: self.depths.moved(to),
+            slopes: self.slopes.moved(to),
+            slip: self.slip.moved(to),
+            work: self.work.moved(to),
+            dissipated: self.dissipated,
+            whole,
         }
     }
 }

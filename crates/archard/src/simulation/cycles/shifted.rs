@@ -16,7 +16,7 @@ use crate::motion::{Guide, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::evolution::{Evolution, Increment};
-use crate::simulation::growth::Moved;
+use crate::simulation::moving::{Move, Moving};
 use crate::simulation::{Effort, Error, Simulation, friction};
 use crate::solve::monolithic;
 use crate::solve::tangential::{self, PrescribedForce};
@@ -77,9 +77,9 @@ impl Shifted {
     }
 
     /// The same in a larger frame.
-    pub fn moved(&self, moved: &Moved<'_>, effort: &mut Effort) -> Self {
-        let problem = moved.problem();
-        let mut evolution = moved.history(&self.evolution);
+    pub fn moved(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
+        let problem = to.problem();
+        let mut evolution = self.evolution.moved(to);
         evolution.find_displacement(problem, effort);
         let mut shifted = Self {
             evolution,
@@ -88,14 +88,14 @@ impl Shifted {
             // The pairs that close show it anew.
             course: None,
             until_touch: None,
-            rubbed: self.rubbed.moved(moved),
+            rubbed: self.rubbed.moved(to),
         };
         // Beyond the smaller frame too the surfaces were displaced and opened.
         effort.applications += 1;
         let tangential = shifted.evolution.state.tangential.as_ref();
         let strain = shifted.displacement_under(problem, tangential.map(|one| &one.traction));
         let [x, y] = &self.elastic_displacement;
-        shifted.elastic_displacement = [moved.over(x, strain.t1), moved.over(y, strain.t2)];
+        shifted.elastic_displacement = [to.over(x, strain.t1), to.over(y, strain.t2)];
         let Evolution { state, displacement, .. } = &mut shifted.evolution;
         let opened = map([displacement, &strain.n], |[pressed, rubbed]| pressed + rubbed);
         state.gap = state.gap.opened_by(opened).into();
