@@ -136,7 +136,7 @@ impl March {
     fn go(&mut self, place: Placed, simulation: &Simulation) -> Result<(), Error> {
         self.go_straight(self.placed.whole(), simulation)?;
         self.go_straight(place.whole(), simulation)?;
-        self.shown = place.is_window().then(|| self.state().clone());
+        self.shown = place.is_window().then(|| self.stepper.state().clone());
         self.go_straight(place, simulation)
     }
 
