@@ -94,17 +94,12 @@ impl Part {
     }
 
     /// What two grids of so many elements share, as a part of each; the first begins at an element of the second.
-    pub fn shared(elements: [[usize; 2]; 2], first: [isize; 2]) -> [Self; 2] {
-        let ends = [first.map(|first| -first), first];
-        let begin = |grid: usize, axis: usize| {
-            usize::try_from(ends[grid][axis]).unwrap_or(0).min(elements[grid][axis])
-        };
-        let left = |grid: usize, axis: usize| elements[grid][axis] - begin(grid, axis);
-        let size = [0, 1].map(|axis| left(0, axis).min(left(1, axis)));
-        [0, 1].map(|grid| {
-            let first = [0, 1].map(|axis| begin(grid, axis));
-            Self { frame: elements[grid], first, size }
-        })
+    pub fn shared([own, other]: [[usize; 2]; 2], first: [isize; 2]) -> [Self; 2] {
+        let begin = [first.map(|at| -at), first].map(|at| at.map(|at| at.max(0) as usize));
+        let left = |count: usize, begin: usize| count.saturating_sub(begin);
+        let [one, two] = begin;
+        let size = [0, 1].map(|axis| left(own[axis], one[axis]).min(left(other[axis], two[axis])));
+        [Self { frame: own, first: one, size }, Self { frame: other, first: two, size }]
     }
 
     /// Number of elements of the whole grid along x and y.

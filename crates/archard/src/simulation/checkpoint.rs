@@ -8,7 +8,7 @@ use super::march::March;
 use crate::numerics::seal::{seal, unseal};
 
 /// What is kept begins with this; another layout of a [`March`] begins with another.
-const LAYOUT: &[u8] = b"march 2\n";
+const LAYOUT: &str = "march 2\n";
 
 /// Why a run does not go on from what was kept.
 #[non_exhaustive]
@@ -29,14 +29,14 @@ impl March {
     pub(super) fn to_bytes(&self) -> Vec<u8> {
         // Vectors and numbers, which always can be written.
         let numbers = postcard::to_allocvec(self).unwrap_or_default();
-        let mut bytes = [LAYOUT, &numbers].concat();
+        let mut bytes = [LAYOUT.as_bytes(), &numbers].concat();
         seal(&mut bytes);
         bytes
     }
 
     /// A run of a simulation from what was kept of it.
     pub(super) fn from_bytes(bytes: &[u8], simulation: &Simulation) -> Result<Self, NotResumed> {
-        let content = unseal(bytes).and_then(|content| content.strip_prefix(LAYOUT));
+        let content = unseal(bytes).and_then(|content| content.strip_prefix(LAYOUT.as_bytes()));
         let content = content.ok_or(NotResumed::Unreadable)?;
         let march: Self = postcard::from_bytes(content).map_err(|_| NotResumed::Unreadable)?;
         if march.digest != digest(simulation) {
