@@ -67,7 +67,7 @@ wheel:
     target/maturin-tools/bin/pip install -q "maturin[zig]>=1.16,<2.0"
     portable=()
     [ "$(uname -s)" != Linux ] || portable=(--compatibility manylinux_2_28 --zig)
-    PATH="$PWD/target/maturin-tools/bin:$PATH" maturin build --release --locked --features pdf \
+    PATH="$PWD/target/maturin-tools/bin:$PATH" maturin build --profile dist --locked --features pdf \
         --manifest-path python/Cargo.toml --out target/wheels "${portable[@]}"
 
 # build the site of the book into target/site and check it, after `just python`; just site --notebooks runs the notebooks first
@@ -95,7 +95,7 @@ gallery:
 bench: && bench-cases
     cargo bench -p archard-case
 
-# compare whole cases with an earlier version on its own case files, into the book: just bench-cases 848cb14
+# compare whole cases with an earlier version, from 128 to 1024 elements a side and as published, into the book: just bench-cases 848cb14
 bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb14)":
     #!/usr/bin/env bash
     set -euo pipefail
@@ -106,7 +106,7 @@ bench-cases earlier="$(git describe --tags --abbrev=0 2>/dev/null || echo 848cb1
     page=book/src/performance.md
     sed '/^## Whole cases/,$d' $page > target/page.md
     python3 crates/archard-cli/benches/cases.py target/of-earlier/release/archard target/release/archard \
-        target/earlier/cases | tee -a target/page.md
+        target/earlier/cases cases | tee -a target/page.md
     mv target/page.md $page
 
 # solve the same contacts by Archard, ASPHER, Tamaas and ContactMechanics, into the book

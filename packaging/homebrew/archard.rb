@@ -10,7 +10,7 @@ class Archard < Formula
   depends_on "rust" => :build
 
   def install
-    system "cargo", "install", "--features", "pdf", *std_cargo_args(path: "crates/archard-cli")
+    system "cargo", "install", "--profile", "dist", "--features", "pdf", *std_cargo_args(path: "crates/archard-cli")
     generate_completions_from_executable(bin/"archard", "completions")
     system bin/"archard", "man", "man"
     man1.install Dir["man/*.1"]

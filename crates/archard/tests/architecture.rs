@@ -173,3 +173,32 @@ fn the_reader_of_imports_sees_braces_and_lines() {
         [(2, "wear".to_owned())]
     );
 }
+
+/// What a build from the source leaves unoptimised, for the time it takes, is optimised in what is shipped; and all that ships
+/// anything is built so.
+#[test]
+fn what_is_shipped_is_optimised() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |name: &str| fs::read_to_string(root.join(name)).unwrap();
+    let manifest = read("Cargo.toml");
+    let levels = |profile: &str, level: char| -> Vec<String> {
+        let section = manifest
+            .split("\n[")
+            .find_map(|section| section.strip_prefix(&format!("profile.{profile}.package]\n")));
+        let ending = format!(".opt-level = {level}");
+        let lines = section.unwrap().lines().filter(|line| line.contains("opt-level"));
+        lines.map(|line| line.strip_suffix(&ending).unwrap().to_owned()).collect()
+    };
+    assert!(!levels("release", '0').is_empty());
+    assert_eq!(levels("release", '0'), levels("dist", '3'));
+    for (file, command) in [
+        (".github/workflows/release.yml", "cargo build --profile dist"),
+        (".github/workflows/python.yml", "args: --profile dist"),
+        ("packaging/conda/recipe.yaml", "MATURIN_PEP517_ARGS: --profile dist"),
+        ("packaging/homebrew/archard.rb", r#""install", "--profile", "dist""#),
+        ("Containerfile", "cargo install --profile dist"),
+        ("justfile", "maturin build --profile dist"),
+    ] {
+        assert!(read(file).contains(command), "{file}");
+    }
+}

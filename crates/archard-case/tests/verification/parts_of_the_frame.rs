@@ -1,8 +1,10 @@
 //! Normal solves on the part of the frame around the contact, held against solves on all of it.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use archard::body::profile::Flat;
-use archard::compliance::{Compliance, HalfSpace, WornLines};
-use archard::frame::{ContactFrame, Direction, Measure};
+use archard::compliance::{Compliance, HalfSpace, Preconditioner, WornLines};
+use archard::frame::{ContactFrame, Direction, Measure, Part, VectorField};
 use archard::motion::{Control, Stepping};
 use archard::problem::ContactState;
 use archard::simulation::Simulation;
@@ -223,6 +225,69 @@ fn a_contact_that_appears_elsewhere_is_found() {
     let all = press(&*solver, &step, Some(start(&first)));
     assert_eq!((all.status, all.part), (Status::Converged, None));
     assert!(all.pressure.iter().all(|pressure| *pressure > 0.0));
+}
+
+/// Half-spaces that count what they are asked: the pairs that are displaced, and the bounds.
+#[derive(Debug)]
+struct Counted<'a> {
+    bodies: Box<dyn Compliance + 'a>,
+    asked: &'a AtomicUsize,
+}
+
+impl Compliance for Counted<'_> {
+    fn apply(&self, tractions: &VectorField) -> VectorField {
+        self.bodies.apply(tractions)
+    }
+
+    fn apply_normal(&self, pressure: &[f64], displacement: &mut [f64]) {
+        self.asked.fetch_add(pressure.len(), Ordering::Relaxed);
+        self.bodies.apply_normal(pressure, displacement);
+    }
+
+    fn normal_self_term(&self) -> f64 {
+        self.bodies.normal_self_term()
+    }
+
+    fn normal_preconditioner(&self, addition: f64) -> Box<dyn Preconditioner + '_> {
+        self.bodies.normal_preconditioner(addition)
+    }
+
+    fn within(&self, part: &Part) -> Option<Box<dyn Compliance + '_>> {
+        Some(Box::new(Counted { bodies: self.bodies.within(part)?, asked: self.asked }))
+    }
+
+    fn least_displacement(&self, away: [usize; 2]) -> f64 {
+        self.asked.fetch_add(1, Ordering::Relaxed);
+        self.bodies.least_displacement(away)
+    }
+}
+
+/// What is asked to know that a ball touches nowhere else, in a frame 1.4 times as wide as its contact, is as many elements as
+/// there are, some times over: four times the elements are not asked much more often each.
+#[test]
+fn what_is_beside_a_part_is_known_in_proportion_to_the_elements() {
+    let asked_of = |count: usize| {
+        let frame = ContactFrame::uniform([0.42e-3; 2], [count; 2], [&Flat, &Flat]).unwrap();
+        let asked = AtomicUsize::new(0);
+        let counted = Counted { bodies: Box::new(half_space(&frame)), asked: &asked };
+        let gap: Vec<f64> = (0..frame.len())
+            .map(|pair| frame.place(pair).map(|at| at * at).iter().sum::<f64>() / 0.1)
+            .collect();
+        let step = Step {
+            compliance: &counted,
+            gap: &gap,
+            addition: &vec![0.0; frame.len()],
+            elements: frame.elements(),
+            measure: frame.measure(),
+            control: Control::Load(10.2),
+            hardness: f64::INFINITY,
+        };
+        let outcome = press(&*solver("conjugate_gradient", 1e-8), &step, None);
+        assert!(outcome.status == Status::Converged && outcome.part.is_some());
+        asked.load(Ordering::Relaxed) as f64 / frame.len() as f64
+    };
+    let [coarse, fine] = [96, 192].map(asked_of);
+    assert!(fine < 1.5 * coarse && fine < 40.0, "{coarse} and {fine} times each element");
 }
 
 /// No displacement is below its bound, and far away the bound is nearly reached; on a line, where bodies may even rise, too.

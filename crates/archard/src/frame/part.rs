@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::Rectangle;
 use crate::numerics::convolution::even_smooth;
 
-/// Share of the elements above which a part of them is not worth while. A choice of cost: what is beside a part is open by a
-/// bound, whatever its size.
+/// Share of the elements above which a part of them is not worth while. A choice of cost: what is beside a part is known to be
+/// open, whatever its size.
 const WHOLE: f64 = 0.75;
 
 /// Columns and rows of elements.

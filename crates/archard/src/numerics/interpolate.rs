@@ -2,6 +2,10 @@
 
 use crate::numerics::SAME;
 
+/// What two computations of one place differ by at most, relative to the largest: of an even grid, each has a spacing, its
+/// product, and two sums, all of them rounded.
+const ROUNDING: f64 = 8.0 * (0.5 * f64::EPSILON);
+
 /// Cubic interpolation through four values at four rising places, between the middle two.
 ///
 /// Hermite's cubic with the slopes of the parabolas through three neighbours: exact for parabolas
@@ -22,7 +26,7 @@ fn between(place: f64, places: [f64; 4], values: [f64; 4]) -> f64 {
 
 /// Interpolates `value(i)`, known at the rising `places`, at `place`; not a number outside them.
 ///
-/// At least two places are needed. The outermost intervals continue the values by the straight line
+/// At a known place, to rounding, it is the value there. At least two places are needed. The outermost intervals continue the values by the straight line
 /// (two places) or the parabola (three and more) through the outermost places.
 pub fn interpolate(places: &[f64], value: impl Fn(usize) -> f64, place: f64) -> f64 {
     let last = places.len() - 1;
@@ -32,6 +36,11 @@ pub fn interpolate(places: &[f64], value: impl Fn(usize) -> f64, place: f64) -> 
     }
     let place = place.clamp(places[0], places[last]);
     let left = places.partition_point(|&known| known <= place).clamp(1, last) - 1;
+    let rounding = ROUNDING * places[0].abs().max(places[last].abs());
+    let here = [left, left + 1].into_iter().find(|&i| (places[i] - place).abs() <= rounding);
+    if let Some(here) = here {
+        return value(here);
+    }
     let mut near = [(0.0, 0.0); 4];
     for (offset, point) in near.iter_mut().enumerate() {
         if let Some(i) = (left + offset).checked_sub(1).filter(|&i| i <= last) {
@@ -72,6 +81,26 @@ mod tests {
             let x = -1.0 + 0.05 * f64::from(step);
             let value = interpolate(&places, |i| parabola(places[i]), x);
             assert_relative_eq!(value, parabola(x), epsilon = 1e-13);
+        }
+    }
+
+    /// A grid that is computed in another way is the same, and asks for one value at each place.
+    #[test]
+    fn at_known_places_only_the_value_there_is_asked_for() {
+        for count in [5_usize, 30, 77, 1024] {
+            let (size, half) = (0.512e-3, 0.5 * (count - 1) as f64);
+            let spacing = size / count as f64;
+            let places: Vec<f64> = (0..count).map(|i| spacing * (i as f64 - half)).collect();
+            for i in 0..count {
+                let asked = std::cell::Cell::new(0);
+                let value = |known: usize| {
+                    asked.set(asked.get() + 1);
+                    known as f64
+                };
+                let place = -0.5 * size + (i as f64 + 0.5) * spacing;
+                assert_eq!(interpolate(&places, value, place), i as f64);
+                assert_eq!(asked.get(), 1, "{i} of {count}");
+            }
         }
     }
 

@@ -1,13 +1,12 @@
 //! A normal step solved on the part of the frame around its contact, where that is much smaller.
 //!
-//! What is far from the contact has to stay open. A pair beside the part surely does if its gap at the approach is not
-//! negative with less than what the pressures open it by (`Cells`). Where a pair may touch, the part grows, and the step is
-//! solved again from where it is.
+//! What is far from the contact has to stay open: the pressures that were found open the gaps beside the part by one application
+//! of the compliance to all pairs whose gap is less than the approach. Where a pair touches there, the part grows, and the step
+//! is solved again from where it is.
 
 use std::borrow::Cow;
 
 use super::accept::judged;
-use super::cells::Cells;
 use super::start::first_guess;
 use super::{Outcome, Solver, Start, Status, Step};
 use crate::compliance::normal_displacement;
@@ -16,7 +15,7 @@ use crate::motion::Control;
 use crate::numerics::vector::map;
 
 /// Elements of a part on each side of those that may touch, relative to their number: the contact has room to grow. A choice of
-/// cost: what is beside a part is open by a bound, whatever its size.
+/// cost: what is beside a part is known to be open, whatever its size.
 const ROOM: f64 = 1.0 / 16.0;
 
 /// The pressures of a step on a part of the frame; `None` where none is much smaller than the frame, or the compliance
@@ -37,12 +36,14 @@ pub(super) fn solve(
             (Cow::Owned(pressure), approach)
         }
     };
-    let part = choose(step, (&begun.0, begun.1), start.and_then(|start| start.part))?;
+    let part = choose(step, &begun.0, start)?;
     let known = start.filter(|start| start.part.is_none_or(|known| known.holds(&part.extent())));
     let known = known.map(|start| part.cut(start.displacement));
     let mut outcome = solve_on(&part, solver, step, (&part.cut(&begun.0), known, begun.1))?;
     while let (Status::Converged, Some(part)) = (outcome.status, outcome.part) {
-        let reach = reach(step, (&outcome.pressure, outcome.approach), part.extent());
+        let solved = (&outcome.pressure[..], outcome.approach);
+        let (reach, applications) = reach(step, solved, &part.extent());
+        outcome.applications += applications;
         if part.holds(&reach) {
             return Some(beside(outcome, step, start));
         }
@@ -61,17 +62,19 @@ pub(super) fn solve(
     Some(Outcome { status, ..outcome })
 }
 
-/// The part that was solved on before, where it is neither too small nor too large; otherwise one around what may touch.
-fn choose(
-    step: &Step<'_>,
-    (pressure, approach): (&[f64], f64),
-    before: Option<Part>,
-) -> Option<Part> {
+/// The part that was solved on before, where it is neither too small nor too large; otherwise one around what is pressed, and
+/// what touches as far as the displacements of the start are known.
+fn choose(step: &Step<'_>, pressure: &[f64], start: Option<Start<'_>>) -> Option<Part> {
     let pressed = extent(step.elements, |pair| pressure[pair] > 0.0)?;
     let least = Part::around(step.elements, &pressed, room(&pressed))?;
     let fits = |part: &Part| part.holds(&pressed) && !least.is_worth(part.size());
-    before.filter(fits).or_else(|| {
-        let reach = reach(step, (pressure, approach), pressed);
+    let before = start.and_then(|start| start.part).filter(fits);
+    before.or_else(|| {
+        let touching = start.and_then(|start| {
+            let known = |pair: usize| start.part.is_none_or(|part| part.place(pair).is_some());
+            touching(step, start.displacement, start.approach, known)
+        });
+        let reach = touching.map_or(pressed.clone(), |touching| both(&pressed, &touching));
         Part::around(step.elements, &reach, room(&reach))
     })
 }
@@ -137,26 +140,37 @@ fn beside(outcome: Outcome, step: &Step<'_>, start: Option<Start<'_>>) -> Outcom
     }
 }
 
-/// An extent and all pairs beside it that may touch under these pressures (Pa) at an approach (m).
-fn reach(step: &Step<'_>, (pressure, approach): (&[f64], f64), inner: Extent) -> Extent {
-    let cells = Cells::of(step.elements, pressure);
-    let [nx, ny] = step.elements;
-    let touches = |x: usize, y: usize| {
-        let (apart, place) = (step.gap[x + nx * y] - approach, [x as isize, y as isize]);
-        !cells.leave_open(apart, step.compliance, [place; 2])
+/// An extent and all pairs beside it that touch under these pressures (Pa) at an approach (m), and how often the compliance was
+/// applied to know that. Only pairs whose gap is less than the approach can touch, so that the pressures need displace no more
+/// than a part around these.
+fn reach(step: &Step<'_>, (pressure, approach): (&[f64], f64), inner: &Extent) -> (Extent, usize) {
+    let close = extent(step.elements, |pair| step.gap[pair] < approach);
+    let Some(around) = close.map(|close| both(inner, &close)).filter(|around| around != inner)
+    else {
+        return (inner.clone(), 0);
     };
-    let [mut columns, mut rows] = inner.clone();
-    for y in 0..ny {
-        let beside = inner[1].contains(&y);
-        let (left, right) = if beside { (inner[0].start, inner[0].end) } else { (nx, 0) };
-        let first = (0..left).find(|&x| touches(x, y));
-        let last =
-            if beside || first.is_some() { (right..nx).rfind(|&x| touches(x, y)) } else { None };
-        if first.is_some() || last.is_some() {
-            columns.start = columns.start.min(first.unwrap_or(nx));
-            columns.end = columns.end.max(last.map_or(0, |last| last + 1));
-            rows = rows.start.min(y)..rows.end.max(y + 1);
-        }
-    }
-    [columns, rows]
+    let part = Part::around(step.elements, &around, [0; 2]);
+    let on = part.and_then(|part| Some((part, step.compliance.within(&part)?)));
+    let displacement = match on {
+        Some((part, within)) => part.put(&normal_displacement(&*within, &part.cut(pressure))),
+        None => normal_displacement(step.compliance, pressure),
+    };
+    let touching = touching(step, &displacement, approach, |pair| step.gap[pair] < approach);
+    (touching.map_or(inner.clone(), |touching| both(inner, &touching)), 1)
+}
+
+/// The extent of those pairs among some that touch at an approach (m) where they are displaced (m).
+fn touching(
+    step: &Step<'_>,
+    displacement: &[f64],
+    approach: f64,
+    among: impl Fn(usize) -> bool,
+) -> Option<Extent> {
+    let touches = |pair: usize| among(pair) && step.gap[pair] + displacement[pair] < approach;
+    extent(step.elements, touches)
+}
+
+/// The smallest extent that holds both.
+fn both(one: &Extent, other: &Extent) -> Extent {
+    [0, 1].map(|axis| one[axis].start.min(other[axis].start)..one[axis].end.max(other[axis].end))
 }

@@ -140,11 +140,12 @@ impl ResultFolder {
         })
     }
 
-    /// Keeps the run, if it is time to, or in any case.
+    /// Keeps the run, if anything was solved and it is time to, or in any case.
     fn keep(&mut self, report: &Report<'_>, anyway: bool) -> Result<(), Error> {
         let ended = report.state.progress >= report.extent;
         let pairs = report.state.pressure.len();
-        if ended || !anyway && !self.clock.is_due(report.output, pairs) {
+        let is_due = || report.effort.solves > 0 && self.clock.is_due(report.output, pairs);
+        if ended || !anyway && !is_due() {
             return Ok(());
         }
         let begun = Instant::now();

@@ -62,8 +62,8 @@ const SEED: Parameter = Parameter::optional(
 /// Points to the shortest wave: the slope between neighbours is that of the wave to 3 % there, and better for all longer.
 const POINTS: f64 = 8.0;
 
-/// Most points along an axis: as many elements as a frame has at most.
-const MOST: f64 = 4096.0;
+/// Most points along an axis: two to each of the 4096 elements that a frame has at most. They take half a gigabyte.
+const MOST: f64 = 8192.0;
 
 /// What a self-affine surface is like.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,7 +113,9 @@ impl SelfAffine {
         };
         rising("long", given.short, given.long, "short")?;
         rising("period", given.long, given.period, "long")?;
-        let count = 2.0 * (0.5 * POINTS * given.period / given.short).ceil();
+        let exact = 0.5 * POINTS * given.period / given.short;
+        // Of points that fit to rounding there is none more.
+        let count = 2.0 * (exact * (1.0 - FITS)).ceil();
         if count > MOST {
             let message = format!(
                 "{} points along each axis resolve it, {POINTS} to a wave: at most {MOST}; a longer `short` or a shorter `period` takes fewer",
@@ -127,17 +129,12 @@ impl SelfAffine {
             let step = period / count as f64;
             (0..count).map(|i| step * (i as f64 - 0.5 * (count - 1) as f64)).collect::<Vec<f64>>()
         });
-        let heights = heights(given, count);
         let wider = |axis: usize| -> Vec<f64> {
             let step = period[axis] / count as f64;
             let first = places[axis].first().copied().unwrap_or_default();
             (0..count + 2 * BEYOND).map(|i| first + step * (i as f64 - BEYOND as f64)).collect()
         };
-        let wrapped = |i: usize| (i + count - BEYOND) % count;
-        let rows = (0..count + 2 * BEYOND).map(wrapped);
-        let row = |row: usize| (0..count + 2 * BEYOND).map(move |i| [wrapped(i), row]);
-        let padded: Vec<f64> = rows.flat_map(row).map(|[x, y]| heights[x + count * y]).collect();
-        let surface = Table::on_grid([wider(0), wider(1)], &padded)?;
+        let surface = Table::on_grid([wider(0), wider(1)], heights(given, count))?;
         Ok(Self { surface, period, places })
     }
 }
@@ -145,19 +142,23 @@ impl SelfAffine {
 /// Points beyond each side: as many as a cubic reaches.
 const BEYOND: usize = 2;
 
-/// Heights (m) at so many points along both axes of one cell, those along x first.
+/// What a ratio of two lengths is rounded by at most, relative to it.
+const FITS: f64 = 4.0 * f64::EPSILON;
+
+/// Heights (m) at so many points along both axes of one cell and some beyond, those along x first.
 fn heights(given: Roughness, count: usize) -> Vec<f64> {
     let [shortest, longest] = [given.short, given.long].map(|length| given.period / length);
     // Waves of the cell: half of the plane of wave vectors, since the others are the same waves.
     let reach = shortest as i64;
+    let rows = reach as usize + 1;
     let half = (0..=reach).flat_map(|y| (-reach..=reach).map(move |x| [x, y]));
     let ahead = half.filter(|&[x, y]| y > 0 || x > 0);
     let mut squares = 0.0;
-    let mut spectrum = vec![Complex64::default(); count * count];
+    let mut spectrum = vec![Complex64::default(); count * rows];
     for [x, y] in ahead {
         let waves = (x as f64).hypot(y as f64);
         // A wave that fits to rounding is there.
-        if waves > shortest * (1.0 + 4.0 * f64::EPSILON) {
+        if waves > shortest * (1.0 + FITS) {
             continue;
         }
         let amplitude = waves.max(longest).powf(-1.0 - given.hurst);
@@ -170,14 +171,20 @@ fn heights(given: Roughness, count: usize) -> Vec<f64> {
     }
     let scale = given.rms_slope / squares.sqrt();
     let transform = FftPlanner::new().plan_fft_inverse(count);
-    let along = |values: &mut [Complex64]| {
-        values.chunks_exact_mut(count).for_each(|row| transform.process(row));
-    };
-    along(&mut spectrum);
-    let mut turned: Vec<Complex64> =
-        (0..count * count).map(|at| spectrum[at / count + count * (at % count)]).collect();
-    along(&mut turned);
-    (0..count * count).map(|at| scale * turned[at / count + count * (at % count)].re).collect()
+    spectrum.chunks_exact_mut(count).for_each(|row| transform.process(row));
+    let wide = count + 2 * BEYOND;
+    let wrapped = |i: usize| (i + count - BEYOND) % count;
+    let mut heights = vec![0.0; wide * wide];
+    let mut column = vec![Complex64::default(); count];
+    for x in 0..count {
+        column.fill(Complex64::default());
+        (0..rows).for_each(|y| column[y] = spectrum[x + count * y]);
+        transform.process(&mut column);
+        for along in (0..wide).filter(|&along| wrapped(along) == x) {
+            (0..wide).for_each(|y| heights[along + wide * y] = scale * column[wrapped(y)].re);
+        }
+    }
+    heights
 }
 
 /// The number of a wave, the same whatever other waves there are.
@@ -327,11 +334,22 @@ mod tests {
         assert!(alike(&fine) > 0.95 && alike(&other).abs() < 0.5);
     }
 
+    /// The quotient of 30 um and 1 um is rounded upwards: eight points to each wave are not one more.
+    #[test]
+    fn as_many_points_as_fit_are_made() {
+        for (period, short, points) in
+            [(30e-6, 1e-6, 240), (32e-6, 1e-6, 256), (32e-6, 0.99e-6, 260)]
+        {
+            let given = Roughness { period, short, long: period, ..GIVEN };
+            assert_eq!(SelfAffine::new(given).unwrap().places()[0].len(), points);
+        }
+    }
+
     #[test]
     fn lengths_have_to_rise() {
         let wrong = |given| SelfAffine::new(given).unwrap_err().to_string();
         assert!(wrong(Roughness { short: 200e-6, ..GIVEN }).contains("long"));
         assert!(wrong(Roughness { period: 100e-6, ..GIVEN }).contains("period"));
-        assert!(wrong(Roughness { short: 0.1e-6, ..GIVEN }).contains("4096"));
+        assert!(wrong(Roughness { short: 0.1e-6, ..GIVEN }).contains("8192"));
     }
 }

@@ -82,18 +82,20 @@ impl Table {
     ///
     /// # Errors
     /// If there are not as many heights as places, fewer than two places along an axis, or a value is not finite.
-    pub fn on_grid([x, y]: [Vec<f64>; 2], z: &[f64]) -> Result<Self, Invalid> {
+    pub fn on_grid([x, y]: [Vec<f64>; 2], z: impl Into<Vec<f64>>) -> Result<Self, Invalid> {
+        let mut z: Vec<f64> = z.into();
         if x.len().min(y.len()) < 2 || x.len() * y.len() != z.len() {
             return Err(wrong(format!("{} heights on {} x {} places", z.len(), x.len(), y.len())));
         }
-        if !x.iter().chain(&y).chain(z).all(|value| value.is_finite()) {
+        if !x.iter().chain(&y).chain(&z).all(|value| value.is_finite()) {
             return Err(wrong("places and heights must be finite numbers"));
         }
         if ![&x, &y].iter().all(|places| places.is_sorted_by(|one, next| one < next)) {
             return Err(wrong("places must rise"));
         }
         let top = z.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        Ok(Self { x, y, recess: z.iter().map(|z| top - z).collect() })
+        z.iter_mut().for_each(|z| *z = top - *z);
+        Ok(Self { x, y, recess: z })
     }
 
     /// Recess (m) along the row at x (m).
