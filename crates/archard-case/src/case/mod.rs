@@ -31,6 +31,7 @@ mod elastic;
 mod file;
 mod json;
 mod key;
+mod left_out;
 mod material;
 pub mod materials;
 #[cfg(test)]
