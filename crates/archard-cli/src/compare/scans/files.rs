@@ -31,6 +31,8 @@ impl Compared<'_> {
             "before": self.names[0],
             "after": self.names[1],
             "settings": self.scans.set,
+            "settings_before": self.scans.set_before,
+            "settings_after": self.scans.set_after,
             "aligned": found.sought,
             "placement": placement(&found.placement),
             "placement_standard_uncertainty": placement(&found.uncertainty),
