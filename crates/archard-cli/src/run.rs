@@ -61,7 +61,13 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
             }
         }
         Task::Elastic(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
-            Err(Failure::wrong("this case is solved at once: there is no run to go on with"))
+            let why = match task {
+                Task::WheelRail(_) => {
+                    "a wheel on a rail is not kept on its route: run the case again, from its start"
+                }
+                _ => "this case is solved at once: there is no run to go on with",
+            };
+            Err(Failure::wrong(why))
         }
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])
