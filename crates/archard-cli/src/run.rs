@@ -34,9 +34,10 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     // First of all: whatever works in parallel before it would fix the number of threads.
     set_threads(arguments)?;
     let watch = Watch::set();
+    let file = diagnose::read(&arguments.case())?;
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
     // The folder next: runs on coarser grids may take long, and are for nothing where it is refused.
-    let claim = folder::claim(arguments, &task)?;
+    let claim = folder::claim(arguments, &task, file.inputs())?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = in_folder(&dir, task, &watch, arguments);

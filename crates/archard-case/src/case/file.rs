@@ -23,7 +23,7 @@ use super::told::{PROBLEMS, told};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
 use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
-use crate::files;
+use crate::files::{self, Inputs};
 use crate::output::{Inside, elastic_files};
 
 /// A case as written.
@@ -186,6 +186,16 @@ impl CaseFile {
         folder: impl Into<PathBuf>,
     ) -> Self {
         Self { name: name.into(), folder: folder.into(), text: text.into(), options: vec![] }
+    }
+
+    /// The files that it reads: its own, and each that a text in it or in what is laid over it names, by itself or in quotes
+    /// within a formula.
+    pub fn inputs(&self) -> Inputs {
+        let (laid, mut texts) = (self.laid(), vec![]);
+        laid.table.texts(&mut texts);
+        let parts = texts.iter().flat_map(|text| text.split(['"', '\'']).chain([&**text]));
+        let named = parts.map(|name| self.folder.join(name)).chain([PathBuf::from(&self.name)]);
+        Inputs::of(named.filter(|path| path.is_file()))
     }
 
     /// Lays an option `KEY=VALUE` over the case; later ones over earlier ones.
