@@ -100,6 +100,33 @@ fn mismatches(path: &Path) -> Vec<String> {
     mismatches
 }
 
+/// Cases with mistakes without end: as many as a screen shows are told, each in no more than a screen, and that there are more.
+#[test]
+fn no_more_is_told_than_a_screen_shows() {
+    let name = "x".repeat(300_000);
+    let many = |one: &dyn Fn(usize) -> String| (0..3_000).map(one).collect::<String>();
+    for text in [
+        many(&|at| format!("[x{at}]\na = 1\n")),
+        many(&|at| format!("[body.x{at}]\na = 1\n")),
+        format!("frame = {{ {} }}\n", many(&|at| format!("k{at} = 1, "))),
+        many(&|_| "= 1\n".to_owned()),
+        many(&|_| "a = 1\n".to_owned()),
+        format!("[body.{name}]\na = 1\n"),
+        format!("[body.a]\nmaterial = \"{name}\"\n"),
+        format!("[frame]\nsize = [{}1, 2]\n", "9".repeat(300_000)),
+    ] {
+        let file = CaseFile::from_text("case.toml", text, ".");
+        let Err(problems) = file.task() else { panic!("taken") };
+        let told: usize = problems
+            .iter()
+            .map(|one| one.title().len() + one.help.as_deref().map_or(0, str::len))
+            .sum();
+        assert!(problems.len() <= 25 && told < 25 * 4_000, "{}: {told}", problems.len());
+        let more = problems.iter().any(|problem| problem.message.starts_with("there is more"));
+        assert_eq!(more, problems.len() == 25);
+    }
+}
+
 #[test]
 fn every_bad_case_is_refused_with_the_message_it_states() {
     let files = files();

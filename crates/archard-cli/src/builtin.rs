@@ -3,8 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use archard_case::files::{self, Contents};
-use archard_case::output::{Store, write_whole};
+use archard_case::output::Store;
 use archard_case::{CaseFile, nearest};
 
 use crate::failure::Failure;
@@ -140,17 +139,12 @@ impl Builtin {
         let next = format!("write the case and its files out by `archard new {name}`");
         let kept = std::env::var_os("ARCHARD_CACHE").map(Store::new).or_else(Store::of_user);
         let kept = kept.ok_or_else(|| Failure::wrong(format!("no place for files: {next}")))?;
-        let folder = kept.folder().join("cases").join(name);
-        let write = |(file, bytes): &(&str, &[u8])| match folder.join(file) {
-            path if files::read(&path, Contents::Numbers).is_ok_and(|known| known == *bytes) => {
-                Ok(())
-            }
-            path => write_whole(&path, bytes).map_err(|error| error.to_string()),
-        };
-        let made = fs::create_dir_all(&folder).map_err(|error| error.to_string());
-        made.and_then(|()| files.iter().try_for_each(write))
+        let put = |(file, bytes): &(&str, &[u8])| kept.put(&format!("cases/{name}/{file}"), bytes);
+        files
+            .iter()
+            .try_for_each(|file| put(file).map(|_| ()))
             .map_err(|error| Failure::wrong(format!("{error}: {next}")))?;
-        Ok(folder)
+        Ok(kept.folder().join("cases").join(name))
     }
 }
 

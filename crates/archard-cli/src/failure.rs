@@ -1,5 +1,7 @@
 //! Why the command failed, and the exit code that says so.
 
+use archard_case::told;
+
 use crate::say::tell;
 
 /// The exit code of a run that was stopped, by whichever signal.
@@ -78,7 +80,7 @@ impl Failure {
         match self {
             Failure::NotConverged(message)
             | Failure::Wrong(message)
-            | Failure::Interrupted(message) => tell(&format!("error: {message}")),
+            | Failure::Interrupted(message) => tell(&told(format!("error: {message}"))),
             Failure::Shown => {}
         }
     }

@@ -6,8 +6,9 @@ use std::path::Path;
 
 use archard::simulation::{Observer, Report};
 use archard_case::Task;
+use archard_case::files::Inputs;
 use archard_case::measured::surface::Surface;
-use archard_case::output::{Store, write_whole};
+use archard_case::output::{Manifest, Store};
 use archard_lab::{Error, Files, Fit, Following, Request};
 
 use crate::arguments::Fit as Arguments;
@@ -45,12 +46,22 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         .map(|option| relative(option))
         .collect::<Result<_, _>>()
         .map_err(Failure::wrong)?;
+    let wrong = |error: archard_case::output::Error| Failure::wrong(error.to_string());
+    // Before the runs: they may take long, and are for nothing where their results find no place.
+    let folder = arguments.data.parent().unwrap_or(Path::new(""));
+    let cells = table.names().filter_map(|name| table.texts(name)).flatten();
+    let named = cells.map(|cell| folder.join(cell)).filter(|path| path.is_file());
+    let others = named.chain([arguments.data.clone()]);
+    let inputs = Inputs::of(file.inputs().paths().map(Path::to_owned).chain(others));
+    Manifest::spare_below(&dir, &inputs).map_err(wrong)?;
+    let manifest = Manifest::read(&dir).map_err(wrong)?.sparing(inputs);
+    FILES.iter().try_for_each(|name| manifest.admit(name).map(|_| ())).map_err(wrong)?;
+    plot::admit_fit(&dir).map_err(|error| Failure::because(&error))?;
     let made = !dir.exists();
     fs::create_dir_all(&dir)
         .map_err(|error| Failure::wrong(format!("cannot make `{}`: {error}", dir.display())))?;
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
     let mut follow = Follow::new(arguments.quiet);
-    let folder = arguments.data.parent().unwrap_or(Path::new(""));
     let request = Request {
         parameter: arguments.parameter.as_deref(),
         uncertain: &uncertain,
@@ -68,7 +79,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         }
         failed(&error)
     })?;
-    write(&dir, &found)?;
+    write(&dir, manifest, &found)?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
         say(&format!("runs              {}", found.runs))?;
@@ -131,13 +142,15 @@ fn relative(option: &str) -> Result<(String, f64), String> {
     Ok((key.trim().to_owned(), percent / 100.0))
 }
 
-fn write(dir: &Path, found: &Fit) -> Result<(), Failure> {
-    let text = |name: &str, text: String| {
-        let path = dir.join(name);
-        write_whole(&path, text.as_bytes()).map_err(|error| Failure::wrong(error.to_string()))
-    };
-    text("fit.csv", found.csv())?;
-    text("fit.json", format!("{:#}\n", found.json()))?;
+/// The files of a fit, but for its pictures.
+const FILES: [&str; 2] = ["fit.csv", "fit.json"];
+
+fn write(dir: &Path, mut manifest: Manifest, found: &Fit) -> Result<(), Failure> {
+    let texts = [found.csv(), format!("{:#}\n", found.json())];
+    for (name, text) in FILES.into_iter().zip(texts) {
+        let written = manifest.write(name, text.as_bytes());
+        written.map_err(|error| Failure::wrong(error.to_string()))?;
+    }
     plot::draw_fit(dir, found).map(|_| ()).map_err(|error| Failure::because(&error))
 }
 

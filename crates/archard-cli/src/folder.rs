@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use archard_case::Task;
+use archard_case::files::Inputs;
 use archard_case::output::{Claim, Error};
 
 use crate::arguments::{Case, Run};
@@ -12,7 +13,7 @@ use crate::failure::Failure;
 const LONGEST: usize = 100;
 
 /// The folder of the arguments, held for a task as it was read: what is chosen for its accuracy need not be known yet.
-pub fn claim(arguments: &Run, task: &Task) -> Result<Claim, Failure> {
+pub fn claim(arguments: &Run, task: &Task, inputs: Inputs) -> Result<Claim, Failure> {
     let wrong = |error: Error| Failure::wrong(error.to_string());
     if let Some(dir) = &arguments.resume {
         let claim = Claim::take(dir).map_err(wrong)?.adding(task.files());
@@ -28,8 +29,7 @@ pub fn claim(arguments: &Run, task: &Task) -> Result<Claim, Failure> {
     let given = arguments.case();
     let Case { case, .. } = &given;
     let dir = arguments.output.clone().unwrap_or_else(|| default(case, &given.settings()));
-    keep_the_case(case, &dir)?;
-    let claim = Claim::take(&dir).map_err(wrong)?.adding(task.files());
+    let claim = Claim::take(&dir).map_err(wrong)?.adding(task.files()).sparing(inputs);
     let claim = if arguments.force { claim.adopting() } else { claim };
     if let Err(error) = claim.admit() {
         claim.give_up();
@@ -91,19 +91,6 @@ fn hash(settings: &[String]) -> u64 {
     bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
         (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
     })
-}
-
-/// Refuses to write the resolved case over the case itself.
-fn keep_the_case(case: &Path, dir: &Path) -> Result<(), Failure> {
-    let case = if case.is_dir() { case.join("case.toml") } else { case.to_owned() };
-    let written = dir.join("case.toml").canonicalize();
-    match (case.canonicalize(), written) {
-        (Ok(case), Ok(written)) if case == written => Err(Failure::wrong(format!(
-            "the results would overwrite the case `{}`; choose another folder with -o",
-            case.display()
-        ))),
-        _ => Ok(()),
-    }
 }
 
 #[cfg(test)]

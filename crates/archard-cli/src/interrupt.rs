@@ -207,7 +207,7 @@ pub fn with_results(dir: &Path) -> Failure {
 /// An interruption before there were any.
 fn before_results() -> Failure {
     Failure::Interrupted(format!(
-        "{Interrupted} before the first step\nnothing was written or replaced; the same command starts again"
+        "{Interrupted} before there were results\nnothing was written or replaced; the same command starts again"
     ))
 }
 

@@ -8,7 +8,6 @@ use std::path::Path;
 use archard::body::Body;
 use archard_case::output::{
     Collection, Error, Field, Image, Manifest, RELIEF, Sheet, Surface, WornSurface, bodies,
-    write_whole,
 };
 
 use crate::failure::Failure;
@@ -66,8 +65,7 @@ pub fn write(dir: &Path) -> Result<(), Failure> {
     let most = |which: usize| written.values().map(|body| body.2[which]).fold(0.0, f64::max);
     let shown = if most(2) > 0.0 { (SHOWN[0], most(2)) } else { (SHOWN[1], most(3)) };
     let script = script(&names, most(0), factor(most(0), most(1)), shown);
-    let path = manifest.claim(MACRO).map_err(wrong)?;
-    write_whole(&path, script.as_bytes()).map_err(wrong)?;
+    let path = manifest.write(MACRO, script.as_bytes()).map_err(wrong)?;
     let beside = if inside.is_empty() { String::new() } else { format!(", {}", inside.join(", ")) };
     say(&format!(
         "{} outputs of {}{beside} written into {}; next: paraview --script={}",

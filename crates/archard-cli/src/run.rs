@@ -34,9 +34,10 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     // First of all: whatever works in parallel before it would fix the number of threads.
     set_threads(arguments)?;
     let watch = Watch::set();
+    let file = diagnose::read(&arguments.case())?;
     let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
     // The folder next: runs on coarser grids may take long, and are for nothing where it is refused.
-    let claim = folder::claim(arguments, &task)?;
+    let claim = folder::claim(arguments, &task, file.inputs())?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
     let outcome = in_folder(&dir, task, &watch, arguments);
@@ -61,7 +62,13 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
             }
         }
         Task::Elastic(_) | Task::WheelRail(_) if arguments.resume.is_some() => {
-            Err(Failure::wrong("this case is solved at once: there is no run to go on with"))
+            let why = match task {
+                Task::WheelRail(_) => {
+                    "a wheel on a rail is not kept on its route: run the case again, from its start"
+                }
+                _ => "this case is solved at once: there is no run to go on with",
+            };
+            Err(Failure::wrong(why))
         }
         Task::Elastic(resolved) => {
             elastic::run(resolved, watch, [arguments.quiet, arguments.verbose])

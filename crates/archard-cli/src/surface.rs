@@ -16,7 +16,7 @@ const COARSER: [f64; 3] = [2.0, 4.0, 8.0];
 
 /// Reads a file, with keys of `profile.surface`, says what is in it, and draws it if a picture is named.
 pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Result<(), Failure> {
-    let PreparedSurface { map, steps } = read(file, options)?;
+    let PreparedSurface { map, steps } = read(file, options.iter().map(|one| ("--set", one)))?;
     for step in &steps {
         line(step.key, &step.said, "")?;
     }
@@ -32,14 +32,19 @@ pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Resul
     files.iter().try_for_each(|file| say(&file.display().to_string()))
 }
 
-/// The map in a file, prepared as keys of `profile.surface` ask for; what is wrong is shown.
-pub(crate) fn read(file: &Path, options: &[String]) -> Result<PreparedSurface, Failure> {
+/// The map in a file, prepared as keys of `profile.surface` ask for, each behind the name of its option; what is wrong is shown.
+pub(crate) fn read<'a>(
+    file: &Path,
+    options: impl Iterator<Item = (&'static str, &'a String)>,
+) -> Result<PreparedSurface, Failure> {
     let path = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
     let name = toml_text(&path.display().to_string());
     let text = format!("profile.surface.file = {name}");
     let read = CaseFile::from_text(file.display().to_string(), text, "");
-    let set = |case: CaseFile, option: &String| case.set(format!("profile.surface.{option}"));
-    let case = options.iter().fold(read, set);
+    let set = |case: CaseFile, (name, option): (&'static str, &String)| {
+        case.set_by(name, format!("profile.surface.{option}"))
+    };
+    let case = options.fold(read, set);
     case.prepared_surface().map_err(|problems| {
         show(&case, &problems);
         Failure::Shown

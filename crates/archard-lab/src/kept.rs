@@ -10,7 +10,7 @@ use archard::numerics::seal::{seal, unseal};
 use archard::simulation::{Simulation, digest};
 use archard_case::Case;
 use archard_case::files::{self, Contents};
-use archard_case::output::write_whole;
+use archard_case::output::Place;
 
 /// What is kept of a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -61,7 +61,8 @@ impl Kept {
         let mut bytes = postcard::to_allocvec(self).unwrap_or_default();
         seal(&mut bytes);
         if path.parent().is_some_and(|dir| fs::create_dir_all(dir).is_ok()) {
-            let _ = write_whole(path, &bytes);
+            let place = Place::free_or(path, |known| unseal(known).is_some());
+            let _ = place.and_then(|place| place.write(&bytes));
         }
     }
 }

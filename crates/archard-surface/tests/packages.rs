@@ -9,7 +9,7 @@ use archard_surface::{HeightMap, NoMap};
 use zip::write::SimpleFileOptions;
 use zip::{ZipArchive, ZipWriter};
 
-const FILES: [&str; 10] = [
+const FILES: [&str; 11] = [
     "gwyfile.gwy",
     "surface_topography.gwy",
     "surface_topography_D.x3p",
@@ -20,6 +20,7 @@ const FILES: [&str; 10] = [
     "surfalize.sur",
     "surfalize.x3p",
     "x3pio.x3p",
+    "surface_topography.nc",
 ];
 
 fn bytes(name: &str) -> Vec<u8> {
@@ -62,7 +63,14 @@ fn files_of_other_packages_hold_their_surface() {
 
 #[test]
 fn a_wrong_ending_is_told_with_the_right_one() {
-    let all = [Format::DigitalSurf, Format::Sdf, Format::X3p, Format::Gwyddion, Format::Text];
+    let all = [
+        Format::DigitalSurf,
+        Format::Sdf,
+        Format::X3p,
+        Format::Gwyddion,
+        Format::NetCdf,
+        Format::Text,
+    ];
     for name in FILES {
         assert_eq!(Format::of_bytes(&bytes(name)), Some(format(name)), "{name}");
         for other in all.into_iter().filter(|other| *other != format(name)) {
@@ -184,6 +192,47 @@ fn bombs_are_not_unpacked() {
     assert!(error(&changed("surfalize.x3p", &size, None)).contains("there is room for"));
 }
 
+/// What the parser would take minutes for is refused by a count; what is in a text is no attribute.
+#[test]
+fn attributes_without_end_are_not_parsed() {
+    let repeated = |before: &str, one: &dyn Fn(usize) -> String, after: &str| {
+        let all: String = (0..20_000).map(one).collect();
+        pack(&[("main.xml", format!("{before}{all}{after}"))])
+    };
+    for hostile in [
+        repeated("<a ", &|at| format!("a{at}=\"\" "), "/>"),
+        repeated("<a ", &|at| format!("xmlns:a{at} = 'u' "), "/>"),
+        repeated("", &|at| format!("<a xmlns:a{at}=\"u\">"), ""),
+    ] {
+        let error = told(&hostile, Format::X3p).unwrap_err().to_string();
+        assert!(error.contains("more than 1000 attributes"), "{error}");
+    }
+    let comment =
+        format!("<FeatureType>SUR</FeatureType><Comment>{}</Comment>", "a = 1 ".repeat(2000));
+    let words = [["<FeatureType>SUR</FeatureType>", &*comment]];
+    assert!(told(&changed("surfalize.x3p", &words, None), Format::X3p).is_ok());
+}
+
+/// NetCDF without what a surface needs, and of the version that is HDF5.
+#[test]
+fn what_is_wrong_in_a_netcdf_file_is_told() {
+    let whole = bytes("surface_topography.nc");
+    let error = |bytes: &[u8]| told(bytes, Format::NetCdf).unwrap_err().to_string();
+    let replaced = |old: &[u8], new: &[u8]| {
+        let at = whole.windows(old.len()).position(|own| own == old).unwrap();
+        [&whole[..at], new, &whole[at + old.len()..]].concat()
+    };
+    assert!(error(&replaced(b"heights", b"weights")).contains("without a variable `heights`"));
+    assert!(error(&whole[..700]).contains("it was cut off"));
+    assert!(error(&replaced(b"CDF\x02", b"CDF\x05")).contains("NetCDF of version 5"));
+    let hdf = error(b"\x89HDF\r\n\x1a\n\0\0\0\0");
+    assert!(hdf.contains("NetCDF 4") && hdf.contains(".nc (NetCDF 3)"), "{hdf}");
+    // Heights and marks end there; the places along x and y, which are not needed, follow.
+    for end in 0..780 {
+        assert!(told(&whole[..end], Format::NetCdf).is_err(), "{end}");
+    }
+}
+
 /// Bytes of a file changed, taken out and cut off.
 fn damage(bytes: &mut Vec<u8>, random: &mut fastrand::Rng) {
     for _ in 0..random.usize(1..5) {
@@ -205,7 +254,7 @@ fn damaged_files_do_no_harm() {
             assert_eq!(map.heights().len(), map.elements().iter().product::<usize>());
         }
     };
-    let names: [&[&str]; 4] = [&FILES[..2], &FILES[2..6], &FILES[6..7], &FILES[7..8]];
+    let names: [&[&str]; 5] = [&FILES[..2], &FILES[2..6], &FILES[6..7], &FILES[7..8], &FILES[10..]];
     for (seed, names) in (0..).zip(names) {
         let mut random = fastrand::Rng::with_seed(seed);
         for _ in 0..2_000 {
@@ -217,7 +266,7 @@ fn damaged_files_do_no_harm() {
     }
     // What is in an archive is changed before it is packed, and carries no checksum that would tell.
     let whole = unpack(&changed("surface_topography_I.x3p", &[["MD5Checksum", "Sum"]], None));
-    let mut random = fastrand::Rng::with_seed(4);
+    let mut random = fastrand::Rng::with_seed(5);
     for _ in 0..2_000 {
         let mut files = whole.clone();
         let at = random.usize(..files.len());

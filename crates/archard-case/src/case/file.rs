@@ -19,10 +19,11 @@ use super::overlay;
 use super::problem::{Location, Problem, Severity, Source, Target};
 use super::reader::{Reader, Section};
 use super::surface::PreparedSurface;
+use super::told::{PROBLEMS, told};
 use super::tree::{Origin, Table};
 use super::unclosed::unclosed;
 use super::wheel_rail::{self, WheelRailCase, WheelRailForecast};
-use crate::files;
+use crate::files::{self, Inputs};
 use crate::output::{Inside, elastic_files};
 
 /// A case as written.
@@ -185,6 +186,16 @@ impl CaseFile {
         folder: impl Into<PathBuf>,
     ) -> Self {
         Self { name: name.into(), folder: folder.into(), text: text.into(), options: vec![] }
+    }
+
+    /// The files that it reads: its own, and each that a text in it or in what is laid over it names, by itself or in quotes
+    /// within a formula.
+    pub fn inputs(&self) -> Inputs {
+        let (laid, mut texts) = (self.laid(), vec![]);
+        laid.table.texts(&mut texts);
+        let parts = texts.iter().flat_map(|text| text.split(['"', '\'']).chain([&**text]));
+        let named = parts.map(|name| self.folder.join(name)).chain([PathBuf::from(&self.name)]);
+        Inputs::of(named.filter(|path| path.is_file()))
     }
 
     /// Lays an option `KEY=VALUE` over the case; later ones over earlier ones.
@@ -356,7 +367,7 @@ impl CaseFile {
     fn parse(&self) -> (Table, Syntax) {
         let (table, errors) = DeTable::parse_recoverable(&self.text);
         let origin = Origin { source: Source::File, start: 0, fixed: None };
-        let problems = errors.iter().map(|error| Problem {
+        let problems = errors.iter().take(PROBLEMS + 1).map(|error| Problem {
             location: error.span().map(|span| Location { source: Source::File, span }),
             ..Problem::error(Key::default(), error.message())
         });
@@ -394,7 +405,11 @@ impl CaseFile {
 
     /// Looks up where each problem stands, in the order of the file. Beside broken TOML, keys are
     /// missing and values garbled only because of it: such problems are left out.
-    fn locate(&self, found: Vec<Problem>, syntax: Syntax, table: &Table) -> Vec<Problem> {
+    /// Of more than are told the first, errors before warnings.
+    fn locate(&self, mut found: Vec<Problem>, syntax: Syntax, table: &Table) -> Vec<Problem> {
+        found.sort_by_key(|problem| problem.severity == Severity::Warning);
+        let mut more = found.len() > PROBLEMS;
+        found.truncate(PROBLEMS);
         let Syntax { problems: mut syntax, unclosed } = syntax;
         let line = |problem: &Problem| problem.location.as_ref().map(|at| self.line(at));
         let broken: Vec<usize> = syntax.iter().filter_map(line).collect();
@@ -404,6 +419,8 @@ impl CaseFile {
             let at = at.or_else(|| self.place_of_unwritten(&problem.key, table));
             Problem {
                 location: at.map(|at| self.narrowed(at, problem.within.as_deref())),
+                message: told(problem.message),
+                help: problem.help.map(told),
                 ..problem
             }
         });
@@ -420,6 +437,14 @@ impl CaseFile {
         problems.sort_by_key(|problem| {
             problem.location.as_ref().map(|location| (location.source, location.span.start))
         });
+        more |= problems.len() > PROBLEMS;
+        problems.truncate(PROBLEMS);
+        if more {
+            let message = "there is more, which is told once this is mended";
+            let fails = problems.iter().any(|problem| problem.severity == Severity::Error);
+            let severity = if fails { Severity::Error } else { Severity::Warning };
+            problems.push(Problem { severity, ..Problem::error(Key::default(), message) });
+        }
         problems
     }
 }

@@ -4,6 +4,7 @@ use std::fmt;
 use std::ops::Range;
 
 use super::Key;
+use super::told::told;
 
 /// How much a problem matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -106,7 +107,7 @@ impl Problem {
         if self.key.parts().is_empty() {
             self.message.clone()
         } else {
-            format!("`{}`: {}", self.key, self.message)
+            told(format!("`{}`: {}", self.key, self.message))
         }
     }
 }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::chosen::Chosen;
 use super::key::Key;
+use super::left_out;
 use super::nearest::nearest;
 use super::problem::{Problem, Source};
 use super::quantity;
@@ -97,13 +98,16 @@ impl Reader<'_> {
     /// Complains about entries that are none of the known ones.
     pub fn unknown(&mut self, section: &Section<'_>, what: &str, known: &[&str]) {
         for entry in section.table.0.iter().filter(|entry| !known.contains(&entry.name.as_str())) {
-            let message = match nearest(&entry.name, known) {
+            let meant = nearest(&entry.name, known);
+            let message = match meant {
                 Some(meant) => format!("is not a known {what}; did you mean `{meant}`?"),
                 None => format!("is not a known {what}"),
             };
-            let help = match known {
-                [] => "nothing is set here".to_owned(),
-                _ => format!("known here: {}", known.join(", ")),
+            let left_out = left_out::remedy(&entry.name).filter(|_| meant.is_none());
+            let help = match (left_out, known) {
+                (Some(remedy), _) => remedy,
+                (None, []) => "nothing is set here".to_owned(),
+                (None, known) => format!("known here: {}", known.join(", ")),
             };
             self.push(Problem::error(section.key.child(&entry.name), message).at_name().help(help));
         }

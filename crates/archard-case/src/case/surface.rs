@@ -58,7 +58,7 @@ const SURFACE: Choice<Box<dyn Profile>> = Choice {
 const FILE: Parameter = Parameter::required(
     "file",
     Quantity::File,
-    "Digital Surf (.sur), SDF (.sdf), X3P (.x3p), Gwyddion (.gwy), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)",
+    "Digital Surf (.sur), SDF (.sdf), X3P (.x3p), Gwyddion (.gwy), NetCDF (.nc), NumPy (.npy), or a matrix of heights (.csv, .txt, .asc)",
 );
 const PIXEL: Parameter = Parameter::optional(
     "pixel",

@@ -100,6 +100,15 @@ impl Node {
         };
         Self { item, at: origin.locate(value.span()) }
     }
+
+    fn texts<'a>(&'a self, found: &mut Vec<&'a str>) {
+        match &self.item {
+            Item::Text(text) => found.push(text),
+            Item::Array(nodes) => nodes.iter().for_each(|node| node.texts(found)),
+            Item::Table(table) => table.texts(found),
+            Item::Number { .. } | Item::Boolean(_) | Item::Date => {}
+        }
+    }
 }
 
 impl Table {
@@ -122,6 +131,11 @@ impl Table {
 
     pub fn get_mut(&mut self, name: &str) -> Option<&mut Entry> {
         self.0.iter_mut().find(|entry| entry.name == name)
+    }
+
+    /// All texts in it, at any depth.
+    pub fn texts<'a>(&'a self, found: &mut Vec<&'a str>) {
+        self.0.iter().for_each(|entry| entry.node.texts(found));
     }
 
     /// Where a key stands, or what of it there is; `None` if not even its first part is there.

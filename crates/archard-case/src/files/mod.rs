@@ -5,6 +5,7 @@
 //! is refused before it is read.
 
 mod free;
+mod inputs;
 
 use std::fs::{self, File, FileType};
 use std::io::{self, ErrorKind, Read};
@@ -12,6 +13,7 @@ use std::path::Path;
 
 pub(crate) use free::available_to_equations;
 pub use free::free_memory;
+pub use inputs::Inputs;
 
 /// What a file holds, by which it takes more memory than bytes on the disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

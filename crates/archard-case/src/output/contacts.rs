@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::rail_wear::{RailWear, rail_wear_files, rail_wear_json, write_rail_wear};
 use super::summary::json_of;
 use super::table::{Table, number};
-use super::{CASE, Claim, Error, Field, Image, SUMMARY, Totals, file};
+use super::{CASE, Claim, Error, Field, Image, SUMMARY, Totals};
 use crate::verdict::{self, Verdict};
 use archard_rail::contact::{Patch, PatchMap, Quantities};
 use archard_rail::file::Format;
@@ -90,7 +90,7 @@ pub fn write_rail(
     claim.admit()?;
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, CONTACTS])?;
-    file::write_whole(&manifest.claim(CASE)?, case_toml.as_bytes())?;
+    manifest.write(CASE, case_toml.as_bytes())?;
     let mut table = Table::create(manifest.claim(CONTACTS)?)?;
     for contact in &results.contacts {
         for (index, patch) in contact.patches.iter().enumerate() {
@@ -111,7 +111,7 @@ pub fn write_rail(
         write_rail_wear(manifest, wear)?;
     }
     let summary = format!("{:#}\n", summary(results, totals));
-    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
+    manifest.write(SUMMARY, summary.as_bytes()).map(|_| ())
 }
 
 /// The files of a wheel on a rail but for the case, by their names in the folder: of those of wheel and rail that wear, on these

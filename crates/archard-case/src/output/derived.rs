@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 use super::folder::HISTORY;
 use super::summary::json_of;
 use super::table::{Table, number};
-use super::{CASE, Claim, Error, SUMMARY, file};
+use super::{CASE, Claim, Error, SUMMARY};
 use crate::verdict::Verdict;
 
 /// What another run tells of a run.
@@ -32,8 +32,8 @@ impl Derived<'_> {
         let mut claim = Claim::take(dir)?.adopting();
         claim.admit()?;
         claim.manifest.begin([CASE, HISTORY, SUMMARY])?;
-        file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
-        let mut history = Table::create(dir.join(HISTORY))?;
+        claim.manifest.write(CASE, case_toml.as_bytes())?;
+        let mut history = Table::create(claim.manifest.claim(HISTORY)?)?;
         for row in self.rows {
             let cells: Vec<_> =
                 row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
@@ -55,7 +55,7 @@ impl Derived<'_> {
             "derived_from": self.from,
         });
         // Last of all: a folder with a summary is whole.
-        file::write_whole(&dir.join(SUMMARY), format!("{summary:#}\n").as_bytes())?;
+        claim.manifest.write(SUMMARY, format!("{summary:#}\n").as_bytes())?;
         Ok(())
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::summary;
 use super::table::{Table, number};
-use super::{CASE, Claim, Error, Field, Manifest, SUMMARY, Sheet, Surface, Totals, file};
+use super::{CASE, Claim, Error, Field, Manifest, SUMMARY, Sheet, Surface, Totals};
 use crate::verdict::{self, Verdict};
 use archard::compliance::Balance;
 use archard::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section, row};
@@ -23,7 +23,7 @@ pub fn write_elastic(
     claim.admit()?;
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, SURFACE])?;
-    file::write_whole(&manifest.claim(CASE)?, case_toml.as_bytes())?;
+    manifest.write(CASE, case_toml.as_bytes())?;
     Surface::of_elastic(deformed).write(&manifest.claim(SURFACE)?)?;
     if !body.points.is_empty() {
         let mut table = Table::create(manifest.claim(POINTS)?)?;
@@ -33,7 +33,7 @@ pub fn write_elastic(
     }
     write_sections(manifest, "", deformed, false)?;
     let summary = format!("{:#}\n", summary(body, deformed, totals));
-    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
+    manifest.write(SUMMARY, summary.as_bytes()).map(|_| ())
 }
 
 /// What can be believed of a result.

@@ -20,7 +20,7 @@ static NEXT: AtomicUsize = AtomicUsize::new(0);
 ///
 /// # Errors
 /// If it cannot be written.
-pub fn write_whole(path: &Path, content: &[u8]) -> Result<(), Error> {
+pub(super) fn write_whole(path: &Path, content: &[u8]) -> Result<(), Error> {
     write_by(path, content, OpenOptions::new())
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Error, Field, Surface, fields, vtk};
+use super::{Error, Field, Place, Surface, fields, vtk};
 use archard::numerics::WRITTEN;
 use archard::problem::{ContactProblem, ContactState};
 
@@ -90,8 +90,8 @@ impl Image {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Error> {
-        vtk::write(self, path)
+    pub fn write(&self, place: &Place) -> Result<(), Error> {
+        vtk::write(self, place)
     }
 
     /// Reads a `.vti` file that [`Image::write`] wrote; it does not read those of other programs.

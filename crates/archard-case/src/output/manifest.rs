@@ -9,8 +9,9 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Component, Path, PathBuf};
 
-use super::{CASE, Error, file};
-use crate::files;
+use super::names::is_given;
+use super::{CASE, Error, Place, file};
+use crate::files::{self, Inputs};
 
 /// The file.
 const NAME: &str = "manifest.txt";
@@ -27,6 +28,8 @@ pub struct Manifest {
     names: BTreeSet<String>,
     /// Whether the folder has a list.
     exists: bool,
+    /// Files that are read and stay.
+    inputs: Inputs,
 }
 
 impl Manifest {
@@ -58,8 +61,15 @@ impl Manifest {
                 names.remove(name);
             }
         }
-        names.retain(|name| is_within(name));
-        Ok(Self { dir, names, exists: true })
+        // Others have put there what this program never writes.
+        names.retain(|name| is_within(name) && is_given(name));
+        Ok(Self { dir, names, exists: true, inputs: Inputs::default() })
+    }
+
+    /// The same for a command that reads these files: none of them is replaced or removed, listed or not.
+    #[must_use]
+    pub fn sparing(self, inputs: Inputs) -> Self {
+        Self { inputs, ..self }
     }
 
     /// Whether the folder has a list.
@@ -80,27 +90,52 @@ impl Manifest {
     /// Says whether a file of that name may be written: it was written before, or nothing stands there.
     ///
     /// # Errors
-    /// If something stands there that is not listed, or the name leads out of the folder.
-    pub fn admit(&self, name: &str) -> Result<PathBuf, Error> {
+    /// If something stands there that is not listed or is read, the name leads out of the folder, or none of the program's files
+    /// has it.
+    pub fn admit(&self, name: &str) -> Result<Place, Error> {
         let path = self.dir.join(name);
-        if !is_within(name) {
-            let source = io::Error::new(ErrorKind::InvalidInput, "it leads out of its folder");
-            return Err(Error::Write { path, source });
+        if !is_within(name) || !is_given(name) {
+            let why = "it is no name of a file of results";
+            return Err(Error::Write {
+                path,
+                source: io::Error::new(ErrorKind::InvalidInput, why),
+            });
         }
         self.find_no_links(name)?;
+        self.spare(name)?;
         match fs::symlink_metadata(&path) {
-            Err(_) => Ok(path),
-            Ok(known) if self.has(name) && !known.is_dir() => Ok(path),
+            Err(_) => Ok(Place::known(path)),
+            Ok(known) if self.has(name) && !known.is_dir() => Ok(Place::known(path)),
             Ok(_) => Err(not_ours(path)),
         }
+    }
+
+    /// Says whether folders of results may be written below a folder: none of those that are there has a file that is read.
+    ///
+    /// # Errors
+    /// If one has, which is named.
+    pub fn spare_below(dir: &Path, inputs: &Inputs) -> Result<(), Error> {
+        let Ok(dir) = dir.canonicalize() else { return Ok(()) };
+        let found = inputs.paths().find(|path| {
+            let Ok(path) = path.canonicalize() else { return false };
+            let mut folders = path.ancestors().skip(1).take_while(|folder| **folder != dir);
+            path.starts_with(&dir) && folders.any(|folder| folder.join(NAME).is_file())
+        });
+        found.map_or(Ok(()), |path| Err(Error::Input { path: path.to_owned() }))
+    }
+
+    /// Refuses to touch a file that is read.
+    fn spare(&self, name: &str) -> Result<(), Error> {
+        let path = self.dir.join(name);
+        if self.inputs.has(&path) { Err(Error::Input { path }) } else { Ok(()) }
     }
 
     /// Takes a name for a file that is about to be written, and makes the folder it lies in.
     ///
     /// # Errors
     /// As [`Manifest::admit`], and if the list cannot be written.
-    pub fn claim(&mut self, name: &str) -> Result<PathBuf, Error> {
-        let path = self.admit(name)?;
+    pub fn claim(&mut self, name: &str) -> Result<Place, Error> {
+        let place = self.admit(name)?;
         if let Some((folder, _)) = name.rsplit_once('/') {
             let folder = self.dir.join(folder);
             match fs::create_dir(&folder) {
@@ -114,7 +149,17 @@ impl Manifest {
             self.note(WROTE, name)?;
             self.names.insert(name.to_owned());
         }
-        Ok(path)
+        Ok(place)
+    }
+
+    /// Writes a file of that name; returns its path.
+    ///
+    /// # Errors
+    /// As [`Manifest::claim`], and if it cannot be written.
+    pub fn write(&mut self, name: &str, content: &[u8]) -> Result<PathBuf, Error> {
+        let place = self.claim(name)?;
+        place.write(content)?;
+        Ok(place.into_path())
     }
 
     /// Removes a file, if it is listed.
@@ -126,6 +171,7 @@ impl Manifest {
             return Ok(());
         }
         self.find_no_links(name)?;
+        self.spare(name)?;
         file::remove(&self.dir.join(name))?;
         self.note(REMOVED, name)?;
         self.names.remove(name);
@@ -141,7 +187,7 @@ impl Manifest {
     pub fn begin<'a>(&mut self, names: impl IntoIterator<Item = &'a str>) -> Result<(), Error> {
         let next: BTreeSet<String> = names.into_iter().map(str::to_owned).collect();
         next.iter().try_for_each(|name| self.admit(name).map(|_| ()))?;
-        self.names.iter().try_for_each(|name| self.find_no_links(name))?;
+        self.names.iter().try_for_each(|name| self.find_no_links(name).and(self.spare(name)))?;
         self.remove_parts(|_| true);
         // The case goes last: a run that is killed on the way leaves no results whose case is not told.
         let (case, results): (Vec<_>, Vec<_>) = self.names.iter().partition(|name| *name == CASE);
@@ -165,8 +211,12 @@ impl Manifest {
     /// If it cannot be read or written.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
         // Others may have added to it.
-        *self = Self::read(&self.dir)?;
-        file::write_whole(&self.dir.join(NAME), self.text().as_bytes())
+        *self = Self::read(&self.dir)?.sparing(std::mem::take(&mut self.inputs));
+        let path = self.dir.join(NAME);
+        match files::read_text(&path).is_ok_and(|known| known == self.text()) {
+            true => Ok(()),
+            false => file::write_whole(&path, self.text().as_bytes()),
+        }
     }
 
     /// Removes parts of files that are listed, if whoever wrote them is gone.
@@ -185,9 +235,10 @@ impl Manifest {
         self.names.iter().filter_map(|name| Some(name.rsplit_once('/')?.0)).collect()
     }
 
-    /// Takes over files that no list names.
-    pub(super) fn adopt(&mut self, names: impl IntoIterator<Item = String>) {
-        self.names.extend(names.into_iter().filter(|name| is_within(name)));
+    /// Takes over files of a folder that has no list, which are known to be this program's in another way.
+    pub fn adopt(&mut self, names: impl IntoIterator<Item = String>) {
+        let known = names.into_iter().filter(|name| is_within(name) && is_given(name));
+        self.names.extend(known.filter(|_| !self.exists));
     }
 
     /// Refuses a name that leads elsewhere through the link of a folder.
@@ -255,10 +306,11 @@ mod tests {
     use std::path::Path;
 
     use super::{FORMAT, Manifest, NAME};
-    use crate::output::{Error, write_whole};
+    use crate::files::Inputs;
+    use crate::output::Error;
 
     fn write(manifest: &mut Manifest, name: &str, content: &str) {
-        write_whole(&manifest.claim(name).unwrap(), content.as_bytes()).unwrap();
+        manifest.write(name, content.as_bytes()).unwrap();
     }
 
     fn names(dir: &Path) -> Vec<String> {
@@ -290,10 +342,10 @@ mod tests {
     fn the_case_outlives_its_results() {
         let dir = tempfile::tempdir().unwrap();
         let mut manifest = Manifest::read(dir.path()).unwrap();
-        for name in ["case.toml", "history.csv", "a.csv"] {
+        for name in ["case.toml", "history.csv", "points.csv"] {
             write(&mut manifest, name, "one");
         }
-        for stops in ["history.csv", "a.csv"] {
+        for stops in ["history.csv", "points.csv"] {
             let path = dir.path().join(stops);
             let _ = fs::remove_file(&path);
             fs::create_dir(&path).unwrap();
@@ -337,11 +389,54 @@ mod tests {
         #[cfg(unix)]
         {
             std::os::unix::fs::symlink(other.path(), dir.path().join("fields")).unwrap();
-            fs::write(dir.path().join(NAME), format!("{FORMAT}wrote fields/victim\n")).unwrap();
+            fs::rename(&victim, other.path().join("0000.vti")).unwrap();
+            fs::write(dir.path().join(NAME), format!("{FORMAT}wrote fields/0000.vti\n")).unwrap();
             assert!(Manifest::read(dir.path()).unwrap().begin([]).is_err());
             assert!(manifest.claim("fields/0000.vti").is_err());
+            fs::rename(other.path().join("0000.vti"), &victim).unwrap();
         }
         assert_eq!(fs::read_to_string(&victim).unwrap(), "mine");
+    }
+
+    /// Names that no result has stay, whoever put them into the list, in the folder and below it.
+    #[test]
+    fn a_list_is_not_believed_for_what_is_never_written() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        write(&mut manifest, "case.toml", "one");
+        let mine = ["thesis.docx", "fields/data.csv", "sub/deep/data.csv"];
+        let path = dir.path().join(NAME);
+        let mut list = fs::read_to_string(&path).unwrap();
+        for name in mine {
+            fs::create_dir_all(dir.path().join(name).parent().unwrap()).unwrap();
+            fs::write(dir.path().join(name), "mine").unwrap();
+            list += &format!("wrote {name}\n");
+        }
+        fs::write(&path, list).unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        assert!(mine.iter().all(|name| manifest.claim(name).is_err()));
+        manifest.begin(["case.toml"]).unwrap();
+        let kept = |name: &&str| fs::read_to_string(dir.path().join(name)).unwrap() == "mine";
+        assert!(mine.iter().all(kept) && !dir.path().join("case.toml").exists());
+        assert!(manifest.claim("notes.txt").is_err(), "no name of a result");
+    }
+
+    /// A file of an earlier run that is read now, under whatever name, is neither replaced nor removed.
+    #[test]
+    fn what_is_read_is_spared() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        for name in ["case.toml", "points.csv"] {
+            write(&mut manifest, name, "one");
+        }
+        let read = dir.path().join("read.csv");
+        fs::hard_link(dir.path().join("points.csv"), &read).unwrap();
+        let mut manifest = manifest.sparing(Inputs::of([read]));
+        let spared = |refused: Result<(), Error>| matches!(refused, Err(Error::Input { .. }));
+        assert!(spared(manifest.write("points.csv", b"two").map(|_| ())));
+        assert!(spared(manifest.remove("points.csv")) && spared(manifest.begin([])));
+        let left = ["case.toml", "points.csv"].map(|name| dir.path().join(name));
+        assert!(left.iter().all(|path| fs::read_to_string(path).unwrap() == "one"));
     }
 
     /// Wherever a kill tears the list, no name comes out that was not written, and it goes on.

@@ -44,6 +44,8 @@ mod inside;
 mod length_profiles;
 mod limit;
 mod manifest;
+mod names;
+mod place;
 mod rail_wear;
 mod sections;
 mod sheet;
@@ -72,11 +74,11 @@ pub use contacts::{
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};
-pub use file::write_whole;
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
 pub use manifest::Manifest;
+pub use place::Place;
 pub use rail_wear::{ProfileWear, RailWear};
 pub use sheet::Sheet;
 pub use standards::Standard;
@@ -123,6 +125,12 @@ pub enum Error {
         path: PathBuf,
         /// What else can be done.
         help: &'static str,
+    },
+    /// A file that a command reads stands where one of its results goes.
+    #[error("`{}` is read here, and results would take its place: choose another folder with -o", .path.display())]
+    Input {
+        /// The file.
+        path: PathBuf,
     },
     /// A file was removed while it was written.
     #[error("`{}` was removed or moved while the run wrote into it; what it held is lost", .path.display())]

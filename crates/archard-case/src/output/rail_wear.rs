@@ -5,9 +5,9 @@ use archard_rail::setup::Side;
 use archard_rail::wear::{COLUMNS, Told, Travelled, Worn, WornProfile, error_of};
 use serde_json::{Value, json};
 
+use super::Error;
 use super::manifest::Manifest;
 use super::table::{Table, number};
-use super::{Error, file};
 
 /// The file of worn depths over the profiles.
 const WEAR: &str = "wear.csv";
@@ -153,7 +153,7 @@ impl RailWear {
 pub(super) fn write_rail_wear(manifest: &mut Manifest, wear: &RailWear) -> Result<(), Error> {
     for (body, side, name) in wear.profiles() {
         let worn = profile(&wear.travelled.worn[side], body).profile();
-        file::write_whole(&manifest.claim(&name)?, write(&worn, wear.formats[body]).as_bytes())?;
+        manifest.write(&name, write(&worn, wear.formats[body]).as_bytes())?;
     }
     let mut table = Table::create(manifest.claim(WEAR)?)?;
     for ProfileWear { body, side, columns } in wear.profile_wear() {

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Error, Field, vtk};
+use super::{Error, Field, Place, vtk};
 use archard::elastic::STRESSES;
 
 /// Places that share cells, in SI, as kept in a `.vtu` file (VTK's XML unstructured grids with point data).
@@ -23,8 +23,8 @@ impl Sheet {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Error> {
-        vtk::write(self, path)
+    pub fn write(&self, place: &Place) -> Result<(), Error> {
+        vtk::write(self, place)
     }
 
     /// Turned over, as body 2 is above the plane of contact: z changes its sign.

@@ -8,6 +8,7 @@
 mod envelope;
 mod trust;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
@@ -15,7 +16,8 @@ use blake3::OUT_LEN;
 use envelope::Envelope;
 use faer::Mat;
 
-use super::file;
+use super::{Error, Place, file};
+use crate::files::{self, Contents};
 use archard::body::{Finite, Material};
 use archard::compliance::bem::contact::{Job, condense};
 use archard::compliance::bem::{Balance, Condensed, Responses, Solid};
@@ -127,6 +129,23 @@ impl Store {
             let path = self.path(&envelope.key, kind);
             let _ = file::write_private(&path, &envelope.seal(numbers));
         }
+    }
+
+    /// Writes a file of the program's own below the folder, by its name there, unless it holds that already; returns its path.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn put(&self, name: &str, content: &[u8]) -> Result<PathBuf, Error> {
+        let path = self.folder.join(name);
+        if files::read(&path, Contents::Numbers).is_ok_and(|known| known == content) {
+            return Ok(path);
+        }
+        if let Some(folder) = path.parent() {
+            fs::create_dir_all(folder)
+                .map_err(|source| Error::Write { path: folder.to_owned(), source })?;
+        }
+        Place::known(path.clone()).write(content)?;
+        Ok(path)
     }
 
     /// What was not read, and why, in a sentence each.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::sheet::turn_over;
-use super::{Error, Field, Image, fields, vtk};
+use super::{Error, Field, Image, Place, fields, vtk};
 use archard::frame::ContactFrame;
 use archard::numerics::WRITTEN;
 use archard::problem::{ContactProblem, ContactState};
@@ -208,8 +208,8 @@ impl Surface {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Error> {
-        vtk::write(self, path)
+    pub fn write(&self, place: &Place) -> Result<(), Error> {
+        vtk::write(self, place)
     }
 
     /// Reads a `.vtu` file that [`Surface::write`] wrote; it does not read those of other programs.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Error, limit};
+use super::{Error, Place, limit};
 
 /// A CSV file. Every `flush` hands its rows to the system in one piece; where that fails, the file is cut back to the
 /// rows it had.
@@ -52,7 +52,8 @@ impl Table {
     }
 
     /// A table as it was kept, once it [was found](Kept::find); rows that were added since are cut off.
-    pub(super) fn resume(path: PathBuf, Kept { length, headed }: Kept) -> Result<Self, Error> {
+    pub(super) fn resume(place: Place, Kept { length, headed }: Kept) -> Result<Self, Error> {
+        let path = place.into_path();
         let opened = OpenOptions::new().append(true).open(&path).and_then(|file| {
             file.set_len(length)?;
             Ok(file)
@@ -64,7 +65,8 @@ impl Table {
     }
 
     /// An empty table where no file is; the first row gives it its header.
-    pub(super) fn create(path: PathBuf) -> Result<Self, Error> {
+    pub(super) fn create(place: Place) -> Result<Self, Error> {
+        let path = place.into_path();
         match OpenOptions::new().write(true).create_new(true).open(&path) {
             Ok(file) => Ok(Self { path, file, rows: no_rows(), length: 0, headed: false }),
             Err(source) => Err(Error::Write { path, source }),
@@ -143,7 +145,7 @@ mod tests {
     use std::fs::{self, File};
 
     use super::{Table, number};
-    use crate::output::Error;
+    use crate::output::{Error, Place};
 
     #[test]
     fn numbers_keep_every_digit() {
@@ -159,7 +161,7 @@ mod tests {
     fn a_table_that_was_removed_says_so() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("history.csv");
-        let mut table = Table::create(path.clone()).unwrap();
+        let mut table = Table::create(Place::known(path.clone())).unwrap();
         table.row(&[("load_N", "1".to_owned())]).unwrap();
         table.flush().unwrap();
         table.find().unwrap();
@@ -174,7 +176,7 @@ mod tests {
     #[test]
     fn a_full_disk_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
-        let mut table = Table::create(folder.path().join("history.csv")).unwrap();
+        let mut table = Table::create(Place::known(folder.path().join("history.csv"))).unwrap();
         table.row(&[("load_N", "1".to_owned())]).unwrap();
         table.flush().unwrap();
         let file = std::mem::replace(&mut table.file, File::create("/dev/full").unwrap());

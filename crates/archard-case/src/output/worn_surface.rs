@@ -1,10 +1,9 @@
 //! The worn surface of a body as ParaView's filters want it: points with data, shared by the cells between them, in mm.
 
 use std::collections::HashMap;
-use std::path::Path;
 
 use super::surface::{reflected, sign};
-use super::{Error, Field, Image, Sheet, Surface, vtk};
+use super::{Error, Field, Image, Place, Sheet, Surface, vtk};
 use archard::numerics::SAME;
 
 /// The worn surface of a body at one output, with point data: `wear_um`, `pressure_MPa` and whatever else the output has. It is
@@ -174,8 +173,8 @@ impl WornSurface {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Error> {
-        vtk::write_points(self, path)
+    pub fn write(&self, place: &Place) -> Result<(), Error> {
+        vtk::write_points(self, place)
     }
 
     /// Takes up a field in SI, in units people read.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use anyhow::{Context, anyhow};
-use archard_case::output::write_whole;
+use archard_case::output::Place;
 #[cfg(feature = "pdf")]
 use kuva::backend::pdf::{PageSize, PdfBackend};
 use kuva::backend::svg::SvgBackend;
@@ -111,23 +111,45 @@ pub(crate) fn save(
         }
     };
     let scene = scene(&panels, (columns, [across, up]), mark);
-    let both = [Format::Svg, Format::Png];
-    let formats = if sheet.paper.formats.is_empty() { &both[..] } else { &sheet.paper.formats };
-    let draw = |format: &Format| {
-        let file = path.with_extension(format.extension());
+    let draw = |(format, place): (Format, Place)| {
         let millimetres =
             width.map(|width| width.millimetres() * columns as f64 / width.columns() as f64);
         let bytes = match format {
-            Format::Svg => Ok(svg(&scene, millimetres).into_bytes()),
+            Format::Svg => Ok((svg(&scene, millimetres) + SIGNED_SVG).into_bytes()),
             Format::Png => raster::png(&scene, millimetres.map_or(PNG_WIDTH, |mm| mm * DOTS)),
-            Format::Pdf => pdf(&scene, millimetres),
+            Format::Pdf => pdf(&scene, millimetres).map(|pdf| [&pdf, SIGNED_PDF].concat()),
         };
-        Ok((bytes.with_context(|| format!("cannot draw `{}`", file.display()))?, file))
+        Ok((bytes.with_context(|| format!("cannot draw `{}`", place.path().display()))?, place))
     };
     // All are drawn before one is written.
-    let drawn: Vec<(Vec<u8>, PathBuf)> = formats.iter().map(draw).collect::<anyhow::Result<_>>()?;
-    drawn.iter().try_for_each(|(bytes, file)| write_whole(file, bytes))?;
-    Ok(drawn.into_iter().map(|(_, file)| file).collect())
+    let drawn = places(path, sheet.paper)?.into_iter().map(draw);
+    let drawn: Vec<(Vec<u8>, Place)> = drawn.collect::<anyhow::Result<_>>()?;
+    drawn.iter().try_for_each(|(bytes, place)| place.write(bytes))?;
+    Ok(drawn.into_iter().map(|(_, place)| place.into_path()).collect())
+}
+
+/// How an SVG of this program ends.
+const SIGNED_SVG: &str = "<!-- archard -->\n";
+/// How a PDF of this program ends.
+const SIGNED_PDF: &[u8] = b"\n% archard\n";
+
+/// The places of a picture, each with its format: free, or those of other pictures of this program.
+///
+/// # Errors
+/// If other files stand there.
+pub(crate) fn places(path: &Path, paper: &Paper) -> anyhow::Result<Vec<(Format, Place)>> {
+    let both = [Format::Svg, Format::Png];
+    let formats = if paper.formats.is_empty() { &both[..] } else { &paper.formats };
+    let place = |format: &Format| {
+        let is_ours = |known: &[u8]| match format {
+            Format::Svg => known.ends_with(SIGNED_SVG.as_bytes()),
+            Format::Png => raster::is_signed(known),
+            Format::Pdf => known.ends_with(SIGNED_PDF),
+        };
+        let place = Place::free_or(&path.with_extension(format.extension()), is_ours)?;
+        Ok((*format, place))
+    };
+    formats.iter().map(place).collect()
 }
 
 /// Panels laid out side by side, each of that size (px), below a mark if there is one.

@@ -7,7 +7,7 @@ use archard_lab::{Coefficient, Fit, Shown};
 
 use super::HIGH;
 use super::SHOWN;
-use super::draw::{Paper, Sheet, save};
+use super::draw::{Paper, Sheet, places, save};
 use super::figure::{COLOURS, Curves, LegendPosition, Panel, Pen};
 use super::scale::Unit;
 
@@ -22,6 +22,14 @@ pub fn draw(dir: &Path, fit: &Fit) -> Result<Vec<PathBuf>> {
     let columns = panels.len().clamp(1, 2);
     let sheet = Sheet { columns, size: SIZE, paper: &Paper::default() };
     save(&dir.join("fit"), &sheet, (panels, None))
+}
+
+/// Says whether the pictures of a fit may be written into a folder.
+///
+/// # Errors
+/// If other files stand in their places.
+pub fn admit(dir: &Path) -> Result<()> {
+    places(&dir.join("fit"), &Paper::default()).map(|_| ())
 }
 
 fn panel(fit: &Fit, own: &Coefficient, shown: &Shown) -> Panel {

@@ -39,9 +39,9 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, ensure};
 
 use archard::simulation::history::FORCE;
-use draw::{Paper, Sheet, save};
+use draw::{Paper, Sheet, places, save};
 use figure::Panel;
-pub use fit::draw as draw_fit;
+pub use fit::{admit as admit_fit, draw as draw_fit};
 use results::Results;
 pub(crate) use study::quantile;
 
@@ -150,6 +150,8 @@ pub(crate) fn write(
     let linked = plots.is_symlink();
     ensure!(!linked, "`{}` is a link, through which nothing is written", plots.display());
     fs::create_dir_all(&plots).with_context(|| format!("cannot make `{}`", plots.display()))?;
+    // Where one has no place, none is written.
+    pictures.iter().try_for_each(|one| places(&plots.join(one.name), paper).map(|_| ()))?;
     let mut files = Vec::new();
     for Picture { name, columns, size, panels } in pictures {
         let sheet = Sheet { columns, size, paper };

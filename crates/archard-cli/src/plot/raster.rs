@@ -51,12 +51,20 @@ fn shrink(drawn: &[u8]) -> Result<Vec<u8>> {
     encode(&means, [width, height], info.color_type)
 }
 
+/// Whether a file is a PNG of this program: the chunks in front of the pixels say so.
+pub(super) fn is_signed(bytes: &[u8]) -> bool {
+    let signed = b"tEXtSoftware\0archard";
+    let pixels = bytes.windows(4).position(|kind| kind == b"IDAT").unwrap_or_default();
+    bytes[..pixels].windows(signed.len()).any(|chunk| chunk == signed)
+}
+
 /// Pixels of eight bits a colour as a PNG.
 fn encode(pixels: &[u8], [width, height]: [usize; 2], colour: png::ColorType) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, width as u32, height as u32);
     encoder.set_color(colour);
     encoder.set_depth(png::BitDepth::Eight);
+    encoder.add_text_chunk("Software".to_owned(), "archard".to_owned())?;
     let mut writer = encoder.write_header()?;
     writer.write_image_data(pixels)?;
     writer.finish()?;

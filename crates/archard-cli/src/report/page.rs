@@ -1,12 +1,11 @@
 //! A page in HTML: its document, and the pieces it is made of.
 
-use std::fs::File;
 use std::io::{Read, Write};
 use std::path::Path;
 use std::time::Duration;
 
-use anyhow::{Result, ensure};
-use archard_case::output::write_whole;
+use anyhow::{Result, anyhow};
+use archard_case::output::{Error, Place};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use flate2::Compression;
@@ -90,24 +89,16 @@ impl Page {
     /// # Errors
     /// If something else is there, or it cannot be written.
     pub(super) fn write(&self, path: &Path, reload: Option<Duration>) -> Result<()> {
-        ensure!(
-            may_replace(path),
-            "`{}` is there, and is no page of this program: choose another file, or remove it",
-            path.display()
-        );
-        Ok(write_whole(path, self.document(reload).as_bytes())?)
+        let place = Place::free_or(path, |known| known.starts_with(START.as_bytes()));
+        let place = place.map_err(|error| match error {
+            Error::NotOurs { path, .. } => anyhow!(
+                "`{}` is there, and is no page of this program: choose another file, or remove it",
+                path.display()
+            ),
+            error => error.into(),
+        })?;
+        Ok(place.write(self.document(reload).as_bytes())?)
     }
-}
-
-/// Whether a page may stand at that place: nothing does, or another page of this program.
-fn may_replace(path: &Path) -> bool {
-    if !path.is_file() {
-        return !path.exists();
-    }
-    let mut start = Vec::new();
-    let read =
-        File::open(path).and_then(|file| file.take(START.len() as u64).read_to_end(&mut start));
-    read.is_ok() && start == START.as_bytes()
 }
 
 /// What the browser may do with the page. Plotly places its parts by `style` attributes, which run nothing, and shows its maps

@@ -21,11 +21,12 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use archard_case::files;
-use archard_case::output::{Store, write_whole};
+use archard_case::files::{self, Inputs};
+use archard_case::output::{Error, Manifest, Store};
 use rayon::ThreadPoolBuilder;
 
 use crate::arguments::Sweep;
+use crate::diagnose;
 use crate::failure::Failure;
 use crate::interrupt::Requests;
 use crate::say::{say, tell};
@@ -40,7 +41,9 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let arguments = &fitted::with(arguments)?;
     let design = design::design(arguments)?;
     let study = &arguments.output;
-    begin(study, &design)?;
+    let case = diagnose::read(&arguments.case())?.inputs();
+    let inputs = case.paths().map(Path::to_owned).chain(arguments.from.clone());
+    begin(study, &design, Inputs::of(inputs))?;
     let other = design.rows.iter().enumerate().find_map(|(index, row)| {
         let dir = row::folder(study, index);
         row::holds_another(&dir, &row.resolved).then_some(dir)
@@ -78,8 +81,13 @@ pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
 const ELSEWHERE: &str = "choose another folder with -o, or remove this one";
 
 /// Makes the folder, or sees that it is of the same study.
-fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
-    let (path, text) = (study.join("design.csv"), design.csv());
+fn begin(study: &Path, design: &Design, inputs: Inputs) -> Result<(), Failure> {
+    let wrong = |error: Error| Failure::wrong(error.to_string());
+    Manifest::spare_below(study, &inputs).map_err(wrong)?;
+    // One of several tasks at a time.
+    let _claim = table::wait_for(study).map_err(wrong)?;
+    let mut manifest = Manifest::read(study).map_err(wrong)?.sparing(inputs);
+    let (path, text) = (study.join(DESIGN), design.csv());
     match files::read_text(&path) {
         Ok(known) if known != text => {
             let differ = known.lines().zip(text.lines()).position(|(one, other)| one != other);
@@ -89,24 +97,34 @@ fn begin(study: &Path, design: &Design) -> Result<(), Failure> {
                 path.display()
             )));
         }
-        Ok(_) => {}
+        // Earlier versions left no list; that the design is the same shows whose it is.
+        Ok(_) => manifest.adopt(FILES.map(str::to_owned)),
         Err(error) if error.kind() != ErrorKind::NotFound => {
             let message = format!("cannot read `{}`: {error}; {ELSEWHERE}", path.display());
             return Err(Failure::wrong(message));
         }
         Err(_) => {
-            let made = fs::create_dir_all(study.join("rows")).map_err(|error| error.to_string());
-            let write = |path: &Path, text: &str| {
-                write_whole(path, text.as_bytes()).map_err(|error| error.to_string())
+            FILES.iter().try_for_each(|name| manifest.admit(name).map(|_| ())).map_err(wrong)?;
+            let begun = fs::create_dir_all(study.join("rows")).map_err(|error| error.to_string());
+            let mut write = |name: &str, text: &str| {
+                manifest.write(name, text.as_bytes()).map_err(|error| error.to_string())
             };
             // The design last: where it is, all of it is.
-            made.and_then(|()| write(&study.join("study.json"), &design.json()))
-                .and_then(|()| write(&path, &text))
+            begun
+                .and_then(|()| write(STUDY, &design.json()))
+                .and_then(|_| write(DESIGN, &text))
                 .map_err(|error| Failure::wrong(format!("cannot begin a study: {error}")))?;
         }
     }
+    manifest.claim(table::SWEEP).map_err(wrong)?;
     Ok(())
 }
+
+/// The files of the design.
+const DESIGN: &str = "design.csv";
+const STUDY: &str = "study.json";
+/// All files of a study beside those of its rows.
+const FILES: [&str; 3] = [DESIGN, STUDY, table::SWEEP];
 
 /// Runs groups of rows, some at once.
 fn run_all(

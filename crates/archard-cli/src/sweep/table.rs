@@ -5,10 +5,13 @@ use std::path::Path;
 
 use archard_case::Resolved;
 use archard_case::files::{self, Contents};
-use archard_case::output::{Claim, Error, write_whole};
+use archard_case::output::{Claim, Error, Manifest};
 
 use super::design::Design;
-use super::row::{folder, holds_another, summary};
+use super::row::{folder, holds_another, is_done, summary};
+
+/// The file of all rows.
+pub const SWEEP: &str = "sweep.csv";
 
 /// How far a row is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +60,16 @@ impl Known {
 pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
     // The last of several tasks to get the lock sees what all have done.
     let _claim = wait_for(study)?;
+    for (index, row) in design.rows.iter().enumerate() {
+        let dir = folder(study, index);
+        if is_done(&dir, &row.resolved) {
+            // Who was killed between the end of its run and that of its folder has left this.
+            match Claim::take(&dir).and_then(Claim::tidy) {
+                Ok(()) | Err(Error::InUse { .. }) => {}
+                Err(error) => return Err(error),
+            }
+        }
+    }
     let known: Vec<Known> = design
         .rows
         .iter()
@@ -84,17 +97,17 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
         let cells = start.chain(names.iter().map(cell)).chain([known.error.clone()]);
         written = written.and_then(|()| table.write_record(cells));
     }
-    let path = study.join("sweep.csv");
+    let path = study.join(SWEEP);
     let refused = |source: std::io::Error| Error::Write { path: path.clone(), source };
     written.map_err(|error| refused(error.into()))?;
     let text =
         table.into_inner().map_err(|error| refused(std::io::Error::other(error.to_string())))?;
-    write_whole(&path, &text)?;
+    Manifest::read(study)?.write(SWEEP, &text)?;
     Ok(known)
 }
 
 /// The lock of the study, as soon as no other task has it.
-fn wait_for(study: &Path) -> Result<Claim, Error> {
+pub fn wait_for(study: &Path) -> Result<Claim, Error> {
     loop {
         match Claim::take(study) {
             Err(Error::InUse { .. }) => std::thread::sleep(std::time::Duration::from_millis(50)),

@@ -9,6 +9,7 @@ mod fit;
 mod framed;
 mod hostile;
 mod memory;
+mod own_data;
 mod report;
 mod running;
 mod scans;
@@ -25,7 +26,7 @@ use std::path::Path;
 
 use archard::friction::FRICTION;
 use archard::wear::WEAR_LAWS;
-use archard_case::output::Image;
+use archard_case::output::{Image, Manifest};
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use tempfile::TempDir;
@@ -357,7 +358,11 @@ fn paraview_writes_within_its_folder_and_replaces_its_own_files() {
         field.name = field.name.replace("height_ball_m", "height_../../victim/x_m");
     }
     assert!(image.fields.iter().any(|field| field.name.contains("victim")));
-    image.write(&last).unwrap();
+    Manifest::read(&dir.path().join("out"))
+        .unwrap()
+        .claim("fields/0000.vti")
+        .and_then(|place| image.write(&place))
+        .unwrap();
     let refused = archard(&dir, &["paraview", "out"]).code(2);
     assert!(said(&refused).contains("no case can have a body"), "{}", said(&refused));
     assert_eq!(fs::read_dir(dir.path().join("victim")).unwrap().count(), 0);

@@ -59,7 +59,7 @@ fn results_never_replace_the_case_itself() {
     archard(&dir, &["new", "hertz"]).success();
     let before = fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap();
     let refused = archard(&dir, &["run", "hertz", "-o", "hertz"]).code(2);
-    assert!(said(&refused).contains("would overwrite the case"));
+    assert!(said(&refused).contains("results would take its place"));
     assert_eq!(fs::read_to_string(dir.path().join("hertz/case.toml")).unwrap(), before);
 }
 

@@ -78,6 +78,22 @@ fn what_is_worn_between_two_scans_is_said_and_written() {
     assert!(error.contains("report.html` is there, and is no page"), "{error}");
     assert_eq!(fs::read_to_string(dir.path().join("pages/report.html")).unwrap(), "mine");
     with(&made).success();
+    // Each scan in a unit of its own: nanometres before, micrometres after.
+    let nanometres = |row: &str| {
+        let heights = row.split(' ').map(|cell| 1e3 * cell.parse::<f64>().unwrap());
+        heights.map(|height| height.to_string()).collect::<Vec<_>>().join(" ")
+    };
+    let rows: Vec<String> = scan(1, 1.0, false).lines().map(nanometres).collect();
+    put("nm.csv", rows.join("\n"));
+    let units = ["--set", "pixel=2 um", "--set-before", "unit=nm", "--set-after", "unit=um"];
+    let scans = ["compare", "--before", "nm.csv", "--after", "b.csv", "-o", "units"];
+    archard(&dir, &[&scans[..], &units].concat()).success();
+    let other = fs::read_to_string(dir.path().join("units/difference.json")).unwrap();
+    let other: Value = serde_json::from_str(&other).unwrap();
+    let [one, other] = [worn, &other["worn_volume_m3"]].map(|all| all["value"].as_f64().unwrap());
+    assert!((one / other - 1.0).abs() < 1e-6, "{one} {other}");
+    let error = wrong(&["--after", "b.csv", "--set-before", "form=sphere"]);
+    assert!(error.contains("takes off a part of what is worn"), "{error}");
     archard(&dir, &["compare", "--before", "a.csv"]).failure();
     archard(&dir, &["compare"]).failure();
 }

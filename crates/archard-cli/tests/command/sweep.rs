@@ -534,3 +534,36 @@ fn rows_to_an_accuracy_find_their_grids() {
         arguments.iter().map(|&one| if one == "5%" { "4%" } else { one }).collect();
     archard(&dir, &other).code(2);
 }
+
+/// Rows that are killed between the end of their run and that of their folder: the study is called again, and their folders are
+/// as if nobody had killed them.
+#[test]
+fn rows_that_are_killed_as_they_end_are_tidied() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let over = ["--over", "motion.sliding.load=5 N,20 N"];
+    let arguments = study(pin.to_str().unwrap(), &over);
+    archard(&dir, &arguments).success();
+    let row = dir.path().join("study/rows/0001");
+    let names = || {
+        let mut all: Vec<_> =
+            fs::read_dir(&row).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        all.sort();
+        all
+    };
+    let manifest = row.join("manifest.txt");
+    let (before, list, times) =
+        (names(), fs::read_to_string(&manifest).unwrap(), written(dir.path()));
+    // Before the checkpoint goes, and before the list is in order.
+    for more in ["wrote checkpoint\n", "wrote checkpoint\nremoved checkpoint\n"] {
+        fs::write(&manifest, format!("{list}{more}")).unwrap();
+        if !more.contains("removed") {
+            fs::write(row.join("checkpoint"), "a run").unwrap();
+            fs::write(row.join("summary.json.999999.0.part"), "half").unwrap();
+        }
+        archard(&dir, &arguments).success();
+        assert_eq!(names(), before, "{more}");
+        assert_eq!(fs::read_to_string(&manifest).unwrap(), list, "{more}");
+    }
+    assert_eq!(written(dir.path()), times, "no row is run again");
+}

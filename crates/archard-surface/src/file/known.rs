@@ -1,7 +1,7 @@
 //! What a file is by its first bytes, whatever its ending says.
 
 use super::bytes::beginning;
-use super::{Format, ReadError, digital_surf, gwyddion, npy, sdf, x3p};
+use super::{Format, ReadError, digital_surf, gwyddion, netcdf, npy, sdf, x3p};
 
 /// A kind of file that is known by its first bytes.
 #[derive(Debug, Clone, Copy)]
@@ -27,7 +27,7 @@ const OTHERS: &[(&[u8], &str)] = &[
     (b"\x88\x1b\x03", "Zygo file (MetroPro .dat)"),
     (b"Binary TrueMap", "TrueMap file (.tmd)"),
     (b"Zeta-Instruments", "Zeta file (.zmg)"),
-    (b"\x89HDF\r\n\x1a\n", "HDF5 file"),
+    (b"\x89HDF\r\n\x1a\n", "HDF5 file (NetCDF 4, too)"),
     (b"\x89PNG\r\n\x1a\n", "picture (PNG)"),
     (b"\xff\xd8\xff", "picture (JPEG)"),
     (b"II*\0", "picture (TIFF)"),
@@ -43,6 +43,7 @@ pub(super) fn of(bytes: &[u8]) -> Option<Known> {
     match bytes {
         _ if bytes.starts_with(digital_surf::MAGIC) => known(Format::DigitalSurf),
         _ if sdf::begins(bytes) => known(Format::Sdf),
+        _ if bytes.starts_with(netcdf::MAGIC) => known(Format::NetCdf),
         _ if bytes.starts_with(npy::MAGIC) => known(Format::Npy),
         _ if bytes.starts_with(gwyddion::MAGIC) => known(Format::Gwyddion),
         _ if bytes.starts_with(x3p::MAGIC) && x3p::has_a_head(bytes) => known(Format::X3p),
@@ -61,7 +62,9 @@ pub(super) fn expect(bytes: &[u8], format: Format) -> Result<(), ReadError> {
         None if format == Format::Text => return Ok(()),
         Some(Known { name, format: Some(_) }) => format!("it is {name}, and needs that ending"),
         Some(Known { name, format: None }) => {
-            format!("it is a {name}, which is not read: save it as .x3p, .sur, .sdf, .gwy or text")
+            format!(
+                "it is a {name}, which is not read: save it as .x3p, .sur, .sdf, .gwy, .nc (NetCDF 3) or text"
+            )
         }
         None => format!("it begins with {}", beginning(bytes)),
     };

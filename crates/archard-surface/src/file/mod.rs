@@ -4,6 +4,7 @@
 //! - `.sdf` of ISO 25178-71, binary and text;
 //! - `.x3p` of ISO 25178-72, with all types of numbers and the marks of points that were not measured;
 //! - `.gwy` of Gwyddion: the first channel of heights, without what its mask covers;
+//! - `.nc` of SurfaceTopography, NetCDF 3;
 //! - `.npy` of NumPy, a matrix of numbers;
 //! - text and CSV, a row of heights for each row of points, with commas, semicolons, tabs or blanks between.
 //!
@@ -17,6 +18,7 @@ mod bytes;
 mod digital_surf;
 mod gwyddion;
 mod known;
+mod netcdf;
 mod npy;
 mod sdf;
 mod text;
@@ -38,6 +40,8 @@ pub enum Format {
     X3p,
     /// Gwyddion.
     Gwyddion,
+    /// NetCDF 3.
+    NetCdf,
     /// NumPy.
     Npy,
     /// Rows of numbers.
@@ -52,6 +56,7 @@ impl Format {
             "sdf" => Self::Sdf,
             "x3p" => Self::X3p,
             "gwy" => Self::Gwyddion,
+            "nc" => Self::NetCdf,
             "npy" => Self::Npy,
             "csv" | "txt" | "asc" | "dat" => Self::Text,
             _ => return None,
@@ -70,6 +75,7 @@ impl Format {
             Self::Sdf => "SDF (.sdf)",
             Self::X3p => "X3P (.x3p)",
             Self::Gwyddion => "Gwyddion (.gwy)",
+            Self::NetCdf => "NetCDF (.nc)",
             Self::Npy => "NumPy (.npy)",
             Self::Text => "text",
         }
@@ -176,6 +182,7 @@ pub fn read_up_to(
         Format::Sdf => sdf::read(bytes, scale, most),
         Format::X3p => x3p::read(bytes, scale, most),
         Format::Gwyddion => gwyddion::read(bytes, scale, most),
+        Format::NetCdf => netcdf::read(bytes, scale, most),
         Format::Npy => npy::read(bytes, scale, most),
         Format::Text => text::read(bytes, scale, most),
     }

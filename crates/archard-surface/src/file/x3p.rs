@@ -19,6 +19,9 @@ const HEAD: &str = "main.xml";
 const SUM_OF_HEAD: &str = "md5checksum.hex";
 /// Most bytes of the head and of its checksum: heads have a few kilobytes, and a comment.
 const MOST_OF_HEAD: usize = 1 << 20;
+/// Most attributes of the head, of which it needs the namespace alone. The parser compares each with those before it, and
+/// namespaces with all around them: the time grows with the third power, and is .2 s for so many.
+const MOST_ATTRIBUTES: usize = 1000;
 
 type Archive<'a> = ZipArchive<Cursor<&'a [u8]>>;
 
@@ -41,6 +44,11 @@ pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, R
     let text = std::str::from_utf8(&bytes)
         .map_err(|_| ReadError::Damaged(format!("{HEAD} is no UTF-8")))?
         .trim_start_matches('\u{feff}');
+    let quoted = |rest: &&str| rest.trim_start().starts_with(['"', '\'']);
+    if text.split('=').skip(1).filter(quoted).count() > MOST_ATTRIBUTES {
+        let message = format!("{HEAD} has more than {MOST_ATTRIBUTES} attributes");
+        return Err(ReadError::Damaged(message));
+    }
     let document = Document::parse(text)
         .map_err(|error| ReadError::Damaged(format!("{HEAD} is no XML: {error}")))?;
     let head = Head::of(document.root_element())?;

@@ -23,6 +23,7 @@ topography = Topography(np.ma.masked_array(heights.T, mask=hole.T), size, unit="
 for kind in "DFLI":
     write_x3p(topography, f"surface_topography_{kind}.x3p", dtype=kind)
 write_gwy(topography, "surface_topography.gwy")
+topography.to_netcdf("surface_topography.nc")
 
 micro = Surface(1e6 * marked, 2.0, 3.0)
 for ending in ("x3p", "sur", "sdf"):

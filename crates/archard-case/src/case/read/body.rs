@@ -8,6 +8,7 @@ use crate::case::nearest::nearest;
 use crate::case::problem::Problem;
 use crate::case::reader::{Reader, Section};
 use crate::case::surface::profiles;
+use crate::case::told::PROBLEMS;
 use crate::case::tree::{Entry, Item};
 use archard::body::{Body, Elasticity, Layer, Material};
 use archard::compliance::HalfSpace;
@@ -62,7 +63,8 @@ impl Reader<'_> {
             let message = format!("the second body is missing: only `{}` is given", last.name);
             self.push(Problem::missing(section.key.child(&last.name), message));
         }
-        for (place, surplus) in entries.iter().enumerate().skip(2) {
+        // One more than are told: each is compared with all before it.
+        for (place, surplus) in entries.iter().enumerate().skip(2).take(PROBLEMS + 1) {
             let others: Vec<&str> = entries[..place].iter().map(|other| &*other.name).collect();
             let meant = nearest(&surplus.name, &others);
             let meant = meant.map_or_else(String::new, |name| format!("; did you mean `{name}`?"));

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::super::evidence::Evidence;
 use super::super::fretting_loop::FrettingLoop;
 use super::super::table::Kept as KeptTable;
-use super::super::{Error, file};
+use super::super::{Error, Place};
 use super::{Claim, TABLES, claim};
 use crate::files::{self, Contents};
 use archard::numerics::seal::{seal, unseal};
@@ -97,13 +97,13 @@ impl Clock {
     }
 }
 
-/// Keeps a run in a folder: the results so far, and the run.
-pub(super) fn write(dir: &Path, kept: &Kept, run: &[u8]) -> Result<(), Error> {
+/// Keeps a run at its place in a folder: the results so far, and the run.
+pub(super) fn write(place: &Place, kept: &Kept, run: &[u8]) -> Result<(), Error> {
     // Numbers, names and lists, which always can be written.
     let mut content = postcard::to_allocvec(kept).unwrap_or_default();
     content.extend_from_slice(run);
     seal(&mut content);
-    file::write_whole(&dir.join(NAME), &[FORMAT.as_bytes(), &content].concat())
+    place.write(&[FORMAT.as_bytes(), &content].concat())
 }
 
 /// What was kept in a folder of a simulation: the results so far, and the run, all of which belong together.

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::lock::Lock;
 use super::{HISTORY, ResultFolder, TABLES, checkpoint};
-use crate::files::{self, Contents};
+use crate::files::{self, Contents, Inputs};
 use crate::output::elastic::{POINTS, SURFACE};
 use crate::output::inside::SURFACES;
 use crate::output::{CASE, COLLECTION, Collection, Error, FIELDS, Manifest, SUMMARY};
@@ -49,6 +49,12 @@ impl Claim {
     #[must_use]
     pub fn adding(self, more: Vec<String>) -> Self {
         Self { more, ..self }
+    }
+
+    /// The same for a run that reads these files, which stay as they are.
+    #[must_use]
+    pub fn sparing(self, inputs: Inputs) -> Self {
+        Self { manifest: self.manifest.sparing(inputs), ..self }
     }
 
     /// The folder.
@@ -118,6 +124,17 @@ impl Claim {
                 Err(error)
             }
         }
+    }
+
+    /// Ends what is left to do in a folder whose run has come to its end: parts of files and the checkpoint go, and the list is
+    /// written in order.
+    ///
+    /// # Errors
+    /// If a file cannot be removed or written.
+    pub fn tidy(mut self) -> Result<(), Error> {
+        self.manifest.remove_parts(|_| true);
+        self.manifest.remove(checkpoint::NAME)?;
+        self.manifest.settle()
     }
 
     /// Says whether there is a whole run to go on with, before there is a simulation to compare it with.

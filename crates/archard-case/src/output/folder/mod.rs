@@ -26,7 +26,7 @@ use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{
-    CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals, file,
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals,
     sections,
 };
 use crate::verdict::Verdict;
@@ -86,8 +86,9 @@ impl ResultFolder {
     fn begin(claim: Claim, case_toml: &str) -> Result<Self, Error> {
         let Claim { dir, lock, mut manifest, .. } = claim;
         manifest.begin([CASE, HISTORY, PROFILES])?;
-        file::write_whole(&dir.join(CASE), case_toml.as_bytes())?;
-        let always = [HISTORY, PROFILES].map(|name| Ok((name, Table::create(dir.join(name))?)));
+        manifest.write(CASE, case_toml.as_bytes())?;
+        let always =
+            [HISTORY, PROFILES].map(|name| Ok((name, Table::create(manifest.claim(name)?)?)));
         let tables = always.into_iter().collect::<Result<_, Error>>()?;
         Ok(Self {
             tables,
@@ -117,10 +118,10 @@ impl ResultFolder {
         for (name, _) in TABLES.iter().zip(&tables).filter(|(_, kept)| kept.is_none()) {
             claim.manifest.remove(name)?;
         }
-        let Claim { dir, lock, manifest, .. } = claim;
+        let Claim { dir, lock, mut manifest, .. } = claim;
         let there = TABLES.into_iter().zip(tables).filter_map(|(name, kept)| Some((name, kept?)));
         let tables = there
-            .map(|(name, kept)| Ok((name, Table::resume(dir.join(name), kept)?)))
+            .map(|(name, kept)| Ok((name, Table::resume(manifest.claim(name)?, kept)?)))
             .collect::<Result<_, Error>>()?;
         Ok(Self {
             tables,
@@ -163,8 +164,7 @@ impl ResultFolder {
             evidence: self.evidence.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
         };
-        self.manifest.claim(checkpoint::NAME)?;
-        checkpoint::write(&self.dir, &kept, &run)?;
+        checkpoint::write(&self.manifest.claim(checkpoint::NAME)?, &kept, &run)?;
         self.clock.was_kept(begun);
         Ok(())
     }
@@ -202,7 +202,7 @@ impl ResultFolder {
         self.tables.values().try_for_each(Table::sync)?;
         let verdict = self.verdict().ended(totals.failure.as_deref());
         let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
-        file::write_whole(&self.manifest.claim(SUMMARY)?, text.as_bytes())?;
+        self.manifest.write(SUMMARY, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(()),
             None => {

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use super::Kept;
 use super::arrays::{END, attribute, elements, escape, number, opening, unescape};
-use crate::output::Error;
 use crate::output::manifest::is_within;
+use crate::output::{Error, Place};
 
 /// The outputs of a run, as kept in `fields.pvd` (a VTK collection).
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -21,8 +21,8 @@ impl Collection {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn write(&self, path: &Path) -> Result<(), Error> {
-        super::write(self, path)
+    pub fn write(&self, place: &Place) -> Result<(), Error> {
+        super::write(self, place)
     }
 
     /// Reads a `.pvd` file that [`Collection::write`] wrote.

@@ -19,7 +19,7 @@ use std::path::Path;
 
 pub use collection::Collection;
 
-use super::{Error, WornSurface, file};
+use super::{Error, Place, WornSurface};
 use crate::files::{self, Contents};
 
 /// What is kept in a file of its own kind.
@@ -32,16 +32,15 @@ pub(super) trait Kept: Sized {
 }
 
 /// Writes a file.
-pub(super) fn write(kept: &impl Kept, path: &Path) -> Result<(), Error> {
-    let bytes = kept.encode().map_err(|source| Error::Write { path: path.to_owned(), source })?;
-    file::write_whole(path, &bytes)
+pub(super) fn write(kept: &impl Kept, place: &Place) -> Result<(), Error> {
+    let refused = |source| Error::Write { path: place.path().to_owned(), source };
+    place.write(&kept.encode().map_err(refused)?)
 }
 
 /// Writes the file of a worn surface, which this program does not read.
-pub(super) fn write_points(surface: &WornSurface, path: &Path) -> Result<(), Error> {
-    let bytes =
-        points::encode(surface).map_err(|source| Error::Write { path: path.to_owned(), source })?;
-    file::write_whole(path, &bytes)
+pub(super) fn write_points(surface: &WornSurface, place: &Place) -> Result<(), Error> {
+    let refused = |source| Error::Write { path: place.path().to_owned(), source };
+    place.write(&points::encode(surface).map_err(refused)?)
 }
 
 /// What the bytes of a file that [`write`] wrote hold, or what is wrong with them.

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use archard_case::output::{Error, Field, Image, Manifest, write_whole};
+use archard_case::files::Inputs;
+use archard_case::output::{Error, Field, Image, Manifest};
 use archard_surface::difference::{Placement, Uncertain};
 use serde_json::{Value, json};
 
@@ -12,13 +13,14 @@ use crate::report::SCANS;
 impl Compared<'_> {
     /// Writes `difference.json`, `section.csv`, `tests.csv` and `difference.vti`, none of them in the place of a file of others.
     pub(super) fn write(&self, dir: &Path) -> Result<(), Error> {
-        let mut manifest = Manifest::read(dir)?;
+        let inputs = [&self.scans.before, &self.scans.after].into_iter().flatten().cloned();
+        let mut manifest = Manifest::read(dir)?.sparing(Inputs::of(inputs));
         let names = [SCANS, "section.csv", "tests.csv", "difference.vti"];
         names.iter().try_for_each(|name| manifest.admit(name).map(|_| ()))?;
         let [json, section, tests, image] = names.map(|name| manifest.claim(name));
-        write_whole(&json?, format!("{:#}\n", self.json()).as_bytes())?;
-        write_whole(&section?, self.section_csv().as_bytes())?;
-        write_whole(&tests?, self.tests_csv().as_bytes())?;
+        json?.write(format!("{:#}\n", self.json()).as_bytes())?;
+        section?.write(self.section_csv().as_bytes())?;
+        tests?.write(self.tests_csv().as_bytes())?;
         self.image().write(&image?)
     }
 
@@ -31,6 +33,8 @@ impl Compared<'_> {
             "before": self.names[0],
             "after": self.names[1],
             "settings": self.scans.set,
+            "settings_before": self.scans.set_before,
+            "settings_after": self.scans.set_after,
             "aligned": found.sought,
             "placement": placement(&found.placement),
             "placement_standard_uncertainty": placement(&found.uncertainty),

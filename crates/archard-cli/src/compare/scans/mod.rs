@@ -39,7 +39,10 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
     };
     let options = scans.options().map_err(Failure::wrong)?;
     scans.progress().map_err(Failure::wrong)?;
-    let maps = [scan(before, &scans.set)?, scan(after, &scans.set)?];
+    let maps = [
+        scan(before, [("--set", &scans.set), ("--set-before", &scans.set_before)])?,
+        scan(after, [("--set", &scans.set), ("--set-after", &scans.set_after)])?,
+    ];
     let found = Difference::between(&maps[0], &maps[1], &options)
         .map_err(|error| Failure::wrong(format!("{}: {error}", after.display())))?;
     let section = found.section(&maps[0]);
@@ -52,11 +55,12 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
 }
 
 /// The map of a scan.
-fn scan(file: &Path, options: &[String]) -> Result<HeightMap, Failure> {
-    let PreparedSurface { map, steps } = surface::read(file, options)?;
+fn scan(file: &Path, options: [(&'static str, &Vec<String>); 2]) -> Result<HeightMap, Failure> {
+    let named = options.into_iter().flat_map(|(name, all)| all.iter().map(move |one| (name, one)));
+    let PreparedSurface { map, steps } = surface::read(file, named)?;
     match steps.iter().find(|step| WITH_WEAR.contains(&step.key)) {
         Some(step) => Err(Failure::wrong(format!(
-            "--set {}: takes off a part of what is worn, too; leave it out: the scans are levelled by what did not wear",
+            "`{}`: takes off a part of what is worn, too; leave it out: the scans are levelled by what did not wear",
             step.key
         ))),
         None => Ok(map),

@@ -20,6 +20,12 @@ pub struct Scans {
     /// A key of `profile.surface` and its value, for both scans
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "before")]
     pub set: Vec<String>,
+    /// The same for the scan before the test alone, over what is set for both
+    #[arg(long, value_name = "KEY=VALUE", requires = "before")]
+    pub set_before: Vec<String>,
+    /// The same for the scan after it alone
+    #[arg(long, value_name = "KEY=VALUE", requires = "before")]
+    pub set_after: Vec<String>,
     /// The part of the later scan in which wear is to be found, from its middle, like "-0.2 mm,0.2 mm,-1 mm,1 mm"; all else did
     /// not wear
     #[arg(long, value_name = "X0,X1,Y0,Y1", requires = "before", allow_hyphen_values = true)]
