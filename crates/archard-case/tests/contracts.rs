@@ -29,6 +29,9 @@ type Examples = &'static [(&'static str, &'static [(&'static str, f64)])];
 
 const PROFILE_EXAMPLES: Examples = &[
     ("sphere", &[("radius", 0.05)]),
+    ("sphere", &[("radius", -0.05)]),
+    ("cylinder", &[("radius", -0.01)]),
+    ("disc", &[("radius", -0.0325), ("crown", -0.125)]),
     ("paraboloid", &[("radius_x", 0.02), ("radius_y", -0.3)]),
     ("cylinder", &[("radius", 0.01)]),
     ("disc", &[("radius", 0.0325), ("crown", 0.125)]),

@@ -11,6 +11,7 @@ mod verification {
     mod cattaneo_mindlin;
     mod chosen_frames;
     mod compliance;
+    mod conforming;
     mod edges;
     mod elastic_bodies;
     mod flash_temperature;

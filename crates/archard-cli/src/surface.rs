@@ -67,17 +67,21 @@ fn size(map: &HeightMap) -> Result<(), Failure> {
 
 fn texture(map: &HeightMap) -> Result<(), Failure> {
     let of = Texture::of(map);
-    let um = |value: f64| format!("{} um", four(1e6 * value));
+    let known = |value: f64, unit: &str| match value.is_finite() {
+        true => format!("{}{unit}", four(value)),
+        false => "none".to_owned(),
+    };
+    let um = |value: f64| known(1e6 * value, " um");
     line("Sa", &um(of.mean_deviation), "mean deviation")?;
     line("Sq", &um(of.rms), "rms height")?;
-    line("Ssk", &four(of.skewness), "skewness")?;
-    line("Sku", &four(of.kurtosis), "kurtosis, 3 of a Gaussian")?;
+    line("Ssk", &known(of.skewness, ""), "skewness")?;
+    line("Sku", &known(of.kurtosis, ""), "kurtosis, 3 of a Gaussian")?;
     line("Sp", &um(of.peak), "highest peak")?;
     line("Sv", &um(of.pit), "deepest pit")?;
     line("Sz", &um(of.height()), "from pit to peak")?;
-    line("Sdq", &four(of.rms_gradient), "rms gradient")?;
-    line("Sdr", &format!("{} %", four(100.0 * of.developed)), "developed area")?;
-    line("curvature", &format!("{} 1/mm", four(1e-3 * of.rms_curvature)), "rms mean curvature")
+    line("Sdq", &known(of.rms_gradient, ""), "rms gradient")?;
+    line("Sdr", &known(100.0 * of.developed, " %"), "developed area")?;
+    line("curvature", &known(1e-3 * of.rms_curvature, " 1/mm"), "rms mean curvature")
 }
 
 /// The sphere that fits what is left.

@@ -42,6 +42,11 @@ pub enum NoMap {
     /// Nothing was measured.
     #[error("no point has a height: all are marked as not measured")]
     Empty,
+    /// A single point was measured.
+    #[error(
+        "one point alone has a height, all others are marked as not measured: a surface takes more"
+    )]
+    Single,
 }
 
 /// Memory (GB) for the heights of so many points.
@@ -65,7 +70,7 @@ impl HeightMap {
     /// The map of so many points along x and y, pixels of that size (m), and heights (m), those along x first, from the lowest y.
     ///
     /// # Errors
-    /// If there are too few points or too many, a pixel has no size, or no height is a number.
+    /// If there are too few points or too many, a pixel has no size, or fewer than two heights are numbers.
     pub fn new(elements: [usize; 2], pixel: [f64; 2], heights: Vec<f64>) -> Result<Self, NoMap> {
         let count = count(elements, MOST)?;
         if !pixel.iter().all(|size| size.is_finite() && *size > 0.0) {
@@ -74,8 +79,10 @@ impl HeightMap {
         if heights.len() != count {
             return Err(NoMap::Count { elements, found: heights.len() });
         }
-        if !heights.iter().any(|height| height.is_finite()) {
-            return Err(NoMap::Empty);
+        match heights.iter().filter(|height| height.is_finite()).take(2).count() {
+            0 => return Err(NoMap::Empty),
+            1 => return Err(NoMap::Single),
+            _ => {}
         }
         let heights = heights.into_iter().map(|one| if one.is_finite() { one } else { f64::NAN });
         Ok(Self { elements, pixel, heights: heights.collect() })
@@ -134,5 +141,19 @@ impl HeightMap {
     /// Place (m) of a point along x (0) or y (1), from the middle of the map.
     pub fn place(&self, axis: usize, index: usize) -> f64 {
         self.pixel[axis] * (index as f64 - 0.5 * (self.elements[axis] - 1) as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{HeightMap, NoMap};
+
+    #[test]
+    fn one_point_makes_no_surface() {
+        let of = |heights: [f64; 4]| HeightMap::new([2, 2], [1e-6; 2], heights.to_vec());
+        let none = f64::NAN;
+        assert_eq!(of([none; 4]), Err(NoMap::Empty));
+        assert_eq!(of([none, 1e-6, none, none]), Err(NoMap::Single));
+        assert!(of([none, 1e-6, none, 2e-6]).is_ok());
     }
 }

@@ -144,7 +144,7 @@ pub fn rail_verdict(results: &RailResults) -> Verdict {
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
     let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
     let spread = patches(contacts).map(|(_, patch)| patch.angle_spread).fold(0.0, f64::max);
-    let mut lines = vec![verdict::load(off), verdict::bent(spread.to_degrees())];
+    let mut lines = vec![verdict::load(off), verdict::conformity(spread.to_degrees())];
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
     Verdict { lines }
 }
@@ -154,7 +154,7 @@ fn patches(contacts: &[RailContact]) -> impl Iterator<Item = (&RailContact, &Pat
     contacts.iter().flat_map(|contact| contact.patches.iter().map(move |patch| (contact, patch)))
 }
 
-/// What is known of a patch by the names of columns, in SI: its quantities, how far the rail bends within it, and the errors.
+/// What is known of a patch by the names of columns, in SI: its quantities, how far the normal of the rail turns within it, and the errors.
 pub fn contact_row(patch: &Patch) -> Vec<(String, f64)> {
     let names = Quantities::COLUMNS.iter();
     let values = names.clone().zip(patch.values.values());

@@ -170,6 +170,23 @@ pub fn radius(share: f64, body: &str) -> Line {
     Line::new("half-space", share, Bound::AtMost([HALF_SPACE, f64::INFINITY]), text)
 }
 
+/// What profiles of bodies that conform differ from circles by at the edge of the contact, over the gap there.
+///
+/// As much as at the [limit of a half-space](HALF_SPACE) for a ball on a plane: a circle lies r^2/(4 R^2) off its paraboloid.
+pub fn form(share: f64) -> Line {
+    let text = "of the gap at the edge of the contact is by what the profiles differ from circles: write the hollow one as `sphere`, `cylinder` or `disc` with a negative radius";
+    let bound = Bound::AtMost([0.25 * HALF_SPACE * HALF_SPACE, f64::INFINITY]);
+    Line::new("form", share, bound, text)
+}
+
+/// Slope of the surfaces of bodies that conform at the edge of their contact, which plane frames neglect with its square.
+///
+/// As much as at the [limit of a half-space](HALF_SPACE) for a ball on a plane, halfway between them: r/(2 R).
+pub fn slope(slope: f64) -> Line {
+    let text = "is the slope of the bodies at the edge of their contact, where they conform: a plane does not stand for it; give both a mesh";
+    Line::new("slope", slope, Bound::AtMost([0.5 * HALF_SPACE, f64::INFINITY]), text)
+}
+
 /// Length of a line of contact over its width: a chosen bound.
 ///
 /// Plane strain, and a line that is cut off with its frame, know nothing of ends. Their effect reaches about a width into the
@@ -245,14 +262,13 @@ pub fn slenderness(longest: f64) -> Line {
     Line::new("bending", longest, bound, text)
 }
 
-/// How much the rail bends (degrees) within a patch of a wheel on a rail.
+/// How much the normal of the rail turns (degrees) within a patch of a wheel on a rail, where both conform.
 ///
 /// Each patch lies in a plane, where its bodies are half-spaces. From ten degrees on a conforming contact is stiffer and its
 /// spin is not the same all over; by how much is not known here.
-pub fn bent(degrees: f64) -> Line {
-    let text =
-        "degrees is how far the rail bends within a patch, which is computed in its tangent plane";
-    Line::new("bent", degrees, Bound::AtMost([10.0, f64::INFINITY]), text)
+pub fn conformity(degrees: f64) -> Line {
+    let text = "degrees is how far the normal of the rail turns within a patch: the contact conforms, and is computed in its tangent plane";
+    Line::new("conformity", degrees, Bound::AtMost([10.0, f64::INFINITY]), text)
 }
 
 /// The error of the area worn off a wheel or a rail, relative to it.

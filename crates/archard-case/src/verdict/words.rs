@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`.
-const GOOD: [(&str, &str, Number); 25] = [
+const GOOD: [(&str, &str, Number); 27] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -32,11 +32,13 @@ const GOOD: [(&str, &str, Number); 25] = [
     ("forces", "forces balance to {}", Number::Residual),
     ("moments", "moments balance to {}", Number::Residual),
     ("bending", "longest element {} of the thickness that bends", Number::Share),
-    ("bent", "the rail bends by {} degrees within a patch", Number::Plain),
+    ("conformity", "the normal of the rail turns by {} degrees within a patch", Number::Plain),
     ("hardness", "largest pressure {} times the hardness", Number::Plain),
     ("strain", "largest pressure {} of Young's modulus", Number::Share),
     ("layers", "{} of a layer worn off", Number::Share),
     ("half-space", "contact reaches {} of the smallest radius", Number::Share),
+    ("form", "profiles differ from circles by {} of the gap", Number::Share),
+    ("slope", "the bodies slope by {} at the edge of the contact", Number::Plain),
     ("line", "line {} times as long as wide", Number::Plain),
     ("temperature", "warmest place at {} K", Number::Plain),
     ("creepage", "creepage {}", Number::Share),
@@ -196,11 +198,13 @@ mod tests {
             forces,
             moments,
             verdict::slenderness(0.5),
-            verdict::bent(3.0),
+            verdict::conformity(3.0),
             verdict::hardness(0.5, "pin"),
             verdict::modulus(0.01, "pin"),
             verdict::layers(0.05, "disc"),
             verdict::radius(0.1, "pin"),
+            verdict::form(0.01),
+            verdict::slope(0.1),
             verdict::length(20.0),
             verdict::temperature(400.0),
             verdict::creepage(0.01),

@@ -19,6 +19,32 @@ const FORMULA: &str = include_str!("../../../../cases/custom_expression/case.tom
 const HARDLY_WEARS: &str = "body.pin.wear={ archard = { coefficient = \"1e-16 1/Pa\" } }";
 const ASKED: [&str; 3] = ["accuracy=0.1", "accuracy=0.03", "accuracy=0.01"];
 
+/// The pressure at a place where the solution is not smooth is stated and does not count: at a tip, where a body yields.
+#[test]
+fn a_pressure_that_is_no_value_does_not_count() {
+    let steel = "material = { young = \"210 GPa\", poisson = 0.3 }";
+    let of = |one: &str, rest: &str| {
+        format!(
+            "accuracy = 0.05\n[body.one]\n{steel}\nprofile.{one}\n[body.two]\n{steel}\nprofile.flat = {{}}\n{rest}"
+        )
+    };
+    let tip = of(
+        "axisymmetric_power = { coefficient = \"0.0654986 1/m^0.3\", exponent = 1.3 }",
+        "[motion.indentation]\napproach = \"100 um\"\n",
+    );
+    let yielding = of(
+        "wave = { amplitude = \"2.5 um\", length_x = \"1.9 mm\", length_y = \"1.9 mm\" }\nhardness = \"370 MPa\"",
+        "[frame]\nperiodic = true\nsize = [\"1.9 mm\", \"1.9 mm\"]\n[motion.indentation]\nload = \"50 MPa\"\nincrements = 8\n",
+    );
+    for text in [tip, yielding] {
+        let row = answer(&text, &[]);
+        let error = |column: &str| number(&row, column).unwrap();
+        let centre = error("error_of_centre_pressure_Pa") / error("centre_pressure_Pa");
+        assert!(centre > 0.05, "stated: {centre}");
+        assert!(error("relative_error") <= 0.05, "{}", error("relative_error"));
+    }
+}
+
 /// The row of an output.
 fn row_at(rows: &[Row], progress: f64) -> &Row {
     let row = rows.iter().find(|row| (row[0].1 / progress - 1.0).abs() < 1e-9);

@@ -97,6 +97,28 @@ fn a_soft_body_bears_its_hardness_all_over() {
     assert_eq!(rows.last("worn_volume_flat_m3"), 0.0);
 }
 
+/// No pressure exceeds the hardness: the area is the load over it at least, on elements as coarse as they may be.
+#[test]
+fn no_area_is_less_than_the_load_over_the_hardness() {
+    for elements in [8, 12, 16, 24, 33] {
+        let size = format!("frame.elements=[{elements}, {elements}]");
+        for load in [20.0, 40.0, 60.0] {
+            let text = format!(
+                "{BALL_ON_FLAT}motion.indentation = {{ load = \"{load} N\", increments = 2 }}\n"
+            );
+            let mut rows = Rows::default();
+            case(
+                &text,
+                &[&size, "body.flat.hardness=\"100 MPa\"", "frame.size=[\"2 mm\", \"2 mm\"]"],
+            )
+            .run(&mut [&mut rows])
+            .unwrap();
+            let least = load / 100e6;
+            assert!(rows.last("contact_area_m2") >= (1.0 - 1e-9) * least, "{elements} {load}");
+        }
+    }
+}
+
 /// What is pressed in does not depend on the increments on the way up.
 #[test]
 fn an_imprint_does_not_depend_on_the_way_up() {

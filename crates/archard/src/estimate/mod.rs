@@ -4,6 +4,7 @@
 //! what is prescribed (a [`Course`]). It does not look at pressures that were computed, so that it can be told before a
 //! run and be held against its result. All of it is about smooth bodies with known curvatures ([`Body::curvatures`]).
 
+mod conforming;
 mod heat;
 mod laws;
 mod rolling;
@@ -13,6 +14,7 @@ mod track;
 
 use std::cell::OnceCell;
 
+pub use conforming::Conforming;
 pub use heat::Warmth;
 pub use rolling::{Rolled, Saturation, Track};
 pub use shifted::{Fretting, FrettingWear, Pressed};

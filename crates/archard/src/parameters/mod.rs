@@ -137,6 +137,8 @@ impl Quantity {
 pub enum Bound {
     /// Any finite value.
     Any,
+    /// Any finite value but zero.
+    NonZero,
     /// Greater than zero.
     Positive,
     /// Zero or greater.
@@ -153,6 +155,7 @@ impl Bound {
         value.is_finite()
             && match self {
                 Bound::Any => true,
+                Bound::NonZero => value != 0.0,
                 Bound::Positive => value > 0.0,
                 Bound::NonNegative => value >= 0.0,
                 Bound::Between(low, high) => value > low && value < high,
@@ -165,6 +168,7 @@ impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Bound::Any => write!(f, "a finite number"),
+            Bound::NonZero => write!(f, "other than zero"),
             Bound::Positive => write!(f, "greater than zero"),
             Bound::NonNegative => write!(f, "zero or greater"),
             Bound::Between(low, high) => write!(f, "between {low} and {high}"),

@@ -40,8 +40,13 @@ const REACH: usize = 2;
 
 impl ContactState {
     /// Area (m^2) in contact: on uniform frames up to the edge between pairs; elsewhere, and where it is less than four
-    /// pairs wide, that of all pairs under pressure.
+    /// pairs wide, that of all pairs under pressure. No less than what bears the load under the hardness of a body that yields.
     pub fn contact_area(&self, problem: &ContactProblem) -> f64 {
+        let least = problem.frame.integrate(&self.pressure) / problem.hardness();
+        self.area_up_to_the_edge(problem).max(least)
+    }
+
+    fn area_up_to_the_edge(&self, problem: &ContactProblem) -> f64 {
         let frame = &problem.frame;
         let modulus = contact_modulus(problem.bodies.each_ref().map(Body::uppermost));
         let touches = |pair: usize| self.pressure[pair] > 0.0;

@@ -2,6 +2,7 @@
 
 use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case};
+use archard::body::Body;
 use archard::estimate::Estimator;
 use archard::motion::{Control, Drive};
 use archard::simulation::Regularity;
@@ -12,12 +13,20 @@ pub(super) fn regularity(case: &Case) -> Result<Regularity, BuildError> {
     let parts = Parts::of(case)?;
     Ok(Regularity {
         sharpest: sharpest(&parts),
+        centre: centre(&parts),
         may_stick: parts.motion.drives().is_some() && !slips(&parts),
         given: given(&parts),
         areas: areas(case),
         line: case.frame.line,
         period: parts.motion.period(),
     })
+}
+
+/// Whether surfaces that do not yield are smooth at the middle of the frame: given by formulas, and without a tip.
+fn centre(parts: &Parts<'_>) -> bool {
+    let measured = |body: &Body| body.profile.places().iter().any(|places| !places.is_empty());
+    let regular = |body: &Body| body.hardness.is_none() && !measured(body);
+    !has_tip(parts) && parts.bodies.iter().all(regular)
 }
 
 /// The columns of what is prescribed.

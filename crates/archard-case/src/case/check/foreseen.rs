@@ -1,7 +1,8 @@
-//! The lines of a verdict that can be foreseen: elements across the contact.
+//! The lines of a verdict that can be foreseen: elements across the contact, and what a plane frame neglects.
 
 use super::{Forecast, Parts};
 use crate::verdict::{self, Verdict};
+use archard::estimate::Conforming;
 
 /// The verdict on a run, as far as closed forms tell.
 pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
@@ -24,5 +25,8 @@ pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
     });
     let rows = [verdict::first_contact(fewest(first)), verdict::contact(fewest(last))];
     let rows = rows.into_iter().filter(|line| line.value.is_finite());
-    Verdict { lines: rows.collect() }
+    let neglected = Conforming::of(&parts.bodies, reach);
+    let neglected =
+        neglected.map(|Conforming { form, slope }| [verdict::form(form), verdict::slope(slope)]);
+    Verdict { lines: rows.chain(neglected.into_iter().flatten()).collect() }
 }

@@ -5,8 +5,9 @@ use super::words::{length, size_list};
 use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use archard::body::Profile;
+use archard::body::{Body, Profile};
 use archard::frame::ContactFrame;
+use archard::numerics::SAME;
 
 /// What is wrong with frame and profiles; nothing else is worth checking then.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
@@ -15,7 +16,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
     if !parts.plane() {
         return vec![];
     }
-    if let Some(problem) = beside(parts) {
+    if let Some(problem) = beside(parts).or_else(|| hollow(parts)) {
         return vec![problem];
     }
     let profiles = parts.bodies.each_ref().map(|body| &*body.profile);
@@ -41,6 +42,53 @@ fn beside(parts: &Parts<'_>) -> Option<Problem> {
         Problem::error(parts.frame_key("centre"), message)
             .help("leave it out: the frame lies in the middle then")
     })
+}
+
+/// Curvatures of both bodies along x and y (1/m), where they have some; their elasticity does not count.
+fn curvatures(parts: &Parts<'_>) -> Option<[[f64; 2]; 2]> {
+    let [one, two] = parts.bodies.each_ref().map(Body::curvatures);
+    Some([one?, two?]).filter(|_| !parts.case.frame.periodic)
+}
+
+/// A body that does not fit into the hollow of the other, or fills it.
+fn hollow(parts: &Parts<'_>) -> Option<Problem> {
+    let [one, two] = curvatures(parts)?;
+    let sum = [0, 1].map(|axis| one[axis] + two[axis]);
+    let fills = |axis: usize| {
+        let [sum, size] = [sum[axis].abs(), one[axis].abs()];
+        size > 0.0 && sum <= SAME * size
+    };
+    let deeper = |axis: &usize| sum[*axis] < 0.0 && !fills(*axis);
+    let inner = [one, two].map(|both| both.iter().any(|curvature| *curvature < 0.0));
+    let bodies = &parts.case.bodies;
+    let hollow = usize::from(!inner[0]);
+    let (name, other) = (&bodies[hollow].name, &bodies[1 - hollow].name);
+    let key = Key::of(["body", name, "profile"]);
+    let radius = |axis: usize| {
+        [[one, two][1 - hollow][axis], [one, two][hollow][axis]].map(|curvature| {
+            if curvature == 0.0 { "a plane".to_owned() } else { length(curvature.recip()) }
+        })
+    };
+    let word = parts.frame_word();
+    if let Some(axis) = (0..2).find(deeper) {
+        let [inside, around] = radius(axis);
+        let along = ["x", "y"][axis];
+        let message = format!(
+            "the bodies together are hollow along {along}: `{other}` ({inside}) does not fit into `{name}` ({around}), and they would touch at the edge of the {word} first"
+        );
+        let help = "a hollow needs a larger radius than what lies in it: the curvatures 1/R of both bodies have to add up to more than zero";
+        return Some(Problem::error(key, message).help(help));
+    }
+    let flat = (0..2).all(|axis| fills(axis) || sum[axis] == 0.0);
+    let axis = (0..2).find(|&axis| fills(axis)).filter(|_| flat)?;
+    let [_, around] = radius(axis);
+    let message = format!(
+        "`{other}` fills the hollow of `{name}`: both have the radius {around}, and the contact would fill the whole {word}"
+    );
+    Some(
+        Problem::error(key, message)
+            .help("give the hollow a larger radius: the clearance between them"),
+    )
 }
 
 /// The frame reaches beyond the surface of that body.
@@ -105,20 +153,6 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
             parts.frame_word()
         );
         return Some(Problem::error(key, message).help("give one of the bodies a curved profile"));
-    }
-    if let Some(curvatures) = curvatures
-        && let Some(axis) = [0, 1].into_iter().find(|&axis| curvatures[axis] < 0.0)
-    {
-        let key = Key::of(["body", &parts.case.bodies[1].name, "profile"]);
-        let message = format!(
-            "the bodies together are hollow along {}: they would touch at the edge of the {} first",
-            ["x", "y"][axis],
-            parts.frame_word()
-        );
-        let radius = length(-1.0 / curvatures[axis]);
-        return Some(Problem::error(key, message).help(format!(
-            "the curvatures 1/R of both bodies add up to -1/({radius}); the sum has to be positive"
-        )));
     }
     let [nx, ny] = parts.case.frame.elements;
     let edge = |pair: usize| {

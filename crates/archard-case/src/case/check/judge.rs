@@ -55,6 +55,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
             }
         }
         problems.extend(wide(parts, forecast));
+        problems.extend(neglected(parts, forecast));
         problems.extend(too_soft(parts, contact));
     }
     problems
@@ -288,6 +289,18 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         }
     }
     None
+}
+
+/// What a plane frame neglects of bodies that conform, where it is doubtful.
+fn neglected(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
+    let hollow = parts.bodies.iter().position(|body| {
+        body.curvatures().is_some_and(|both| both.iter().any(|curvature| *curvature < 0.0))
+    });
+    let key = Key::of(["body", &parts.case.bodies[hollow.unwrap_or(1)].name, "profile"]);
+    let foreseen = super::foreseen::verdict(parts, forecast);
+    let conforming = ["form", "slope"];
+    let doubts = foreseen.complaints().filter(|line| conforming.contains(&line.subject));
+    doubts.map(|line| Problem::warning(key.clone(), line.finding())).collect()
 }
 
 /// A pressure that no elastic body of that hardness bears.

@@ -146,7 +146,7 @@ fn over_the_rim(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
     let bodies = parts.case.bodies.iter().zip(&parts.bodies);
     let mut discs = bodies.filter(|(case, _)| case.profile.choice.name == "disc");
     let (body, _) = discs.find(|(_, body)| {
-        body.profile.curvatures().is_some_and(|both| both[1 - axis] > both[axis])
+        body.profile.curvatures().is_some_and(|both| both[1 - axis].abs() > both[axis].abs())
     })?;
     let message =
         format!("discs roll along x: this way the body `{}` rolls across its rim", body.name);

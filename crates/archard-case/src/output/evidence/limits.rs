@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{keep, worst};
 use crate::verdict::{self, Line};
 use archard::body::{Body, Elasticity};
+use archard::estimate::Conforming;
 use archard::frame::ContactFrame;
 use archard::problem::{ContactProblem, Flash};
 use archard::simulation::Report;
@@ -23,6 +24,9 @@ pub(super) struct Limits {
     layers: Option<(f64, String)>,
     /// How far the contact reaches from its middle, over the smallest radius of a body.
     radius: Option<(f64, String)>,
+    /// What a plane frame neglects of bodies that conform: the form of the profiles, and how they slope.
+    form: Option<f64>,
+    slope: Option<f64>,
     /// Length of a line of contact over its width: the smallest. A line is as long as its frame, or as it is said to be.
     length: Option<f64>,
     /// The warmest place (K).
@@ -79,6 +83,10 @@ impl Limits {
                 worst_of(&mut self.radius, x.max(y) * sharpest, body);
             }
         }
+        let conforming = Conforming::of(&problem.bodies, [x, y]);
+        let conforming = conforming.filter(|_| !problem.bodies.iter().any(is_meshed));
+        worst(&mut self.form, conforming.map(|own| own.form));
+        worst(&mut self.slope, conforming.map(|own| own.slope));
         if let Some(axis) = [0, 1].into_iter().find(|&axis| even[axis] && !even[1 - axis]) {
             let length = frame.rectangle().size[axis] / size[1 - axis];
             self.length = Some(self.length.map_or(length, |known| known.min(length)));
@@ -95,6 +103,8 @@ impl Limits {
             of(&self.modulus, verdict::modulus),
             of(&self.layers, verdict::layers),
             of(&self.radius, verdict::radius),
+            self.form.map(verdict::form),
+            self.slope.map(verdict::slope),
             self.length.map(verdict::length),
             self.temperature.map(verdict::temperature),
             self.creepage.map(verdict::creepage),

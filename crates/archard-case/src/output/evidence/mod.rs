@@ -122,7 +122,7 @@ impl Evidence {
             self.peclet = Some(self.peclet.map_or(peclet, |known| known.min(peclet)));
         }
         if report.output {
-            worst(&mut self.roughness, roughness::of(problem, &state.pressure));
+            worst(&mut self.roughness, roughness::of(problem, state));
         }
     }
 

@@ -3,27 +3,41 @@
 //! Along five pairs in a row that are under pressure, an alternation is the smallest of four differences that change
 //! sign each time, halved; a spike is what the middle exceeds its neighbours by, beyond what these exceed the next.
 
-use archard::problem::ContactProblem;
+use archard::body::Body;
+use archard::problem::{ContactProblem, ContactState};
 
 /// Alternation of the undeformed gap, relative to the indentation of one pair by the largest pressure, beyond which
 /// the surfaces themselves are rough.
 const ROUGH: f64 = 0.01;
 
 /// The largest of both along x and y relative to the largest pressure; `None` where there are no rows of five, and where
-/// the surfaces are rough.
-pub(super) fn of(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
-    let frame = &problem.frame;
+/// the surfaces are rough. A tip has a pressure as sharp as itself, and where a
+/// layer ends the pressure jumps with the wear law: rows across them are left out.
+pub(super) fn of(problem: &ContactProblem, state: &ContactState) -> Option<f64> {
+    let (frame, pressure) = (&problem.frame, &state.pressure);
+    let worn_off = worn_off(problem, state);
     let peak = pressure.iter().copied().fold(0.0, f64::max);
     if !frame.is_uniform() || peak <= 0.0 {
         return None;
     }
     let own = problem.compliance.normal_self_term() * peak;
+    let sharp = |body: &Body| {
+        let power = body.profile.sharpest();
+        power > 0.0 && power < 2.0
+    };
+    let tip = problem.bodies.iter().any(sharp);
+    let at_tip =
+        |pair: usize, axis: usize| tip && frame.place(pair)[axis].abs() < frame.spacing()[axis];
     let mut most = None;
     let [nx, ny] = frame.elements();
     for (pair, _) in pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0) {
-        let rows = [(pair % nx + 4 < nx, 1), (pair / nx + 4 < ny, nx)];
-        for (_, stride) in rows.into_iter().filter(|(inside, _)| *inside) {
+        let rows = [(pair % nx + 4 < nx, 1, 0), (pair / nx + 4 < ny, nx, 1)];
+        for (_, stride, axis) in rows.into_iter().filter(|(inside, ..)| *inside) {
             let five = [0, 1, 2, 3, 4].map(|step| pair + step * stride);
+            let across_layers = five.iter().any(|pair| worn_off[*pair] != worn_off[five[2]]);
+            if at_tip(five[2], axis) || across_layers {
+                continue;
+            }
             let p = five.map(|pair| pressure[pair]);
             if p.iter().any(|pressure| *pressure <= 0.0) {
                 continue;
@@ -36,6 +50,22 @@ pub(super) fn of(problem: &ContactProblem, pressure: &[f64]) -> Option<f64> {
         }
     }
     most
+}
+
+/// How many layers of both bodies are worn off at each pair.
+fn worn_off(problem: &ContactProblem, state: &ContactState) -> Vec<usize> {
+    let mut all = vec![0; state.pressure.len()];
+    for (index, body) in
+        problem.bodies.iter().enumerate().filter(|(_, body)| !body.layers.is_empty())
+    {
+        let worn = state.worn(index);
+        let mut bottom = 0.0;
+        for layer in &body.layers {
+            bottom += layer.thickness;
+            all.iter_mut().zip(&*worn).for_each(|(off, worn)| *off += usize::from(*worn > bottom));
+        }
+    }
+    all
 }
 
 fn alternation([a, b, c, d, e]: [f64; 5]) -> f64 {

@@ -1,11 +1,11 @@
 //! The circular cylinder lying in the plane of contact.
 
 use super::{Profile, circle_recess};
-use crate::parameters::{Choice, Invalid, Parameter, Quantity};
+use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     name: "cylinder",
-    meaning: "a cylinder lying in the plane of contact",
+    meaning: "a cylinder lying in the plane of contact, or a bore where the radius is negative",
     parameters: &[
         RADIUS,
         Parameter::optional(
@@ -21,9 +21,14 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
     },
 };
 
-const RADIUS: Parameter = Parameter::required("radius", Quantity::Length, "radius of the cylinder");
+const RADIUS: Parameter = Parameter::required(
+    "radius",
+    Quantity::Length,
+    "radius of the cylinder; negative where it is hollow",
+)
+.bound(Bound::NonZero);
 
-/// recess = R - sqrt(R^2 - d^2), d the distance from the axis.
+/// recess = R - sqrt(R^2 - d^2), d the distance from the apex; its negative in a bore.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cylinder {
     radius: f64,
@@ -31,18 +36,18 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    /// A cylinder of that radius (m) whose axis runs along x.
+    /// A cylinder of that radius (m), negative where it is hollow, whose axis runs along x.
     ///
     /// # Errors
-    /// If the radius is not greater than zero.
+    /// If the radius is zero.
     pub fn along_x(radius: f64) -> Result<Self, Invalid> {
         Ok(Self { radius: RADIUS.admit(radius)?, along_x: true })
     }
 
-    /// A cylinder of that radius (m) whose axis runs along y.
+    /// A cylinder of that radius (m), negative where it is hollow, whose axis runs along y.
     ///
     /// # Errors
-    /// If the radius is not greater than zero.
+    /// If the radius is zero.
     pub fn along_y(radius: f64) -> Result<Self, Invalid> {
         Ok(Self { along_x: false, ..Self::along_x(radius)? })
     }
@@ -54,7 +59,8 @@ impl Profile for Cylinder {
     }
 
     fn extent(&self) -> [[f64; 2]; 2] {
-        let (across, along) = ([-self.radius, self.radius], [f64::NEG_INFINITY, f64::INFINITY]);
+        let half = self.radius.abs();
+        let (across, along) = ([-half, half], [f64::NEG_INFINITY, f64::INFINITY]);
         if self.along_x { [along, across] } else { [across, along] }
     }
 

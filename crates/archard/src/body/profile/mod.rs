@@ -78,9 +78,9 @@ pub const PROFILES: &[Choice<Box<dyn Profile>>] = &[
     self_affine::CHOICE,
 ];
 
-/// Recess (m) of a circle of that radius (m) at a distance (m) from its apex, without cancellation;
+/// Recess (m) of a circle of that radius (m), negative where it is hollow, at a distance (m) from its apex, without cancellation;
 /// not a number beyond the circle.
-fn circle_recess(radius: f64, distance: f64) -> f64 {
+pub fn circle_recess(radius: f64, distance: f64) -> f64 {
     let square = distance * distance;
-    square / (radius + (radius * radius - square).sqrt())
+    square / (radius + (radius * radius - square).sqrt().copysign(radius))
 }

@@ -15,9 +15,9 @@ pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
 
 const RADII: [Parameter; 2] = [
     Parameter::required("radius_x", Quantity::Length, "radius of curvature along x")
-        .bound(Bound::Any),
+        .bound(Bound::NonZero),
     Parameter::required("radius_y", Quantity::Length, "radius of curvature along y")
-        .bound(Bound::Any),
+        .bound(Bound::NonZero),
 ];
 
 /// recess = x^2 / (2 Rx) + y^2 / (2 Ry).
@@ -33,13 +33,7 @@ impl Paraboloid {
     /// # Errors
     /// If a radius is zero.
     pub fn new(radii: [f64; 2]) -> Result<Self, Invalid> {
-        let curvature = |axis: usize| match RADII[axis].admit(radii[axis])? {
-            0.0 => {
-                let name = RADII[axis].name;
-                Err(Invalid::new(name, format!("`{name}` cannot be zero")))
-            }
-            radius => Ok(1.0 / radius),
-        };
+        let curvature = |axis: usize| RADII[axis].admit(radii[axis]).map(f64::recip);
         Ok(Self { curvatures: [curvature(0)?, curvature(1)?] })
     }
 }

@@ -51,6 +51,9 @@ pub struct Regularity {
     /// The power of the distance by which the sharper body recedes from where it is sharpest: 2 where both are smooth, 1 at the
     /// tip of a cone, 0 at an edge.
     pub sharpest: f64,
+    /// Whether the pressure at the frame's centre is a value of its own, to which elements converge as they do elsewhere: not at
+    /// a tip, nor on rough surfaces, nor where bodies yield. Else it is stated and does not count.
+    pub centre: bool,
     /// Whether bodies roll and may stick, in less than an element too.
     pub may_stick: bool,
     /// The columns of what is prescribed.
@@ -78,6 +81,11 @@ impl Regularity {
             Class::Depth if has_tip => Some(0.5 * self.sharpest),
             _ => Some(1.0),
         }
+    }
+
+    /// Whether a run is judged by a column.
+    fn counts(&self, column: &str, wears: bool) -> bool {
+        history::counts(column, wears) && (self.centre || column != history::CENTRE_PRESSURE)
     }
 
     /// Elements across a contact of that area (m^2) at some progress.
@@ -210,7 +218,7 @@ impl Companions {
         let creepage = along.hypot(across).max(LEAST_CREEPAGE);
         // Where bodies wear at a given approach, the load fades to nothing.
         let load = self.largest(history::LOAD);
-        let counted = row.iter().filter(|(name, _)| history::counts(name, wears));
+        let counted = row.iter().filter(|(name, _)| self.regularity.counts(name, wears));
         let errors = counted.filter_map(|(name, value)| {
             let size = match &**name {
                 name if history::FORCE.contains(&name) => force,
