@@ -1,5 +1,7 @@
 //! The lines there are, each with its bounds and what these were measured on.
 
+use serde::{Deserialize, Serialize};
+
 use super::words::share;
 use super::{Bound, Line};
 
@@ -58,14 +60,34 @@ pub fn time(error: f64, tolerance: f64) -> Line {
     Line::new("time", error, Bound::AtMost([2.0 * tolerance, (10.0 * tolerance).max(0.1)]), text)
 }
 
+/// What a run with an accuracy says of its errors, all relative.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Accuracy {
+    /// That of the worst of the quantities that count, at the end.
+    pub error: f64,
+    /// Its largest at an output.
+    pub largest: f64,
+    /// What was asked for.
+    pub asked: f64,
+    /// The column of the worst that counts, at the end.
+    pub worst: Option<String>,
+    /// The column of a larger error, and that: of a quantity that does not count.
+    pub other: Option<(String, f64)>,
+}
+
 /// The estimated error of the worst quantity at the end, against the accuracy asked for, and its largest at an output. Companions
 /// foresee that it is met where the search for a grid succeeds; the run itself may show more.
-pub fn accuracy(error: f64, largest: f64, asked: f64) -> Line {
-    let mut text = format!("estimated error at the end, {} asked", share(asked));
+pub fn accuracy(accuracy: &Accuracy) -> Line {
+    let Accuracy { error, largest, asked, worst, other } = accuracy;
+    let of = worst.as_ref().map(|column| format!("of `{column}` ")).unwrap_or_default();
+    let mut text = format!("estimated error {of}at the end, {} asked", share(*asked));
     if largest > error {
-        text += &format!("; up to {} at outputs before it", share(largest));
+        text += &format!("; up to {} at outputs before it", share(*largest));
     }
-    Line::new("accuracy", error, Bound::AtMost([asked, (10.0 * asked).max(0.1)]), text)
+    if let Some((column, error)) = other {
+        text += &format!("; `{column}`, which does not count, has {}", share(*error));
+    }
+    Line::new("accuracy", *error, Bound::AtMost([*asked, (10.0 * asked).max(0.1)]), text)
 }
 
 /// The work of the motion over a cycle against what friction dissipates in it, relative to the latter.

@@ -9,9 +9,10 @@ mod line;
 mod words;
 
 pub use bounds::{
-    BY_HALF, ELASTOMERS, HALF_SPACE, accuracy, balance, complete, conformity, contact, creepage,
-    edges, energy, first_contact, form, friction, hardness, heat, layers, length, load, modulus,
-    radius, roughness, slenderness, slope, stick_zone, temperature, time, touch, volume, worn,
+    Accuracy, BY_HALF, ELASTOMERS, HALF_SPACE, accuracy, balance, complete, conformity, contact,
+    creepage, edges, energy, first_contact, form, friction, hardness, heat, layers, length, load,
+    modulus, radius, roughness, slenderness, slope, stick_zone, temperature, time, touch, volume,
+    worn,
 };
 pub use line::{Bound, Line, Word, four};
 

@@ -15,7 +15,7 @@ enum Number {
     Unsaid,
 }
 
-/// What a good line says, by its subject; its number stands at `{}`.
+/// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
 const GOOD: [(&str, &str, Number); 27] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
@@ -23,7 +23,7 @@ const GOOD: [(&str, &str, Number); 27] = [
     ("contact", "{} elements across the contact", Number::Plain),
     ("stick zone", "{} elements across the stick zone", Number::Plain),
     ("time", "error by steps in time {}", Number::Share),
-    ("accuracy", "estimated error {}", Number::Share),
+    ("accuracy", "{} {text}", Number::Share),
     ("energy", "work and dissipation of a cycle agree to {}", Number::Residual),
     ("touch", "{} of the solves left unsettled before touch", Number::Share),
     ("volume", "volume closes to {}", Number::Residual),
@@ -110,7 +110,7 @@ impl Line {
             _ if self.word() != Word::Good => {
                 format!("{value} {} (good {side} {bound})", self.text)
             }
-            Some((_, words, _)) => words.replace("{}", &value),
+            Some((_, words, _)) => words.replace("{}", &value).replace("{text}", &self.text),
             None => format!("{value}, good {side} {bound}"),
         }
     }
@@ -133,7 +133,22 @@ impl std::fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use crate::verdict::{self, Bound, Line};
+    use crate::verdict::{self, Accuracy, Bound, Line};
+
+    const ACCURACY: Accuracy =
+        Accuracy { error: 0.003356, largest: 0.004, asked: 0.01, worst: None, other: None };
+
+    /// What an error is of is said, and what has a larger one than all that count.
+    #[test]
+    fn the_worst_quantity_has_its_name() {
+        let accuracy = Accuracy {
+            worst: Some("wear_depth_pin_m".to_owned()),
+            other: Some(("peak_pressure_Pa".to_owned(), 0.025)),
+            ..ACCURACY
+        };
+        let expected = "0.34 % estimated error of `wear_depth_pin_m` at the end, 1 % asked; up to 0.4 % at outputs before it; `peak_pressure_Pa`, which does not count, has 2.5 %";
+        assert_eq!(verdict::accuracy(&accuracy).finding(), expected);
+    }
 
     #[test]
     fn good_lines_are_short_and_their_numbers_sensible() {
@@ -141,7 +156,7 @@ mod tests {
             verdict::load(4.441e-16),
             verdict::volume(1.2e-9),
             verdict::volume(3.4e-3),
-            verdict::accuracy(0.003356, 0.004, 0.01),
+            verdict::accuracy(&ACCURACY),
             verdict::edges(0.0, 0),
             verdict::contact(54.0),
             verdict::roughness(2.76e-4),
@@ -152,7 +167,7 @@ mod tests {
             "load met to rounding",
             "volume closes to 1e-9",
             "volume closes to 0.34 %",
-            "estimated error 0.34 %",
+            "0.34 % estimated error at the end, 1 % asked; up to 0.4 % at outputs before it",
             "0 % of the load at the edge of the frame",
             "54 elements across the contact",
             "pressures ragged by 0.028 % of the peak",
@@ -189,7 +204,7 @@ mod tests {
             verdict::contact(20.0),
             verdict::stick_zone(20.0),
             verdict::time(1e-3, 1e-2),
-            verdict::accuracy(1e-3, 1e-3, 1e-2),
+            verdict::accuracy(&ACCURACY),
             verdict::energy(1e-3),
             verdict::touch(1e-3),
             verdict::volume(1e-3),

@@ -141,6 +141,56 @@ fn stated_errors_enclose_the_true_ones() {
     assert!(lies.is_empty(), "{lies:#?}");
 }
 
+const BALL: &str = r#"accuracy = 0.08
+
+[body.one]
+material = { young = "210 GPa", poisson = 0.3 }
+profile.sphere = { radius = "50 mm" }
+wear.archard = { coefficient = "4e-15 1/Pa" }
+
+[body.two]
+material = { young = "58 GPa", poisson = 0.3 }
+profile.flat = {}
+
+[motion.sliding]
+load = "10.2 N"
+distance = "266 m"
+surfaces = "stay"
+
+[output]
+at = ["266 m"]
+"#;
+
+/// Nothing that is computed has an error of zero, in rows between outputs neither: companions have no rows there.
+#[test]
+fn what_is_computed_has_an_error() {
+    let cases: [(&str, &[&str]); 2] =
+        [(BALL, &[]), (TRACK, &["frame=", "motion.sliding.tolerance=", "accuracy=0.08"])];
+    for (text, options) in cases {
+        for row in &rows(text, options) {
+            let residual = number(row, "residual").unwrap();
+            let cells = row.iter().filter(|(column, value)| column != "load_N" && *value != 0.0);
+            for (column, value) in cells {
+                if let Some(error) = stated(column, |name| number(row, name)) {
+                    let least = residual * value.abs();
+                    assert!(error > 0.0 && error >= least, "{column} at {}: {error:e}", row[0].1);
+                }
+            }
+        }
+    }
+}
+
+/// A sphere that is shifted takes elements and increments by what they leave, as one that slides does, and no more: twice the
+/// fewest elements and increments that an error is stated from bring it below a hundredth.
+#[test]
+fn shifted_spheres_take_what_they_need() {
+    let own = resolved(CATTANEO, &["frame=", "motion.fretting.increments=", "accuracy=0.01"]);
+    let (own, companions) =
+        own.expect("a case").with_companions(None, &mut Rows::default()).expect("a grid");
+    assert!(own.case.frame.elements.iter().all(|&elements| elements <= 72), "{:?}", own.case.frame);
+    assert!(companions.expect("companions").worst_foreseen(2.0) <= 0.01);
+}
+
 /// Hertz's pressure and approach lie within the errors stated.
 #[test]
 fn hertz_lies_within_the_errors_stated() {

@@ -73,6 +73,8 @@ pub const FRICTIONAL_POWER: &str = "frictional_power_per_speed_N";
 pub const FLASH_TEMPERATURE: &str = "flash_temperature_K";
 /// Mean of that rise over the contact (K).
 pub const MEAN_FLASH_TEMPERATURE: &str = "mean_flash_temperature_K";
+/// Relative residual of a step's last solve.
+pub(super) const RESIDUAL: &str = "residual";
 /// Relative error of the depth from the division into steps; the only number that may be missing (NaN).
 pub const TIME_ERROR: &str = "time_error";
 
@@ -385,7 +387,7 @@ pub const COLUMNS: &[Column] = &[
         "of the step's contact and friction solves",
         |r, _| Some(r.effort.iterations as f64),
     ),
-    column("residual", "", Class::Uncertain, "of the step's last solve", |r, _| {
+    column(RESIDUAL, "", Class::Uncertain, "of the step's last solve", |r, _| {
         Some(r.effort.residual)
     }),
     column("solves", "", Class::Uncertain, "contact solves so far", |r, _| {
@@ -440,13 +442,13 @@ pub fn row(report: &Report<'_>) -> Row {
 
 /// The error of the worst quantity in a row, and of each of a class that has one; no number where no companion shows it.
 fn errors(companions: &Companions, row: &Row) -> Row {
-    let progress = row.first().map_or(0.0, |first| first.1);
     let of = |(name, value): &(String, f64)| {
-        let error = companions.error(name, progress, *value).unwrap_or(f64::NAN);
+        let error = companions.stated(row, name, *value).unwrap_or(f64::NAN);
         (format!("{ERROR_OF}{name}"), error)
     };
     let stated = row.iter().filter(|(name, _)| companions.states(name));
-    let worst = (ERROR.to_owned(), companions.worst(row));
+    let worst = companions.worst(row).map_or(0.0, |(_, error)| error);
+    let worst = (ERROR.to_owned(), worst);
     [worst].into_iter().chain(stated.map(of)).collect()
 }
 

@@ -18,11 +18,11 @@ fn rubs(case: &Case) -> bool {
     takes && Parts::of(case).is_ok_and(rub)
 }
 
-/// Gives a number of increments to a case that says none, as many from one turn of the motion to the next as there are elements
-/// across the contact; whether it did.
+/// Gives a number of increments to a case that says none, as many in a cycle as there are elements across the contact: what slips
+/// comes in from both sides, by one element in an increment. Whether it did.
 pub(super) fn choose(case: &mut Case, across: impl FnOnce(&Parts<'_>) -> f64) -> bool {
     let chosen = rubs(case) && of(case).is_none();
-    let wanted = Parts::of(case).map(|parts| 2.0 * across(&parts));
+    let wanted = Parts::of(case).map(|parts| across(&parts));
     if let Some(wanted) = wanted.ok().filter(|_| chosen) {
         set(case, (((wanted / DIVISOR).ceil() * DIVISOR) as usize).min(MOST));
     }

@@ -59,8 +59,7 @@ fn areas(case: &Case) -> Vec<[f64; 2]> {
 
 /// The order of the error by which elements are chosen and refined.
 pub(super) fn order(parts: &Parts<'_>) -> f64 {
-    let frets = parts.motion.period().is_some() && parts.friction.is_some();
-    if sharpest(parts) == 0.0 || frets { 1.0 } else { 2.0 }
+    if sharpest(parts) == 0.0 { 1.0 } else { 2.0 }
 }
 
 /// Whether friction decides what slips.

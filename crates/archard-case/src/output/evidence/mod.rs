@@ -10,7 +10,7 @@ mod work;
 
 use serde::{Deserialize, Serialize};
 
-use crate::verdict::{self, Verdict};
+use crate::verdict::{self, Accuracy, Verdict};
 use archard::estimate::Subject;
 use archard::motion::{Control, Stepping};
 use archard::problem::ContactProblem;
@@ -50,8 +50,8 @@ pub(super) struct Evidence {
     volume: Option<f64>,
     /// Alternation and spikes of the pressures at outputs, relative to the largest.
     roughness: Option<f64>,
-    /// Estimated error at the end, the largest at an output before, and the accuracy asked for.
-    accuracy: Option<[f64; 3]>,
+    /// Estimated errors.
+    accuracy: Option<Accuracy>,
     worst_output: Option<f64>,
     /// The smallest Peclet number of a contact that is warmed.
     peclet: Option<f64>,
@@ -110,7 +110,13 @@ impl Evidence {
             if report.output {
                 worst(&mut self.worst_output, Some(error));
             }
-            [error, self.worst_output.unwrap_or_default(), companions.asked]
+            Accuracy {
+                error,
+                largest: self.worst_output.unwrap_or_default(),
+                asked: companions.asked,
+                worst: companions.worst(row).map(|(column, _)| column),
+                other: companions.worst_uncounted(row).filter(|(_, other)| *other > error),
+            }
         });
         self.touch =
             (effort.unsettled > 0).then(|| effort.unsettled as f64 / effort.solves.max(1) as f64);
@@ -136,7 +142,7 @@ impl Evidence {
             self.largest.iter().map(|(_, across)| *across).reduce(f64::min).map(verdict::contact),
             self.stick.map(verdict::stick_zone),
             self.time.map(|[error, tolerance]| verdict::time(error, tolerance)),
-            self.accuracy.map(|[error, largest, asked]| verdict::accuracy(error, largest, asked)),
+            self.accuracy.as_ref().map(verdict::accuracy),
             self.touch.map(verdict::touch),
             self.energy.map(verdict::energy),
             self.volume.map(verdict::volume),

@@ -25,13 +25,13 @@ impl Companion {
     }
 
     /// By how much a value at some progress differs from what this run shows there; `None` where it does not show that place of a
-    /// cycle, or no number. Between rows nothing is known of what lies between two interpolations.
+    /// cycle, or no number. Between its rows this run lies somewhere between two interpolations.
     pub(super) fn difference(
         &self,
         column: usize,
         (progress, value): (f64, f64),
         period: Option<f64>,
-    ) -> Option<f64> {
+    ) -> Option<Difference> {
         let around = match period {
             Some(period) => self.in_cycle(progress, period)?,
             None => self.beside(progress),
@@ -39,7 +39,10 @@ impl Companion {
         let [power, straight] = between(around, column, progress);
         let (low, high) = (power.min(straight), power.max(straight));
         let numbers = ![low, high, value].into_iter().any(f64::is_nan);
-        numbers.then(|| (low - value).max(value - high).max(0.0))
+        numbers.then(|| Difference {
+            least: (low - value).max(value - high).max(0.0),
+            most: (high - value).max(value - low),
+        })
     }
 
     fn around(&self, progress: f64, period: Option<f64>) -> [&Row; 2] {
@@ -66,6 +69,40 @@ impl Companion {
     }
 }
 
+/// How far two runs are apart, in the unit of the quantity: at least so much, and at most.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Difference {
+    least: f64,
+    most: f64,
+}
+
+impl Difference {
+    /// No less than that.
+    pub(super) const fn from(least: f64) -> Self {
+        Self { least, most: f64::INFINITY }
+    }
+
+    /// Both multiplied.
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self { least: factor * self.least, most: factor * self.most }
+    }
+
+    /// With some least difference.
+    pub(super) fn no_less(self, than: f64) -> Self {
+        Self { least: self.least.max(than), most: self.most.max(than) }
+    }
+
+    /// What is known by both.
+    pub(super) fn and(self, other: Self) -> Self {
+        Self { least: self.least.max(other.least), most: self.most.min(other.most) }
+    }
+
+    /// The largest that is known, and no less than the best known one may be.
+    pub(super) fn bound(self) -> f64 {
+        if self.most.is_finite() { self.least.max(self.most) } else { self.least }
+    }
+}
+
 /// Two companions, the finer one first.
 #[derive(Debug, Clone)]
 pub(super) struct Compared {
@@ -80,7 +117,7 @@ pub(super) struct Compared {
 struct Apart {
     progress: f64,
     /// The coarser one's value in each column, and the difference; `None` where one of them is no number.
-    columns: Vec<Option<[f64; 2]>>,
+    columns: Vec<Option<(f64, Difference)>>,
 }
 
 impl Compared {
@@ -89,33 +126,32 @@ impl Compared {
         let apart = coarser.rows.iter().map(|row| {
             let progress = row[0].1;
             let value = |(place, cell): (usize, &(String, f64))| {
-                Some([cell.1, finer.difference(place, (progress, cell.1), period)?])
+                Some((cell.1, finer.difference(place, (progress, cell.1), period)?))
             };
             Apart { progress, columns: row.iter().enumerate().map(value).collect() }
         });
         Self { ratios: pair.map(|run| run.ratio), apart: apart.collect(), period }
     }
 
-    /// The largest difference of the two around some progress, at which the run has a value; relative to their values where they
-    /// grow.
+    /// The difference of the two around some progress, at which the run has a value; relative to their values where they grow.
     pub(super) fn difference(
         &self,
         column: usize,
         grows: bool,
         (progress, here): (f64, f64),
-    ) -> Option<f64> {
+    ) -> Option<Difference> {
         let period = self.period.unwrap_or_default();
         let first = (progress / WINDOW).min(progress - period);
         let last = (WINDOW * progress).max(progress + period) * (1.0 + SAME);
         let from = self.apart.partition_point(|apart| apart.progress < first * (1.0 - SAME));
         let near = self.apart[from..].iter().take_while(|apart| apart.progress <= last);
         let difference = |apart: &Apart| {
-            let [there, difference] = apart.columns[column]?;
+            let (there, difference) = apart.columns[column]?;
             let scales = grows && there != 0.0;
             let scale = if scales { (here / there).abs().min(WINDOW) } else { 1.0 };
-            Some(scale * difference)
+            Some(difference.times(scale))
         };
-        near.filter_map(difference).reduce(f64::max)
+        near.filter_map(difference).reduce(Difference::and)
     }
 }
 

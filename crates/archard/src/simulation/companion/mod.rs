@@ -8,7 +8,8 @@
 //! max |f_i - f_j| / (r_j^p - r_i^p)
 //! ```
 //!
-//! over all pairs of runs, the run itself (r = 1) among them. Two companions are compared from a quarter of the progress to four
+//! over all pairs of runs, the run itself (r = 1) among them. Between the rows of a run its value lies between two interpolations: the
+//! difference there is the distance to the nearer one, and the error no less than the least of the distances to the farther ones. Two companions are compared from a quarter of the progress to four
 //! times of it, the run with each of them at its own progress. The order p is that of the quantity's class. This is the grid
 //! convergence index (P. J. Roache, *J. Fluids Eng.* 116 (1994) 405; ASME V&V 20) for runs whose grids are moved besides. It has no
 //! factor of safety, since it is the largest of many differences: 99 of 100 errors of a random sample are within it
@@ -23,7 +24,7 @@ use std::f64::consts::PI;
 
 use super::history::{self, Class, Row, number};
 pub use compared::Companion;
-use compared::Compared;
+use compared::{Compared, Difference};
 
 /// The least ratio of two companions that are compared, the geometric mean of one and a root of two: their ratios are one of these
 /// apart, but for the rounding of their numbers of elements.
@@ -126,9 +127,17 @@ impl Companions {
         self.error_by(column, (progress, value), shown)
     }
 
+    /// The error of a value in a row of the run: no less than its solver leaves, unless it is prescribed.
+    pub(super) fn stated(&self, row: &[(String, f64)], column: &str, value: f64) -> Option<f64> {
+        let error = self.error(column, row.first()?.1, value)?;
+        let residual = number(row, history::RESIDUAL).unwrap_or_default().max(f64::EPSILON);
+        let prescribed = self.regularity.given.contains(&column);
+        Some(if prescribed { error } else { error.max(residual * value.abs()) })
+    }
+
     /// The error that the companions alone foresee.
     fn foreseen(&self, column: &str, progress: f64, value: f64) -> Option<f64> {
-        self.error_by(column, (progress, value), |_, _| Some(0.0))
+        self.error_by(column, (progress, value), |_, _| Some(Difference::from(0.0)))
     }
 
     /// The error of a value in a column, by how far it is from that of a companion.
@@ -136,7 +145,7 @@ impl Companions {
         &self,
         column: &str,
         at: (f64, f64),
-        difference: impl Fn(&Companion, usize) -> Option<f64>,
+        difference: impl Fn(&Companion, usize) -> Option<Difference>,
     ) -> Option<f64> {
         if self.regularity.given.contains(&column) {
             return Some(0.0);
@@ -146,19 +155,14 @@ impl Companions {
         let place = self.column(column)?;
         let grain = self.grain(class, at);
         let shown = self.runs.iter().filter_map(|run| {
-            let difference = difference(run, place)?.max(grain * (run.ratio - 1.0));
-            Some(difference / (run.ratio.powf(order) - 1.0))
+            let difference = difference(run, place)?.no_less(grain * (run.ratio - 1.0));
+            Some(difference.times(1.0 / (run.ratio.powf(order) - 1.0)))
         });
-        shown.chain(self.around(place, class, order, at)).reduce(f64::max)
-    }
-
-    /// The largest difference of two companions around some progress, as an error of the run.
-    fn around(&self, place: usize, class: Class, order: f64, at: (f64, f64)) -> Option<f64> {
-        let of = |pair: &Compared| {
+        let around = self.pairs.iter().filter_map(|pair| {
             let [finer, coarser] = pair.ratios.map(|ratio| ratio.powf(order));
-            Some(pair.difference(place, class.grows(), at)? / (coarser - finer))
-        };
-        self.pairs.iter().filter_map(of).reduce(f64::max)
+            Some(pair.difference(place, class.grows(), at)?.times(1.0 / (coarser - finer)))
+        });
+        shown.chain(around).reduce(Difference::and).map(Difference::bound)
     }
 
     /// The least difference between the run and a companion, over r - 1. An area in whole elements differs by a row of them across
@@ -195,29 +199,42 @@ impl Companions {
         row
     }
 
-    /// The error of the worst of the quantities that count, relative to it, in a row of the run.
-    pub fn worst(&self, row: &[(String, f64)]) -> f64 {
-        self.worst_by(row, |name, progress, value| self.error(name, progress, value))
+    /// The column of the worst of the quantities that count and its error, relative to it, in a row of the run; `None` where none
+    /// has an error.
+    pub fn worst(&self, row: &[(String, f64)]) -> Option<(String, f64)> {
+        self.worst_by(row, |name, value| self.stated(row, name, value))
     }
 
-    /// The same at some progress of the run that is still to come.
+    /// The same of areas, pressures, volumes and depths that do not count.
+    pub fn worst_uncounted(&self, row: &[(String, f64)]) -> Option<(String, f64)> {
+        let wears = wears(row);
+        let others = row.iter().filter(|(name, value)| {
+            *value != 0.0 && !history::counts(name, wears) && history::class(name).grows()
+        });
+        let errors = others.filter_map(|(name, value)| {
+            Some((name.clone(), self.stated(row, name, *value)? / value.abs()))
+        });
+        errors.max_by(|one, other| one.1.total_cmp(&other.1))
+    }
+
+    /// The error of the worst that counts at some progress of the run that is still to come.
     pub fn worst_foreseen(&self, progress: f64) -> f64 {
         let row = self.row(progress);
-        self.worst_by(&row, |name, progress, value| self.foreseen(name, progress, value))
+        let worst = self.worst_by(&row, |name, value| self.foreseen(name, progress, value));
+        worst.map_or(0.0, |(_, error)| error)
     }
 
     fn worst_by(
         &self,
         row: &[(String, f64)],
-        error: impl Fn(&str, f64, f64) -> Option<f64>,
-    ) -> f64 {
-        let progress = row.first().map_or(0.0, |first| first.1);
-        let wears = number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0);
+        error: impl Fn(&str, f64) -> Option<f64>,
+    ) -> Option<(String, f64)> {
         let force = self.force(row);
         let [along, across] = history::CREEPAGE.map(|name| number(row, name).unwrap_or_default());
         let creepage = along.hypot(across).max(LEAST_CREEPAGE);
         // Where bodies wear at a given approach, the load fades to nothing.
         let load = self.largest(history::LOAD);
+        let wears = wears(row);
         let counted = row.iter().filter(|(name, _)| self.regularity.counts(name, wears));
         let errors = counted.filter_map(|(name, value)| {
             let size = match &**name {
@@ -226,9 +243,10 @@ impl Companions {
                 history::LOAD => load,
                 _ => value.abs(),
             };
-            (size > 0.0).then_some(error(name, progress, *value)? / size)
+            let error = (size > 0.0).then_some(error(name, *value)? / size)?;
+            Some((name.clone(), error))
         });
-        errors.fold(0.0, f64::max)
+        errors.filter(|(_, error)| *error > 0.0).max_by(|one, other| one.1.total_cmp(&other.1))
     }
 
     /// What errors of tangential forces are relative to (N): in cycles the largest force of any, since runs jump over most of
@@ -255,5 +273,66 @@ impl Companions {
     fn column(&self, name: &str) -> Option<usize> {
         let row = self.runs.first()?.rows.first()?;
         row.iter().position(|(known, _)| known == name)
+    }
+}
+
+/// Whether anything is worn in a row.
+fn wears(row: &[(String, f64)]) -> bool {
+    number(row, history::WEAR_DEPTH).is_some_and(|depth| depth > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Companion, Companions, Regularity};
+    use crate::simulation::history::{APPROACH, LOAD, RESIDUAL, Row};
+
+    const RESIDUAL_LEFT: f64 = 1e-6;
+
+    fn row(progress: f64, approach: f64) -> Row {
+        let cells = [("distance_m", progress), (LOAD, 10.0), (APPROACH, approach)];
+        let cells = cells.into_iter().chain([(RESIDUAL, RESIDUAL_LEFT)]);
+        cells.map(|(name, value)| (name.to_owned(), value)).collect()
+    }
+
+    /// Companions that show the rows of these progresses.
+    fn companions(progresses: [&[f64]; 3], approach: impl Fn(f64, f64) -> f64) -> Companions {
+        let runs = [2.0, 2.8, 2.9].into_iter().zip(progresses).map(|(ratio, progresses)| {
+            let rows = progresses.iter().map(|&place| row(place, approach(place, ratio)));
+            Companion { ratio, rows: rows.collect() }
+        });
+        let regularity = Regularity {
+            sharpest: 2.0,
+            may_stick: false,
+            given: vec![LOAD],
+            areas: vec![[0.0, 1e-12]],
+            line: false,
+            period: None,
+        };
+        Companions::new(runs.collect(), regularity, 0.01)
+    }
+
+    /// Between rows, where all values lie between the interpolations of others, errors are not zero: as the rows come closer,
+    /// none is below that of the elements.
+    #[test]
+    fn values_between_interpolations_have_errors() {
+        // Between a straight line and a power of the distance.
+        let approach = |place: f64, ratio: f64| (0.5 + place.sqrt()) * (1.0 + 1e-3 * ratio);
+        let far: [&[f64]; 3] = [&[1.0, 64.0], &[1.1, 60.0], &[1.2, 62.0]];
+        let known = companions(far, approach);
+        for place in [2.0, 4.0, 8.0, 16.0, 32.0] {
+            let value = approach(place, 1.0);
+            let error = known.stated(&row(place, value), APPROACH, value).unwrap();
+            assert!(error >= 1e-3 * value, "{place}: {error} of {value}");
+        }
+    }
+
+    /// What all runs agree on errs by what its solver leaves; what is prescribed does not.
+    #[test]
+    fn no_error_is_below_the_residual() {
+        let places: [&[f64]; 3] = [&[1.0, 2.0]; 3];
+        let row = row(1.0, 3.0);
+        let known = companions(places, |_, _| 3.0);
+        assert_eq!(known.stated(&row, APPROACH, 3.0), Some(RESIDUAL_LEFT * 3.0));
+        assert_eq!(known.stated(&row, LOAD, 10.0), Some(0.0));
     }
 }
