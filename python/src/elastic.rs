@@ -48,6 +48,7 @@ pub fn solve_elastic(
             command: None,
         };
         output::write_elastic(&mut claim, &case_toml, (&body, &deformed), &totals)
+            .map(|_| ())
             .map_err(Unsolved::Output)
     };
     let outcome = away(py, &pool, work).unless_interrupted()?;

@@ -310,16 +310,14 @@ enum Shown {
 /// Finishes results; stresses inside of bodies only where the run came to its end.
 fn finish(
     results: ResultFolder,
-    mut totals: Totals,
+    totals: Totals,
     (stage, inside): (Stage, Option<Inside>),
 ) -> Result<(), InsideError> {
     if let (Stage::Ended(run), Some(inside), None) = (&stage, inside, &totals.failure) {
         inside.write(results.dir(), run.simulation().problem.bodies.each_ref())?;
     }
-    let verdict = results.verdict();
-    let doubts = verdict.complaints().map(|line| format!("{line} ({})", line.word().text()));
-    totals.warnings.extend(doubts);
-    Ok(results.finish(&totals)?)
+    results.finish(&totals)?;
+    Ok(())
 }
 
 fn not_observed(error: Box<dyn std::error::Error + Send + Sync>) -> Broken {

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use archard::elastic::{Deformed, ElasticBody, von_mises};
 use archard_case::ResolvedElastic;
-use archard_case::output::{Totals, elastic_verdict, write_elastic};
+use archard_case::output::{Totals, write_elastic};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
@@ -35,17 +35,16 @@ pub fn run(
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_elastic(&mut claim, &case.to_string(), (&body, &deformed), &totals)
+    let judged = write_elastic(&mut claim, &case.to_string(), (&body, &deformed), &totals)
         .map_err(|error| wrong(&error))?;
     if !quiet {
         summarize(&body, &deformed, &totals, claim.dir())?;
     }
-    let judged = elastic_verdict(&body, &deformed);
     if !quiet {
         say(&format!("verdict           {}", verdict::headline(&judged)))?;
         verdict::say_lines(&judged, verbose)?;
     }
-    verdict::judge(&judged, claim.dir())
+    verdict::judge(&judged, claim.dir(), quiet)
 }
 
 /// Says what came out and where it is.

@@ -151,7 +151,7 @@ fn contact(
         };
         outcome.say()?;
     }
-    verdict::judge(&judged, dir)
+    verdict::judge(&judged, dir, arguments.quiet)
 }
 
 /// Finishes the results of a run, whatever came of it.

@@ -62,24 +62,22 @@ impl Underway {
     }
 
     /// Writes the summary of a run that ended, or why it did not; returns what it says and whether it can be
-    /// believed, the doubts among the warnings.
+    /// believed.
     ///
     /// # Errors
     /// If a file cannot be written.
     pub fn finish(self, failure: Option<String>) -> Result<(Totals, Verdict), Error> {
-        let verdict = self.folder.verdict();
-        let doubts = verdict.complaints().map(|line| format!("{line} ({})", line.word().text()));
         if let Some(bar) = self.bar {
             bar.finish_and_clear();
         }
         let totals = Totals {
             seconds: self.folder.seconds_before() + self.begun.elapsed().as_secs_f64(),
             threads: rayon::current_num_threads(),
-            warnings: self.warnings.into_iter().chain(doubts).collect(),
+            warnings: self.warnings,
             failure,
             command: Some(self.command),
         };
-        self.folder.finish(&totals)?;
+        let verdict = self.folder.finish(&totals)?;
         Ok((totals, verdict))
     }
 }

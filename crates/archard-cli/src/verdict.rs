@@ -3,7 +3,7 @@
 use archard_case::verdict::{Verdict, Word};
 
 use crate::failure::Failure;
-use crate::say::{self, say};
+use crate::say::{self, say, tell};
 
 /// The word of a verdict and how many checks it stands on, coloured where the terminal and the user take colours.
 pub fn headline(verdict: &Verdict) -> String {
@@ -29,8 +29,10 @@ fn painted(text: &str, word: Word, colour: bool) -> String {
     if colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
 }
 
-/// Fails where the verdict is that the result is wrong.
-pub fn judge(verdict: &Verdict, dir: &std::path::Path) -> Result<(), Failure> {
+/// Fails where the verdict is that the result is wrong. What is doubtful is told where nothing else was.
+pub fn judge(verdict: &Verdict, dir: &std::path::Path, quiet: bool) -> Result<(), Failure> {
+    let doubtful = verdict.lines.iter().filter(|line| quiet && line.word() == Word::Doubtful);
+    doubtful.for_each(|line| tell(&format!("doubtful: {line}")));
     let wrong = verdict.lines.iter().filter(|line| line.word() == Word::Wrong);
     let wrong: Vec<String> = wrong.map(ToString::to_string).collect();
     if wrong.is_empty() {

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 
 use archard_case::ResolvedWheelRail;
-use archard_case::output::{RailContact, RailWear, Totals, rail_verdict, write_rail};
+use archard_case::output::{RailContact, RailWear, Totals, write_rail};
 use archard_rail::wear::{COLUMNS, Pass, Step};
 
 use crate::failure::Failure;
@@ -37,8 +37,8 @@ pub fn run(
     let Some(mut claim) = watch.release() else {
         return Err(Failure::wrong("the run has no folder"));
     };
-    write_rail(&mut claim, &case.to_string(), &results, &totals).map_err(|error| wrong(&error))?;
-    let judged = rail_verdict(&results);
+    let judged = write_rail(&mut claim, &case.to_string(), &results, &totals)
+        .map_err(|error| wrong(&error))?;
     if !quiet {
         follower.end();
         match &results.wear {
@@ -50,7 +50,7 @@ pub fn run(
         say(&format!("verdict           {}", verdict::headline(&judged)))?;
         verdict::say_lines(&judged, verbose)?;
     }
-    verdict::judge(&judged, claim.dir())
+    verdict::judge(&judged, claim.dir(), quiet)
 }
 
 /// Shows how the route gets on. The three times that it is gone through take about as long on a quarter of the elements each, and

@@ -130,7 +130,6 @@ impl Runner<'_> {
         let mut recorder =
             Recorder { folder, quantities: self.quantities, columns: self.columns, rows: vec![] };
         let ran = simulation.run(&mut [&mut recorder, self.following.observer()]);
-        let verdict = recorder.folder.verdict();
         let totals = Totals {
             seconds: begun.elapsed().as_secs_f64(),
             threads: rayon::current_num_threads(),
@@ -139,7 +138,7 @@ impl Runner<'_> {
             ..Totals::default()
         };
         let rows = recorder.rows;
-        recorder.folder.finish(&totals).map_err(|error| failed(error.to_string()))?;
+        let verdict = recorder.folder.finish(&totals).map_err(|error| failed(error.to_string()))?;
         match ran {
             Ok(_) => {
                 self.following.ended(self.count, settings, Some(totals.seconds));

@@ -101,6 +101,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let mut remarks = std::mem::take(&mut measured.remarks);
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
+    let found: Vec<Estimate> = coefficients.iter().map(|own| own.estimate.clone()).collect();
     kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
@@ -114,7 +115,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         coefficients,
         surfaces,
         remarks,
-        doubts: search.doubts(),
+        doubts: search.doubts(&found),
         by_k_s,
         unsettled,
     })

@@ -27,6 +27,14 @@ impl Exponent {
         self.p < REJECTED && (self.value - self.law).abs() > NEGLIGIBLE
     }
 
+    /// Whether the law is neither rejected nor within the 95 % interval.
+    pub fn is_doubtful(&self) -> bool {
+        let [low, high] = self.interval;
+        !self.rejects()
+            && !(low..=high).contains(&self.law)
+            && (self.value - self.law).abs() > NEGLIGIBLE
+    }
+
     /// The exponent, its interval, how probable it is, and what follows from both.
     pub fn in_words(&self) -> String {
         let off = (self.value - self.law).abs();
@@ -38,6 +46,9 @@ impl Exponent {
         };
         let number = |value: f64| format!("{value:.decimals$}");
         let (p, word) = match (is_chance, self.rejects()) {
+            (true, _) if self.is_doubtful() => {
+                (format!("p = {:.2}", self.p), "doubtful".to_owned())
+            }
             (true, _) => (format!("p = {:.2}", self.p), "accepted".to_owned()),
             (false, true) => (format!("p < {REJECTED}"), "rejected".to_owned()),
             (false, false) => (

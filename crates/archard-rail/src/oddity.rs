@@ -12,8 +12,9 @@ use crate::profile::{Part, Profile};
 pub const DOUBLED: f64 = 1e-9;
 /// A way that turns by more than this angle (rad) at a point goes back on itself: 150 degrees.
 pub const ZIGZAG: f64 = 5.0 / 6.0 * std::f64::consts::PI;
-/// Widths (m) between which a profile is believed to be in the unit it was said to be in.
-pub const WIDTHS: [f64; 2] = [5e-3, 0.5];
+/// Widths (m) between which a profile is believed to be in the unit it was said to be in. No wheel is narrower than its flange
+/// and no rail than its head, which have 28 mm and more; the widest wheel, of 140 mm in inches, is 5.5 mm wide.
+pub const WIDTHS: [f64; 2] = [10e-3, 0.5];
 
 /// What looks wrong.
 #[derive(Debug, Clone, PartialEq)]

@@ -34,15 +34,15 @@ impl Case {
         let origin = Origin { source: Source::File, start: 0, fixed: None };
         let printed = Table::from_toml(parsed.get_ref(), &origin);
         let path = super::overlay::read_path(key, Source::File)?;
-        let ((last, _), tables) = path.split_last()?;
-        let mut table = &printed;
-        for (name, _) in tables {
-            match &table.get(name)?.node.item {
-                Item::Table(inner) => table = inner,
-                _ => return None,
-            }
-        }
-        value(&table.get(last)?.node, &text)
+        let ((first, _), rest) = path.split_first()?;
+        let step = |node: &'_ Node, name: &str| match &node.item {
+            Item::Table(inner) => inner.get(name).map(|entry| entry.node.clone()),
+            Item::Array(values) => values.get(name.parse::<usize>().ok()?).cloned(),
+            _ => None,
+        };
+        let first = printed.get(first)?.node.clone();
+        let found = rest.iter().try_fold(first, |node, (name, _)| step(&node, name))?;
+        value(&found, &text)
     }
 }
 

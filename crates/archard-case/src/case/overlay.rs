@@ -29,7 +29,7 @@ pub(super) fn apply(table: &mut Table, index: usize, text: &str) -> Result<(), P
 
 /// The names of a dotted key and where they stand.
 pub(super) fn read_path(text: &str, source: Source) -> Option<Vec<(String, Location)>> {
-    let assignment = format!("{text}=0");
+    let assignment = format!("{}=0", dotted(text));
     let parsed = DeTable::parse(&assignment).ok()?;
     let origin = Origin { source, start: 0, fixed: None };
     let mut table = Table::from_toml(parsed.get_ref(), &origin);
@@ -41,6 +41,14 @@ pub(super) fn read_path(text: &str, source: Source) -> Option<Vec<(String, Locat
             Item::Table(inner) => table = inner,
             _ => return Some(path),
         }
+    }
+}
+
+/// A key whose elements of lists stand in brackets as one with dots, of the same length: `layers[0].k` as `layers.0 .k`.
+fn dotted(text: &str) -> String {
+    match text.contains(['"', '\'']) {
+        true => text.to_owned(),
+        false => text.replace('[', ".").replace(']', " "),
     }
 }
 
@@ -119,11 +127,50 @@ fn put(
     }
     match table.get_mut(name).map(|entry| &mut entry.node.item) {
         Some(Item::Table(inner)) => put(inner, &key, rest, node),
+        Some(Item::Array(values)) => put_into(values, &key, rest, node),
         Some(_) => Err(Problem {
             location: Some(at.clone()),
             ..Problem::error(key, "is not a table in the case: nothing can be set inside it")
         }),
         None => Err(nothing_to_remove(&key, at)),
+    }
+}
+
+/// Puts a value into an element of a list, or in its place; removes no element, which would number the others anew.
+fn put_into(
+    values: &mut [Node],
+    key: &Key,
+    path: &[(String, Location)],
+    node: Option<Node>,
+) -> Result<(), Problem> {
+    let Some(((name, at), rest)) = path.split_first() else { return Ok(()) };
+    let count = values.len();
+    let wrong = |message: String| Problem {
+        location: Some(at.clone()),
+        ..Problem::error(key.clone(), message)
+            .help(format!("write an element by its number from 0, like {key}.0 or {key}[0]"))
+    };
+    let index = name.parse::<usize>().map_err(|_| {
+        wrong(format!("is a list in the case: `{name}` is not the number of an element"))
+    })?;
+    let Some(value) = values.get_mut(index) else {
+        return Err(wrong(format!("has no element {index}: it has {count} in the case")));
+    };
+    let key = key.index(index);
+    match (&mut value.item, node) {
+        (_, Some(node)) if rest.is_empty() => {
+            *value = node;
+            Ok(())
+        }
+        (_, None) if rest.is_empty() => {
+            Err(wrong("loses no element by an option: set the whole list".to_owned()))
+        }
+        (Item::Table(inner), node) => put(inner, &key, rest, node),
+        (Item::Array(inner), node) => put_into(inner, &key, rest, node),
+        _ => Err(Problem {
+            location: Some(at.clone()),
+            ..Problem::error(key, "is not a table in the case: nothing can be set inside it")
+        }),
     }
 }
 

@@ -43,6 +43,8 @@ pub struct RailContact {
 pub struct RailResults {
     /// The contacts at each point, of new profiles and then of worn ones.
     pub contacts: Vec<RailContact>,
+    /// y (m) on the profile of the wheel of the steepest place of its flange; `None` without one.
+    pub flank: Option<f64>,
     /// What was worn off over the route; `None` where nothing wears.
     pub wear: Option<RailWear>,
 }
@@ -77,7 +79,7 @@ impl RailContact {
 }
 
 /// Writes `case.toml`, `contacts.csv`, a map of each patch and `summary.json` into a folder, and of what wears `wear.csv`,
-/// `dimensions.csv` and the worn profiles; what earlier runs wrote there is removed.
+/// `dimensions.csv` and the worn profiles; what earlier runs wrote there is removed. Returns what can be believed, warnings included.
 ///
 /// # Errors
 /// If a file cannot be removed or written.
@@ -86,7 +88,7 @@ pub fn write_rail(
     case_toml: &str,
     results: &RailResults,
     totals: &Totals,
-) -> Result<(), Error> {
+) -> Result<Verdict, Error> {
     claim.admit()?;
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, CONTACTS])?;
@@ -110,8 +112,10 @@ pub fn write_rail(
     if let Some(wear) = &results.wear {
         write_rail_wear(manifest, wear)?;
     }
-    let summary = format!("{:#}\n", summary(results, totals));
-    manifest.write(SUMMARY, summary.as_bytes()).map(|_| ())
+    let verdict = rail_verdict(results).ended(totals.failure.as_deref(), &totals.warnings);
+    let summary = format!("{:#}\n", summary(results, &verdict, totals));
+    manifest.write(SUMMARY, summary.as_bytes())?;
+    Ok(verdict)
 }
 
 /// The files of a wheel on a rail but for the case, by their names in the folder: of those of wheel and rail that wear, on these
@@ -138,15 +142,42 @@ fn image(patch: &Patch) -> Image {
     Image { origin, spacing, elements, fields }
 }
 
-/// What can be believed of the contacts.
+/// What can be believed of the contacts, whatever the user was warned of before.
 pub fn rail_verdict(results: &RailResults) -> Verdict {
-    let RailResults { contacts, wear } = results;
+    let RailResults { contacts, flank, wear } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
     let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
     let spread = patches(contacts).map(|(_, patch)| patch.angle_spread).fold(0.0, f64::max);
     let mut lines = vec![verdict::load(off), verdict::conformity(spread.to_degrees())];
+    let peaks = patches(contacts).map(|(_, patch)| patch.values.peak_pressure);
+    let peak = peaks.fold(0.0, f64::max);
+    lines.push(verdict::hardness(peak / verdict::RAIL_STEEL, "rail steel of 440 HBW"));
+    lines.extend(stated(contacts));
+    let beyond = |patch: &Patch| flank.is_some_and(|flank| patch.values.y_wheel < flank);
+    lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
     Verdict { lines }
+}
+
+/// The largest stated error of all patches, relative: of pressures and areas to themselves, of forces to the force on their
+/// contact, of places to the width of the patch.
+fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
+    let relative = |(contact, patch): (&RailContact, &Patch)| {
+        let (values, errors) = (&patch.values, &patch.errors);
+        let width = values.contact_area.sqrt();
+        [
+            ("peak_pressure_Pa", errors.peak_pressure / values.peak_pressure),
+            ("contact_area_m2", errors.contact_area / values.contact_area),
+            ("normal_force_N", errors.normal_force / contact.load),
+            ("force_x_N", errors.force_x / contact.load),
+            ("force_s_N", errors.force_s / contact.load),
+            ("y_rail_m", errors.y_rail / width),
+            ("y_wheel_m", errors.y_wheel / width),
+        ]
+    };
+    let all = patches(contacts).flat_map(relative);
+    let worst = all.max_by(|one, other| one.1.total_cmp(&other.1));
+    worst.map(|(column, error)| verdict::stated(error, column))
 }
 
 /// The patches of all sides.
@@ -164,7 +195,7 @@ pub fn contact_row(patch: &Patch) -> Vec<(String, f64)> {
     values.chain([("angle_spread_rad".to_owned(), patch.angle_spread)]).chain(errors).collect()
 }
 
-fn summary(results: &RailResults, totals: &Totals) -> Value {
+fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {
     let of_patch = |(contact, patch): (&RailContact, &Patch)| {
         let row = contact_row(patch).into_iter();
         let mut values: Value = row.map(|(name, value)| (name, json!(value))).collect();
@@ -182,7 +213,7 @@ fn summary(results: &RailResults, totals: &Totals) -> Value {
         "failure": totals.failure,
         "patches": all,
         "wear": results.wear.as_ref().map(rail_wear_json),
-        "verdict": json_of(&rail_verdict(results)),
+        "verdict": json_of(verdict),
         "seconds": totals.seconds,
         "threads": totals.threads,
         "warnings": totals.warnings,

@@ -17,6 +17,8 @@ pub struct Derived<'a> {
     pub rows: &'a [Vec<(String, f64)>],
     /// Whether the other run could be believed as far as this one goes.
     pub verdict: &'a Verdict,
+    /// What the user was warned of.
+    pub warnings: &'a [String],
     /// The folder of the other run.
     pub from: &'a str,
     /// Why the other run stopped before the end of this one, if it did.
@@ -50,7 +52,7 @@ impl Derived<'_> {
             "version": env!("CARGO_PKG_VERSION"),
             "complete": self.failure.is_none(),
             "failure": self.failure,
-            "verdict": json_of(&self.verdict.clone().ended(self.failure)),
+            "verdict": json_of(&self.verdict.clone().ended(self.failure, self.warnings)),
             "last": last,
             "derived_from": self.from,
         });

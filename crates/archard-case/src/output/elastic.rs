@@ -10,7 +10,7 @@ use archard::compliance::Balance;
 use archard::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section, row};
 
 /// Writes `case.toml`, `surface.vtu`, `points.csv` and files in `sections` where points and sections were asked for, and
-/// `summary.json` into a folder; what earlier runs wrote there is removed.
+/// `summary.json` into a folder; what earlier runs wrote there is removed. Returns what can be believed, warnings included.
 ///
 /// # Errors
 /// If a file cannot be removed or written.
@@ -19,7 +19,7 @@ pub fn write_elastic(
     case_toml: &str,
     (body, deformed): (&ElasticBody, &Deformed),
     totals: &Totals,
-) -> Result<(), Error> {
+) -> Result<Verdict, Error> {
     claim.admit()?;
     let manifest = &mut claim.manifest;
     manifest.begin([CASE, SURFACE])?;
@@ -32,11 +32,14 @@ pub fn write_elastic(
         table.sync()?;
     }
     write_sections(manifest, "", deformed, false)?;
-    let summary = format!("{:#}\n", summary(body, deformed, totals));
-    manifest.write(SUMMARY, summary.as_bytes()).map(|_| ())
+    let verdict = elastic_verdict(body, deformed);
+    let verdict = verdict.ended(totals.failure.as_deref(), &totals.warnings);
+    let summary = format!("{:#}\n", summary((body, deformed), &verdict, totals));
+    manifest.write(SUMMARY, summary.as_bytes())?;
+    Ok(verdict)
 }
 
-/// What can be believed of a result.
+/// What can be believed of a result, whatever the user was warned of before.
 pub fn elastic_verdict(body: &ElasticBody, deformed: &Deformed) -> Verdict {
     let Balance { force, moment } = deformed.balance;
     let mut lines = verdict::balance(force, moment).to_vec();
@@ -99,7 +102,11 @@ pub(super) fn write_points(
     Ok(())
 }
 
-fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
+fn summary(
+    (body, deformed): (&ElasticBody, &Deformed),
+    verdict: &Verdict,
+    totals: &Totals,
+) -> Value {
     let names = deformed.surface.names().iter();
     let forces: Map<String, Value> =
         names.zip(deformed.forces()).map(|(name, force)| (name.clone(), json!(force))).collect();
@@ -113,7 +120,7 @@ fn summary(body: &ElasticBody, deformed: &Deformed, totals: &Totals) -> Value {
         "unknowns": deformed.unknowns(),
         "largest_displacement_m": deformed.largest_displacement(),
         "force_on_surfaces_N": forces,
-        "verdict": summary::json_of(&elastic_verdict(body, deformed)),
+        "verdict": summary::json_of(verdict),
         "seconds": totals.seconds,
         "threads": totals.threads,
         "warnings": totals.warnings,

@@ -298,3 +298,29 @@ pub fn worn(error: f64) -> Line {
     let text = "is the error of the worn area: `frame.elements` and `motion.wheel_rail.tolerance` make it smaller";
     Line::new("wear", error, Bound::AtMost([0.05, 0.3]), text)
 }
+
+/// What a user is warned of, in its first line: never good.
+pub fn warned(warning: &str) -> Line {
+    let text = warning.lines().next().unwrap_or_default();
+    Line::new("warning", 1.0, Bound::AtMost([0.0, f64::INFINITY]), text)
+}
+
+/// The largest stated error of what a user reads, relative, and the column it is of: the bounds of the worn area.
+pub fn stated(error: f64, column: &str) -> Line {
+    let text = format!(
+        "is the error of `{column}`: smoother profiles (`smoothing`) or more `frame.elements` make it smaller"
+    );
+    Line::new("stated", error, Bound::AtMost([0.05, 0.3]), text)
+}
+
+/// Hardness (Pa) of the hardest rail steel, R400HT of EN 13674-1: 440 HBW.
+pub const RAIL_STEEL: f64 = 440.0 * 9.80665e6;
+
+/// Patches that lie between the steepest place of the flange and its tip.
+///
+/// There the flank no longer guides the wheel, which climbs onto the rail (M. J. Nadal, *Locomotives a vapeur*, 1908): no such
+/// wheel runs along its track.
+pub fn climbs(patches: usize) -> Line {
+    let text = "the wheel stands on its flange, beyond the steepest place of it: it leaves the track there; look at `shift`, gauge and profiles";
+    Line::new("flange", patches as f64, Bound::AtMost([0.0, f64::INFINITY]), text)
+}

@@ -9,10 +9,10 @@ mod line;
 mod words;
 
 pub use bounds::{
-    Accuracy, BY_HALF, ELASTOMERS, HALF_SPACE, accuracy, balance, complete, conformity, contact,
-    creepage, edges, energy, first_contact, form, friction, hardness, heat, layers, length, load,
-    modulus, radius, roughness, slenderness, slope, stick_zone, temperature, time, touch, volume,
-    worn,
+    Accuracy, BY_HALF, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, balance, climbs, complete,
+    conformity, contact, creepage, edges, energy, first_contact, form, friction, hardness, heat,
+    layers, length, load, modulus, radius, roughness, slenderness, slope, stated, stick_zone,
+    temperature, time, touch, volume, warned, worn,
 };
 pub use line::{Bound, Line, Word, four};
 
@@ -30,9 +30,11 @@ impl Verdict {
         self.lines.iter().map(Line::word).max().unwrap_or(Word::Good)
     }
 
-    /// The verdict on a run that ended, or failed for a reason: what it left is not what was asked for then.
+    /// The verdict on what ended, or failed for a reason, with all that the user was warned of: what failed is not what was asked
+    /// for, and what has a warning is doubtful.
     #[must_use]
-    pub fn ended(mut self, failure: Option<&str>) -> Self {
+    pub fn ended(mut self, failure: Option<&str>, warnings: &[String]) -> Self {
+        self.lines.extend(warnings.iter().map(|warning| warned(warning)));
         self.lines.extend(failure.map(complete));
         self
     }
@@ -77,9 +79,16 @@ mod tests {
         let complaints = verdict(&[0.15, 0.05, 0.25]);
         let complaints: Vec<f64> = complaints.complaints().map(|line| line.value).collect();
         assert_eq!(complaints, [0.15, 0.25]);
-        let failed = verdict(&[0.0]).ended(Some("no luck\nat all"));
-        assert_eq!((failed.word(), verdict(&[]).ended(None).word()), (Word::Wrong, Word::Good));
+        let failed = verdict(&[0.0]).ended(Some("no luck\nat all"), &[]);
+        assert_eq!(
+            (failed.word(), verdict(&[]).ended(None, &[]).word()),
+            (Word::Wrong, Word::Good)
+        );
         assert_eq!(failed.complaints().count(), 1);
+        let warned = verdict(&[0.0]).ended(None, &["upside down".to_owned()]);
+        assert_eq!(warned.word(), Word::Doubtful);
+        assert_eq!(warned.in_words(), "doubtful (1 of 2 checks)");
+        assert_eq!(warned.lines[1].to_string(), "warning: upside down");
         let least = |value| Line::new("elements", value, Bound::AtLeast([8.0, 2.0]), "across");
         assert_eq!(
             [9.0, 5.0, 1.0].map(|value| least(value).word()),

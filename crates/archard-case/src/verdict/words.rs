@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 27] = [
+const GOOD: [(&str, &str, Number); 30] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -44,6 +44,9 @@ const GOOD: [(&str, &str, Number); 27] = [
     ("creepage", "creepage {}", Number::Share),
     ("friction", "coefficient of friction {}", Number::Plain),
     ("complete", "the run came to its end", Number::Unsaid),
+    ("warning", "no warning", Number::Unsaid),
+    ("stated", "largest stated error {}", Number::Share),
+    ("flange", "no contact above the steepest place of the flange", Number::Unsaid),
 ];
 
 /// A residual that is nothing but rounding.
@@ -224,6 +227,8 @@ mod tests {
             verdict::temperature(400.0),
             verdict::creepage(0.01),
             verdict::friction(0.3),
+            verdict::stated(0.01, "peak_pressure_Pa"),
+            verdict::climbs(0),
         ];
         for line in all {
             assert!(!line.finding().contains("good"), "{line}");

@@ -164,7 +164,10 @@ fn attempt(
         }
         let failure = failure.as_deref().filter(|_| known.is_none());
         let case_toml = rows[index].resolved.case.to_string();
-        Derived { rows: &told, verdict, from: &from, failure }.write(&dir, &case_toml)?;
+        let warnings = &rows[index].resolved.warnings;
+        let warnings: Vec<String> = warnings.iter().map(|warning| warning.title()).collect();
+        Derived { rows: &told, verdict, warnings: &warnings, from: &from, failure }
+            .write(&dir, &case_toml)?;
         Ok((index, outcome))
     };
     shared.rows.iter().enumerate().map(write).collect()

@@ -148,7 +148,7 @@ impl Search<'_> {
     }
 
     /// What is doubtful about the runs, and about what came out.
-    pub(super) fn doubts(&self) -> Vec<String> {
+    pub(super) fn doubts(&self, found: &[Estimate]) -> Vec<String> {
         let mut doubts: Vec<String> = vec![];
         for run in self.known.values() {
             for doubt in &run.doubts {
@@ -156,6 +156,20 @@ impl Search<'_> {
                 if !doubts.contains(&text) {
                     doubts.push(text);
                 }
+            }
+        }
+        for (key, value, unit) in &self.others {
+            doubts.push(format!(
+                "`{key}` is {value:.3e} {unit} by the case, which no reading tells, and the coefficient follows from it: \
+                 give readings of that body, or take its wear out where it does not wear"
+            ));
+        }
+        for own in self.targets.iter().zip(found) {
+            let (target, Estimate { distance, loads, .. }) = own;
+            let doubtful = [(distance, "distance"), (loads, "load")];
+            let doubtful = doubtful.into_iter().filter_map(|(own, of)| Some((own.as_ref()?, of)));
+            for (own, of) in doubtful.filter(|(own, _)| own.is_doubtful()) {
+                doubts.push(format!("{}: exponent of the {of} {}", target.key, own.in_words()));
             }
         }
         for (target, reference) in self.targets.iter().zip(&self.reference) {

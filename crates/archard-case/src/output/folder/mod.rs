@@ -187,27 +187,31 @@ impl ResultFolder {
         &self.dir
     }
 
-    /// Whether what was shown so far can be believed.
+    /// Whether what was shown so far can be believed, whatever the user was warned of before.
     pub fn verdict(&self) -> Verdict {
         self.evidence.verdict()
     }
 
     /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
-    /// did not.
+    /// did not; returns what can be believed, warnings included.
     ///
     /// # Errors
     /// If a file cannot be written.
-    pub fn finish(mut self, totals: &Totals) -> Result<(), Error> {
+    pub fn finish(mut self, totals: &Totals) -> Result<Verdict, Error> {
         self.behind.wait()?;
         self.tables.values().try_for_each(Table::sync)?;
-        let verdict = self.verdict().ended(totals.failure.as_deref());
-        let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), totals);
+        let own = self.verdict();
+        let doubts = own.complaints().map(|line| format!("{line} ({})", line.word().text()));
+        let told = totals.warnings.iter().cloned().chain(doubts).collect();
+        let verdict = own.ended(totals.failure.as_deref(), &totals.warnings);
+        let totals = Totals { warnings: told, ..totals.clone() };
+        let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), &totals);
         self.manifest.write(SUMMARY, text.as_bytes())?;
         match totals.failure {
-            Some(_) => Ok(()),
+            Some(_) => Ok(verdict),
             None => {
                 self.manifest.remove(checkpoint::NAME)?;
-                self.manifest.settle()
+                self.manifest.settle().map(|()| verdict)
             }
         }
     }
