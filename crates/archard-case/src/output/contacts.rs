@@ -111,7 +111,8 @@ pub fn write_rail(
         write_rail_wear(manifest, wear)?;
     }
     let summary = format!("{:#}\n", summary(results, totals));
-    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
+    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())?;
+    manifest.settle()
 }
 
 /// The files of a wheel on a rail but for the case, by their names in the folder: of those of wheel and rail that wear, on these

@@ -33,7 +33,8 @@ pub fn write_elastic(
     }
     write_sections(manifest, "", deformed, false)?;
     let summary = format!("{:#}\n", summary(body, deformed, totals));
-    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())
+    file::write_whole(&manifest.claim(SUMMARY)?, summary.as_bytes())?;
+    manifest.settle()
 }
 
 /// What can be believed of a result.
