@@ -22,9 +22,8 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    if let Task::Elastic(_) | Task::WheelRail(_) =
-        diagnose::resolve(&arguments.case, arguments.quiet)?
-    {
+    let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
+    if let Task::Elastic(_) | Task::WheelRail(_) = task {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
     let file = diagnose::read(&arguments.case)?;
@@ -68,7 +67,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         }
         failed(&error)
     })?;
-    write(&dir, &found)?;
+    write(&dir, &found, &task.case_toml())?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
         say(&format!("runs              {}", found.runs))?;
@@ -131,13 +130,16 @@ fn relative(option: &str) -> Result<(String, f64), String> {
     Ok((key.trim().to_owned(), percent / 100.0))
 }
 
-fn write(dir: &Path, found: &Fit) -> Result<(), Failure> {
+fn write(dir: &Path, found: &Fit, case_toml: &str) -> Result<(), Failure> {
     let text = |name: &str, text: String| {
         let path = dir.join(name);
         write_whole(&path, text.as_bytes()).map_err(|error| Failure::wrong(error.to_string()))
     };
     text("fit.csv", found.csv())?;
-    text("fit.json", format!("{:#}\n", found.json()))?;
+    let mut told = found.json();
+    // As it was given: with the coefficients that it had before.
+    told["case"] = case_toml.into();
+    text("fit.json", format!("{told:#}\n"))?;
     plot::draw_fit(dir, found).map(|_| ()).map_err(|error| Failure::because(&error))
 }
 
