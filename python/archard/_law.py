@@ -133,7 +133,13 @@ def sampled(function: FrictionFunction) -> tuple[list[float], list[float], float
 
 
 def _limit(function: FrictionFunction, pressures: Array) -> Array:
-    limit = np.asarray(function(pressures.copy()), dtype=float)
+    returned = function(pressures.copy())
+    if np.ma.is_masked(returned):
+        raise ValueError(
+            f"the friction law `{name(function)}` returned masked points, which have no limit; "
+            "fill them, as by `.filled(0.0)`"
+        )
+    limit = np.asarray(returned, dtype=float)
     if limit.shape != pressures.shape:
         raise ValueError(
             f"the friction law `{name(function)}` returned an array of shape {limit.shape}; "

@@ -87,8 +87,8 @@ def _panel(axes: Any, panel: dict[str, Any], points: float, letter: str) -> None
         axes.set_aspect("equal")
     if not panel["named"]:
         axes.set_yticklabels([])
-    for words, (at, height) in panel["notes"]:
-        axes.text(at, height, _plain(words))
+    for words, (at, height), colour in panel["notes"]:
+        axes.text(at, height, _plain(words), color=colour)
     if any(mark["legend"] for mark in panel["marks"]):
         inside = panel["legend"] != "outside"
         place = {"loc": panel["legend"]} if inside else {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}

@@ -78,7 +78,7 @@ class Sweep:
         """The rows, in the order of the design."""
         self._values = values
         self.table = _table(rows, [{one.name: one.number for one in row} for row in values])
-        """A row a run: values of the keys (SI), ``status``, ``verdict``, last row of the history, ``error``."""
+        """A row a run: values of the keys (SI), ``status``, ``verdict``, ``reason``, last row of the history, ``error``."""
 
     def to_pandas(self) -> Any:
         """Return the table as a data frame."""
@@ -312,11 +312,18 @@ def _table(rows: list[Row], keys: list[dict[str, Any]]) -> Table:
         {name: np.array([row.get(name, np.nan) for row in keys]) for name in dict.fromkeys(itertools.chain(*keys))}
     )
     table["status"], table["verdict"] = np.array(status), np.array(verdict)
+    table["reason"] = np.array(["" if result is None else _reason(result) for result in done])
     for name in names:
         numbers = [row.get(name) for row in last]
         table[name] = np.array([np.nan if number is None else number for number in numbers], float)
     table["error"] = np.array([row.error or "" for row in rows])
     return table
+
+
+def _reason(result: Result) -> str:
+    """What the verdict says against a result."""
+    lines = (line for line in result.verdict.lines if line["word"] != "good")
+    return "; ".join(line["words"] for line in lines if "words" in line)
 
 
 def _write(path: Path, table: Table) -> None:

@@ -10,6 +10,8 @@ from collections.abc import Iterator, Mapping
 from types import MappingProxyType
 from typing import Any
 
+from archard import _archard
+
 if sys.version_info >= (3, 11):
     import tomllib
 else:
@@ -103,14 +105,24 @@ def _lines(table: Mapping[str, Any], prefix: str) -> Iterator[str]:
 
 
 def _quantity(given: Any) -> str:
-    """Numbers with the symbol of their unit, as case files write it: ``2 MPa*mm**2`` is ``2 MPa mm^2``."""
-    try:
-        symbol = format(given.units, "~C")
-    except (TypeError, ValueError):  # not pint's
-        symbol = str(given.units)
-    symbol = symbol.replace("**", "^").replace("*", " ")
+    """Numbers with the symbol of their unit, as case files write it: ``2 MPa*mm**2`` is ``2 MPa mm^2``.
+
+    Units that case files do not know, as pound-force, are taken by base units.
+    """
+    symbol = _symbol(given)
+    if not _archard.knows_unit(symbol) and hasattr(given, "to_base_units"):
+        given = given.to_base_units()
+        symbol = _symbol(given)
     magnitude = given.magnitude
     magnitude = magnitude.tolist() if hasattr(magnitude, "tolist") else magnitude
     if isinstance(magnitude, list | tuple):
         return value([f"{one!r} {symbol}".strip() for one in magnitude])
     return value(f"{magnitude!r} {symbol}" if symbol else magnitude)
+
+
+def _symbol(given: Any) -> str:
+    try:
+        symbol = format(given.units, "~C")
+    except (TypeError, ValueError):  # not pint's
+        symbol = str(given.units)
+    return symbol.replace("**", "^").replace("*", " ")

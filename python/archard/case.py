@@ -105,6 +105,14 @@ class Case:
             self._lay(name, text)
             self._options.append(f"{name}={text}")
 
+    def __setattr__(self, name: str, value: object) -> None:
+        """Refuse what would be lost: values of a case are set by their keys."""
+        if not name.startswith("_"):
+            keys = [key for key, _ in _toml.leaves(self._tree) if key.rpartition(".")[2] == name]
+            said = " or ".join(f"case[{key!r}] = ..." for key in keys or [f"KEY.{name}"])
+            raise AttributeError(f"a case has no attribute `{name}`; set a value by its key: {said}")
+        super().__setattr__(name, value)
+
     def __getitem__(self, key: str) -> Any:
         """Return the value at a dotted key as it was written; tables and lists cannot be changed."""
         found: Any = self._tree

@@ -152,7 +152,8 @@ class Result:
         self.folder = folder
         """The folder of the results; ``None`` of a result in memory, which :meth:`save` writes."""
         summary = files.get("summary.json")
-        self.summary: dict[str, Any] = json.loads(summary) if summary is not None else {}
+        with self._naming("summary.json"):
+            self.summary: dict[str, Any] = json.loads(summary) if summary is not None else {}
         """What ``summary.json`` holds: the last row, wear compared with closed forms, effort, warnings."""
 
     @property
@@ -223,13 +224,15 @@ class Result:
     @property
     def fields(self) -> Sequence[Snapshot]:
         """The fields of all outputs; each is read when it is asked for."""
-        return _Outputs(self._files)
+        with self._naming("fields.pvd"):
+            return _Outputs(self._files, self.folder)
 
     @property
     def surfaces(self) -> dict[str, Snapshot]:
         """Displacements, tractions and stresses on surfaces of meshed bodies, where they were asked for."""
         names = [name for name in self._files if name.startswith("surface")]
-        return {name.removesuffix(".vtu"): _snapshot(float("nan"), name, self._files) for name in names}
+        read = (_snapshot(float("nan"), name, self._files, self.folder) for name in names)
+        return {name.removesuffix(".vtu"): surface for name, surface in zip(names, read, strict=True)}
 
     def profile(self, body: str, axis: str = "x", output: int = -1) -> Profile:
         """Return the section of a body along an axis, at the last output if no other is asked for."""
@@ -239,6 +242,8 @@ class Result:
         if f"wear_{body}_m" not in table:
             raise KeyError(f"no profile of a body `{body}`")
         places = table[next(iter(table))]
+        if not -len(np.unique(places)) <= output < len(np.unique(places)):
+            raise ValueError(f"{_place(self.folder, 'profiles.csv')} has no output {output}")
         here = (places == np.unique(places)[output]) & (table["axis"] == axis)
         names = ("coordinate_m", f"height_{body}_m", f"wear_{body}_m")
         return Profile(*(table[name][here] for name in names))
@@ -390,19 +395,36 @@ class Result:
     def _table(self, name: str) -> Table:
         """Return a table; one without columns where there is none."""
         content = self._files.get(name)
-        return Table() if content is None else _read_table(content)
+        if content is None:
+            return Table()
+        with self._naming(name):
+            return _read_table(content)
+
+    @contextmanager
+    def _naming(self, name: str) -> Iterator[None]:
+        """Name the file in errors of one that is damaged."""
+        try:
+            yield
+        except _DAMAGE as error:
+            raise _damaged(self.folder, name, error) from error
 
 
 def open(folder: str | os.PathLike[str]) -> Result:
     """Return the result in a folder that a run, of Python or of the command, wrote.
 
     It warns of a result that is incomplete, doubtful or wrong.
+
+    Raises:
+        FileNotFoundError: no such folder, or one without results.
+        ValueError: a file is damaged, or was changed since the run was done; it is named.
+
     """
     folder = Path(folder)
     if not folder.is_dir():
         raise FileNotFoundError(f"no folder: `{folder}`")
     if not ((folder / "summary.json").is_file() or (folder / "history.csv").is_file()):
         raise FileNotFoundError(f"`{folder}` holds no results of a run")
+    _archard.verify(folder)
     result = read(folder, keep=False)
     if result.doubt:
         warnings.warn(f"{folder}: {result.doubt}", ResultWarning, stacklevel=2)
@@ -460,8 +482,8 @@ class _Folder(Mapping[str, bytes]):
 class _Outputs(Sequence[Snapshot]):
     """The outputs of a run, read one by one."""
 
-    def __init__(self, files: Mapping[str, bytes]) -> None:
-        self._files = files
+    def __init__(self, files: Mapping[str, bytes], folder: Path | None) -> None:
+        self._files, self._folder = files, folder
         collection = files.get("fields.pvd")
         listed = [] if collection is None else ElementTree.fromstring(collection).iter("DataSet")
         self._outputs = [(float(one.attrib["timestep"]), one.attrib["file"]) for one in listed]
@@ -473,11 +495,26 @@ class _Outputs(Sequence[Snapshot]):
         if isinstance(index, slice):
             return [self[place] for place in range(*index.indices(len(self)))]
         progress, name = self._outputs[index]
-        return _snapshot(progress, name, self._files)
+        return _snapshot(progress, name, self._files, self._folder)
 
 
-def _snapshot(progress: float, name: str, files: Mapping[str, bytes]) -> Snapshot:
-    return Snapshot(progress, *_archard.read_fields(name, files[name]))
+def _snapshot(progress: float, name: str, files: Mapping[str, bytes], folder: Path | None) -> Snapshot:
+    try:
+        return Snapshot(progress, *_archard.read_fields(name, files[name]))
+    except _DAMAGE as error:
+        raise _damaged(folder, name, error) from error
+
+
+#: What readers raise of files that are damaged.
+_DAMAGE = (ValueError, KeyError, IndexError, ElementTree.ParseError, csv.Error)
+
+
+def _place(folder: Path | None, name: str) -> str:
+    return f"`{name if folder is None else folder / name}`"
+
+
+def _damaged(folder: Path | None, name: str, error: BaseException) -> ValueError:
+    return ValueError(f"{_place(folder, name)} is damaged: {error}")
 
 
 def _read_table(content: bytes) -> Table:

@@ -8,6 +8,7 @@ import logging
 import os
 import tempfile
 import warnings
+import weakref
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
@@ -79,6 +80,8 @@ class Run:
         except BaseException:
             self._clean()
             raise
+        # Wherever a run is left, it ends its writer before its folder goes.
+        self._end = weakref.finalize(self, _given_up, self._run, self._temporary)
         for doubt in self._run.doubts:
             warnings.warn(doubt, ArchardWarning, stacklevel=4)
         log.info("%r begins with %d threads", case, self._run.threads)
@@ -168,6 +171,12 @@ class Run:
     def _clean(self) -> None:
         if self._temporary is not None:
             self._temporary.cleanup()
+
+
+def _given_up(run: _archard.Run, temporary: tempfile.TemporaryDirectory[str] | None) -> None:
+    run.close()
+    if temporary is not None:
+        temporary.cleanup()
 
 
 #: Error of sampled friction, relative to the limit, that is worth a warning.

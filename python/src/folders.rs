@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use archard::units::Scale;
+use archard_case::output::Manifest;
 use archard_cli::library::{self, Comparing, Numbers};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -59,6 +61,19 @@ pub fn pictures(py: Python<'_>, dir: PathBuf) -> PyResult<String> {
 #[pyfunction]
 pub fn numbers(py: Python<'_>, dir: PathBuf) -> PyResult<Numbers> {
     done(py, move || library::numbers(&dir))
+}
+
+/// Holds the files of a run that is done against the sums they were written with.
+#[pyfunction]
+pub fn verify(py: Python<'_>, dir: PathBuf) -> PyResult<()> {
+    let known = move || Manifest::read(&dir).and_then(|known| known.verify());
+    done(py, move || known().map_err(|error| error.to_string()))
+}
+
+/// Whether case files know the symbol of a unit.
+#[pyfunction]
+pub fn knows_unit(symbol: &str) -> bool {
+    symbol.is_empty() || Scale::read_any(symbol).is_ok()
 }
 
 /// A value in SI as it is usually written.

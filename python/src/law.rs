@@ -149,6 +149,11 @@ impl Law {
         points: usize,
     ) -> PyResult<Vec<f64>> {
         let numpy = py.import("numpy")?;
+        if numpy.getattr("ma")?.call_method1("is_masked", (returned,))?.is_truthy()? {
+            return Err(PyValueError::new_err(format!(
+                "{self} returned a {what} with masked points, which have no value; fill them, as by `.filled(0.0)`"
+            )));
+        }
         // A list is gone through once.
         let plain = numpy.call_method1("asarray", (returned,))?;
         let kind = plain.getattr("dtype")?;

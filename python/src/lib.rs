@@ -42,7 +42,9 @@ mod _archard {
     #[pymodule_export]
     use super::fit::{fit, next_tests};
     #[pymodule_export]
-    use super::folders::{comparison, free_memory, numbers, page, pictures, quantity};
+    use super::folders::{
+        comparison, free_memory, knows_unit, numbers, page, pictures, quantity, verify,
+    };
     #[pymodule_export]
     use super::rail::WheelRail;
     #[pymodule_export]

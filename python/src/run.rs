@@ -196,6 +196,12 @@ impl Run {
         Ok((row, fields.arrays(py)?))
     }
 
+    /// Gives the run up; the file that is on its way is whole before it returns.
+    fn close(&mut self, py: Python<'_>) {
+        let (results, stage) = (self.results.clone(), replace(&mut self.stage, Stage::Gone));
+        py.detach(move || drop((lock(&results).take(), stage)));
+    }
+
     /// How far the motion has gone and goes, in its own unit.
     fn progress(&self) -> PyResult<(f64, f64)> {
         let report = self.run()?.report();

@@ -167,3 +167,31 @@ def test_a_doubtful_case_warns():
     assert case.check().warnings[0].severity == "warning"
     with pytest.warns(archard.CaseWarning, match="coarse"), pytest.warns(archard.ResultWarning, match="doubtful"):
         assert case.run().verdict.word == "doubtful"
+
+
+def test_attributes_are_refused_with_their_keys():
+    case = archard.Case("pin_on_disc")
+    with pytest.raises(AttributeError, match=r"case\['motion.sliding.load'\] = "):
+        case.load = 3
+    with pytest.raises(AttributeError, match=r"case\['KEY.lod'\] = "):
+        case.lod = 3
+    assert case["motion.sliding.load"] == archard.Case("pin_on_disc")["motion.sliding.load"]
+
+
+@pytest.mark.parametrize(
+    ("quantity", "key", "si"),
+    [
+        (2.5 * UNITS.lbf, "motion.sliding.load", 2.5 * 4.4482216152605),
+        (2.5 * UNITS.kgf, "motion.sliding.load", 2.5 * 9.80665),
+        (0.5 * UNITS.inch, "body.pin.profile.sphere.radius", 0.0127),
+        (30e6 * UNITS.psi, "body.pin.material.young", 30e6 * 6894.757293168361),
+    ],
+)
+def test_quantities_of_other_systems_are_taken_by_base_units(quantity, key, si):
+    case = archard.Case("pin_on_disc")
+    if key.startswith("body.pin.material"):
+        case["body.pin.material"] = {"young": "210 GPa", "poisson": 0.3}
+    case[key] = quantity
+    resolved = archard.Case(case.check().toml)
+    written = float(str(resolved[key]).split()[0])
+    assert written == pytest.approx(si, rel=1e-12)

@@ -328,3 +328,15 @@ def test_friction_by_numba_is_taken_as_it_is():
 
     ours, native = case.run(friction=limit), case.run()
     np.testing.assert_allclose(ours.history["force_x_N"], native.history["force_x_N"], rtol=1e-9, atol=1e-9)
+
+
+def test_masked_points_are_refused(case):
+    def law(p, s):
+        return np.ma.masked_less(1e-13 * p * s, np.inf)
+
+    with pytest.raises(ValueError, match="law` returned a depth with masked points"):
+        case.run(laws={"pin": law})
+    result = case.run(laws={"pin": lambda p, s: np.ma.masked_less(1e-13 * p * s, -1.0)})
+    assert result.complete
+    with pytest.raises(ValueError, match="returned masked points"):
+        _law.sampled(lambda p: np.ma.masked_less(0.3 * p, 10.0))

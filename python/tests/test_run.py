@@ -62,6 +62,33 @@ def test_a_run_that_is_left_is_incomplete_and_goes_on(case, tmp_path):
         case.run(resume=part)
 
 
+LEFT = """
+import archard, gc, itertools, os, sys, tempfile, warnings
+warnings.simplefilter("ignore")
+tempfile.tempdir = sys.argv[1]
+case = archard.Case("pin_on_disc")
+del case["accuracy"]
+case["frame"] = {"size": ["0.6 mm", "0.6 mm"], "elements": [24, 24]}
+case["motion.sliding"] = {"load": "10.2 N", "distance": "24 mm", "step": "2 mm"}
+case["output.every"] = "2 mm"
+for steps in [1, 2, 5, 100] * 3:
+    for state in itertools.islice(case.steps(), steps):
+        pass
+    gc.collect()
+    assert not os.listdir(sys.argv[1]), os.listdir(sys.argv[1])
+kept = case.steps()
+next(kept)
+"""
+
+
+def test_a_run_that_is_left_takes_its_folder_with_it(tmp_path):
+    """After its last step, before, and at the end of the program; without a word."""
+    words = [sys.executable, "-c", LEFT, tmp_path]
+    done = subprocess.run(words, capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert not list(tmp_path.iterdir())
+
+
 def test_what_on_step_raises_comes_through_with_the_part(case, tmp_path):
     def stop(state):
         if state.progress >= 8e-3:

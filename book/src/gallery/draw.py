@@ -398,8 +398,7 @@ def along(
             drawn_values = formula(text, x=at) + 0.0 * at
         one.plot(at, drawn_values, style, color=colour, linewidth=width, label=legend, zorder=1)
     for legend, level in (levels or {}).items():
-        one.axhline(level, color=ORANGE, linestyle="--", linewidth=1.5)
-        one.text(0.01, level, legend, va="bottom", transform=one.get_yaxis_transform())
+        one.axhline(level, color=ORANGE, linestyle="--", linewidth=1.5, label=legend)
     one.set(xlabel=f"{axis} (mm)", ylabel=label or "{} ({})".format(*QUANTITIES[quantity]), title=title or "")
     one.set_xlim(*((-within, within) if within else (x[0], x[-1])))
     one.set_ylim(bottom=0, top=top)

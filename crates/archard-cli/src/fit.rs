@@ -23,9 +23,8 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    if let Task::Elastic(_) | Task::WheelRail(_) =
-        diagnose::resolve(&arguments.case, arguments.quiet)?
-    {
+    let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
+    if let Task::Elastic(_) | Task::WheelRail(_) = task {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
     let file = diagnose::read(&arguments.case)?;
@@ -79,7 +78,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         }
         failed(&error)
     })?;
-    write(&dir, manifest, &found)?;
+    write(&dir, manifest, &found, &task.case_toml())?;
     if !arguments.quiet {
         say(found.to_string().trim_end())?;
         say(&format!("runs              {}", found.runs))?;
@@ -145,8 +144,16 @@ fn relative(option: &str) -> Result<(String, f64), String> {
 /// The files of a fit, but for its pictures.
 const FILES: [&str; 2] = ["fit.csv", "fit.json"];
 
-fn write(dir: &Path, mut manifest: Manifest, found: &Fit) -> Result<(), Failure> {
-    let texts = [found.csv(), format!("{:#}\n", found.json())];
+fn write(
+    dir: &Path,
+    mut manifest: Manifest,
+    found: &Fit,
+    case_toml: &str,
+) -> Result<(), Failure> {
+    let mut told = found.json();
+    // As it was given: with the coefficients that it had before.
+    told["case"] = case_toml.into();
+    let texts = [found.csv(), format!("{told:#}\n")];
     for (name, text) in FILES.into_iter().zip(texts) {
         let written = manifest.write(name, text.as_bytes());
         written.map_err(|error| Failure::wrong(error.to_string()))?;

@@ -115,6 +115,7 @@ pub fn write_rail(
     let verdict = rail_verdict(results).ended(totals.failure.as_deref(), &totals.warnings);
     let summary = format!("{:#}\n", summary(results, &verdict, totals));
     manifest.write(SUMMARY, summary.as_bytes())?;
+    manifest.settle()?;
     Ok(verdict)
 }
 

@@ -36,6 +36,7 @@ pub fn write_elastic(
     let verdict = verdict.ended(totals.failure.as_deref(), &totals.warnings);
     let summary = format!("{:#}\n", summary((body, deformed), &verdict, totals));
     manifest.write(SUMMARY, summary.as_bytes())?;
+    manifest.settle()?;
     Ok(verdict)
 }
 

@@ -2,9 +2,10 @@
 //!
 //! The file `manifest.txt` has a line for each file that was written and for each that was removed again, as that
 //! happens: `wrote NAME`, `removed NAME`, names within the folder. A name is on the disk before its file appears, so
-//! that a run that is killed leaves no file without its name. The last line may be torn; its file never appeared.
+//! that a run that is killed leaves no file without its name. The last line may be torn; its file never appeared. Of a run
+//! that is done, `sum HASH NAME` is the BLAKE3 sum of a file, until that is written again.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Component, Path, PathBuf};
@@ -20,12 +21,15 @@ const FORMAT: &str =
     "# What archard has written here, and removes when it writes anew. Keep this file.\n";
 const WROTE: &str = "wrote ";
 const REMOVED: &str = "removed ";
+const SUM: &str = "sum ";
 
 /// The files of a folder that this program has written.
 #[derive(Debug, Clone, Default)]
 pub struct Manifest {
     dir: PathBuf,
     names: BTreeSet<String>,
+    /// The sums of files that are whole, by name.
+    sums: BTreeMap<String, String>,
     /// Whether the folder has a list.
     exists: bool,
     /// Files that are read and stay.
@@ -53,23 +57,47 @@ impl Manifest {
         };
         let whole = &text[..text.rfind('\n').map_or(0, |end| end + 1)];
         let Some(lines) = whole.strip_prefix(FORMAT) else { return Err(not_ours(path)) };
-        let mut names = BTreeSet::new();
+        let (mut names, mut sums) = (BTreeSet::new(), BTreeMap::new());
         for line in lines.lines() {
             if let Some(name) = line.strip_prefix(WROTE) {
                 names.insert(name.to_owned());
+                sums.remove(name);
             } else if let Some(name) = line.strip_prefix(REMOVED) {
                 names.remove(name);
+                sums.remove(name);
+            } else if let Some((sum, name)) =
+                line.strip_prefix(SUM).and_then(|it| it.split_once(' '))
+            {
+                sums.insert(name.to_owned(), sum.to_owned());
             }
         }
         // Others have put there what this program never writes.
         names.retain(|name| is_within(name) && is_given(name));
-        Ok(Self { dir, names, exists: true, inputs: Inputs::default() })
+        sums.retain(|name, _| names.contains(name));
+        Ok(Self { dir, names, sums, exists: true, inputs: Inputs::default() })
     }
 
     /// The same for a command that reads these files: none of them is replaced or removed, listed or not.
     #[must_use]
     pub fn sparing(self, inputs: Inputs) -> Self {
         Self { inputs, ..self }
+    }
+
+    /// Holds the files of a run that is done, those that are still there, against the sums they were written with.
+    ///
+    /// # Errors
+    /// If one cannot be read, or is not as it was written; it is named.
+    pub fn verify(&self) -> Result<(), Error> {
+        let mut there = self.sums.iter().filter(|(name, _)| self.dir.join(name).exists());
+        there.try_for_each(|(name, sum)| {
+            let path = self.dir.join(name);
+            let found = self.find_no_links(name).and_then(|()| sum_of(&path))?;
+            if found == *sum {
+                return Ok(());
+            }
+            let why = "it is damaged or was changed: its sum is not the one in `manifest.txt`";
+            Err(Error::Read { path, source: io::Error::new(ErrorKind::InvalidData, why) })
+        })
     }
 
     /// Whether the folder has a list.
@@ -145,9 +173,11 @@ impl Manifest {
                 _ => {}
             }
         }
-        if !self.has(name) {
+        // What is written again has another sum.
+        if !self.has(name) || self.sums.contains_key(name) {
             self.note(WROTE, name)?;
             self.names.insert(name.to_owned());
+            self.sums.remove(name);
         }
         Ok(place)
     }
@@ -175,6 +205,7 @@ impl Manifest {
         file::remove(&self.dir.join(name))?;
         self.note(REMOVED, name)?;
         self.names.remove(name);
+        self.sums.remove(name);
         Ok(())
     }
 
@@ -198,6 +229,7 @@ impl Manifest {
             let _ = fs::remove_dir(self.dir.join(folder));
         }
         self.names = next;
+        self.sums.clear();
         fs::create_dir_all(&self.dir)
             .map_err(|source| Error::Write { path: self.dir.clone(), source })?;
         file::write_whole(&self.dir.join(NAME), self.text().as_bytes())?;
@@ -205,13 +237,17 @@ impl Manifest {
         Ok(())
     }
 
-    /// Writes the list of a run that is done in order, so that it does not tell how often that was interrupted.
+    /// Writes the list of a run that is done in order, so that it does not tell how often that was interrupted, with the
+    /// sum of each file.
     ///
     /// # Errors
-    /// If it cannot be read or written.
+    /// If it or a file cannot be read, or it cannot be written.
     pub(super) fn settle(&mut self) -> Result<(), Error> {
         // Others may have added to it.
         *self = Self::read(&self.dir)?.sparing(std::mem::take(&mut self.inputs));
+        let there = self.names.iter().filter(|name| self.dir.join(name).is_file());
+        let sums = there.map(|name| Ok((name.clone(), sum_of(&self.dir.join(name))?)));
+        self.sums = sums.collect::<Result<_, Error>>()?;
         let path = self.dir.join(NAME);
         match files::read_text(&path).is_ok_and(|known| known == self.text()) {
             true => Ok(()),
@@ -267,8 +303,17 @@ impl Manifest {
     /// The list anew.
     fn text(&self) -> String {
         let lines: String = self.names.iter().map(|name| format!("{WROTE}{name}\n")).collect();
-        format!("{FORMAT}{lines}")
+        let sum = |(name, sum): (&String, &String)| format!("{SUM}{sum} {name}\n");
+        format!("{FORMAT}{lines}{}", self.sums.iter().map(sum).collect::<String>())
     }
+}
+
+/// The BLAKE3 sum of a file, in hexadecimal digits.
+fn sum_of(path: &Path) -> Result<String, Error> {
+    let mut hash = blake3::Hasher::new();
+    let read = File::open(path).and_then(|mut file| io::copy(&mut file, &mut hash));
+    read.map_err(|source| Error::Read { path: path.to_owned(), source })?;
+    Ok(hash.finalize().to_hex().to_string())
 }
 
 /// Cuts off what stands behind the last whole line of a list; what is left of it (bytes).
@@ -354,6 +399,34 @@ mod tests {
             assert!(dir.path().join("case.toml").exists(), "{stops}");
             fs::remove_dir(&path).unwrap();
         }
+    }
+
+    /// Any byte of any file of a run that is done; what is written again counts anew.
+    #[test]
+    fn a_changed_byte_is_found_and_its_file_named() {
+        let dir = tempfile::tempdir().unwrap();
+        let mut manifest = Manifest::read(dir.path()).unwrap();
+        let files = [("history.csv", "load_N\n20.5\n"), ("fields/0000.vti", "<a>1</a>")];
+        files.iter().for_each(|(name, text)| write(&mut manifest, name, text));
+        manifest.settle().unwrap();
+        let verify = || Manifest::read(dir.path()).unwrap().verify();
+        verify().unwrap();
+        for (name, text) in files {
+            let path = dir.path().join(name);
+            for place in 0..text.len() {
+                let mut bytes = text.as_bytes().to_vec();
+                bytes[place] ^= 1;
+                fs::write(&path, bytes).unwrap();
+                let error = verify().unwrap_err();
+                assert!(
+                    matches!(&error, Error::Read { path: told, .. } if *told == path),
+                    "{error}"
+                );
+            }
+            fs::write(&path, text).unwrap();
+        }
+        write(&mut manifest, "history.csv", "load_N\n21\n");
+        verify().unwrap();
     }
 
     #[test]

@@ -13,7 +13,7 @@
 //! - `fields.pvd`, the [`Collection`] of outputs for ParaView, and for each `fields/NNNN.vti`, the [`Image`] of all
 //!   fields; on frames that are no uniform grid `fields/NNNN.vtu`, the [`Surface`] with all fields;
 //! - `summary.json`: the last row, checks and totals;
-//! - `manifest.txt`: the names of all these, so that nothing else is ever replaced or removed;
+//! - `manifest.txt`: the names of all these, so that nothing else is ever replaced or removed, and, once the run is done, their sums;
 //! - `checkpoint`, until the run has come to its end: all that it needs to go on after an interruption.
 //!
 //! Where points inside of bodies in contact or sections through them are asked for, [`Inside`] adds at the end

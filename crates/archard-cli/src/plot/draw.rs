@@ -278,8 +278,9 @@ fn framed(layout: Layout, view: &View) -> Layout {
         layout =
             layout.with_log_scale().with_tick_format(TickFormat::Custom(Arc::new(tick_of_decades)));
     }
-    view.notes.iter().fold(layout, |layout, (words, [x, y])| {
-        layout.with_annotation(TextAnnotation::new(&**words, *x, *y).with_font_size(14))
+    view.notes.iter().fold(layout, |layout, (words, [x, y], colour)| {
+        let note = TextAnnotation::new(&**words, *x, *y).with_font_size(14).with_color(*colour);
+        layout.with_annotation(note)
     })
 }
 

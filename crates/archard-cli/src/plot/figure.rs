@@ -91,8 +91,8 @@ pub(crate) struct View {
     pub(crate) ends: [[Option<f64>; 2]; 2],
     pub(crate) legend: LegendPosition,
     pub(crate) legend_title: Option<String>,
-    /// Words at places.
-    pub(crate) notes: Vec<(String, [f64; 2])>,
+    /// Words at places, and their colours.
+    pub(crate) notes: Vec<(String, [f64; 2], &'static str)>,
     /// Whether a length is shown as long along y as along x.
     pub(crate) to_scale: bool,
     /// Whether values along y are named.
@@ -174,7 +174,18 @@ impl View {
 
     /// The same with words at a place.
     pub(crate) fn note(mut self, words: impl Into<String>, place: [f64; 2]) -> Self {
-        self.notes.push((words.into(), place));
+        self.notes.push((words.into(), place, COLOURS[0]));
+        self
+    }
+
+    /// The same in another colour.
+    pub(crate) fn note_in(
+        mut self,
+        words: impl Into<String>,
+        place: [f64; 2],
+        colour: &'static str,
+    ) -> Self {
+        self.notes.push((words.into(), place, colour));
         self
     }
 }

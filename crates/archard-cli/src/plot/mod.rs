@@ -43,7 +43,7 @@ use draw::{Paper, Sheet, places, save};
 use figure::Panel;
 pub use fit::{admit as admit_fit, draw as draw_fit};
 use results::Results;
-pub(crate) use study::quantile;
+pub(crate) use study::{Key, quantile};
 
 /// Size (px) of a panel of the figures with few panels.
 const PANEL: [f64; 2] = [640.0, 460.0];

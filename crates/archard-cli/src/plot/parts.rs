@@ -30,6 +30,12 @@ pub(super) fn colour(share: f64) -> String {
     if share > 0.0 { ColorMap::Viridis.map(share) } else { "#ffffff".to_owned() }
 }
 
+/// Black or white: what is read on the colour of a value relative to the largest. Viridis becomes brighter all the way, and passes the
+/// relative luminance of .18, on which both are read as well (WCAG 2.2), half way.
+pub(super) fn ink(share: f64) -> &'static str {
+    if share > 0.0 && share < 0.5 { "#ffffff" } else { "#000000" }
+}
+
 /// The same of the lowest value too: none for what is no number.
 pub(super) fn colour_of_any(share: f64) -> String {
     if share.is_nan() { "#ffffff".to_owned() } else { ColorMap::Viridis.map(share) }

@@ -11,7 +11,7 @@ use archard::simulation::history::{
     BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body, stated,
 };
 use archard_case::files;
-use archard_case::output::{Collection, Image, Surface};
+use archard_case::output::{Collection, Image, Manifest, Surface};
 use archard_case::{Case, CaseFile};
 use serde_json::{Map, Value};
 
@@ -97,6 +97,7 @@ impl Results {
             "`{}` is not a result folder: it has no history.csv",
             dir.display()
         );
+        Manifest::read(dir)?.verify()?;
         let history = read_history(&history)?;
         if history.rows() == 0 {
             bail!("`{}` has no results yet: its history.csv has no rows", dir.display());

@@ -124,6 +124,21 @@ impl Unit {
         }
     }
 
+    /// What a key of a case holds, in words, and its unit, with values up to `largest`.
+    pub(crate) fn of_key(column: &str, largest: f64) -> (String, Self) {
+        match column {
+            far if far.ends_with("_m") && largest >= 2.0 => (phrase(far), Self::distance(largest)),
+            stiff if stiff.ends_with("_Pa") && largest >= 5e9 && !stiff.ends_with("_per_Pa") => {
+                (phrase(stiff.trim_end_matches("_Pa")), Self::new("GPa", 1e-9))
+            }
+            wear if wear.ends_with("_per_Pa") => (
+                phrase(wear.trim_end_matches("_per_Pa")),
+                Self::by_thousands("mm³/(N m)", 1e9, largest),
+            ),
+            other => Self::of_result(other, largest),
+        }
+    }
+
     /// For readings of worn bodies up to `largest` (SI) that are shown in a unit of that name and factor.
     pub(crate) fn of_readings((name, factor): (&str, f64), largest: f64) -> Self {
         match name {
@@ -157,18 +172,20 @@ impl Unit {
 
     /// A value (SI) with this unit, to three digits.
     pub(crate) fn show(&self, value: f64) -> String {
-        let value = value * self.factor;
-        let decimals = match value.abs() {
-            large if large >= 100.0 || large == 0.0 => 0,
-            middle => (2 - middle.log10().floor() as i32).clamp(0, 9) as usize,
-        };
-        let digits = format!("{value:.decimals$}");
-        let digits = if digits.contains('.') {
-            digits.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            &digits
-        };
-        format!("{digits} {}", self.name).trim_end().to_owned()
+        format!("{} {}", plain(value * self.factor), self.name).trim_end().to_owned()
+    }
+}
+
+/// A number to three digits.
+pub(crate) fn plain(value: f64) -> String {
+    let decimals = match value.abs() {
+        large if large >= 100.0 || large == 0.0 => 0,
+        middle => (2 - middle.log10().floor() as i32).clamp(0, 9) as usize,
+    };
+    let digits = format!("{value:.decimals$}");
+    match digits.contains('.') {
+        true => digits.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => digits,
     }
 }
 

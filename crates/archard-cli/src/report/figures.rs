@@ -104,7 +104,7 @@ impl Figure {
         if view.to_scale {
             layout["yaxis"]["scaleanchor"] = json!("x");
         }
-        let note = |(words, [x, y]): &(String, [f64; 2])| json!({ "text": words, "x": x, "y": y, "showarrow": false });
+        let note = |(words, [x, y], colour): &(String, [f64; 2], &str)| json!({ "text": words, "x": x, "y": y, "showarrow": false, "font": { "color": colour } });
         layout["annotations"] = view.notes.iter().map(note).collect();
         Ok(Self {
             title: panel.title.clone(),

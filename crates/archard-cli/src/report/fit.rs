@@ -10,7 +10,7 @@ use super::figures::Figure;
 use super::html::Html;
 use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
-use super::words::{plain, quantity, range};
+use super::words::{facts, plain, quantity, range, title_of};
 use crate::number::percent;
 
 /// What was found, and its picture.
@@ -30,7 +30,11 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     let found: Value = serde_json::from_slice(&text).with_context(context)?;
     let coefficients: Vec<Coefficient<'_>> =
         found["coefficients"].as_array().into_iter().flatten().map(Coefficient).collect();
-    let title = name_of(dir);
+    let case = found["case"].as_str().unwrap_or_default();
+    let title = match title_of(case) {
+        Some(title) => format!("Wear coefficients from measured tests: {title}"),
+        None => name_of(dir),
+    };
     let picture = picture(dir);
     let mut all = Sections::default();
     let tables: Html = coefficients.iter().map(|own| own.outcome().html()).collect();
@@ -48,6 +52,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         about: "a fit",
         version: found["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
+        facts: facts(case),
         verdict: verdict(&found, &coefficients),
         mark: None,
         lead: coefficients.iter().flat_map(Coefficient::lead).collect(),

@@ -132,6 +132,8 @@ pub(super) struct Header<'a> {
     pub(super) about: &'static str,
     pub(super) version: &'a str,
     pub(super) title: &'a str,
+    /// What was tested: names and words.
+    pub(super) facts: Vec<(String, String)>,
     /// The colour of the verdict and its words.
     pub(super) verdict: (&'static str, String),
     /// What has to be said at once.
@@ -163,12 +165,19 @@ impl Header<'_> {
         };
         let words: Html = self.mark.iter().map(mark).chain(self.lead.iter().map(lead)).collect();
         let tiles: Html = self.tiles.iter().map(tile).collect();
+        let fact =
+            |(name, words): &(String, String)| fill("<dt>{}</dt><dd>{}</dd>\n", &[name, words]);
+        let facts: Html = self.facts.iter().map(fact).collect();
+        let facts = match self.facts.is_empty() {
+            true => Html::default(),
+            false => fill("<dl class=\"facts\">\n{}</dl>\n", &[&facts]),
+        };
         let links: Html = sections.iter().map(link).collect();
         fill(
             "<header>\n<p class=\"program\">Archard {} \u{00b7} {}</p>\n<h1>{}</h1>\n\
-             <p class=\"verdict {}\">Verdict: <strong>{}</strong></p>\n<div class=\"first\"><div>\n{}<dl class=\"tiles\">\n{}</dl>\n\
+             <p class=\"verdict {}\">Verdict: <strong>{}</strong></p>\n<div class=\"first\"><div>\n{}<dl class=\"tiles\">\n{}</dl>\n{}\
              </div>{}</div>\n<nav aria-label=\"Contents\"><ul>\n{}</ul></nav>\n</header>",
-            &[version, about, title, sign, word, &words, &tiles, &self.picture, &links],
+            &[version, about, title, sign, word, &words, &tiles, &facts, &self.picture, &links],
         )
     }
 }

@@ -60,6 +60,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         about: "a wheel on its rail",
         version: summary["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
+        facts: vec![],
         verdict: (sign, judged.to_owned()),
         mark: rail.mark.clone(),
         lead: vec![],

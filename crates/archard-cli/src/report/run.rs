@@ -79,6 +79,7 @@ impl Run<'_> {
             about: "contact and wear",
             version: summary["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
             title,
+            facts: words::facts(&self.case),
             verdict: (sign, word.to_owned()),
             mark: self.results.mark.clone(),
             lead: Vec::new(),

@@ -62,6 +62,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         about: "two scans",
         version: found["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
+        facts: vec![],
         verdict,
         mark: None,
         lead: lead(&found).into_iter().collect(),

@@ -13,17 +13,21 @@ use serde_json::{Value, json};
 use super::figures::{Figure, drawn};
 use super::html::{Html, fill};
 use super::page::{Header, Page, Sections, Table};
-use super::words::{plain, quantity, range};
+use super::words::{facts, plain, quantity, range, title_of};
 use super::{name_of, tables};
-use crate::plot::{self, quantile};
+use crate::plot::{self, Key, quantile};
 
-/// Most rows that stopped or are wrong that are listed.
+/// Values that are no numbers from which on they are counted, not listed.
+const LEVELS: usize = 5;
+/// Most rows that are not good that are listed.
 const LISTED: usize = 20;
 /// Shares of the samples that lie below the ends of the interval.
 const ENDS: [f64; 2] = [0.05, 0.95];
 
 /// A study, read back.
 struct Study {
+    /// The case of its first row (SI).
+    case: String,
     /// Keys by column: those gone over, then those sampled.
     over: Vec<String>,
     sampled: Vec<String>,
@@ -35,7 +39,7 @@ struct Study {
 pub(super) fn page(dir: &Path) -> Result<Page> {
     let study = Study::read(dir)?;
     let (pictures, mark) = plot::panels_of_study(dir)?;
-    let title = name_of(dir);
+    let title = study.title().unwrap_or_else(|| name_of(dir));
     let mut all = Sections::default();
     all.add("outcome", "What came out", &study.outcome().html());
     let mut figures = Vec::new();
@@ -55,6 +59,7 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         about: "a study",
         version: env!("CARGO_PKG_VERSION"),
         title: &title,
+        facts: study.facts(),
         verdict: study.verdict(),
         mark: mark.clone(),
         lead: study.lead(),
@@ -72,6 +77,7 @@ fn section(name: &str) -> (&'static str, &'static str) {
     match name {
         "bands" => ("bands", "Over the motion"),
         "main_effects" => ("effects", "What each value does"),
+        "map" => ("map", "Map"),
         "sobol_indices" => ("indices", "What the variance comes from"),
         _ => ("more", "More pictures"),
     }
@@ -95,7 +101,8 @@ impl Study {
         let heads = text(reader.headers().with_context(context)?);
         let rows = reader.records().map(|record| record.map(|record| text(&record)));
         let rows = rows.collect::<Result<_, _>>().with_context(context)?;
-        Ok(Self { over: names("over"), sampled: names("sample"), heads, rows })
+        let case = files::read_text(&dir.join("rows/0001/case.toml")).unwrap_or_default();
+        Ok(Self { case, over: names("over"), sampled: names("sample"), heads, rows })
     }
 
     fn cell<'a>(&self, row: &'a [String], name: &str) -> &'a str {
@@ -209,20 +216,65 @@ impl Study {
         }
     }
 
-    fn varied(&self) -> Table {
-        let numbers = |key: &String| -> Vec<f64> {
-            self.rows.iter().filter_map(|row| self.cell(row, key).parse().ok()).collect()
+    /// What a key is in words, and its values in the unit they are usually written in.
+    fn values(&self, key: &String) -> [String; 2] {
+        let cells = self.rows.iter().map(|row| self.cell(row, key).to_owned()).collect();
+        let (known, values) = Key::read(key, cells);
+        let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let (words, unit) = known.axis(low.abs().max(high.abs()));
+        match known.levels.len() {
+            0 => {
+                let ends = [low, high].map(|end| plain(end * unit.factor));
+                [words, format!("{} to {} {}", ends[0], ends[1], unit.name).trim_end().to_owned()]
+            }
+            LEVELS.. => [words, format!("{} values", known.levels.len())],
+            _ => [words, known.levels.join(", ")],
+        }
+    }
+
+    fn keys(&self) -> impl Iterator<Item = &String> {
+        self.over.iter().chain(&self.sampled)
+    }
+
+    /// The title of its case, and what was varied.
+    fn title(&self) -> Option<String> {
+        let words: Vec<String> =
+            self.keys().map(|key| self.values(key)[0].to_lowercase()).collect();
+        Some(format!("{}: study of {}", title_of(&self.case)?, words.join(", ")))
+    }
+
+    /// What was varied, and what all rows have in common.
+    fn facts(&self) -> Vec<(String, String)> {
+        let is_varied = |line: &&str| {
+            let key = line.split(" = ").next().unwrap_or_default();
+            self.keys().any(|column| {
+                let rest = column.strip_prefix(key);
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+            })
         };
+        let common: String = self
+            .case
+            .lines()
+            .filter(|line| !is_varied(line))
+            .map(|line| format!("{line}\n"))
+            .collect();
+        let varied = self.keys().map(|key| {
+            let [words, values] = self.values(key);
+            (words, values)
+        });
+        varied.chain(facts(&common)).collect()
+    }
+
+    fn varied(&self) -> Table {
         let row = |(how, key): (&str, &String)| {
-            let values = numbers(key);
-            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
-            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            vec![key.clone(), how.to_owned(), format!("{} to {}", plain(low), plain(high))]
+            let [_, values] = self.values(key);
+            vec![key.clone(), how.to_owned(), values]
         };
         let over = self.over.iter().map(|key| ("gone over", key));
         let sampled = self.sampled.iter().map(|key| ("sampled", key));
         Table {
-            caption: "Values in SI".to_owned(),
+            caption: "Keys and their values".to_owned(),
             heads: vec!["Key", "How", "Values"],
             rows: over.chain(sampled).map(row).collect(),
         }
@@ -240,16 +292,17 @@ impl Study {
         }
     }
 
-    /// The rows that stopped or are wrong.
+    /// The rows that are not good.
     fn complaints(&self) -> Table {
-        let of = |row: &&Vec<String>| !["good", "doubtful"].contains(&self.word(row));
+        let of = |row: &&Vec<String>| self.word(row) != "good";
         let row = |row: &Vec<String>| {
             let cell = |name: &str| self.cell(row, name).to_owned();
-            vec![cell("row"), self.word(row).to_owned(), cell("error")]
+            let why = if cell("error").is_empty() { cell("reason") } else { cell("error") };
+            vec![cell("row"), self.word(row).to_owned(), why]
         };
         Table {
-            caption: format!("Rows that stopped or are wrong, {LISTED} at most"),
-            heads: vec!["Row", "Verdict", "Why it stopped"],
+            caption: format!("Rows that stopped, are wrong or doubtful, {LISTED} at most"),
+            heads: vec!["Row", "Verdict", "Why"],
             rows: self.rows.iter().filter(of).take(LISTED).map(row).collect(),
         }
     }

@@ -5,13 +5,40 @@ use super::page::capital;
 use crate::plot::scale::superscript;
 use archard_case::verdict::four;
 
-/// The case as a list of what it is made of, in HTML.
-pub(super) fn case(case: &str) -> Html {
-    let mut groups: Vec<(String, Vec<(String, String)>)> = Vec::new();
+/// Parts of a case under a heading: what each is called, and its words.
+type Group = (String, Vec<(String, String)>);
+
+/// What a reader asks first: how the bodies move and under which load, and of what shape and material each is.
+pub(super) fn facts(case: &str) -> Vec<(String, String)> {
+    let groups = grouped(case);
+    let motion = groups.iter().filter(|(group, _)| group == "Motion");
+    let motion =
+        motion.flat_map(|(_, parts)| parts).map(|(name, text)| (capital(name), text.clone()));
+    let bodies = groups.iter().filter(|(group, _)| group.starts_with(BODY));
+    let body = |(group, parts): &Group| {
+        let of = |what: &str| parts.iter().find(|(name, _)| name == what).map(|(_, text)| &**text);
+        let said: Vec<&str> = ["profile", "mesh", "material"].into_iter().filter_map(of).collect();
+        (capital(group.trim_start_matches(BODY)), said.join("; "))
+    };
+    motion.chain(bodies.map(body)).collect()
+}
+
+/// What the group of a body begins with.
+const BODY: &str = "Body ";
+
+/// The title of a case.
+pub(super) fn title_of(case: &str) -> Option<String> {
+    let title = case.lines().find_map(|line| line.strip_prefix("title = "))?;
+    serde_json::from_str(title).ok()
+}
+
+/// The case by its parts, in words.
+fn grouped(case: &str) -> Vec<Group> {
+    let mut groups: Vec<Group> = Vec::new();
     for (key, value) in case.lines().filter_map(|line| line.split_once(" = ")) {
         let parts: Vec<&str> = key.split('.').collect();
         let (group, rest) = match &*parts {
-            ["body", name, rest @ ..] => (format!("Body {name}"), rest),
+            ["body", name, rest @ ..] => (format!("{BODY}{name}"), rest),
             ["title" | "solver" | "friction_solver", ..] => continue,
             [_, "boundary_elements", ..] => continue,
             [first, rest @ ..] => (capital(first), rest),
@@ -27,6 +54,12 @@ pub(super) fn case(case: &str) -> Html {
         let value = if several { value.replace(" × ", ", ") } else { value };
         put(&mut groups[place].1, rest, &value);
     }
+    groups
+}
+
+/// The case as a list of what it is made of, in HTML.
+pub(super) fn case(case: &str) -> Html {
+    let groups = grouped(case);
     let part = |(place, (name, text)): (usize, &(String, String))| {
         let text = match name.is_empty() {
             true => fill("{}", &[text]),
@@ -163,7 +196,25 @@ pub(super) fn plain(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{case, quantity, range};
+    use super::{case, facts, quantity, range, title_of};
+
+    #[test]
+    fn a_page_begins_with_what_was_tested() {
+        let printed = "title = \"A \\\"pin\\\"\"\n\nbody.pin.material.young = \"2.1e11 Pa\"\n\
+             body.pin.profile.sphere.radius = \"0.05 m\"\nbody.pin.wear.archard.coefficient = \"1e-13 1/Pa\"\n\
+             body.disc.profile.flat = {}\nframe.elements = [30, 30]\n\
+             motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"500 m\"\n";
+        let facts = facts(printed);
+        let told: Vec<(&str, &str)> =
+            facts.iter().map(|(name, words)| (&**name, &**words)).collect();
+        let known = [
+            ("Sliding", "load 10.2 N, distance 500 m"),
+            ("Pin", "sphere, radius 50 mm; Young's modulus 210 GPa"),
+            ("Disc", "flat"),
+        ];
+        assert_eq!(told, known);
+        assert_eq!(title_of(printed).as_deref(), Some("A \"pin\""));
+    }
 
     #[test]
     fn a_case_reads_as_a_list() {

@@ -8,6 +8,7 @@ mod course;
 mod design;
 mod fitted;
 pub mod points;
+mod regime;
 mod row;
 mod shared;
 mod table;

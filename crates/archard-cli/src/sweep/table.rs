@@ -8,6 +8,7 @@ use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, Manifest};
 
 use super::design::Design;
+use super::regime;
 use super::row::{folder, holds_another, is_done, summary};
 
 /// The file of all rows.
@@ -31,8 +32,10 @@ pub struct Known {
     status: &'static str,
     /// Whether its result can be believed, in a word.
     pub verdict: String,
+    /// Why it is doubtful or wrong.
+    reason: String,
     error: String,
-    /// The last row of its history by column, if it came to its end.
+    /// The last row of its history by column, if it came to its end, and of fretting what it was.
     last: Vec<(String, String)>,
 }
 
@@ -84,7 +87,8 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
     }
     let mut table = csv::Writer::from_writer(vec![]);
     let head = ["row"].into_iter().chain(design.columns.iter().map(String::as_str));
-    let head = head.chain(["status", "verdict"]).chain(names.iter().copied()).chain(["error"]);
+    let head =
+        head.chain(["status", "verdict", "reason"]).chain(names.iter().copied()).chain(["error"]);
     let mut written = table.write_record(head);
     for (index, (row, known)) in design.rows.iter().zip(&known).enumerate() {
         let cell = |name: &&str| {
@@ -93,7 +97,8 @@ pub fn collect(study: &Path, design: &Design) -> Result<Vec<Known>, Error> {
         };
         let start = [(index + 1).to_string()].into_iter();
         let start = start.chain(row.cells.iter().cloned());
-        let start = start.chain([known.status.to_owned(), known.verdict.clone()]);
+        let start =
+            start.chain([known.status.to_owned(), known.verdict.clone(), known.reason.clone()]);
         let cells = start.chain(names.iter().map(cell)).chain([known.error.clone()]);
         written = written.and_then(|()| table.write_record(cells));
     }
@@ -118,8 +123,13 @@ pub fn wait_for(study: &Path) -> Result<Claim, Error> {
 
 /// What the folder of a row says. Numbers of a row that stopped before its end are not its results.
 pub fn of(dir: &Path, resolved: &Resolved) -> Known {
-    let nothing =
-        |status| Known { status, verdict: String::new(), error: String::new(), last: vec![] };
+    let nothing = |status| Known {
+        status,
+        verdict: String::new(),
+        reason: String::new(),
+        error: String::new(),
+        last: vec![],
+    };
     let Some(summary) = summary(dir).filter(|_| !holds_another(dir, resolved)) else {
         return nothing(if dir.join("history.csv").is_file() { "interrupted" } else { "open" });
     };
@@ -128,11 +138,25 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
         let status = if first == "interrupted" { "interrupted" } else { "failed" };
         return Known { error: first, ..nothing(status) };
     }
+    if let Err(error) = Manifest::read(dir).and_then(|known| known.verify()) {
+        return Known { error: error.to_string(), ..nothing("failed") };
+    }
     let verdict = summary["verdict"]["word"].as_str().unwrap_or_default().to_owned();
     match last_row(&dir.join("history.csv")) {
-        Some(last) => Known { verdict, last, ..nothing("done") },
+        Some(mut last) => {
+            last.extend(regime::of(dir, &last).into_iter().flatten());
+            Known { verdict, reason: reason(&summary), last, ..nothing("done") }
+        }
         None => Known { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },
     }
+}
+
+/// What a summary says against its result: the lines of its verdict that are not good.
+fn reason(summary: &serde_json::Value) -> String {
+    let lines = summary["verdict"]["lines"].as_array().into_iter().flatten();
+    let doubts = lines.filter(|line| line["word"] != "good");
+    let words: Vec<&str> = doubts.filter_map(|line| line["words"].as_str()).collect();
+    words.join("; ")
 }
 
 /// The last row of a history by column, each number as it stands there.

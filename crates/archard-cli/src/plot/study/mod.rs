@@ -8,6 +8,7 @@ use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
+use archard::numerics::SAME;
 use archard::simulation::history::{BODY_DEPTH, PEAK_PRESSURE};
 use archard_case::files::{self, Contents};
 use serde_json::Value;
@@ -19,7 +20,7 @@ use super::figure::{COLOURS, Curves, LegendPosition, PALE, Panel, Pen, View};
 use super::scale::{Unit, phrase};
 use super::tables::{Table, largest, read_history, size};
 use super::{MAP, Picture, write};
-use keys::Key;
+pub(crate) use keys::Key;
 pub(crate) use statistics::quantile;
 use statistics::{Indices, effect, indices};
 
@@ -47,6 +48,8 @@ struct Row {
     number: usize,
     /// The values of all keys (SI) as axes have them, those gone over first.
     values: Vec<f64>,
+    /// What fretting was.
+    regime: Option<String>,
     /// The result (SI); `None` if the row failed, is wrong or has not run.
     result: Option<f64>,
 }
@@ -74,6 +77,7 @@ pub(super) fn pictures(
     };
     let studies: Vec<Study> =
         columns.iter().map(|column| Study::read(dir, column)).collect::<Result<_>>()?;
+    let studies = merged(studies);
     let [study, ..] = &studies[..] else { bail!("the study shows nothing") };
     let mut pictures = vec![];
     if !study.sampled.is_empty() {
@@ -98,6 +102,31 @@ pub(super) fn pictures(
         format!("{} of {all} rows are left out: failed, wrong or not run{narrow}", all - whole)
     });
     Ok((pictures, mark))
+}
+
+/// The studies, those of the same results as one.
+fn merged(studies: Vec<Study>) -> Vec<Study> {
+    let same = |one: &Study, other: &Study| {
+        one.rows.iter().zip(&other.rows).all(|(one, other)| match (one.result, other.result) {
+            (Some(one), Some(other)) => (one - other).abs() <= SAME * one.abs(),
+            (one, other) => one.is_none() && other.is_none(),
+        })
+    };
+    let mut apart: Vec<Study> = vec![];
+    for study in studies {
+        match apart.iter_mut().find(|known| same(known, &study)) {
+            Some(known) => known.name = both(&known.name, &study.name),
+            None => apart.push(study),
+        }
+    }
+    apart
+}
+
+/// Two names as one: "Wear depth ball" and "Wear depth flat" are "Wear depth ball and flat".
+fn both(one: &str, other: &str) -> String {
+    let pairs = one.split(' ').zip(other.split(' '));
+    let same: usize = pairs.take_while(|(a, b)| a == b).map(|(a, _)| a.len() + 1).sum();
+    format!("{one} and {}", other.get(same..).unwrap_or(other))
 }
 
 fn tiled(name: &'static str, panels: Vec<Panel>) -> Picture {
@@ -164,6 +193,7 @@ impl Study {
         };
         ensure!(records.iter().any(|record| good(&record)), "no row of the study has a result yet");
         let place = at(column)?;
+        let regime = header.iter().position(|known| known == "regime");
         let known = keys.iter().zip(over.iter().chain(&sampled)).map(|(key, name)| {
             Key::read(name, records.iter().map(|record| record[*key].to_owned()).collect())
         });
@@ -174,7 +204,9 @@ impl Study {
             .map(|(index, record)| {
                 let values = known.iter().map(|(_, values)| values[index]).collect();
                 let result = good(&record).then(|| number(record, place)).transpose()?;
-                Ok(Row { number: index + 1, values, result })
+                let regime = regime.and_then(|place| record.get(place));
+                let regime = regime.filter(|word| !word.is_empty()).map(str::to_owned);
+                Ok(Row { number: index + 1, values, regime, result })
             })
             .collect::<Result<_>>()?;
         let most = rows.iter().filter_map(|row| row.result).map(f64::abs).fold(0.0, f64::max);
@@ -253,7 +285,7 @@ impl Study {
         let pairs = self.rows.iter().filter_map(|row| Some((row.values[place], row.result?)));
         let points: Vec<(f64, f64)> = pairs.collect();
         let values: Vec<f64> = points.iter().map(|point| point.0).collect();
-        let scale = Unit::by_powers(size(&values));
+        let (words, scale) = key.axis(size(&values));
         let shown =
             |&(value, result): &(f64, f64)| (value * scale.factor, result * self.unit.factor);
         let classes = match place < self.over.len() {
@@ -262,11 +294,17 @@ impl Study {
         };
         let effect = effect(&points, classes);
         let mut curves = Curves::new();
-        curves.mark(points.iter().map(shown), PALE[1], Some("a row"));
-        curves.add(effect.means.iter().map(shown), Pen::line(COLOURS[0]), Some("mean"));
-        let title = format!("{:.0} % of the variance", 100.0 * effect.share);
+        let line = points.len() == effect.means.len();
+        let [row, mean] = [Some("a row"), Some("mean")].map(|legend| legend.filter(|_| !line));
+        curves.mark(points.iter().map(shown), PALE[1], row);
+        curves.add(effect.means.iter().map(shown), Pen::line(COLOURS[0]), mean);
+        // Of one key there is no variance to share.
+        let title = match self.over.len() + self.sampled.len() {
+            1 => self.name().to_owned(),
+            _ => format!("{:.0} % of the variance", 100.0 * effect.share),
+        };
         let notes = key.levels.iter().zip(&effect.means).map(|(level, mean)| (level, shown(mean)));
-        let label = scale.label(&key.name);
+        let label = scale.label(&words);
         curves.panel([&title, &label, &self.unit.label(self.name())], |view| {
             notes.fold(view, |view, (level, (x, y))| view.note(level, [x, y]))
         })
