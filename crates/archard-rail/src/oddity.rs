@@ -252,6 +252,11 @@ mod tests {
         let small = arc().into_iter().map(|[y, z]| [y * 1e-3, z * 1e-3]).collect();
         let found = oddities(small, Part::Rail);
         assert!(found[0].1.to_string().ends_with("metres read as millimetres"), "{found:?}");
+        // All of a wheel, 135 mm wide.
+        let whole = (0..=40).map(|at| [(f64::from(at) * 3.375 - 67.5) * 1e-3 / 25.4, 0.0]);
+        let found = oddities(whole.collect(), Part::Wheel);
+        let inches_too = |one: &(_, Oddity)| one.1.to_string().contains("inches");
+        assert!(found.iter().any(inches_too), "{found:?}");
         let inches = arc().into_iter().map(|[y, z]| [y / 25.4, z / 25.4]).collect();
         let found = oddities(inches, Part::Rail);
         assert!(found[0].1.to_string().contains("inches"), "{found:?}");

@@ -195,3 +195,20 @@ fn nothing_to_remove(key: &Key, at: &Location) -> Problem {
             .help("an option with nothing behind the `=` removes its key")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::problem::Source;
+    use super::read_path;
+
+    #[test]
+    fn elements_of_lists_have_two_spellings() {
+        let names = |text: &str| -> Vec<String> {
+            read_path(text, Source::Option(0)).unwrap().into_iter().map(|own| own.0).collect()
+        };
+        let dotted = names("body.disc.layers.0.thickness");
+        assert_eq!(dotted, ["body", "disc", "layers", "0", "thickness"]);
+        assert_eq!(names("body.disc.layers[0].thickness"), dotted);
+        assert_eq!(names("a[1]"), ["a", "1"]);
+    }
+}
