@@ -79,6 +79,7 @@ impl March {
         if self.placed.is_narrow(simulation, self.stepper.approach()) {
             self.go(self.placed.roomier(simulation, self.stepper.approach()), simulation)?;
         }
+        self.stepper.count_anew(schedule.extent);
         let went = loop {
             let present = self.placed.simulation(simulation).unwrap_or(simulation);
             let may_miss = self.placed.is_window() || present.surroundings().grow();
@@ -93,7 +94,8 @@ impl March {
                 break went?;
             };
             let took = std::mem::replace(&mut self.stepper, before).effort();
-            self.stepper.took(took);
+            let in_frame = self.placed.whole().to(&place.whole(), simulation).is_none();
+            self.stepper.count(took, in_frame);
             self.go(place, simulation)?;
         };
         if went {
@@ -243,13 +245,23 @@ impl Stepper {
         }
     }
 
-    /// Counts what an attempt took that led nowhere.
-    fn took(&mut self, Effort { solves, applications, .. }: Effort) {
+    /// Begins to count the iterations of a step, where one is to come.
+    fn count_anew(&mut self, extent: f64) {
+        if let Self::Steps(steps) = self
+            && steps.state().progress < extent
+        {
+            steps.effort.iterations = 0;
+        }
+    }
+
+    /// Counts what an attempt took that led nowhere: all of it in the same frame, solves and applications of a smaller one.
+    fn count(&mut self, took: Effort, in_frame: bool) {
         let effort = match self {
             Self::Steps(steps) => &mut steps.effort,
             Self::Cycles(cycles) => &mut cycles.effort,
         };
-        *effort = Effort { solves, applications, ..*effort };
+        let Effort { solves, applications, .. } = took;
+        *effort = if in_frame { took } else { Effort { solves, applications, ..*effort } };
     }
 
     /// The present state.

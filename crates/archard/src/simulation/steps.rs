@@ -76,7 +76,6 @@ impl Steps {
         if self.state().progress >= extent {
             return Ok(false);
         }
-        self.effort.iterations = 0;
         match (&mut self.adaptive, schedule.stepping) {
             (Some(adaptive), _) => {
                 self.evolution = adaptive.step(simulation, next, &mut self.effort)?;
