@@ -144,12 +144,7 @@ fn relative(option: &str) -> Result<(String, f64), String> {
 /// The files of a fit, but for its pictures.
 const FILES: [&str; 2] = ["fit.csv", "fit.json"];
 
-fn write(
-    dir: &Path,
-    mut manifest: Manifest,
-    found: &Fit,
-    case_toml: &str,
-) -> Result<(), Failure> {
+fn write(dir: &Path, mut manifest: Manifest, found: &Fit, case_toml: &str) -> Result<(), Failure> {
     let mut told = found.json();
     // As it was given: with the coefficients that it had before.
     told["case"] = case_toml.into();

@@ -302,6 +302,7 @@ mod tests {
         });
         let regularity = Regularity {
             sharpest: 2.0,
+            centre: true,
             may_stick: false,
             given: vec![LOAD],
             areas: vec![[0.0, 1e-12]],
