@@ -125,11 +125,13 @@ fn parts_that_are_none_are_named() {
     let named = |error: Option<archard::parameters::Invalid>, parameter: &str| {
         assert_eq!(error.expect(parameter).parameter, parameter);
     };
-    for radius in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-20] {
+    // A hollow has a negative radius.
+    for radius in [0.0, f64::NAN, f64::INFINITY, 1e-20] {
         named(Sphere::new(radius).err(), "radius");
         named(Cylinder::along_x(radius).err(), "radius");
         named(Cylinder::along_y(radius).err(), "radius");
         named(FlatEnd::new(radius).err(), "radius");
+        named(FlatEnd::new(-1.0).err(), "radius");
         named(Disc::new(radius).err(), "radius");
         named(Disc::crowned(1.0, radius).err(), "crown");
     }

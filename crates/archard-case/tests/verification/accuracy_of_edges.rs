@@ -34,7 +34,7 @@ fn a_pressure_that_is_no_value_does_not_count() {
     );
     let yielding = of(
         "wave = { amplitude = \"2.5 um\", length_x = \"1.9 mm\", length_y = \"1.9 mm\" }\nhardness = \"370 MPa\"",
-        "[frame]\nperiodic = true\nsize = [\"1.9 mm\", \"1.9 mm\"]\n[motion.indentation]\nload = \"50 MPa\"\nincrements = 8\n",
+        "[frame]\nperiodic = true\nsize = [\"1.9 mm\", \"1.9 mm\"]\nelements = [48, 48]\n[motion.indentation]\nload = \"180 N\"\nincrements = 8\n",
     );
     for text in [tip, yielding] {
         let row = answer(&text, &[]);

@@ -282,6 +282,8 @@ fn sections_along_one_axis_alone_are_refused() {
         .map(str::to_owned)
         .collect();
     fs::write(&path, along.join("\n")).unwrap();
+    // Whose sum is another.
+    fs::remove_file(dir.path().join("manifest.txt")).unwrap();
     let results = Results::read(dir.path()).unwrap();
     assert!(results.window(Axis::X).is_ok());
     let missed = results.window(Axis::Y).unwrap_err().to_string();

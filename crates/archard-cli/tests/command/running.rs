@@ -24,7 +24,9 @@ fn a_run_leaves_a_case_that_runs_again() {
     for name in ["case.toml", "history.csv", "summary.json", "fields.pvd"] {
         assert!(results.join(name).is_file(), "{name}");
     }
-    assert_eq!((printed(&again), said(&again)), (String::new(), String::new()));
+    // So few elements are doubtful, which is said all the same.
+    assert_eq!(printed(&again), "");
+    assert!(squeezed(&said(&again)).contains("doubtful"), "{}", said(&again));
     for name in ["case.toml", "history.csv"] {
         let read = |folder: &Path| fs::read_to_string(folder.join(name)).unwrap();
         assert_eq!(read(&results), read(&dir.path().join("again")), "{name}");

@@ -24,7 +24,7 @@ fn a_contact_of_few_elements_is_doubtful() {
     let options = ["run", hertz.to_str().unwrap(), "--set", coarse, "-o", "coarse"];
     let ran = printed(&archard(&dir, &options).success());
     let ran = squeezed(&ran);
-    assert!(ran.contains("verdict doubtful (1 of 7 checks)"), "{ran}");
+    assert!(ran.contains("verdict doubtful (2 of 8 checks)"), "{ran}");
     assert!(ran.contains("elements doubtful: ") && ran.contains("(good from 8"), "{ran}");
     assert!(!ran.contains("load met to"), "{ran}");
     assert_eq!(word(&dir, "coarse", "elements"), "doubtful");

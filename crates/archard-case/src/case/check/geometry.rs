@@ -1,7 +1,7 @@
 //! Whether the bodies meet inside the frame.
 
 use super::Parts;
-use super::words::{length, size_list};
+use super::words::{self, size_list};
 use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -66,7 +66,7 @@ fn hollow(parts: &Parts<'_>) -> Option<Problem> {
     let key = Key::of(["body", name, "profile"]);
     let radius = |axis: usize| {
         [[one, two][1 - hollow][axis], [one, two][hollow][axis]].map(|curvature| {
-            if curvature == 0.0 { "a plane".to_owned() } else { length(curvature.recip()) }
+            if curvature == 0.0 { "a plane".to_owned() } else { words::radius(curvature.recip()) }
         })
     };
     let word = parts.frame_word();

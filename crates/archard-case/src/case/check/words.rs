@@ -22,6 +22,12 @@ pub(super) fn length(metres: f64) -> String {
     }
 }
 
+/// A radius (m) in mm to six digits, by which nearly conforming ones differ.
+pub(super) fn radius(metres: f64) -> String {
+    let millimetres: f64 = format!("{:.5e}", metres * 1e3).parse().unwrap_or(metres * 1e3);
+    format!("{millimetres} mm")
+}
+
 /// A pressure (Pa) in MPa.
 pub(super) fn pressure(pascals: f64) -> String {
     format!("{} MPa", three(pascals * 1e-6))
