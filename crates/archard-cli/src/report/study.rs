@@ -217,7 +217,7 @@ impl Study {
     }
 
     /// What a key is in words, and its values in the unit they are usually written in.
-    fn values(&self, key: &String) -> [String; 2] {
+    fn values(&self, key: &str) -> [String; 2] {
         let cells = self.rows.iter().map(|row| self.cell(row, key).to_owned()).collect();
         let (known, values) = Key::read(key, cells);
         let low = values.iter().copied().fold(f64::INFINITY, f64::min);

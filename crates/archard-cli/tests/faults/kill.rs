@@ -131,7 +131,7 @@ const KEPT: [Busy; 5] = [
 
 const PATH: &str = "time_s,load_N,shift_x_um\n0,0,0\n1,15,0\n2,15,0.3\n3,15,-0.3\n4,0,0\n";
 
-/// The files of a result folder but the lock, the summary without the time it took.
+/// The files of a result folder but the lock, the summary without the time it took, which its sum in the list knows too.
 fn files(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut found = BTreeMap::new();
     let folders = [dir.join("out"), dir.join("out/fields")];
@@ -147,6 +147,13 @@ fn files(dir: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
         summary.as_object_mut().unwrap().remove(own);
     }
     found.insert("out/summary.json".into(), summary.to_string().into_bytes());
+    if let Some(list) = found.get_mut(Path::new("out/manifest.txt")) {
+        let text = String::from_utf8_lossy(list);
+        let lines = text
+            .lines()
+            .filter(|line| !line.ends_with(" summary.json") || line.starts_with("wrote"));
+        *list = lines.collect::<Vec<_>>().join("\n").into_bytes();
+    }
     found
 }
 

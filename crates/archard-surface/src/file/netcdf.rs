@@ -82,7 +82,9 @@ pub(super) fn read(all: &[u8], scale: Scale, most: usize) -> Result<HeightMap, R
 }
 
 /// Dimensions by name and length, and variables.
-fn head(all: &[u8]) -> Result<(Vec<(String, usize)>, Vec<Variable>), ReadError> {
+type Head = (Vec<(String, usize)>, Vec<Variable>);
+
+fn head(all: &[u8]) -> Result<Head, ReadError> {
     let mut bytes = Bytes::new(all);
     bytes.skip(MAGIC.len())?;
     let wide = match bytes.u8()? {

@@ -78,8 +78,7 @@ impl Prepared {
     /// the tip where many are as steep.
     fn flank(&self) -> Option<f64> {
         let wheel = self.setup.wheel();
-        let points: Vec<[f64; 2]> =
-            wheel.nodes().iter().map(|&along| wheel.point(along)).map(Into::into).collect();
+        let points: Vec<[f64; 2]> = wheel.nodes().iter().map(|&along| wheel.point(along)).collect();
         let tip = points.iter().max_by(|one, other| one[1].total_cmp(&other[1]))?;
         let mut flank: Vec<&[f64; 2]> =
             points.iter().filter(|point| point[0] > tip[0] && point[0] <= 0.0).collect();
