@@ -78,7 +78,7 @@ class Sweep:
         """The rows, in the order of the design."""
         self._values = values
         self.table = _table(rows, [{one.name: one.number for one in row} for row in values])
-        """A row a run: values of the keys (SI), ``status``, ``verdict``, ``reason``, last row of the history, ``error``."""
+        """A row a run: keys (SI), ``status``, ``verdict``, ``reason``, last row of the history, ``error``."""
 
     def to_pandas(self) -> Any:
         """Return the table as a data frame."""

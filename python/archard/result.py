@@ -240,6 +240,8 @@ class Result:
             raise ValueError(f'the axis is "x" or "y", not {axis!r}')
         table = self.profiles
         if f"wear_{body}_m" not in table:
+            if f"body.{body}" in self.toml:
+                raise ValueError(f"{_place(self.folder, 'profiles.csv')} is damaged: it has no profile of `{body}`")
             raise KeyError(f"no profile of a body `{body}`")
         places = table[next(iter(table))]
         if not -len(np.unique(places)) <= output < len(np.unique(places)):

@@ -1,8 +1,8 @@
 """Results: tables, fields, plots, folders and pickles."""
 
 import pickle
-import warnings
 import sys
+import warnings
 
 import matplotlib
 import numpy as np
@@ -116,10 +116,10 @@ def test_damaged_fields_are_refused(result, tmp_path):
     result.save(tmp_path)
     file = tmp_path / "fields" / "0000.vti"
     file.write_bytes(file.read_bytes()[:200])
-    with pytest.raises(ValueError, match="0000.vti.*its sum is not the one"):
+    with pytest.raises(ValueError, match=r"0000.vti.*its sum is not the one"):
         archard.open(tmp_path)
     (tmp_path / "manifest.txt").unlink()
-    with pytest.raises(ValueError, match="0000.vti.*not a file of this program"):
+    with pytest.raises(ValueError, match=r"0000.vti.*not a file of this program"):
         archard.open(tmp_path).fields[0]
     (tmp_path / "summary.json").unlink()
     with pytest.warns(archard.ResultWarning, match="under way, or was killed"):
@@ -137,6 +137,18 @@ def test_a_changed_digit_is_found(result, tmp_path, name):
         archard.open(tmp_path)
 
 
+def refusal(folder):
+    """Why a folder cannot be read, if it cannot."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", archard.ResultWarning)
+            opened = archard.open(folder)
+        opened.history, opened.profiles, opened.fields[0], opened.profile("pin")
+    except (ValueError, KeyError, IndexError) as error:
+        return error
+    return None
+
+
 @pytest.mark.parametrize("name", ["history.csv", "profiles.csv", "summary.json", "fields.pvd", "fields/0000.vti"])
 def test_damage_names_its_file(result, tmp_path, name):
     """Of a folder without sums, cut anywhere: nothing, or an error with the file."""
@@ -146,11 +158,5 @@ def test_damage_names_its_file(result, tmp_path, name):
     whole = file.read_bytes()
     for length in (0, 1, len(whole) // 3, len(whole) - 3):
         file.write_bytes(whole[:length])
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore", archard.ResultWarning)
-                opened = archard.open(tmp_path)
-            opened.history, opened.profiles, opened.fields[0], opened.profile("pin")
-        except (ValueError, KeyError, IndexError) as error:
-            assert type(error) is ValueError, (length, error)
-            assert str(tmp_path) in str(error), (length, error)
+        said = refusal(tmp_path)
+        assert said is None or (type(said) is ValueError and str(tmp_path) in str(said)), (length, said)

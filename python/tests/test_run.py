@@ -62,7 +62,7 @@ def test_a_run_that_is_left_is_incomplete_and_goes_on(case, tmp_path):
         case.run(resume=part)
 
 
-LEFT = """
+OF_STEPS = """
 import archard, gc, itertools, os, sys, tempfile, warnings
 warnings.simplefilter("ignore")
 tempfile.tempdir = sys.argv[1]
@@ -83,7 +83,7 @@ next(kept)
 
 def test_a_run_that_is_left_takes_its_folder_with_it(tmp_path):
     """After its last step, before, and at the end of the program; without a word."""
-    words = [sys.executable, "-c", LEFT, tmp_path]
+    words = [sys.executable, "-c", OF_STEPS, tmp_path]
     done = subprocess.run(words, capture_output=True, text=True, timeout=300)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert not list(tmp_path.iterdir())
