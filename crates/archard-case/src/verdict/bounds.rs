@@ -305,12 +305,13 @@ pub fn warned(warning: &str) -> Line {
     Line::new("warning", 1.0, Bound::AtMost([0.0, f64::INFINITY]), text)
 }
 
-/// The largest stated error of what a user reads, relative, and the column it is of: the bounds of the worn area.
+/// The largest stated error of what a user reads, relative, and the column it is of. A value is right to the error stated with it,
+/// so that a large one is doubtful; one as large as the value leaves nothing to read.
 pub fn stated(error: f64, column: &str) -> Line {
     let text = format!(
         "is the error of `{column}`: smoother profiles (`smoothing`) or more `frame.elements` make it smaller"
     );
-    Line::new("stated", error, Bound::AtMost([0.05, 0.3]), text)
+    Line::new("stated", error, Bound::AtMost([0.05, 1.0]), text)
 }
 
 /// Hardness (Pa) of the hardest rail steel, R400HT of EN 13674-1: 440 HBW.
