@@ -41,12 +41,18 @@ impl Contents {
 /// If there is no such file, it is none but a folder, a pipe or a device, it is too large for the memory that is free,
 /// or the system refuses to read it.
 pub fn read(path: &Path, contents: Contents) -> io::Result<Vec<u8>> {
+    let file = open(path)?;
+    let length = file.metadata()?.len();
+    read_up_to(file, length, free_memory() / contents.times())
+}
+
+/// A plain file, opened to be read.
+pub(crate) fn open(path: &Path) -> io::Result<File> {
     // Opening a pipe would wait already.
     plain(fs::metadata(path)?.file_type())?;
     let file = File::open(path)?;
-    let known = file.metadata()?;
-    plain(known.file_type())?;
-    read_up_to(file, known.len(), free_memory() / contents.times())
+    plain(file.metadata()?.file_type())?;
+    Ok(file)
 }
 
 /// The text of a file.

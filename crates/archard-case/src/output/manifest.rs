@@ -311,7 +311,7 @@ impl Manifest {
 /// The BLAKE3 sum of a file, in hexadecimal digits.
 fn sum_of(path: &Path) -> Result<String, Error> {
     let mut hash = blake3::Hasher::new();
-    let read = File::open(path).and_then(|mut file| io::copy(&mut file, &mut hash));
+    let read = files::open(path).and_then(|mut file| io::copy(&mut file, &mut hash));
     read.map_err(|source| Error::Read { path: path.to_owned(), source })?;
     Ok(hash.finalize().to_hex().to_string())
 }
