@@ -9,7 +9,6 @@ import os
 import tempfile
 import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 from xml.etree import ElementTree
@@ -17,7 +16,7 @@ from xml.etree import ElementTree
 import numpy as np
 from numpy.typing import NDArray
 
-from archard import _archard, _compare, _dataset, _html, _picture, _toml
+from archard import _archard, _compare, _damage, _dataset, _html, _picture, _toml
 from archard._errors import ResultWarning
 from archard._surface import PREFIX
 from archard._units import shown, unit
@@ -152,7 +151,7 @@ class Result:
         self.folder = folder
         """The folder of the results; ``None`` of a result in memory, which :meth:`save` writes."""
         summary = files.get("summary.json")
-        with self._naming("summary.json"):
+        with _damage.naming(self.folder, "summary.json"):
             self.summary: dict[str, Any] = json.loads(summary) if summary is not None else {}
         """What ``summary.json`` holds: the last row, wear compared with closed forms, effort, warnings."""
 
@@ -224,7 +223,7 @@ class Result:
     @property
     def fields(self) -> Sequence[Snapshot]:
         """The fields of all outputs; each is read when it is asked for."""
-        with self._naming("fields.pvd"):
+        with _damage.naming(self.folder, "fields.pvd"):
             return _Outputs(self._files, self.folder)
 
     @property
@@ -241,11 +240,11 @@ class Result:
         table = self.profiles
         if f"wear_{body}_m" not in table:
             if f"body.{body}" in self.toml:
-                raise ValueError(f"{_place(self.folder, 'profiles.csv')} is damaged: it has no profile of `{body}`")
+                raise ValueError(f"{_damage.place(self.folder, 'profiles.csv')} is damaged: it has no profile of `{body}`")
             raise KeyError(f"no profile of a body `{body}`")
         places = table[next(iter(table))]
         if not -len(np.unique(places)) <= output < len(np.unique(places)):
-            raise ValueError(f"{_place(self.folder, 'profiles.csv')} has no output {output}")
+            raise ValueError(f"{_damage.place(self.folder, 'profiles.csv')} has no output {output}")
         here = (places == np.unique(places)[output]) & (table["axis"] == axis)
         names = ("coordinate_m", f"height_{body}_m", f"wear_{body}_m")
         return Profile(*(table[name][here] for name in names))
@@ -399,16 +398,8 @@ class Result:
         content = self._files.get(name)
         if content is None:
             return Table()
-        with self._naming(name):
+        with _damage.naming(self.folder, name):
             return _read_table(content)
-
-    @contextmanager
-    def _naming(self, name: str) -> Iterator[None]:
-        """Name the file in errors of one that is damaged."""
-        try:
-            yield
-        except _DAMAGE as error:
-            raise _damaged(self.folder, name, error) from error
 
 
 def open(folder: str | os.PathLike[str]) -> Result:
@@ -501,22 +492,8 @@ class _Outputs(Sequence[Snapshot]):
 
 
 def _snapshot(progress: float, name: str, files: Mapping[str, bytes], folder: Path | None) -> Snapshot:
-    try:
+    with _damage.naming(folder, name):
         return Snapshot(progress, *_archard.read_fields(name, files[name]))
-    except _DAMAGE as error:
-        raise _damaged(folder, name, error) from error
-
-
-#: What readers raise of files that are damaged.
-_DAMAGE = (ValueError, KeyError, IndexError, ElementTree.ParseError, csv.Error)
-
-
-def _place(folder: Path | None, name: str) -> str:
-    return f"`{name if folder is None else folder / name}`"
-
-
-def _damaged(folder: Path | None, name: str, error: BaseException) -> ValueError:
-    return ValueError(f"{_place(folder, name)} is damaged: {error}")
 
 
 def _read_table(content: bytes) -> Table:

@@ -35,14 +35,18 @@ impl Case {
         let printed = Table::from_toml(parsed.get_ref(), &origin);
         let path = super::overlay::read_path(key, Source::File)?;
         let ((first, _), rest) = path.split_first()?;
-        let step = |node: &'_ Node, name: &str| match &node.item {
-            Item::Table(inner) => inner.get(name).map(|entry| entry.node.clone()),
-            Item::Array(values) => values.get(name.parse::<usize>().ok()?).cloned(),
-            _ => None,
-        };
-        let first = printed.get(first)?.node.clone();
-        let found = rest.iter().try_fold(first, |node, (name, _)| step(&node, name))?;
-        value(&found, &text)
+        let first = &printed.get(first)?.node;
+        let found = rest.iter().try_fold(first, |node, (name, _)| within(node, name))?;
+        value(found, &text)
+    }
+}
+
+/// What a table, or a list by the number of an element, holds under a name.
+fn within<'a>(node: &'a Node, name: &str) -> Option<&'a Node> {
+    match &node.item {
+        Item::Table(inner) => inner.get(name).map(|entry| &entry.node),
+        Item::Array(values) => values.get(name.parse::<usize>().ok()?),
+        _ => None,
     }
 }
 

@@ -43,10 +43,29 @@ pub struct RailContact {
 pub struct RailResults {
     /// The contacts at each point, of new profiles and then of worn ones.
     pub contacts: Vec<RailContact>,
-    /// y (m) on the profile of the wheel of the steepest place of its flange; `None` without one.
-    pub flank: Option<f64>,
+    /// Where the flange of the wheel is steepest; `None` without one.
+    pub flank: Option<Flank>,
     /// What was worn off over the route; `None` where nothing wears.
     pub wear: Option<RailWear>,
+}
+
+/// The steepest place of a flange.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Flank {
+    /// y (m) on the profile of the wheel.
+    pub y: f64,
+    /// Its inclination (rad).
+    pub angle: f64,
+}
+
+impl Flank {
+    /// Whether a patch lies between this place and the tip of the flange, where the flange is less steep again by more than the
+    /// inclination differs within the patch and its stated error.
+    fn ends_before(&self, patch: &Patch) -> bool {
+        let (values, errors) = (&patch.values, &patch.errors);
+        let falls = self.angle - values.contact_angle.abs();
+        values.y_wheel < self.y && falls > patch.angle_spread + errors.contact_angle
+    }
 }
 
 impl RailContact {
@@ -144,7 +163,7 @@ fn image(patch: &Patch) -> Image {
 }
 
 /// What can be believed of the contacts, whatever the user was warned of before.
-pub fn rail_verdict(results: &RailResults) -> Verdict {
+fn rail_verdict(results: &RailResults) -> Verdict {
     let RailResults { contacts, flank, wear } = results;
     let on_the_way = wear.as_ref().map_or(0.0, |wear| wear.travelled.off);
     let off = contacts.iter().map(RailContact::off).fold(on_the_way, f64::max);
@@ -154,7 +173,7 @@ pub fn rail_verdict(results: &RailResults) -> Verdict {
     let peak = peaks.fold(0.0, f64::max);
     lines.push(verdict::hardness(peak / verdict::RAIL_STEEL, "rail steel of 440 HBW"));
     lines.extend(stated(contacts));
-    let beyond = |patch: &Patch| flank.is_some_and(|flank| patch.values.y_wheel < flank);
+    let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
     Verdict { lines }

@@ -68,9 +68,7 @@ use std::path::{Path, PathBuf};
 use archard::simulation::NotResumed;
 
 pub(crate) use closed_forms::blocks as estimate_json;
-pub use contacts::{
-    AtPoint, RailContact, RailResults, contact_row, rail_files, rail_verdict, write_rail,
-};
+pub use contacts::{AtPoint, Flank, RailContact, RailResults, contact_row, rail_files, write_rail};
 pub use derived::Derived;
 pub use elastic::{elastic_files, elastic_verdict, write_elastic};
 pub use fields::{Field, fields};

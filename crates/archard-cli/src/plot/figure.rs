@@ -173,9 +173,8 @@ impl View {
     }
 
     /// The same with words at a place.
-    pub(crate) fn note(mut self, words: impl Into<String>, place: [f64; 2]) -> Self {
-        self.notes.push((words.into(), place, COLOURS[0]));
-        self
+    pub(crate) fn note(self, words: impl Into<String>, place: [f64; 2]) -> Self {
+        self.note_in(words, place, COLOURS[0])
     }
 
     /// The same in another colour.

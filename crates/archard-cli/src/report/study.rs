@@ -17,9 +17,7 @@ use super::words::{facts, plain, quantity, range, title_of};
 use super::{name_of, tables};
 use crate::plot::{self, Key, quantile};
 
-/// Values that are no numbers from which on they are counted, not listed.
-const LEVELS: usize = 5;
-/// Most rows that are not good that are listed.
+/// Most rows that are not good, and most values that are no numbers, that are listed.
 const LISTED: usize = 20;
 /// Shares of the samples that lie below the ends of the interval.
 const ENDS: [f64; 2] = [0.05, 0.95];
@@ -228,8 +226,8 @@ impl Study {
                 let ends = [low, high].map(|end| plain(end * unit.factor));
                 [words, format!("{} to {} {}", ends[0], ends[1], unit.name).trim_end().to_owned()]
             }
-            LEVELS.. => [words, format!("{} values", known.levels.len())],
-            _ => [words, known.levels.join(", ")],
+            1..=LISTED => [words, known.levels.join(", ")],
+            many => [words, format!("{many} values")],
         }
     }
 
@@ -259,11 +257,7 @@ impl Study {
             .filter(|line| !is_varied(line))
             .map(|line| format!("{line}\n"))
             .collect();
-        let varied = self.keys().map(|key| {
-            let [words, values] = self.values(key);
-            (words, values)
-        });
-        varied.chain(facts(&common)).collect()
+        self.keys().map(|key| self.values(key).into()).chain(facts(&common)).collect()
     }
 
     fn varied(&self) -> Table {

@@ -160,8 +160,8 @@ impl Search<'_> {
         }
         for (key, value, unit) in &self.others {
             doubts.push(format!(
-                "`{key}` is {value:.3e} {unit} by the case, which no reading tells, and the coefficient follows from it: \
-                 give readings of that body, or take its wear out where it does not wear"
+                "`{key}` is {value:.3e} {unit} in the case: no reading determines it, and the fitted coefficient depends on it; \
+                 give readings of that body, or remove its wear where it does not wear"
             ));
         }
         for own in self.targets.iter().zip(found) {

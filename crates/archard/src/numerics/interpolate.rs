@@ -26,8 +26,8 @@ fn between(place: f64, places: [f64; 4], values: [f64; 4]) -> f64 {
 
 /// Interpolates `value(i)`, known at the rising `places`, at `place`; not a number outside them.
 ///
-/// At a known place, to rounding, it is the value there. At least two places are needed. The outermost intervals continue the values by the straight line
-/// (two places) or the parabola (three and more) through the outermost places.
+/// At a known place, to rounding, it is the value there. At least two places are needed. The outermost intervals continue the
+/// values by the straight line (two places) or the parabola (three and more) through the outermost places.
 pub fn interpolate(places: &[f64], value: impl Fn(usize) -> f64, place: f64) -> f64 {
     let last = places.len() - 1;
     let margin = SAME * (places[last] - places[0]);

@@ -1,7 +1,8 @@
 //! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
 //!
 //! Elements, tolerance and increments are one resolution: finer by a ratio r, the tolerance is smaller by the power of r that is
-//! the order of the error. That order also says how many elements the first output needs: one at an edge, two elsewhere. This is a first guess; [`companions`] measures what came of it, and refines it.
+//! the order of the error, one at an edge and two elsewhere. That order also says how many elements the first output needs. This is a
+//! first guess; [`companions`] measures what came of it, and refines it.
 
 mod companions;
 mod grids;

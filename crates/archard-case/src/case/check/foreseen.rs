@@ -1,7 +1,7 @@
 //! The lines of a verdict that can be foreseen: elements across the contact, and what a plane frame neglects.
 
 use super::{Forecast, Parts};
-use crate::verdict::{self, Verdict};
+use crate::verdict::{self, Line, Verdict};
 use archard::estimate::Conforming;
 
 /// The verdict on a run, as far as closed forms tell.
@@ -25,8 +25,13 @@ pub(super) fn verdict(parts: &Parts<'_>, forecast: &Forecast) -> Verdict {
     });
     let rows = [verdict::first_contact(fewest(first)), verdict::contact(fewest(last))];
     let rows = rows.into_iter().filter(|line| line.value.is_finite());
-    let neglected = Conforming::of(&parts.bodies, reach);
-    let neglected =
-        neglected.map(|Conforming { form, slope }| [verdict::form(form), verdict::slope(slope)]);
-    Verdict { lines: rows.chain(neglected.into_iter().flatten()).collect() }
+    Verdict { lines: rows.chain(neglected(parts, reach)).collect() }
+}
+
+/// What a plane frame neglects of half-spaces that conform, where their contact reaches so far (m) along x and y.
+pub(super) fn neglected(parts: &Parts<'_>, reach: [f64; 2]) -> impl Iterator<Item = Line> + use<> {
+    let conforming = Conforming::of(&parts.bodies, reach).filter(|_| !parts.case.is_meshed());
+    let lines =
+        conforming.map(|Conforming { form, slope }| [verdict::form(form), verdict::slope(slope)]);
+    lines.into_iter().flatten()
 }

@@ -2,7 +2,8 @@
 
 use super::words::{both, length, pressure, size_list_up, three};
 use super::{
-    Finiteness, Forecast, Parts, Solves, conforming, density, heat, rolling, shift, texture, track,
+    Finiteness, Forecast, Parts, Solves, conforming, density, foreseen, heat, rolling, shift,
+    texture, track,
 };
 use crate::case::key::Key;
 use crate::case::problem::Problem;
@@ -297,9 +298,8 @@ fn neglected(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         body.curvatures().is_some_and(|both| both.iter().any(|curvature| *curvature < 0.0))
     });
     let key = Key::of(["body", &parts.case.bodies[hollow.unwrap_or(1)].name, "profile"]);
-    let foreseen = super::foreseen::verdict(parts, forecast);
-    let conforming = ["form", "slope"];
-    let doubts = foreseen.complaints().filter(|line| conforming.contains(&line.subject));
+    let lines = forecast.estimate.reach().map(|reach| foreseen::neglected(parts, reach));
+    let doubts = lines.into_iter().flatten().filter(|line| line.word() != Word::Good);
     doubts.map(|line| Problem::warning(key.clone(), line.finding())).collect()
 }
 

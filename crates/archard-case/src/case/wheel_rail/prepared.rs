@@ -13,10 +13,7 @@ use rayon::prelude::*;
 use super::RailError;
 use super::forecast::AMPLITUDE;
 use super::running::{Running, State};
-use crate::output::{AtPoint, RailContact, RailResults, RailWear};
-
-/// Relative difference of slopes that count as equal: a straight flank, as it is written to a micrometre.
-const FLAT: f64 = 1e-2;
+use crate::output::{AtPoint, Flank, RailContact, RailResults, RailWear};
 
 /// A wheel over its rail, ready to be pressed on in any state.
 #[derive(Debug, Clone)]
@@ -74,22 +71,20 @@ impl Prepared {
         Ok(RailResults { contacts, flank: self.flank(), wear: Some(wear) })
     }
 
-    /// y (m) of the steepest place of the flange, between its tip, the lowest point of the wheel, and the tread: that nearest to
-    /// the tip where many are as steep.
-    fn flank(&self) -> Option<f64> {
+    /// The steepest place of the flange, between its tip, the lowest point of the wheel, and the tread.
+    fn flank(&self) -> Option<Flank> {
         let wheel = self.setup.wheel();
         let points: Vec<[f64; 2]> = wheel.nodes().iter().map(|&along| wheel.point(along)).collect();
         let tip = points.iter().max_by(|one, other| one[1].total_cmp(&other[1]))?;
-        let mut flank: Vec<&[f64; 2]> =
+        let mut flange: Vec<&[f64; 2]> =
             points.iter().filter(|point| point[0] > tip[0] && point[0] <= 0.0).collect();
-        flank.sort_by(|one, other| one[0].total_cmp(&other[0]));
-        let slopes = flank.windows(2).map(|pair| {
+        flange.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        let places = flange.windows(2).map(|pair| {
             let [one, other] = [pair[0], pair[1]];
-            (0.5 * (one[0] + other[0]), (other[1] - one[1]).abs() / (other[0] - one[0]))
+            let angle = (other[1] - one[1]).abs().atan2(other[0] - one[0]);
+            Flank { y: 0.5 * (one[0] + other[0]), angle }
         });
-        let slopes: Vec<(f64, f64)> = slopes.filter(|(_, slope)| slope.is_finite()).collect();
-        let steepest = slopes.iter().map(|(_, slope)| *slope).reduce(f64::max)?;
-        slopes.iter().find(|(_, slope)| *slope >= (1.0 - FLAT) * steepest).map(|(y, _)| *y)
+        places.max_by(|one, other| one.angle.total_cmp(&other.angle))
     }
 
     /// The contacts of a wheelset in that state, its roll found from both wheels under their load where it is not given.

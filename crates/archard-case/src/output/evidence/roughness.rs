@@ -11,8 +11,8 @@ use archard::problem::{ContactProblem, ContactState};
 const ROUGH: f64 = 0.01;
 
 /// The largest of both along x and y relative to the largest pressure; `None` where there are no rows of five, and where
-/// the surfaces are rough. A tip has a pressure as sharp as itself, and where a
-/// layer ends the pressure jumps with the wear law: rows across them are left out.
+/// the surfaces are rough. Rows across a tip, and across the end of a layer, are left out: the pressure is singular at the tip,
+/// and jumps with the wear law at the end of the layer.
 pub(super) fn of(problem: &ContactProblem, state: &ContactState) -> Option<f64> {
     let (frame, pressure) = (&problem.frame, &state.pressure);
     let worn_off = worn_off(problem, state);

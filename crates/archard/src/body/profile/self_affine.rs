@@ -6,6 +6,7 @@ use realfft::num_complex::Complex64;
 use rustfft::FftPlanner;
 
 use super::{Profile, Table};
+use crate::numerics::SAME;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Box<dyn Profile>> = Choice {
@@ -115,7 +116,7 @@ impl SelfAffine {
         rising("period", given.long, given.period, "long")?;
         let exact = 0.5 * POINTS * given.period / given.short;
         // Of points that fit to rounding there is none more.
-        let count = 2.0 * (exact * (1.0 - FITS)).ceil();
+        let count = 2.0 * (exact * (1.0 - SAME)).ceil();
         if count > MOST {
             let message = format!(
                 "{} points along each axis resolve it, {POINTS} to a wave: at most {MOST}; a longer `short` or a shorter `period` takes fewer",
@@ -142,9 +143,6 @@ impl SelfAffine {
 /// Points beyond each side: as many as a cubic reaches.
 const BEYOND: usize = 2;
 
-/// What a ratio of two lengths is rounded by at most, relative to it.
-const FITS: f64 = 4.0 * f64::EPSILON;
-
 /// Heights (m) at so many points along both axes of one cell and some beyond, those along x first.
 fn heights(given: Roughness, count: usize) -> Vec<f64> {
     let [shortest, longest] = [given.short, given.long].map(|length| given.period / length);
@@ -158,7 +156,7 @@ fn heights(given: Roughness, count: usize) -> Vec<f64> {
     for [x, y] in ahead {
         let waves = (x as f64).hypot(y as f64);
         // A wave that fits to rounding is there.
-        if waves > shortest * (1.0 + FITS) {
+        if waves > shortest * (1.0 + SAME) {
             continue;
         }
         let amplitude = waves.max(longest).powf(-1.0 - given.hurst);

@@ -8,9 +8,9 @@
 //! max |f_i - f_j| / (r_j^p - r_i^p)
 //! ```
 //!
-//! over all pairs of runs, the run itself (r = 1) among them. Between the rows of a run its value lies between two interpolations: the
-//! difference there is the distance to the nearer one, and the error no less than the least of the distances to the farther ones. Two companions are compared from a quarter of the progress to four
-//! times of it, the run with each of them at its own progress. The order p is that of the quantity's class. This is the grid
+//! over all pairs of runs, the run itself (r = 1) among them. Between its rows a run lies between two interpolations: the difference
+//! is the distance to the nearer one, and the error is no less than the least distance to a farther one. Two companions are compared
+//! from a quarter of the progress to four times of it, the run with each of them at its own progress. The order p is that of the quantity's class. This is the grid
 //! convergence index (P. J. Roache, *J. Fluids Eng.* 116 (1994) 405; ASME V&V 20) for runs whose grids are moved besides. It has no
 //! factor of safety, since it is the largest of many differences: 99 of 100 errors of a random sample are within it
 //! (`tests/honesty.rs`).
