@@ -10,6 +10,7 @@ use kuva::backend::pdf::{PageSize, PdfBackend};
 use kuva::backend::svg::SvgBackend;
 use kuva::plot::{self, BandPlot, ColorMap, Heatmap, LinePlot, ScatterPlot};
 use kuva::render::annotations::TextAnnotation;
+use kuva::render::color::Color;
 use kuva::render::figure::Figure;
 use kuva::render::layout::{Layout, TickFormat};
 use kuva::render::plots::Plot;
@@ -18,7 +19,7 @@ use super::figure::{LegendPosition, Map, Mark, Panel, Parts, Shape, View};
 use super::parts::{self, colour};
 use super::raster;
 use super::scale::{tick, tick_of_decades};
-use kuva::render::render::Scene;
+use kuva::render::render::{Primitive, Scene};
 
 /// Width of a PNG (px).
 const PNG_WIDTH: f64 = 1600.0;
@@ -174,7 +175,21 @@ fn scene(panels: &[Panel], (columns, size): (usize, [f64; 2]), mark: Option<&str
         })
         .collect();
     parts::put(&mut scene, &parts);
+    colour_notes(&mut scene, panels);
     scene
+}
+
+/// Size of words at places, which nothing else has: they are known by it.
+const NOTE: u32 = 13;
+
+/// Gives words at places their colours, which the library draws in that of all text.
+fn colour_notes(scene: &mut Scene, panels: &[Panel]) {
+    let notes = panels.iter().flat_map(|panel| &panel.view.notes);
+    let drawn = scene.elements.iter_mut().filter_map(|element| match element {
+        Primitive::Text { size: NOTE, color, .. } => Some(color),
+        _ => None,
+    });
+    drawn.zip(notes).for_each(|(drawn, (_, _, colour))| *drawn = Some(Color::from(*colour)));
 }
 
 /// A picture for a page: its kind, `image/svg+xml` or `image/png`, and its bytes.
@@ -278,9 +293,8 @@ fn framed(layout: Layout, view: &View) -> Layout {
         layout =
             layout.with_log_scale().with_tick_format(TickFormat::Custom(Arc::new(tick_of_decades)));
     }
-    view.notes.iter().fold(layout, |layout, (words, [x, y], colour)| {
-        let note = TextAnnotation::new(&**words, *x, *y).with_font_size(14).with_color(*colour);
-        layout.with_annotation(note)
+    view.notes.iter().fold(layout, |layout, (words, [x, y], _)| {
+        layout.with_annotation(TextAnnotation::new(&**words, *x, *y).with_font_size(NOTE))
     })
 }
 

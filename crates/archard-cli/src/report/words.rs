@@ -129,7 +129,10 @@ fn shown(value: &str) -> String {
             Ok(number) => quantity(number, unit),
             Err(_) => text.to_owned(),
         },
-        _ => text.strip_suffix(".0").unwrap_or(text).to_owned(),
+        _ => match (value.contains('.'), value.parse::<f64>()) {
+            (true, Ok(number)) => plain(number),
+            _ => text.to_owned(),
+        },
     }
 }
 
@@ -203,12 +206,13 @@ mod tests {
         let printed = "title = \"A \\\"pin\\\"\"\n\nbody.pin.material.young = \"2.1e11 Pa\"\n\
              body.pin.profile.sphere.radius = \"0.05 m\"\nbody.pin.wear.archard.coefficient = \"1e-13 1/Pa\"\n\
              body.disc.profile.flat = {}\nframe.elements = [30, 30]\n\
-             motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"500 m\"\n";
+             motion.sliding.load = \"10.2 N\"\nmotion.sliding.distance = \"500 m\"\n\
+             motion.sliding.tolerance = 0.0008418530567457623\n";
         let facts = facts(printed);
         let told: Vec<(&str, &str)> =
             facts.iter().map(|(name, words)| (&**name, &**words)).collect();
         let known = [
-            ("Sliding", "load 10.2 N, distance 500 m"),
+            ("Sliding", "load 10.2 N, distance 500 m, tolerance 8.419·10⁻⁴"),
             ("Pin", "sphere, radius 50 mm; Young's modulus 210 GPa"),
             ("Disc", "flat"),
         ];

@@ -307,6 +307,13 @@ fn two_keys_make_a_map() {
         assert!(map.split(['<', '>']).any(written), "{depth}");
     }
     assert!(map.contains(">Load (N)<") && map.contains(">Radius of pin (mm)<"), "{map}");
+    // Black on the deepest, white on those below half of it.
+    assert!(map.contains("font-size=\"13\" text-anchor=\"middle\" fill=\"#000000\""), "{map}");
+    let depths: Vec<f64> =
+        rows(&dir, "study/sweep.csv").iter().map(|row| number(row, "wear_depth_m")).collect();
+    let deepest = depths.iter().copied().fold(0.0, f64::max);
+    let shallow = depths.iter().any(|depth| *depth < 0.5 * deepest);
+    assert_eq!(map.contains("fill=\"#ffffff\">"), shallow, "{map}");
 }
 
 /// Twice as many derived rows take twice the disk.
