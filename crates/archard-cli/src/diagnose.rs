@@ -23,16 +23,20 @@ pub fn read(arguments: &Case) -> Result<CaseFile, Failure> {
 
 /// The checked case of the arguments; problems are shown unless they are warnings and `quiet`.
 pub fn resolve(arguments: &Case, quiet: bool) -> Result<Task, Failure> {
-    let file = read(arguments)?;
+    checked(&read(arguments)?, quiet)
+}
+
+/// The same of a case that was read.
+pub fn checked(file: &CaseFile, quiet: bool) -> Result<Task, Failure> {
     match file.task() {
         Ok(task) => {
             if !quiet {
-                show(&file, task.warnings());
+                show(file, task.warnings());
             }
             Ok(task)
         }
         Err(problems) => {
-            show(&file, &problems);
+            show(file, &problems);
             Err(Failure::Shown)
         }
     }

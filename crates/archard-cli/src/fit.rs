@@ -23,11 +23,11 @@ use crate::table;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
-    let task = diagnose::resolve(&arguments.case, arguments.quiet)?;
+    let file = diagnose::read(&arguments.case)?;
+    let task = diagnose::checked(&file, arguments.quiet)?;
     if let Task::Elastic(_) | Task::WheelRail(_) = task {
         return Err(Failure::wrong("a fit is one of two bodies in contact, which wear"));
     }
-    let file = diagnose::read(&arguments.case)?;
     let names = table::names(&arguments.column).map_err(Failure::wrong)?;
     // Columns of the surfaces that the table names.
     let (of_files, of_table): (Vec<_>, Vec<_>) =

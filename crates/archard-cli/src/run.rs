@@ -35,7 +35,7 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let file = diagnose::read(&arguments.case())?;
-    let task = diagnose::resolve(&arguments.case(), arguments.quiet)?;
+    let task = diagnose::checked(&file, arguments.quiet)?;
     // The folder next: runs on coarser grids may take long, and are for nothing where it is refused.
     let claim = folder::claim(arguments, &task, file.inputs())?;
     let dir = claim.dir().to_owned();
