@@ -241,7 +241,8 @@ class Result:
         table = self.profiles
         if f"wear_{body}_m" not in table:
             if f"body.{body}" in self.toml:
-                raise ValueError(f"{_damage.place(self.folder, 'profiles.csv')} is damaged: it has no profile of `{body}`")
+                place = _damage.place(self.folder, "profiles.csv")
+                raise ValueError(f"{place} is damaged: it has no profile of `{body}`")
             raise KeyError(f"no profile of a body `{body}`")
         places = table[next(iter(table))]
         if not -len(np.unique(places)) <= output < len(np.unique(places)):
