@@ -224,7 +224,7 @@ fn motions_go_somewhere() {
         assert!(schedule.extent > 0.0, "{name}");
         let slips = [0.0, 0.1, 0.2].map(|advance| motion.slip(advance));
         assert!(slips[0] == 0.0 && slips[1] >= 0.0 && slips[2] >= slips[1], "{name}");
-        assert!(motion.progress().column.contains(char::is_alphabetic), "{name}");
+        assert!(motion.progress.column.contains(char::is_alphabetic), "{name}");
     }
 }
 

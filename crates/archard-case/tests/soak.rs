@@ -80,7 +80,7 @@ fn wrong(report: &Report<'_>, tolerance: f64) -> Option<String> {
 /// by one solver, that of friction.
 fn tolerance(simulation: &Simulation) -> f64 {
     let problem = &simulation.problem;
-    let shifted = problem.friction.is_some() && problem.motion.shift().is_some();
+    let shifted = problem.friction.is_some() && problem.motion.increments().is_some();
     if shifted && problem.compliance.couples() {
         return simulation.friction_solver.settings().tolerance;
     }

@@ -7,7 +7,7 @@ use archard::body::profile::{Power, Sphere, Table};
 use archard::body::{Body, Material};
 use archard::frame::Direction;
 use archard::friction::{Coulomb, Orthotropic};
-use archard::motion::{Control, Cycles, Drive, Fretting, Guide, Indentation, Path, Planned};
+use archard::motion::{Control, Cycles, Drive, Fretting, Indentation, Path, Planned};
 use archard::motion::{Rolling, Sliding, Station, Stepping, Track};
 use archard::simulation::Simulation;
 use archard::solve::Settings;
@@ -80,7 +80,7 @@ fn typed_motions_are_those_of_case_files() {
         (
             "rolling = { load = \"10 N\", creepage = 0.01, lateral_force = \"1 N\", spin = \"2 1/m\", direction = \"-y\", revolutions = 100, tolerance = 0.1, radius = \"worn\" }",
             Rolling::along(Direction::Y.back())
-                .longitudinal(Drive::Creepage(0.01))
+                .longitudinal(Drive::Slip(0.01))
                 .lateral(Drive::Force(1.0))
                 .spin(2.0)
                 .with_worn_radius()
@@ -110,11 +110,11 @@ fn typed_motions_are_those_of_case_files() {
 #[test]
 fn a_path_holds_the_bodies_in_between() {
     let station = |load, shift| {
-        Station::pressed(Control::Load(load)).guided([Guide::Shift(shift), Guide::Force(0.0)])
+        Station::pressed(Control::Load(load)).guided([Drive::Slip(shift), Drive::Force(0.0)])
     };
     let path = Path::new(&[(0.0, station(0.0, 0.0)), (2.0, station(4.0, 1e-6))]).unwrap();
     let (motion, schedule) = path.increments(2).cycles(Cycles::new(3)).plan().unwrap();
-    assert_eq!(motion.shift().unwrap().cycle, [station(2.0, 0.5e-6), station(4.0, 1e-6)]);
+    assert_eq!(motion.increments().unwrap().cycle, [station(2.0, 0.5e-6), station(4.0, 1e-6)]);
     assert_eq!((schedule.extent, schedule.control), (6.0, Control::Load(4.0)));
     let mixed = [(0.0, station(0.0, 0.0)), (1.0, Station::pressed(Control::Approach(1e-6)))];
     assert!(Path::new(&mixed).unwrap_err().message.contains("the same"));

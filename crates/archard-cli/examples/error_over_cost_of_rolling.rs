@@ -198,8 +198,7 @@ fn upwind(across: usize, drive: &str) -> Result<Solved, Wrong> {
     let rigid = state.tangential.ok_or("no slip")?.slip;
     let limit: Vec<f64> = state.pressure.iter().map(|pressure| FRICTION * pressure).collect();
     let start = Instant::now();
-    let rolling = problem.motion.rolling().ok_or("nothing rolls")?;
-    let map = problem.compliance.rolling(problem.frame.flow(rolling.direction)?);
+    let map = problem.compliance.rolling(problem.frame.flow(problem.motion.direction)?);
     let step = Step {
         map: &*map,
         elements: problem.frame.elements(),
@@ -221,10 +220,10 @@ fn values(
     traction: &[Vec<f64>; 2],
     slip: &[Vec<f64>; 2],
 ) -> Result<[f64; 2], Wrong> {
-    let rolling = problem.motion.rolling().ok_or("nothing rolls")?;
-    let flow = problem.frame.flow(rolling.direction)?;
+    let drives = problem.motion.driven(0.0).ok_or("nothing rolls")?;
+    let flow = problem.frame.flow(problem.motion.direction)?;
     let [x, y] = traction.each_ref().map(|traction| problem.frame.integrate(traction));
-    let force = if rolling.spin == 0.0 { x } else { y };
+    let force = if drives.spin == 0.0 { x } else { y };
     let means = traction.each_ref().map(|traction| flow.on_the_way(traction));
     let work = |pair: usize| means[0][pair] * slip[0][pair] + means[1][pair] * slip[1][pair];
     let lines = flow.lines();

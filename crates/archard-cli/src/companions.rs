@@ -99,7 +99,7 @@ fn grid(resolved: &Resolved) -> String {
     let places = &resolved.case.doubles;
     match resolved.case.motion.build() {
         Ok((motion, _)) if !places.is_empty() => {
-            let progress = motion.progress();
+            let progress = motion.progress;
             let places: Vec<_> = places.iter().map(|&place| progress.length(place)).collect();
             format!("{grid}, twice as large from {} {} on", progress.name, places.join(", "))
         }

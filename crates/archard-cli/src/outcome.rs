@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use archard::motion::{Control, Rolling, Shift};
+use archard::frame::Direction;
+use archard::motion::{Control, Shift};
 use archard::simulation::history::{
     self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, IMPRINT, IMPRINT_VOLUME,
     LAYER_VOLUME, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION,
@@ -66,10 +67,11 @@ impl Outcome<'_> {
         if frame.is_line() {
             lines.add("line of contact", of_a_line(frame.size()[1]), String::new());
         }
-        if let Some(rolling) = simulation.problem.motion.rolling() {
-            self.rolled(rolling, &mut lines);
+        let motion = &simulation.problem.motion;
+        if motion.driven(0.0).is_some() {
+            self.rolled(motion.direction, &mut lines);
         }
-        if let Some(shift) = simulation.problem.motion.shift() {
+        if let Some(shift) = motion.increments() {
             self.shifted(shift, &mut lines);
         }
         if let Some(largest) = self.follower.number(history::FLASH_TEMPERATURE) {
@@ -183,7 +185,7 @@ impl Outcome<'_> {
     }
 
     /// Adds how the bodies creep at last and, where there is friction, what they pass on.
-    fn rolled(&self, rolling: &Rolling, lines: &mut Lines) {
+    fn rolled(&self, direction: Direction, lines: &mut Lines) {
         let problem = &self.simulation.problem;
         let creepage = along_and_across(CREEPAGE.map(|column| self.last(column)), "");
         lines.add("creepage", creepage, self.error(&CREEPAGE));
@@ -194,7 +196,7 @@ impl Outcome<'_> {
         let nothing = SAME * self.last(history::LOAD);
         let force = FORCE.map(|column| self.last(column));
         let [x, y] = force.map(|force| if force.abs() > nothing { force } else { 0.0 });
-        let units = [rolling.direction.forward(), rolling.direction.lateral()];
+        let units = [direction.forward(), direction.lateral()];
         let force = along_and_across(units.map(|unit| x * unit[0] + y * unit[1]), " N");
         let error = if [x, y] == [0.0; 2] { String::new() } else { self.error(&FORCE) };
         lines.add(format!("creep force ({})", problem.bodies[0].name), force, error);

@@ -150,7 +150,7 @@ impl Follower {
 
     /// Where the run is: "distance 250 mm", "depth 1.46 um", "peak pressure 25.1 MPa".
     fn standing(&self, report: &Report<'_>) -> [String; 3] {
-        let place = progress(report.problem.motion.progress(), report.state.progress);
+        let place = progress(report.problem.motion.progress, report.state.progress);
         let depth = self.number(WEAR_DEPTH).unwrap_or(0.0) * 1e6;
         let peak = self.number(PEAK_PRESSURE).unwrap_or(0.0) * 1e-6;
         [place, format!("depth {} um", four(depth)), format!("peak pressure {} MPa", four(peak))]

@@ -175,7 +175,7 @@ fn body_of(
 
 /// The column that says how far readings are: that of the motion first.
 fn progress(table: &Table, case: &Case) -> Result<(&'static str, &'static [&'static str]), Error> {
-    let own = case.motion.build().map_err(|error| Error::Mismatch(error.to_string()))?.0.progress();
+    let own = case.motion.build().map_err(|error| Error::Mismatch(error.to_string()))?.0.progress;
     let there = PROGRESS.iter().filter(|(name, _)| table.names().any(|known| known == *name));
     let mut there: Vec<_> = there.copied().collect();
     there.sort_by_key(|(_, columns)| {

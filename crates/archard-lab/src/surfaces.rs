@@ -146,7 +146,7 @@ impl<'a> Shape<'a> {
         }
         let profile = own.profile.build().map_err(|error| wrong(error.to_string()))?;
         let (motion, _) = case.motion.build().map_err(|error| wrong(error.to_string()))?;
-        let along = motion.worn_along().filter(|(_, bodies)| bodies[body]);
+        let along = motion.grooves().filter(|(_, bodies)| bodies[body]);
         Ok(Self { body: &own.name, profile, passes: along.map(|(along, _)| along.axis) })
     }
 

@@ -5,7 +5,7 @@ use std::error::Error;
 use archard::body::profile::{Flat, Sphere};
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::friction::Coulomb;
-use archard::motion::{Control, Guide, Path, Station};
+use archard::motion::{Control, Drive, Path, Station};
 use archard::simulation::Run;
 use archard::{Body, Material, Simulation};
 
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let ball = Body::new("ball", Sphere::new(radius)?).material(steel);
     let flat = Body::new("flat", Flat).material(steel);
     let pushed = |load, force| {
-        Station::pressed(Control::Load(load)).guided([Guide::Force(force), Guide::Shift(0.0)])
+        Station::pressed(Control::Load(load)).guided([Drive::Force(force), Drive::Slip(0.0)])
     };
     let path = Path::new(&[
         (0.0, pushed(0.0, 0.0)),

@@ -7,9 +7,8 @@ use archard::body::profile::Cylinder;
 use archard::closed_form::{carter, hertz::Line};
 use archard::frame::Direction;
 use archard::friction::Coulomb;
-use archard::motion::{Control, Drive, Rolling, Stepping};
-use archard::simulation::Run;
-use archard::{Body, Material, Simulation};
+use archard::motion::{Control, Drive, Rolling};
+use archard::{Body, Contact, Material};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (radius, load, length, friction) = (40e-3, 7180.8, 40e-3, 0.3);
@@ -20,15 +19,11 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let driver = Body::new("driver", Cylinder::along_y(radius)?).material(steel);
     let driven = Body::new("driven", Cylinder::along_y(radius)?).material(steel);
-    let rolling = Rolling::along(Direction::X).longitudinal(Drive::Creepage(creepage));
-    let steady = rolling.over(0.0, Control::Load(load), Stepping::Implicit(1.0))?;
-    let builder = Simulation::builder([driver, driven], steady).friction(Coulomb::new(friction)?);
+    let rolling = Rolling::along(Direction::X).longitudinal(Drive::Slip(creepage));
+    let rolls = Contact::rolling([driver, driven], rolling, Control::Load(load))?;
     // One row of elements, so long that the strain is plane.
-    let run = Run::begin(builder.frame([0.44e-3, length], [80, 1]).build()?)?;
-
-    let (state, frame) = (run.report().state, &run.simulation().problem.frame);
-    let tangential = state.tangential.as_ref().ok_or("no friction")?;
-    let force = tangential.force(frame)[0] / (friction * load);
+    let frame = rolls.friction(Coulomb::new(friction)?).frame([0.44e-3, length], [80, 1]);
+    let force = frame.solve()?.force()[0] / (friction * load);
     let expected = carter::relative_force(0.5);
     println!("force {force:.4} of its limit, Carter {expected:.4}");
     // 36 elements across the half width of contact.

@@ -5,7 +5,34 @@
 //! is over. Boundary elements do the elasticity: nothing but the surfaces near the contact is
 //! divided into elements.
 //!
-//! # From types
+//! # One contact
+//!
+//! Two materials, two shapes and a load give pressures and approach. The same lines solve bodies with layers
+//! ([`Body::layers`]), surfaces that repeat themselves ([`periodic`](simulation::Builder::periodic)) and bodies that are meshed.
+//!
+//! ```
+//! use archard::body::profile::{Flat, Sphere};
+//! use archard::motion::Control;
+//! use archard::{Body, Contact, Material};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let steel = Material::new(210e9, 0.3)?;
+//! let ball = Body::new("ball", Sphere::new(50e-3)?).material(steel);
+//! let flat = Body::new("flat", Flat).material(steel);
+//! let pressed = Contact::between([ball, flat], Control::Load(10.2))?;
+//! let contact = pressed.frame([0.36e-3; 2], [48; 2]).solve()?;
+//! // Hertz
+//! assert!((contact.peak_pressure() / 219e6 - 1.0).abs() < 0.01);
+//! assert!((contact.approach() / 0.444e-6 - 1.0).abs() < 0.01);
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! [`Contact::rolling`] and [`Contact::shifted`] add friction: tractions, slip and what sticks.
+//!
+//! # Wear
+//!
+//! A simulation carries a contact through a motion.
 //!
 //! ```
 //! use archard::body::profile::{Flat, Sphere};
@@ -40,7 +67,7 @@
 //! A [`Simulation`] is a [`ContactProblem`], a [`Solver`] and a schedule. The problem
 //! is two [`Body`]s, the [`ContactFrame`] of pairs that may touch, the [`Compliance`] of both bodies
 //! seen from the frame, and their [`Motion`]; each body may have a [`WearLaw`].
-//! What is known at the end of a step is a [`ContactState`]. Profiles, wear laws, motions and solvers
+//! What is known at the end of a step is a [`ContactState`]; a [`Contact`] is a problem and a state. Profiles, wear laws, motions and solvers
 //! are interchangeable parts; those that a case file can name are declared as [`parameters::Choice`]s, which
 //! call the constructors of the same types.
 //!
@@ -70,6 +97,6 @@ pub use frame::ContactFrame;
 pub use friction::Friction;
 pub use motion::Motion;
 pub use problem::{ContactProblem, ContactState};
-pub use simulation::Simulation;
+pub use simulation::{Contact, Simulation};
 pub use solve::Solver;
 pub use wear::WearLaw;

@@ -134,33 +134,6 @@ fn the_library_is_silent_and_only_its_border_knows_files_and_time() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// A new motion is told to few: those who take it apart outside of `motion`, the engine and the estimates are counted.
-#[test]
-fn few_take_the_motion_apart() {
-    const APART: [&str; 3] = [".motion.rolling()", ".motion.shift()", ".motion.sliding()"];
-    const WITHIN: [&str; 3] = ["motion", "simulation", "estimate"];
-    let mut matches = Vec::new();
-    let mut branches = 0;
-    for (file, module, _, text) in layered_sources() {
-        let tested = file.to_string_lossy().contains("test") || file.ends_with("fixture.rs");
-        if WITHIN.contains(&&*module) || tested {
-            continue;
-        }
-        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
-        let lines = code.lines().filter(|line| {
-            APART.iter().any(|word| line.contains(word)) || line.contains("Motion::")
-        });
-        for line in lines {
-            branches += 1;
-            if line.contains("match ") {
-                matches.push(format!("{}: {}", file.display(), line.trim()));
-            }
-        }
-    }
-    assert!(matches.len() <= 8, "{}", matches.join("\n"));
-    assert!(branches <= 20, "{branches}");
-}
-
 #[test]
 fn the_reader_of_imports_sees_braces_and_lines() {
     let names = |text: &str| imports(text).into_iter().map(|import| import.1).collect::<Vec<_>>();

@@ -15,22 +15,17 @@ const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/house.csv");
 /// The columns: what is counted in each folder.
 const COLUMNS: [&str; 6] = ["lines", "constants", "questions", "types", "tuples", "returns"];
 
-/// Methods by which code outside `motion` asks a motion for its kind.
-const QUESTIONS: [&str; 14] = [
-    "rolling",
-    "shift",
-    "sliding",
-    "swing",
-    "turns",
+/// How code outside `motion` asks a motion for its kind: by the names of what its answers can be, and by whether there is one.
+const KINDS: [&str; 4] = ["Slip::", "Sequence::", "Passage::", "Lever::"];
+const ANSWERS: [&str; 8] = [
+    "driven",
+    "increments",
+    "lever_arm",
+    "sliding_speed",
+    "amplitude",
+    "track",
     "passing",
     "stream",
-    "period",
-    "drives",
-    "slips_partly",
-    "worn_along",
-    "axis",
-    "moves",
-    "slides",
 ];
 
 /// A source file of one folder, without comments, empty lines and unit tests.
@@ -111,11 +106,23 @@ fn is_constant(line: &str) -> bool {
     )
 }
 
-/// Calls on a line that ask a motion for its kind, one for each way of asking.
+/// What a line asks a motion for its kind, one for each way of asking. To read an answer is no question.
 fn questions(line: &str) -> usize {
-    let asked = |method: &&&str| line.contains(&format!("motion.{method}("));
-    QUESTIONS.iter().filter(asked).count()
-        + line.matches("Motion::").filter(|_| !line.starts_with("use ")).count()
+    if line.starts_with("use ") {
+        return 0;
+    }
+    let named = |kind: &&str| {
+        let word = |at: usize| !line[..at].ends_with(char::is_alphanumeric);
+        line.match_indices(*kind).filter(|(at, _)| word(*at)).count()
+    };
+    let kinds: usize = KINDS.iter().map(named).sum();
+    let whether = |answer: &&&str| {
+        ["(0.0)", "()", "(progress)"].iter().any(|taken| {
+            line.contains(&format!("motion.{answer}{taken}.is_some"))
+                || line.contains(&format!("motion.{answer}{taken}.is_none"))
+        })
+    };
+    kinds + ANSWERS.iter().filter(whether).count() + line.matches("motion.stays()").count()
 }
 
 fn is_type(line: &str) -> bool {
@@ -310,8 +317,9 @@ fn the_counts_are_what_they_are_called() {
     let text = "const A: f64 = 0.3;\n// const B: f64 = 1.0;\npub const NAME: &str = \"x\";\n\nconst C: [f64; 2] = [1.0; 2];\n#[cfg(test)]\nconst D: f64 = 1.0;";
     assert_eq!(lines(text).len(), 3);
     assert_eq!(lines(text).iter().filter(|line| is_constant(line)).count(), 2);
-    assert_eq!(questions("if problem.motion.rolling().is_some() && motion.turns() {"), 2);
-    assert_eq!(questions("use crate::motion::Motion;"), 0);
+    assert_eq!(questions("if motion.driven(0.0).is_some() && slip == Slip::Given(1.0, arm) {"), 2);
+    assert_eq!(questions("use crate::motion::Slip::{self, Given};"), 0);
+    assert_eq!(questions("StickSlip::open(3), motion.track()?.length"), 0);
     assert_eq!(
         tuples(&lines(
             "fn f(\n    (a, b): (f64, f64),\n    c: f64,\n) -> f64 {\n    let (x, y): (f64, f64) = c;"

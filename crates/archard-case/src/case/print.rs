@@ -101,7 +101,7 @@ impl Case {
     /// Places of the motion, with their unit.
     fn places(&self, places: &[f64]) -> String {
         let quantity =
-            self.motion.build().map_or(Quantity::Number, |(motion, _)| motion.progress().quantity);
+            self.motion.build().map_or(Quantity::Number, |(motion, _)| motion.progress.quantity);
         let place = |&place: &f64| match measure(quantity, &Values::default()) {
             Some(measure) => si(place, &measure.si),
             None => number(place),

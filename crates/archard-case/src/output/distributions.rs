@@ -33,7 +33,7 @@ pub(super) fn write(
     }
     for part in 0..=PARTS {
         let share = part as f64 / PARTS as f64;
-        let mut row = vec![(problem.motion.progress().column, number(state.progress))];
+        let mut row = vec![(problem.motion.progress.column, number(state.progress))];
         row.push(("fraction", number(share)));
         row.extend(columns.iter().map(|(name, all)| (&name[..], number(reached(all, share)))));
         table.row(&row)?;

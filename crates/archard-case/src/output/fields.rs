@@ -75,8 +75,8 @@ fn friction(problem: &ContactProblem, state: &ContactState, tangential: &Tangent
 
 /// Whether particles on their way to a pair are under pressure at either end of it.
 fn rubbing(problem: &ContactProblem, state: &ContactState) -> Vec<bool> {
-    let rolling = problem.motion.rolling();
-    match rolling.and_then(|rolling| problem.frame.flow(rolling.direction).ok()) {
+    let motion = &problem.motion;
+    match motion.driven(0.0).and_then(|_| problem.frame.flow(motion.direction).ok()) {
         Some(flow) => flow.on_the_way(&state.pressure).iter().map(|mean| *mean > 0.0).collect(),
         None => state.pressure.iter().map(|pressure| *pressure > 0.0).collect(),
     }

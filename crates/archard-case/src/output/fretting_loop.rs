@@ -26,7 +26,7 @@ impl FrettingLoop {
     /// Takes up a report, whose row of the history is given; says whether the loop is now complete and
     /// to be put out. Only motions that shift the bodies have one.
     pub(super) fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) -> bool {
-        if !report.problem.motion.shift().is_some_and(Shift::moves) {
+        if !report.problem.motion.increments().is_some_and(Shift::moves) {
             return false;
         }
         let point = COLUMNS.map(|column| history::number(row, column).unwrap_or(f64::NAN));

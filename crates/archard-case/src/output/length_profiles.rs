@@ -18,7 +18,7 @@ pub(super) fn write(
     for (index, [mean, most]) in surface.along(axis).into_iter().enumerate() {
         let place = (index as f64 - middle) * element;
         table.row(&[
-            (problem.motion.progress().column, number(state.progress)),
+            (problem.motion.progress.column, number(state.progress)),
             (["x_m", "y_m"][axis], number(place)),
             (&section, number(width * mean)),
             (&depth, number(most)),

@@ -30,14 +30,13 @@ impl Standard {
     /// Those of a problem at a row of its history: of a ball on a flat that passes, and of the track of a flat that turns
     /// (G99, G133); in plane strain of a flat block on a ring (G77).
     pub fn of(problem: &ContactProblem, row: &[(String, f64)]) -> Vec<Self> {
-        let track = problem.motion.sliding().and_then(|sliding| Some((sliding.track?, sliding)));
-        let Some((track, sliding)) = track else { return vec![] };
+        let Some(track) = problem.motion.track() else { return vec![] };
         let shape = |body: usize| problem.bodies[body].curvatures();
         let Some((stays, passes)) = shape(1 - track.body).zip(shape(track.body)) else {
             return vec![];
         };
         let test = Test { problem, row, track };
-        let axis = sliding.direction.axis;
+        let axis = problem.motion.direction.axis;
         let ball = stays[0] > 0.0 && (stays[0] - stays[1]).abs() <= SAME * stays[0];
         let ring = passes[axis] > 0.0 && passes[1 - axis] == 0.0;
         let found = match (ball, passes == [0.0; 2], stays == [0.0; 2]) {

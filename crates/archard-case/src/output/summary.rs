@@ -6,6 +6,7 @@ use super::evidence::worn_over_coefficient;
 use super::{Standard, closed_forms};
 use crate::verdict::{Bound, Line, Verdict};
 use archard::estimate::{Estimator, Subject};
+use archard::motion::Passage;
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
 use archard::simulation::{Effort, Report};
 
@@ -45,7 +46,7 @@ impl Standing {
             last: last.into(),
             wear: wear(report, row),
             closed_form: closed_forms::of(report, estimator),
-            cycles: report.problem.motion.period().is_some(),
+            cycles: report.problem.motion.increments().is_some(),
             effort: report.effort,
             extent: report.extent,
         }
@@ -112,9 +113,9 @@ pub(crate) fn json_of(verdict: &Verdict) -> Value {
 fn wear(report: &Report<'_>, row: &[(String, f64)]) -> Value {
     let problem = report.problem;
     let expected = worn_over_coefficient(report);
-    let (measure, unit, column) = match problem.motion.rolling() {
-        Some(_) => ("section", "m2", WORN_SECTION),
-        None => ("volume", "m3", WORN_VOLUME),
+    let (measure, unit, column) = match problem.motion.surfaces[0] {
+        Passage::Passes(None) => ("section", "m2", WORN_SECTION),
+        _ => ("volume", "m3", WORN_VOLUME),
     };
     let standards = Standard::of(problem, row);
     let entries = problem.bodies.iter().enumerate().map(|(index, body)| {

@@ -22,7 +22,7 @@ pub(super) struct WornProfiles<'a> {
 impl<'a> WornProfiles<'a> {
     /// The profiles of a state; `None` unless surfaces pass and may wear while they do.
     pub(super) fn of(problem: &'a ContactProblem, state: &'a ContactState) -> Option<Self> {
-        let (direction, passes) = problem.motion.worn_along()?;
+        let (direction, passes) = problem.motion.grooves()?;
         Some(Self { problem, state, direction, passes })
     }
 
@@ -30,7 +30,7 @@ impl<'a> WornProfiles<'a> {
     pub(super) fn write(&self, table: &mut Table) -> Result<(), Error> {
         let Self { problem, state, direction, .. } = *self;
         let (axis, frame) = (direction.axis, &problem.frame);
-        let progress = (problem.motion.progress().column.to_owned(), state.progress);
+        let progress = (problem.motion.progress.column.to_owned(), state.progress);
         let Ok(flow) = frame.flow(direction) else { return Ok(()) };
         let lines = flow.lines();
         let mut places: Vec<(&Line, f64)> = lines.iter().map(|line| (line, line.place)).collect();

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use archard::body::profile::{Flat, Paraboloid};
 use archard::body::{Body, Material};
 use archard::frame::ContactFrame;
-use archard::motion::{Control, Motion, Schedule, Sliding, Stepping};
+use archard::motion::{Control, Schedule, Sliding, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState, Surface, Tangential};
 use archard::simulation::history::number;
@@ -83,8 +83,9 @@ impl Ball {
             let law = Some(self.wear[index]).filter(|&coefficient| coefficient > 0.0);
             body.wear = law.map(|k| Arc::new(Archard::new(k).expect("a coefficient")) as _);
         }
-        let planned =
-            (Motion::Sliding(Sliding::new()), Schedule::steady(self.control, extent, stepping));
+        let once = Sliding::new().over(1.0, Control::Load(1.0), Stepping::ToOutputs);
+        let (motion, _) = once.expect("a motion");
+        let planned = (motion, Schedule::steady(self.control, extent, stepping));
         let settings = Settings::new(self.solver_tolerance, 500).expect("a tolerance");
         let builder = Simulation::builder(bodies, planned).frame(self.size, self.elements);
         let simulation = builder.solver(ConjugateGradient::new(settings)).build();

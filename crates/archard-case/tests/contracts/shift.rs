@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use archard::compliance::{Compliance, HalfSpace, PairStatus, SlipMap};
 use archard::frame::{ContactFrame, VectorField};
-use archard::motion::{Guide, MOTIONS, Motion, Schedule};
+use archard::motion::{Drive, MOTIONS, Motion, Schedule};
 use archard::parameters::{Value, Values};
 
 use crate::common::Ball;
@@ -47,13 +47,13 @@ fn motions() -> [((Motion, Schedule), f64); 4] {
 #[test]
 fn motions_in_increments_come_back() {
     for ((motion, schedule), cycles) in motions() {
-        let shift = motion.shift().expect("a motion in increments");
+        let shift = motion.increments().expect("a motion in increments");
         assert_eq!(shift.cycle.len(), shift.places.len());
         assert!(shift.places[0] > 0.0 && shift.places.windows(2).all(|pair| pair[0] < pair[1]));
         assert_relative_eq!(schedule.extent, cycles * shift.period());
         assert_eq!(motion.slip(0.1), 0.0);
-        assert!(motion.progress().column.contains(char::is_alphabetic));
-        let guided = |guide: &Guide| !matches!(guide, Guide::Shift(0.0) | Guide::Force(0.0));
+        assert!(motion.progress.column.contains(char::is_alphabetic));
+        let guided = |guide: &Drive| !matches!(guide, Drive::Slip(0.0) | Drive::Force(0.0));
         let moves = shift.cycle.iter().any(|station| station.guides.iter().any(guided));
         assert_eq!(shift.moves(), moves);
         if !shift.released {

@@ -3,7 +3,7 @@
 
 use approx::assert_relative_eq;
 use archard::closed_form::cattaneo_mindlin::{Branch, Oscillation, PartialSlip};
-use archard::motion::Guide;
+use archard::motion::Drive;
 use archard::problem::{ContactProblem, ContactState};
 
 use crate::common::{Rows, STEEL, case, states};
@@ -216,11 +216,11 @@ fn forces_given_make_mindlins_shifts() {
     let rows = rows(&sphere(128, 0.3, motion));
     let columns = ["cycle", "shift_x_m", "force_x_N"].map(|name| rows.column(name));
     let asked = case(&sphere(8, 0.3, motion), &[]).problem.motion;
-    let stations = &asked.shift().expect("increments").cycle;
+    let stations = &asked.increments().expect("increments").cycle;
     for row in 1..columns[0].len() {
         let [cycle, shift, force] = columns.each_ref().map(|column| column[row]);
-        assert_eq!(stations[row - 1].guides[1], Guide::Force(0.0));
-        let Guide::Force(asked) = stations[row - 1].guides[0] else { panic!("a force") };
+        assert_eq!(stations[row - 1].guides[1], Drive::Force(0.0));
+        let Drive::Force(asked) = stations[row - 1].guides[0] else { panic!("a force") };
         assert_relative_eq!(force, asked, epsilon = 1e-8 * FORCE);
         let expected = match cycle <= 0.25 {
             true => contact().shift(force),

@@ -202,10 +202,11 @@ fn worn(motion: &str, law: Option<Box<dyn WearLaw>>) -> ([Vec<f64>; 2], Simulati
     let mut bodies = ball_and_flat(0, thermal);
     bodies[worn].wear = Some(law.unwrap_or_else(|| Box::new(Archard::new(1e-20).unwrap())).into());
     let planned = match motion {
-        "rolls" => Rolling::along(Direction::X)
-            .longitudinal(Drive::Creepage(1.0))
-            .at_speed(5.0)
-            .over(30.0, Control::Load(50.0), Stepping::Implicit(10.0)),
+        "rolls" => Rolling::along(Direction::X).longitudinal(Drive::Slip(1.0)).at_speed(5.0).over(
+            30.0,
+            Control::Load(50.0),
+            Stepping::Implicit(10.0),
+        ),
         _ => Sliding::new().on(Track::around(1, 0.03).unwrap()).at_speed(5.0).over(
             3.0,
             Control::Load(50.0),

@@ -2,7 +2,7 @@
 
 use approx::assert_relative_eq;
 use archard::closed_form::Hertz;
-use archard::motion::{Control, Guide, Motion, Shift, Station, Stepping};
+use archard::motion::{Control, Drive, Sequence, Shift, Station, Stepping};
 use archard::problem::ContactState;
 use archard::simulation::Simulation;
 
@@ -203,9 +203,9 @@ fn a_tilted_plane_is_pressed_and_shifted() {
         Uneven { tilted, ..Uneven::new(SIDE, 16) }.take_over(&mut simulation);
         let station = |[approach, shift]: [f64; 2]| Station {
             control: Control::Approach(approach),
-            guides: [Guide::Shift(shift), Guide::Shift(0.0)],
+            guides: [Drive::Slip(shift), Drive::Slip(0.0)],
         };
-        let shift = simulation.problem.motion.shift().expect("increments");
+        let shift = simulation.problem.motion.increments().expect("increments");
         let shift = Shift {
             lead: vec![],
             cycle: path.map(station).to_vec(),
@@ -213,7 +213,7 @@ fn a_tilted_plane_is_pressed_and_shifted() {
             ..shift.clone()
         };
         simulation.schedule.extent = 1.0;
-        simulation.problem.motion = Motion::Shift(shift);
+        simulation.problem.motion.sequence = Sequence::Cycle(shift);
         let (mut states, mut rows) = (States::of(&simulation), Rows::default());
         simulation.run(&mut [&mut states, &mut rows]).expect("it converges");
         (simulation, states.0.pop().expect("a state").0, rows)

@@ -75,17 +75,18 @@ impl<'a> Sweep<'a> {
 
     /// Adds the closed form, where there is one.
     fn add_law(&self, results: &Results, curves: &mut Curves) {
-        let (Some(index), Some(rolling)) = (self.abscissa.index(), results.rolling()) else {
+        let (Some(index), Some((direction, drives))) = (self.abscissa.index(), results.rolling())
+        else {
             return;
         };
-        let Drive::Creepage(most) = [rolling.longitudinal, rolling.lateral][index] else { return };
+        let Drive::Slip(most) = drives.both()[index] else { return };
         let shares = || (0..=CELLS).map(|point| point as f64 / CELLS as f64);
         let estimates = results.case.as_ref().map_or(vec![], |case| case.estimates(shares()));
         let forces: Option<Vec<_>> = estimates.iter().map(|one| one.rolled?.force).collect();
         let Some(forces) = forces else { return };
         let line = estimates.iter().any(|one| one.rolled.is_some_and(|rolled| rolled.line));
         let mut legend = Some(if line { "Carter" } else { "Vermeulen and Johnson" });
-        let units = [rolling.direction.forward(), rolling.direction.lateral()];
+        let units = [direction.forward(), direction.lateral()];
         for axis in [0, 1] {
             let along = |force: &[f64; 2]| force[0] * units[0][axis] + force[1] * units[1][axis];
             let forces: Vec<f64> = forces.iter().map(along).collect();

@@ -6,7 +6,8 @@ use anyhow::{Context, bail, ensure};
 use archard::closed_form::Hertz;
 use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::closed_form::twin_discs::TwinDiscs;
-use archard::motion::{Progress, Rolling};
+use archard::frame::Direction;
+use archard::motion::{Drives, Progress};
 use archard::simulation::history::{
     BODY_DEPTH, CREEPAGE, FORCE, SHIFT, WEAR_DEPTH, of_body, stated,
 };
@@ -173,14 +174,14 @@ impl Results {
     /// The axis along which a surface passes on a track.
     fn track(&self) -> Option<Axis> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
-        let sliding = motion.sliding().filter(|sliding| sliding.track.is_some())?;
-        Some(if sliding.direction.axis == 1 { Axis::Y } else { Axis::X })
+        motion.track()?;
+        Some(if motion.direction.axis == 1 { Axis::Y } else { Axis::X })
     }
 
     /// The axis along which the surface of a body passes, and is worn alike.
     pub(crate) fn passes(&self, body: usize) -> Option<Axis> {
         let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
-        let (along, _) = motion.worn_along().filter(|(_, bodies)| bodies[body])?;
+        let (along, _) = motion.grooves().filter(|(_, bodies)| bodies[body])?;
         Some(if along.axis == 1 { Axis::Y } else { Axis::X })
     }
 
@@ -214,16 +215,16 @@ impl Results {
         self.rolls() && self.progress().0 == Progress::SHARE.column
     }
 
-    /// How they roll.
-    pub(crate) fn rolling(&self) -> Option<Rolling> {
-        let (motion, _) = self.case.as_ref()?.motion.build().ok()?;
-        motion.rolling().copied()
+    /// Where they roll to, and what drives them at the end.
+    pub(crate) fn rolling(&self) -> Option<(Direction, Drives)> {
+        let (motion, schedule) = self.case.as_ref()?.motion.build().ok()?;
+        Some((motion.direction, motion.driven(schedule.extent)?))
     }
 
     /// The axis along which they roll or are shifted and the one across.
     pub(crate) fn axes(&self) -> [Axis; 2] {
         let along = match self.rolling() {
-            Some(rolling) if rolling.direction.axis == 1 => Axis::Y,
+            Some((direction, _)) if direction.axis == 1 => Axis::Y,
             Some(_) => Axis::X,
             None => self.shift_axis(),
         };

@@ -100,8 +100,8 @@ fn points(section: &Profile, values: &[f64], window: [f64; 2]) -> Result<Vec<(f6
 
 /// Where the contact rolls to, as the end of a title.
 fn towards(results: &Results, along: Axis) -> String {
-    results.rolling().map_or_else(String::new, |rolling| {
-        let sense = if rolling.direction.reversed { "\u{2212}" } else { "+" };
+    results.rolling().map_or_else(String::new, |(direction, _)| {
+        let sense = if direction.reversed { "\u{2212}" } else { "+" };
         format!(", rolling towards {sense}{}", along.name())
     })
 }

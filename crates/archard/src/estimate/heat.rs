@@ -2,7 +2,6 @@
 
 use super::{Contact, Course, Rolled, Subject};
 use crate::closed_form::flash_temperature::{FAST, semi_ellipse, semi_ellipsoid};
-use crate::motion::Drive;
 use crate::problem::Heating;
 
 /// What closed forms say of the warmth of the unworn contact.
@@ -26,14 +25,11 @@ impl Warmth {
         let heating = Heating::of(subject.bodies, subject.motion).ok()?;
         let axis = heating.direction().axis;
         let half_length = Some(contact.semi_axes[axis]).filter(|one| one.is_finite())?;
-        let rolling = subject.motion.rolling().map(|rolling| rolling.at(course.progress));
-        let creepage = rolling.map_or(0.0, |rolling| match rolling.longitudinal {
-            Drive::Creepage(creepage) => creepage,
-            Drive::Force(_) => 0.0,
-        });
+        let drives = subject.motion.driven(course.progress);
+        let creepage = drives.map_or(0.0, |drives| drives.longitudinal.slip());
         let peclet = heating.peclet(half_length, creepage);
         // Speed of slip over that of the stream, and how much it grows from the middle to the trailing edge.
-        let slip = match rolling {
+        let slip = match drives {
             None => Some((1.0, 0.0)),
             Some(_) => rolled
                 .and_then(|rolled| rolled.relative_creepage)

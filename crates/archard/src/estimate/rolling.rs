@@ -5,7 +5,7 @@ use crate::body::Material;
 use crate::closed_form::kalker::Coefficients;
 use crate::closed_form::twin_discs::TwinDiscs;
 use crate::closed_form::{carter, free_rolling, strip, vermeulen_johnson};
-use crate::motion::{Control, Drive, Rolling};
+use crate::motion::{Control, Drive, Drives, Sequence};
 
 /// What closed forms expect of rolling at the creepages and the spin given.
 #[non_exhaustive]
@@ -67,7 +67,7 @@ pub struct Track {
 /// A rolling contact after Hertz.
 struct Contacted<'a> {
     subject: &'a Subject<'a>,
-    rolling: Rolling,
+    drives: Drives,
     /// Normal force (N).
     load: f64,
     /// Semi-axes and combined curvatures (m, 1/m) along the direction of rolling and across.
@@ -84,16 +84,16 @@ struct Contacted<'a> {
 impl Rolled {
     /// What to expect of a contact; `None` unless it rolls.
     pub(super) fn of(subject: &Subject<'_>, course: &Course, contact: Contact) -> Option<Self> {
-        let rolling = subject.motion.rolling()?.at(course.progress);
-        let axis = rolling.direction.axis;
+        let drives = subject.motion.driven(course.progress)?;
+        let axis = subject.motion.direction.axis;
         let by_direction = |both: [f64; 2]| [both[axis], both[1 - axis]];
-        let creepages = match [rolling.longitudinal, rolling.lateral] {
-            [Drive::Creepage(along), Drive::Creepage(across)] => Some([along, across]),
+        let creepages = match drives.both() {
+            [Drive::Slip(along), Drive::Slip(across)] => Some([along, across]),
             _ => None,
         };
         let contacted = Contacted {
             subject,
-            rolling,
+            drives,
             load: contact.load,
             semi_axes: by_direction(contact.semi_axes),
             curvatures: by_direction(subject.curvatures()?),
@@ -118,7 +118,7 @@ impl Contacted<'_> {
         let force = match line {
             true => relative_creepage.map(|one| [limit * carter::relative_force(one), 0.0]),
             false => linear_force
-                .filter(|_| limit > 0.0 && self.rolling.spin == 0.0)
+                .filter(|_| limit > 0.0 && self.drives.spin == 0.0)
                 .map(|linear| vermeulen_johnson::force(linear, limit)),
         };
         let (free_creepage, track) = (self.free_creepage(), self.track(course));
@@ -141,7 +141,7 @@ impl Contacted<'_> {
     fn alike(&self) -> bool {
         let half_width = self.semi_axes[0];
         let given = self.creepages.map_or(0.0, |[along, across]| along.hypot(across))
-            + half_width * self.rolling.spin.abs();
+            + half_width * self.drives.spin.abs();
         self.beta.abs() * half_width * self.curvatures[0] <= ALIKE * given
     }
 
@@ -163,7 +163,7 @@ impl Contacted<'_> {
     /// The longitudinal creepage relative to saturation, where nothing else makes slip.
     fn relative_creepage(&self, saturation: Option<Saturation>) -> Option<f64> {
         let [along, across] = self.creepages?;
-        let alone = across == 0.0 && self.rolling.spin == 0.0 && self.alike();
+        let alone = across == 0.0 && self.drives.spin == 0.0 && self.alike();
         saturation.filter(|_| alone).map(|saturation| along / saturation.creepage)
     }
 
@@ -179,7 +179,7 @@ impl Contacted<'_> {
         let coefficients = Coefficients::at(a / b, contraction / softness)?;
         // Kalker's creepages are those of body 1 over body 2 seen from the contact.
         let creepages = [-along, -across];
-        Some(coefficients.resultant(1.0 / softness, [a, b], creepages, -self.rolling.spin).force)
+        Some(coefficients.resultant(1.0 / softness, [a, b], creepages, -self.drives.spin).force)
     }
 
     /// Bentall's and Johnson's cylinders. Spheres creep 0.58 times as much: their surfaces are stretched across as well.
@@ -195,8 +195,9 @@ impl Contacted<'_> {
         let Control::Load(load) = course.control else { return None };
         let (creepage, revolutions) = (self.creepages.map(|[x, y]| x.hypot(y))?, course.progress);
         let coefficient = self.subject.total_wear_coefficient()?;
-        let wears = creepage * revolutions > 0.0 && !self.rolling.swept;
-        if !wears || self.rolling.spin != 0.0 || self.is_line() {
+        let wears =
+            creepage * revolutions > 0.0 && self.subject.motion.sequence == Sequence::Steady;
+        if !wears || self.drives.spin != 0.0 || self.is_line() {
             return None;
         }
         let (crown, half_width) = (1.0 / self.curvatures[1], self.semi_axes[1]);
@@ -204,7 +205,7 @@ impl Contacted<'_> {
         let depth = discs.incremental_depth(load * revolutions);
         let line_load_depth = discs.line_load_depth(load * revolutions);
         let mut semi_axes = [0.0; 2];
-        semi_axes[1 - self.rolling.direction.axis] = discs.track(depth);
+        semi_axes[1 - self.subject.motion.direction.axis] = discs.track(depth);
         Some(Track { discs, load, revolutions, depth, line_load_depth, semi_axes })
     }
 }

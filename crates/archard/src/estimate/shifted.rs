@@ -6,7 +6,7 @@ use super::{ALIKE, Course, Subject};
 use crate::closed_form::cattaneo_mindlin::PartialSlip;
 use crate::closed_form::fretting_wear::WornOut;
 use crate::closed_form::spence::Indentation;
-use crate::motion::{Control, Guide, Shift};
+use crate::motion::{Control, Drive, Shift};
 
 /// A sphere on a body of its elasticity, shifted to and fro under constant load or approach: Cattaneo
 /// and Mindlin before any wear, and where the wear ends.
@@ -60,10 +60,10 @@ pub struct Pressed {
 }
 
 /// What guides bodies that are moved to and fro along one axis, at its extreme, and the axis.
-fn swing(shift: &Shift) -> Option<(usize, Guide)> {
+fn swing(shift: &Shift) -> Option<(usize, Drive)> {
     let stations = || shift.cycle.iter();
-    let value = |guide: Guide| match guide {
-        Guide::Shift(value) | Guide::Force(value) => value,
+    let value = |guide: Drive| match guide {
+        Drive::Slip(value) | Drive::Force(value) => value,
     };
     let still = |axis: usize| stations().all(|station| value(station.guides[axis]) == 0.0);
     let axis = [0, 1].into_iter().find(|&axis| !still(axis) && still(1 - axis))?;
@@ -76,7 +76,7 @@ fn swing(shift: &Shift) -> Option<(usize, Guide)> {
 impl Fretting {
     /// What to expect; `None` unless a sphere is shifted to and fro along one axis, pressed on evenly.
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
-        let shift = subject.motion.shift()?;
+        let shift = subject.motion.increments()?;
         let control = shift.cycle.first()?.control;
         let steady = shift.cycle.iter().all(|station| station.control == control);
         if !steady || subject.dundurs_beta().abs() >= ALIKE {
@@ -86,9 +86,9 @@ impl Fretting {
         let contact = PartialSlip::new(subject.radius()?, subject.materials(), load, friction)?;
         let (axis, guide) = swing(shift)?;
         let (shift, force) = match guide {
-            Guide::Shift(shift) => (shift, contact.force(shift)),
-            Guide::Force(force) if force < contact.sliding_force => (contact.shift(force), force),
-            Guide::Force(_) => return None,
+            Drive::Slip(shift) => (shift, contact.force(shift)),
+            Drive::Force(force) if force < contact.sliding_force => (contact.shift(force), force),
+            Drive::Force(_) => return None,
         };
         let slid = (shift - contact.sliding_shift).max(0.0);
         let dissipated = contact.dissipation(force) + 4.0 * contact.sliding_force * slid;
@@ -104,7 +104,7 @@ impl Fretting {
         let coefficient = subject.total_wear_coefficient()?;
         let modulus = subject.contact_modulus();
         let end = WornOut::new(subject.radius()?, modulus, self.load, self.stick_radius)?;
-        let cycles = course.progress / subject.motion.period()?;
+        let cycles = course.progress / subject.motion.increments()?.period();
         let steady_volume = coefficient * self.dissipated / self.contact.friction * cycles;
         Some(FrettingWear { steady_volume, end })
     }
@@ -125,7 +125,7 @@ impl Pressed {
         known: &OnceCell<Option<Indentation>>,
     ) -> Option<Self> {
         const SPHERE: f64 = 2.0;
-        let shift = subject.motion.shift()?;
+        let shift = subject.motion.increments()?;
         if subject.radius().is_none() || shift.moves() || !rises(shift) {
             return None;
         }

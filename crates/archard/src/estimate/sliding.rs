@@ -2,6 +2,7 @@
 
 use super::{Course, Subject};
 use crate::closed_form::pin_on_disc;
+use crate::motion::Lever;
 
 /// The scar that the geometric model of the pin on disc expects.
 #[non_exhaustive]
@@ -27,8 +28,7 @@ impl WornCap {
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
         let curvatures = subject.curvatures().filter(|both| both.iter().all(|&one| one > 0.0))?;
         let coefficient = subject.total_wear_coefficient()?;
-        let even = subject.motion.swing().is_none() && !subject.motion.turns();
-        if subject.motion.sliding()?.track.is_some() || !even {
+        if subject.motion.lever_arm() != Some(Lever::Even) || !subject.motion.stays() {
             return None;
         }
         let radius = 1.0 / (curvatures[0] * curvatures[1]).sqrt();

@@ -19,8 +19,7 @@ pub struct OnTrack {
 impl OnTrack {
     /// So far; `None` without a track, or where the bodies are not convex against each other along both axes.
     pub(super) fn of(subject: &Subject<'_>, course: &Course) -> Option<Self> {
-        let sliding = subject.motion.sliding()?;
-        let track = sliding.track?;
+        let track = subject.motion.track()?;
         let curvatures = subject.curvatures().filter(|both| both.iter().all(|&one| one > 0.0))?;
         let coefficient = |body: usize| match &subject.bodies[body].wear {
             Some(_) => subject.wear_coefficient(body),
@@ -28,7 +27,7 @@ impl OnTrack {
         };
         let coefficients = [coefficient(0)?, coefficient(1)?];
         let load_distance = course.load_distance.filter(|&worked| worked > 0.0)?;
-        let axis = sliding.direction.axis;
+        let axis = subject.motion.direction.axis;
         let both = [coefficients[1 - track.body], coefficients[track.body]];
         if both == [0.0; 2] {
             return None;

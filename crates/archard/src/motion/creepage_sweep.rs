@@ -4,8 +4,8 @@ use super::rolling::{
     CREEPAGE, DIRECTION, FORCE, LATERAL_CREEPAGE, LATERAL_FORCE, Rolling, SPEED, SPIN,
 };
 use super::{
-    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Schedule, Stepping, control, counted,
-    pressing,
+    APPROACH, Control, INCREMENTS, LOAD, Planned, Progress, Schedule, Sequence, Stepping, control,
+    counted, pressing,
 };
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
@@ -42,7 +42,7 @@ impl Rolling {
     /// If there are no increments or too many of them, or a value is not one to compute with.
     pub fn swept(self, increments: usize, control: Control) -> Result<Planned, Invalid> {
         let stepping = Stepping::Implicit(1.0 / counted(COUNT, increments)? as f64);
-        let rolling = Self { swept: true, ..self.checked()? };
-        Ok((Motion::Rolling(rolling), Schedule::steady(pressing(control)?, 1.0, stepping)))
+        let raised = self.checked()?.driven(Sequence::Raised, Progress::SHARE);
+        Ok((raised, Schedule::steady(pressing(control)?, 1.0, stepping)))
     }
 }

@@ -1,9 +1,9 @@
 //! Small tangential oscillations under load (the paper's section 6.1; Cattaneo and Mindlin).
 
-use super::shift::{CYCLE_COUNT, Cycles, Guide, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
+use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station, wave};
 use super::{
-    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, Sliding, Stepping,
-    control, counted, pressing,
+    APPROACH, Control, Drive, INCREMENTS, LOAD, Lever, Motion, Passage, Planned, Progress,
+    Schedule, Sequence, Slip, Stepping, control, counted, pressing,
 };
 use crate::frame::Direction;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
@@ -73,10 +73,16 @@ fn swinging(values: &Values) -> Result<Planned, Invalid> {
         Stepping::Jumps(cycles) => Stepping::Implicit(cycles as f64),
         other => other,
     };
-    let direction = Direction { axis, reversed: false };
-    let sliding = Sliding { direction, swing: Some(amplitude), ..Sliding::default() };
+    let motion = Motion {
+        progress: Progress::CYCLES,
+        direction: Direction { axis, reversed: false },
+        surfaces: [Passage::Swings(amplitude, None); 2],
+        slip: Slip::Given(4.0 * amplitude, Lever::Even),
+        sequence: Sequence::Steady,
+        speed: None,
+    };
     let control = pressing(control(values)?)?;
-    Ok((Motion::Sliding(sliding), Schedule::steady(control, extent, stepping)))
+    Ok((motion, Schedule::steady(control, extent, stepping)))
 }
 
 const AMPLITUDE: Parameter = Parameter::optional(
@@ -182,9 +188,9 @@ impl Fretting {
             places: (1..=count).map(|index| index as f64 / count as f64).collect(),
             released: false,
             end_pressure: false,
-            progress: Progress::CYCLES,
         };
-        Ok((Motion::Shift(shift), Schedule::steady(control, extent, stepping)))
+        let motion = Motion::cycle_of(shift, Progress::CYCLES);
+        Ok((motion, Schedule::steady(control, extent, stepping)))
     }
 
     fn check(&self, control: Control) -> Result<(), Invalid> {
@@ -227,7 +233,7 @@ impl Fretting {
         };
         let guide = |amplitude: f64, phase: f64| {
             let value = amplitude * ahead(phase);
-            if self.forces { Guide::Force(value) } else { Guide::Shift(value) }
+            if self.forces { Drive::Force(value) } else { Drive::Slip(value) }
         };
         let guides = [guide(self.amplitude[0], 0.0), guide(self.amplitude[1], self.phase)];
         Station { control, guides }
@@ -235,7 +241,7 @@ impl Fretting {
 }
 
 /// From rest to the beginning of the first cycle, in that many increments: first pressed together, then shifted.
-fn lead(start: Station, count: usize) -> Vec<Station> {
+pub(super) fn lead(start: Station, count: usize) -> Vec<Station> {
     let unmoved = Station { guides: start.share(0.0).guides, ..start };
     let share = |index: usize| index as f64 / count as f64;
     let press = (1..=count).map(|index| unmoved.share(share(index)));
@@ -249,12 +255,12 @@ fn lead(start: Station, count: usize) -> Vec<Station> {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Fretting, Guide, Shift};
+    use super::{Drive, Fretting, Shift};
     use crate::motion::Control;
 
     fn built(fretting: Fretting) -> Result<Shift, String> {
         let (motion, _) = fretting.under(Control::Load(50.0)).map_err(|invalid| invalid.message)?;
-        Ok(motion.shift().expect("increments").clone())
+        Ok(motion.increments().expect("increments").clone())
     }
 
     fn ellipse() -> Fretting {
@@ -267,8 +273,8 @@ mod tests {
         let angle = std::f64::consts::FRAC_PI_2;
         let shift = built(ellipse().phase(angle).increments(8)).unwrap();
         assert_eq!(shift.lead.last(), shift.cycle.last());
-        assert_eq!(shift.cycle[1].guides[0], Guide::Shift(1e-6));
-        let Guide::Shift(y) = shift.cycle[7].guides[1] else { panic!("a shift") };
+        assert_eq!(shift.cycle[1].guides[0], Drive::Slip(1e-6));
+        let Drive::Slip(y) = shift.cycle[7].guides[1] else { panic!("a shift") };
         assert_relative_eq!(y, 2e-6);
         assert_eq!(shift.lead[0].control, Control::Load(50.0 / 8.0));
     }
@@ -282,13 +288,11 @@ mod tests {
             let pairs =
                 back.cycle[index].guides.into_iter().zip(there.cycle[(index + 4) % 8].guides);
             for (one, other) in pairs {
-                let (Guide::Shift(one), Guide::Shift(other)) = (one, other) else {
-                    panic!("shifts")
-                };
+                let (Drive::Slip(one), Drive::Slip(other)) = (one, other) else { panic!("shifts") };
                 assert!((one - other).abs() < 1e-20, "{one:e} and {other:e}");
             }
         }
-        let [Guide::Shift(x), Guide::Shift(y)] =
+        let [Drive::Slip(x), Drive::Slip(y)] =
             built(Fretting::shifted([-1e-6, 1e-6]).increments(8)).unwrap().cycle[1].guides
         else {
             panic!("a shift")

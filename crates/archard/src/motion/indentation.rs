@@ -1,10 +1,12 @@
 //! Two bodies pressed together, once or again and again.
 
+use super::fretting::lead;
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station};
 use super::{
-    APPROACH, Control, INCREMENTS, LOAD, Motion, Planned, Progress, Schedule, control, counted,
-    pressing,
+    APPROACH, Control, INCREMENTS, LOAD, Lever, Motion, Passage, Planned, Progress, Schedule,
+    Sequence, Slip, Stepping, control, counted, pressing,
 };
+use crate::frame::Direction;
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
@@ -42,6 +44,45 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
 const COUNT: Parameter =
     Parameter::optional("increments", Quantity::Count, "number of increments; 1 if not given")
         .bound(INCREMENTS);
+
+impl Motion {
+    /// Two bodies that a load or an approach presses together, and that do not move.
+    ///
+    /// # Errors
+    /// If the control is not greater than zero.
+    pub fn pressed(control: Control) -> Result<Planned, Invalid> {
+        let motion = Self {
+            progress: Progress::SHARE,
+            direction: Direction::X,
+            surfaces: [Passage::Stays; 2],
+            slip: Slip::Given(0.0, Lever::Even),
+            sequence: Sequence::Steady,
+            speed: None,
+        };
+        Ok((motion, Schedule::steady(pressing(control)?, 0.0, Stepping::ToOutputs)))
+    }
+
+    /// Two bodies that are pressed together as at a station, and then shifted or pushed there, in so many increments each where
+    /// friction makes the way count.
+    ///
+    /// # Errors
+    /// If a value of the station is not one to compute with, or there are no increments or too many of them.
+    pub fn shifted(station: Station, increments: usize) -> Result<Planned, Invalid> {
+        if !station.is_finite() {
+            return Err(Invalid::new("shift", "a shift or a force is not finite"));
+        }
+        let control = pressing(station.control)?;
+        let shift = Shift {
+            lead: lead(station, counted(COUNT, increments)?),
+            cycle: vec![station],
+            places: vec![1.0],
+            released: false,
+            end_pressure: false,
+        };
+        let schedule = Schedule::steady(control, 1.0, Stepping::Implicit(1.0));
+        Ok((Self::cycle_of(shift, Progress::SHARE), schedule))
+    }
+}
 
 /// Load or approach raised in equal increments, once or in cycles.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -98,9 +139,9 @@ impl Indentation {
             cycle,
             released: true,
             end_pressure: self.end_pressure,
-            progress: if once { Progress::SHARE } else { Progress::CYCLES },
         };
+        let progress = if once { Progress::SHARE } else { Progress::CYCLES };
         let schedule = Schedule::steady(control, extent, stepping);
-        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
+        Ok((Motion::cycle_of(shift, progress), Schedule { ramped: true, ..schedule }))
     }
 }

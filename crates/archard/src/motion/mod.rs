@@ -3,6 +3,7 @@
 //! A new motion is one file here and one line in [`MOTIONS`].
 
 mod creepage_sweep;
+mod drives;
 mod fretting;
 mod indentation;
 mod path;
@@ -14,32 +15,80 @@ mod sliding;
 
 use serde::{Deserialize, Serialize};
 
+pub use drives::{Drive, Drives};
 pub use fretting::Fretting;
 pub use indentation::Indentation;
 pub use path::Path;
-pub use rolling::{Drive, Rolling};
+pub use rolling::Rolling;
 pub use rotation::Rotation;
-pub use shift::{Cycles, Guide, Shift, Station};
+pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
 
 use crate::frame::Direction;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
-/// How the bodies move on each other.
+/// How the bodies move on each other: answers that do not depend on each other.
 ///
 /// The *advance* is the motion's own measure of progress: metres for sliding, revolutions for rolling,
 /// cycles or seconds for increments.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Motion {
-    /// All pairs in contact slide (gross sliding), the same distance or in proportion to the radius.
-    Sliding(Sliding),
-    /// Bodies roll: slip follows from the tractions, and all pairs on a line along the motion wear alike.
-    Rolling(Rolling),
-    /// Bodies are pressed and shifted in increments: each pair slips as far as the tractions let it.
-    Shift(Shift),
+pub struct Motion {
+    /// What progress measures, for result columns and messages.
+    pub progress: Progress,
+    /// Along which axis of the frame the bodies slide or roll; x of increments, which go along both.
+    pub direction: Direction,
+    /// What the surfaces of body 1 and body 2 do under the contact.
+    pub surfaces: [Passage; 2],
+    /// Whether the slip of all pairs is given, or friction decides it.
+    pub slip: Slip,
+    /// What the bodies go through as the motion advances.
+    pub sequence: Sequence,
+    /// Mean speed (m/s) where it is known: of sliding, or of rolling the mean of both surfaces.
+    pub speed: Option<f64>,
 }
 
-/// Surfaces that pass: their points come through the contact along a line, and all of that line wear alike.
+/// What the surface of a body does under the contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Passage {
+    /// The same points stay under the contact.
+    Stays,
+    /// Points come through the contact one after the other, and all on a line along the motion wear by the same depth: on a track,
+    /// or once a revolution.
+    Passes(Option<Track>),
+    /// Points are moved to and fro under the contact by an amplitude (m); on a track by half of its stroke.
+    Swings(f64, Option<Track>),
+}
+
+/// How far pairs in contact slip.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Slip {
+    /// All pairs slide (gross sliding): that distance (m) at a unit lever, or angle (rad), while the motion advances by one.
+    Given(f64, Lever),
+    /// Friction decides which pairs slip, and how far: bodies are driven so, or in a cycle as its stations say.
+    Sought(Drives),
+}
+
+/// How the slip of a pair depends on its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Lever {
+    /// The same everywhere.
+    Even,
+    /// In proportion to the distance (m) from x = y = 0, about which one body turns on the other.
+    Radius,
+}
+
+/// What the bodies go through as the motion advances.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Sequence {
+    /// The same all the time, and they wear by it.
+    Steady,
+    /// Drives that grow in proportion to the progress, from nothing to what they are; nothing wears.
+    Raised,
+    /// Increments from station to station.
+    Cycle(Shift),
+}
+
+/// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Passing {
     /// Along the motion.
@@ -63,163 +112,143 @@ pub struct Stream {
     pub speed: Option<f64>,
 }
 
+impl Passage {
+    /// Whether points come through the contact one after the other, evenly.
+    pub fn passes(&self) -> bool {
+        matches!(self, Self::Passes(_))
+    }
+
+    /// Whether all points on a line along the motion wear by the same depth, at least far from the ends of a stroke.
+    pub fn grooves(&self) -> bool {
+        matches!(self, Self::Passes(_) | Self::Swings(_, Some(_)))
+    }
+
+    /// The track of the surface.
+    pub fn track(&self) -> Option<Track> {
+        match *self {
+            Self::Passes(track) | Self::Swings(_, track) => track,
+            Self::Stays => None,
+        }
+    }
+
+    /// Amplitude (m) by which its points are moved to and fro.
+    pub fn amplitude(&self) -> Option<f64> {
+        if let Self::Swings(amplitude, _) = *self { Some(amplitude) } else { None }
+    }
+}
+
 impl Motion {
+    /// Along both axes, surfaces staying opposite each other, friction deciding what slips from station to station.
+    fn cycle_of(shift: Shift, progress: Progress) -> Self {
+        Self {
+            progress,
+            direction: Direction::X,
+            surfaces: [Passage::Stays; 2],
+            slip: Slip::Sought(Drives::FREE),
+            sequence: Sequence::Cycle(shift),
+            speed: None,
+        }
+    }
+
     /// The surfaces that stream through the contact; `None` where none does, or not at one speed as on a stroke.
     pub fn stream(&self) -> Option<Stream> {
-        match self {
-            Self::Rolling(Rolling { direction, speed, .. }) => {
-                Some(Stream { direction: *direction, bodies: [true; 2], speed: *speed })
-            }
-            Self::Sliding(Sliding {
-                swing: None, track: Some(track), direction, speed, ..
-            }) => {
-                // Body 2 slides along the direction over body 1: over body 2 the contact moves back.
-                let direction = if track.body == 1 { direction.back() } else { *direction };
-                let bodies = [0, 1].map(|body| body == track.body);
-                (!track.strokes).then_some(Stream { direction, bodies, speed: *speed })
-            }
-            Self::Sliding(_) | Self::Shift(_) => None,
+        let bodies = self.surfaces.each_ref().map(Passage::passes);
+        if bodies == [false; 2] || self.track().is_some_and(|track| track.strokes) {
+            return None;
         }
+        // Body 2 slides along the direction over body 1: over body 2 the contact moves back.
+        let back = self.track().is_some_and(|track| track.body == 1);
+        let direction = if back { self.direction.back() } else { self.direction };
+        Some(Stream { direction, bodies, speed: self.speed })
     }
 
     /// The surfaces that pass, if any do and may wear.
     pub fn passing(&self) -> Option<Passing> {
-        match self {
-            Self::Rolling(rolling) => (!rolling.swept).then_some(Passing {
-                direction: rolling.direction,
-                bodies: [true; 2],
-                passages: 1.0,
-                length: None,
-            }),
-            // What swings does not pass evenly.
-            Self::Sliding(Sliding { swing: Some(_), .. }) => None,
-            Self::Sliding(sliding) => sliding.track.map(|track| Passing {
-                direction: sliding.direction,
-                bodies: [0, 1].map(|body| body == track.body),
-                passages: 1.0 / track.length,
-                length: Some(track.length),
-            }),
-            Self::Shift(_) => None,
-        }
+        let bodies = self.surfaces.each_ref().map(Passage::passes);
+        let length = self.track().map(|track| track.length);
+        let passages = length.map_or(1.0, |length| 1.0 / length);
+        let passing = Passing { direction: self.direction, bodies, passages, length };
+        (bodies != [false; 2] && self.sequence != Sequence::Raised).then_some(passing)
+    }
+
+    /// The track of a surface.
+    pub fn track(&self) -> Option<Track> {
+        self.surfaces.iter().find_map(Passage::track)
+    }
+
+    /// Amplitude (m) by which the surfaces swing past each other, if they do.
+    pub fn amplitude(&self) -> Option<f64> {
+        self.surfaces.iter().find_map(Passage::amplitude)
+    }
+
+    /// Whether the surfaces stay opposite each other.
+    pub fn stays(&self) -> bool {
+        self.surfaces == [Passage::Stays; 2]
     }
 
     /// Along which axes it moves the bodies over planes of symmetry: sliding of surfaces that stay is the same on both sides.
-    pub fn moves(&self) -> [bool; 2] {
-        match self {
-            Self::Rolling(rolling) => rolling.moves(),
-            Self::Shift(shift) => shift.moves_along(),
-            Self::Sliding(_) => {
-                let along = self.passing().map(|passing| passing.direction.axis);
-                [0, 1].map(|axis| along == Some(axis))
+    pub fn crosses(&self) -> [bool; 2] {
+        let along = self.passing().map(|_| self.direction.axis);
+        match (&self.sequence, &self.slip) {
+            (Sequence::Cycle(shift), _) => shift.moves_along(),
+            (_, Slip::Sought(drives)) => {
+                let aside = drives.lateral != Drive::Slip(0.0) || drives.spin != 0.0;
+                [0, 1].map(|axis| axis == self.direction.axis || aside)
             }
+            (_, Slip::Given(..)) => [0, 1].map(|axis| along == Some(axis)),
         }
     }
 
-    /// Along which direction the surface of a body is worn alike, at least far from the ends of a stroke, and which bodies are.
-    pub fn worn_along(&self) -> Option<(Direction, [bool; 2])> {
-        let passing = self.passing().map(|passing| (passing.direction, passing.bodies));
-        let stroke = || {
-            let sliding = self.sliding()?;
-            let track = sliding.track?;
-            Some((sliding.direction, [0, 1].map(|body| body == track.body)))
-        };
-        passing.or_else(stroke)
+    /// Along which direction the surface of a body is worn by one depth, at least far from the ends of a stroke, and which bodies
+    /// are.
+    pub fn grooves(&self) -> Option<(Direction, [bool; 2])> {
+        let bodies = self.surfaces.each_ref().map(Passage::grooves);
+        (bodies != [false; 2] && self.sequence != Sequence::Raised)
+            .then_some((self.direction, bodies))
     }
 
     /// Distance (m) that pairs in contact slide over each other while the motion advances by that much, at a unit
     /// [lever](Self::lever); zero where friction decides it.
     pub fn slip(&self, advance: f64) -> f64 {
-        match self {
-            Self::Sliding(Sliding { rotation: Some(rotation), .. }) => rotation.angle * advance,
-            Self::Sliding(Sliding { swing: Some(amplitude), track: None, .. }) => {
-                4.0 * amplitude * advance
-            }
-            Self::Sliding(_) => advance,
-            Self::Rolling(_) | Self::Shift(_) => 0.0,
-        }
+        if let Slip::Given(each, _) = self.slip { each * advance } else { 0.0 }
     }
 
-    /// How far a pair at a place (m) slides beside the [slip](Self::slip): one, or where bodies turn the distance from the
-    /// axis (m).
+    /// Lever (1, or in m where bodies turn) of the [slip](Self::slip) at a place (m).
     pub fn lever(&self, [x, y]: [f64; 2]) -> f64 {
-        if self.turns() { x.hypot(y) } else { 1.0 }
+        if self.lever_arm() == Some(Lever::Radius) { x.hypot(y) } else { 1.0 }
     }
 
-    /// Whether one body turns on the other about the normal.
-    pub fn turns(&self) -> bool {
-        self.sliding().is_some_and(|sliding| sliding.rotation.is_some())
+    /// How the slip of a pair depends on its place; `None` where friction decides it.
+    pub fn lever_arm(&self) -> Option<Lever> {
+        if let Slip::Given(_, lever) = self.slip { Some(lever) } else { None }
     }
 
-    /// Speed at which bodies slide that slide the same distance everywhere (m/s), where it is known.
-    pub fn speed(&self) -> Option<f64> {
-        self.sliding()?.speed
+    /// Speed (m/s) of the slip of all pairs, where it is given.
+    pub fn sliding_speed(&self) -> Option<f64> {
+        self.speed.filter(|_| self.lever_arm().is_some())
     }
 
-    /// Whether the speed of slip is known where pairs slip.
-    pub fn tells_speed(&self) -> bool {
-        self.speed().is_some() || self.rolling().is_some_and(|rolling| rolling.speed.is_some())
-    }
-
-    /// Along which vector body 2 slides over body 1 at a place (m), if all pairs in contact do.
-    pub fn slides(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        if self.turns() && [x, y] != [0.0; 2] {
+    /// Unit vector, or where bodies turn one of another length, along which body 2 slides over body 1 at a place (m), if all pairs
+    /// in contact do.
+    pub fn heading(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        if self.lever_arm() == Some(Lever::Radius) && [x, y] != [0.0; 2] {
             return [-y, x];
         }
-        self.sliding().map_or(Direction::X, |sliding| sliding.direction).forward()
+        self.direction.forward()
     }
 
-    /// How the bodies slide, if all pairs in contact do.
-    pub fn sliding(&self) -> Option<&Sliding> {
-        if let Self::Sliding(sliding) = self { Some(sliding) } else { None }
-    }
-
-    /// How the bodies roll, if they do.
-    pub fn rolling(&self) -> Option<&Rolling> {
-        if let Self::Rolling(rolling) = self { Some(rolling) } else { None }
-    }
-
-    /// The axis (0 or 1) along which it rolls; the first one for other motions.
-    pub fn axis(&self) -> usize {
-        self.rolling().map_or(0, |rolling| rolling.direction.axis)
-    }
-
-    /// What drives bodies that roll along x and along y.
-    pub fn drives(&self) -> Option<[Drive; 2]> {
-        let Rolling { direction, longitudinal, lateral, .. } = *self.rolling()?;
-        let along_x = direction.axis == 0;
-        Some(if along_x { [longitudinal, lateral] } else { [lateral, longitudinal] })
-    }
-
-    /// How the bodies are shifted against each other, if they are.
-    pub fn shift(&self) -> Option<&Shift> {
-        if let Self::Shift(shift) = self { Some(shift) } else { None }
-    }
-
-    /// How far the motion goes in a cycle (its own unit), if it goes through cycles.
-    pub fn period(&self) -> Option<f64> {
-        self.shift().map(Shift::period)
-    }
-
-    /// Whether friction decides which pairs slip, and how far.
-    pub fn slips_partly(&self) -> bool {
-        !matches!(self, Self::Sliding(_))
-    }
-
-    /// Amplitude (m) by which the surfaces swing past each other, if they do.
-    pub fn swing(&self) -> Option<f64> {
-        self.sliding()?.swing
-    }
-
-    /// What progress measures, for result columns and messages.
-    pub fn progress(&self) -> Progress {
-        match self {
-            Self::Sliding(Sliding { rotation: Some(rotation), .. }) => rotation.progress,
-            Self::Sliding(Sliding { swing: Some(_), track: None, .. }) => Progress::CYCLES,
-            Self::Sliding(_) => Progress::DISTANCE,
-            Self::Rolling(rolling) if rolling.swept => Progress::SHARE,
-            Self::Rolling(_) => Progress::REVOLUTIONS,
-            Self::Shift(shift) => shift.progress,
+    /// What drives bodies whose slip is sought, at some progress (the motion's unit); `None` in a cycle, whose stations do.
+    pub fn driven(&self, progress: f64) -> Option<Drives> {
+        match (&self.slip, &self.sequence) {
+            (Slip::Sought(drives), Sequence::Steady) => Some(*drives),
+            (Slip::Sought(drives), Sequence::Raised) => Some(drives.raised(progress)),
+            _ => None,
         }
+    }
+
+    /// The increments of a motion in cycles.
+    pub fn increments(&self) -> Option<&Shift> {
+        if let Sequence::Cycle(shift) = &self.sequence { Some(shift) } else { None }
     }
 }
 

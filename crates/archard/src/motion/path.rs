@@ -1,7 +1,9 @@
 //! Loads and displacements as a table gives them over time.
 
-use super::shift::{CYCLE_COUNT, Cycles, Guide, JUMP, JUMP_TOLERANCE, Shift, Station};
-use super::{Control, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, counted};
+use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station};
+use super::{
+    Control, Drive, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, counted,
+};
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
@@ -111,7 +113,8 @@ impl Path {
         let (cycles, stepping) = self.cycles.divided(shift.period() / shift.cycle.len() as f64)?;
         let control = shift.cycle[shift.peak()].control;
         let schedule = Schedule::steady(control, cycles * shift.period(), stepping);
-        Ok((Motion::Shift(shift), Schedule { ramped: true, ..schedule }))
+        let motion = Motion::cycle_of(shift, Progress::TIME);
+        Ok((motion, Schedule { ramped: true, ..schedule }))
     }
 
     /// The lines and as many stations between them as makes that many increments.
@@ -131,8 +134,7 @@ impl Path {
         let first = self.stations[0];
         let rests = first == first.share(0.0);
         let lead = if rests { vec![] } else { lead(first) };
-        let progress = Progress::TIME;
-        Shift { lead, cycle, places, released: false, end_pressure: false, progress }
+        Shift { lead, cycle, places, released: false, end_pressure: false }
     }
 }
 
@@ -162,8 +164,8 @@ fn read(columns: &[(String, Vec<f64>)]) -> Result<Path, Invalid> {
         (None, approach) => Control::Approach(approach.map_or(0.0, |values| values[line])),
     };
     let guide = |line: usize, (shift, force): (Option<&[f64]>, Option<&[f64]>)| match force {
-        Some(force) => Guide::Force(force[line]),
-        None => Guide::Shift(shift.map_or(0.0, |shift| shift[line])),
+        Some(force) => Drive::Force(force[line]),
+        None => Drive::Slip(shift.map_or(0.0, |shift| shift[line])),
     };
     let station = |(line, &time): (usize, &f64)| {
         (time, Station { control: control(line), guides: guided.map(|one| guide(line, one)) })
@@ -196,8 +198,8 @@ fn blend(before: Station, after: Station, between: impl Fn(f64, f64) -> f64) -> 
         (_, other) => other,
     };
     let guide = |axis: usize| match (before.guides[axis], after.guides[axis]) {
-        (Guide::Shift(one), Guide::Shift(other)) => Guide::Shift(between(one, other)),
-        (Guide::Force(one), Guide::Force(other)) => Guide::Force(between(one, other)),
+        (Drive::Slip(one), Drive::Slip(other)) => Drive::Slip(between(one, other)),
+        (Drive::Force(one), Drive::Force(other)) => Drive::Force(between(one, other)),
         (_, other) => other,
     };
     Station { control, guides: [guide(0), guide(1)] }
@@ -205,7 +207,7 @@ fn blend(before: Station, after: Station, between: impl Fn(f64, f64) -> f64) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::{Control, Guide, Path};
+    use super::{Control, Drive, Path};
     use crate::parameters::Invalid;
 
     fn read(columns: &[(&str, &[f64])]) -> Result<Path, Invalid> {
@@ -224,7 +226,7 @@ mod tests {
         let shift = path.unwrap().increments(2).shift();
         assert_eq!(shift.places, [0.5, 1.0, 2.0, 3.0]);
         assert_eq!(shift.cycle[0].control, Control::Load(5.0));
-        assert_eq!(shift.cycle[2].guides, [Guide::Force(2.0), Guide::Shift(0.0)]);
+        assert_eq!(shift.cycle[2].guides, [Drive::Force(2.0), Drive::Slip(0.0)]);
         assert!(shift.lead.is_empty());
     }
 

@@ -6,10 +6,10 @@
 //! run backwards. Friction then drives body 1 forward: the force on it has the sign of the creepage.
 
 use super::{
-    APPROACH, Control, LOAD, Motion, Planned, Schedule, Stepping, TOLERANCE, control, few_steps,
-    pressing,
+    APPROACH, Control, Drive, Drives, LOAD, Motion, Passage, Planned, Progress, Schedule, Sequence,
+    Slip, Stepping, TOLERANCE, control, few_steps, pressing,
 };
-use crate::frame::{Direction, Flow};
+use crate::frame::Direction;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
@@ -36,8 +36,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
     ],
     build: |values| {
         let revolutions = values.require("revolutions")?;
-        let worn_radius = values.word("radius") == Some("worn");
-        let rolling = Rolling { worn_radius, ..Rolling::read(values)? };
+        let mut rolling = Rolling::read(values)?;
+        rolling.drives.worn_radius = values.word("radius") == Some("worn");
         rolling.over(revolutions, control(values)?, stepping(values, revolutions)?)
     },
 };
@@ -97,9 +97,9 @@ fn direction(values: &Values) -> Direction {
 /// The creepage given, or the force.
 fn drive(values: &Values, creepage: &'static str, force: &'static str) -> Result<Drive, Invalid> {
     match (values.number(creepage), values.number(force)) {
-        (None, None) => Ok(Drive::Creepage(0.0)),
+        (None, None) => Ok(Drive::Slip(0.0)),
         _ => match values.one_of(creepage, force)? {
-            (Some(creepage), _) => Ok(Drive::Creepage(creepage)),
+            (Some(creepage), _) => Ok(Drive::Slip(creepage)),
             (None, force) => Ok(Drive::Force(force.unwrap_or_default())),
         },
     }
@@ -116,65 +116,36 @@ fn stepping(values: &Values, revolutions: f64) -> Result<Stepping, Invalid> {
     }
 }
 
-/// What drives the bodies along one direction.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Drive {
-    /// The creepage; the force follows.
-    Creepage(f64),
-    /// The force on body 1 (N); the creepage follows.
-    Force(f64),
-}
-
 /// Steady rolling; progress is the number of revolutions, or the share of the drives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rolling {
-    /// Where the contact rolls to.
-    pub direction: Direction,
-    /// Drive along the direction.
-    pub longitudinal: Drive,
-    /// Drive across it, a quarter turn on from t1 to t2.
-    pub lateral: Drive,
-    /// Spin about n (1/m), positive where the surface of body 2 turns from t1 to t2 beneath body 1.
-    pub spin: f64,
-    /// Speed of rolling (m/s), the mean of both surfaces, where it is known.
-    pub speed: Option<f64>,
-    /// Whether the longitudinal creepage follows the worn radii of the bodies.
-    pub worn_radius: bool,
-    /// Whether the drives grow in proportion to the progress, from nothing to what they are here,
-    /// instead of wearing the bodies.
-    pub swept: bool,
+    direction: Direction,
+    drives: Drives,
+    speed: Option<f64>,
 }
 
 impl Rolling {
     /// Free of creepage and spin, in that direction.
     pub fn along(direction: Direction) -> Self {
-        Self {
-            direction,
-            longitudinal: Drive::Creepage(0.0),
-            lateral: Drive::Creepage(0.0),
-            spin: 0.0,
-            speed: None,
-            worn_radius: false,
-            swept: false,
-        }
+        Self { direction, drives: Drives::FREE, speed: None }
     }
 
     /// The same with that drive along the direction.
     #[must_use]
     pub fn longitudinal(self, drive: Drive) -> Self {
-        Self { longitudinal: drive, ..self }
+        Self { drives: Drives { longitudinal: drive, ..self.drives }, ..self }
     }
 
     /// The same with that drive across the direction.
     #[must_use]
     pub fn lateral(self, drive: Drive) -> Self {
-        Self { lateral: drive, ..self }
+        Self { drives: Drives { lateral: drive, ..self.drives }, ..self }
     }
 
     /// The same with that spin (1/m).
     #[must_use]
     pub fn spin(self, spin: f64) -> Self {
-        Self { spin, ..self }
+        Self { drives: Drives { spin, ..self.drives }, ..self }
     }
 
     /// The same at that speed of rolling (m/s).
@@ -186,7 +157,7 @@ impl Rolling {
     /// The same, its longitudinal creepage following the worn radii.
     #[must_use]
     pub fn with_worn_radius(self) -> Self {
-        Self { worn_radius: true, ..self }
+        Self { drives: Drives { worn_radius: true, ..self.drives }, ..self }
     }
 
     /// Steady rolling over a number of revolutions at constant load or approach, in implicit steps of so many
@@ -214,22 +185,21 @@ impl Rolling {
         }
         let stepping = few_steps(stepping, STEP, revolutions)?;
         let schedule = Schedule::steady(pressing(control)?, revolutions, stepping);
-        Ok((Motion::Rolling(self.checked()?), schedule))
+        Ok((self.checked()?.driven(Sequence::Steady, Progress::REVOLUTIONS), schedule))
     }
 
-    /// The motion, if its drives and spin can be computed with.
+    /// It, if its drives and spin can be computed with.
     pub(super) fn checked(self) -> Result<Self, Invalid> {
-        let drives = [
-            (self.longitudinal, [CREEPAGE, FORCE]),
-            (self.lateral, [LATERAL_CREEPAGE, LATERAL_FORCE]),
-        ];
+        let Drives { longitudinal, lateral, spin, .. } = self.drives;
+        let drives =
+            [(longitudinal, [CREEPAGE, FORCE]), (lateral, [LATERAL_CREEPAGE, LATERAL_FORCE])];
         for (drive, [creepage, force]) in drives {
             match drive {
-                Drive::Creepage(value) => creepage.admit(value)?,
+                Drive::Slip(value) => creepage.admit(value)?,
                 Drive::Force(value) => force.admit(value)?,
             };
         }
-        SPIN.admit(self.spin)?;
+        SPIN.admit(spin)?;
         self.speed.map(|speed| SPEED.admit(speed)).transpose()?;
         Ok(self)
     }
@@ -243,58 +213,10 @@ impl Rolling {
         Ok(Self { speed: values.number("speed"), ..rolling })
     }
 
-    /// Along which axes the bodies move.
-    pub(super) fn moves(&self) -> [bool; 2] {
-        let turns = self.lateral != Drive::Creepage(0.0) || self.spin != 0.0;
-        [0, 1].map(|axis| axis == self.direction.axis || turns)
-    }
-
-    /// The motion at some progress.
-    pub fn at(&self, progress: f64) -> Self {
-        if !self.swept {
-            return *self;
-        }
-        let scaled = |drive: Drive| match drive {
-            Drive::Creepage(creepage) => Drive::Creepage(progress * creepage),
-            Drive::Force(force) => Drive::Force(progress * force),
-        };
-        let (longitudinal, lateral) = (scaled(self.longitudinal), scaled(self.lateral));
-        Self { longitudinal, lateral, spin: progress * self.spin, ..*self }
-    }
-
-    /// Of creepages along the direction and across it, those that forces make.
-    pub fn by_force(&self, [forward, lateral]: [f64; 2]) -> [f64; 2] {
-        let found = |drive, creepage| if matches!(drive, Drive::Force(_)) { creepage } else { 0.0 };
-        [found(self.longitudinal, forward), found(self.lateral, lateral)]
-    }
-
-    /// Slip (m) of the rigid bodies, body 2 over body 1 along t1 and t2, of particles on their passage to each pair,
-    /// one value a pair; without what drives by force.
-    pub fn rigid_slip(&self, flow: Flow<'_>) -> [Vec<f64>; 2] {
-        let given = |drive: Drive| match drive {
-            Drive::Creepage(creepage) => creepage,
-            Drive::Force(_) => 0.0,
-        };
-        let (forward, lateral) = (self.direction.forward(), self.direction.lateral());
-        let pairs = flow.frame().len();
-        let advances = flow.advances().unwrap_or_else(|| vec![flow.advance(); pairs]);
-        // The displacement by spin of a particle, counted from x = 0. Its gain from pair to pair is the slip. The
-        // difference has the same error as that of the elastic displacements.
-        let turned = |pair: usize| {
-            let place = flow.frame().place(pair);
-            let along = |unit: [f64; 2]| place[0] * unit[0] + place[1] * unit[1];
-            let (x, y) = (along(forward), along(lateral));
-            [0, 1].map(|axis| self.spin * (x * y * forward[axis] - 0.5 * x * x * lateral[axis]))
-        };
-        let turned: Vec<[f64; 2]> = (0..pairs).map(turned).collect();
-        let [one, two] =
-            [0, 1].map(|axis| turned.iter().map(|both| both[axis]).collect::<Vec<_>>());
-        let mut slip = flow.gained([&one, &two]);
-        for (axis, slip) in slip.iter_mut().enumerate() {
-            let creepage =
-                given(self.longitudinal) * forward[axis] + given(self.lateral) * lateral[axis];
-            slip.iter_mut().zip(&advances).for_each(|(slip, advance)| *slip += advance * creepage);
-        }
-        slip
+    /// Both surfaces pass once a revolution.
+    pub(super) fn driven(self, sequence: Sequence, progress: Progress) -> Motion {
+        let Self { direction, drives, speed } = self;
+        let surfaces = [Passage::Passes(None); 2];
+        Motion { progress, direction, surfaces, slip: Slip::Sought(drives), sequence, speed }
     }
 }

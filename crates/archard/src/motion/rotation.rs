@@ -6,9 +6,10 @@
 use std::f64::consts::TAU;
 
 use super::{
-    APPROACH, Control, LOAD, Motion, Planned, Progress, Schedule, Sliding, Stepping, TOLERANCE,
-    control, few_steps, pressing,
+    APPROACH, Control, LOAD, Lever, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,
+    Stepping, TOLERANCE, control, few_steps, pressing,
 };
+use crate::frame::Direction;
 use crate::parameters::{Choice, Invalid, Parameter, Quantity};
 
 pub(super) const CHOICE: Choice<Planned> = Choice {
@@ -53,9 +54,8 @@ const STEP: Parameter =
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotation {
     /// Angle (rad) by which a pair is rubbed while the motion advances by one revolution, or cycle.
-    pub angle: f64,
-    /// What progress is called.
-    pub progress: Progress,
+    angle: f64,
+    progress: Progress,
 }
 
 impl Rotation {
@@ -91,7 +91,14 @@ impl Rotation {
             return Err(Invalid::new("step", message).beside(all.name));
         }
         let stepping = few_steps(stepping, STEP, extent)?;
-        let sliding = Sliding { rotation: Some(self), ..Sliding::default() };
-        Ok((Motion::Sliding(sliding), Schedule::steady(pressing(control)?, extent, stepping)))
+        let motion = Motion {
+            progress: self.progress,
+            direction: Direction::X,
+            surfaces: [Passage::Stays; 2],
+            slip: Slip::Given(self.angle, Lever::Radius),
+            sequence: Sequence::Steady,
+            speed: None,
+        };
+        Ok((motion, Schedule::steady(pressing(control)?, extent, stepping)))
     }
 }

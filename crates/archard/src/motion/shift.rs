@@ -3,50 +3,40 @@
 use std::f64::consts::TAU;
 use std::mem::discriminant;
 
-use super::{Control, Progress, Stepping};
+use super::{Control, Drive, Stepping};
 use crate::parameters::{Bound, Invalid, Parameter, Quantity, Values};
-
-/// What guides the bodies along one direction.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Guide {
-    /// The displacement of body 2 over body 1 (m); the force follows.
-    Shift(f64),
-    /// The force on body 1 (N); the displacement follows.
-    Force(f64),
-}
 
 /// What holds the bodies at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
     /// Load or approach.
     pub control: Control,
-    /// What guides them along x and y.
-    pub guides: [Guide; 2],
+    /// What drives them along x and y.
+    pub guides: [Drive; 2],
 }
 
 impl Station {
     /// Pressed together, not shifted.
     pub fn pressed(control: Control) -> Self {
-        Self { control, guides: [Guide::Shift(0.0); 2] }
+        Self { control, guides: [Drive::Slip(0.0); 2] }
     }
 
     /// The same with these guides along x and y.
     #[must_use]
-    pub fn guided(self, guides: [Guide; 2]) -> Self {
+    pub fn guided(self, guides: [Drive; 2]) -> Self {
         Self { guides, ..self }
     }
 
     /// Whether all its values are finite.
     pub(super) fn is_finite(&self) -> bool {
         let (Control::Load(pressed) | Control::Approach(pressed)) = self.control;
-        let [x, y] = self.guides.map(|(Guide::Shift(value) | Guide::Force(value))| value);
+        let [x, y] = self.guides.map(|(Drive::Slip(value) | Drive::Force(value))| value);
         [pressed, x, y].into_iter().all(f64::is_finite)
     }
 
     /// Whether the bodies are pressed and neither shifted nor pushed.
     fn is_still(&self) -> bool {
-        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
-        self.guides.into_iter().all(still)
+        self.guides.into_iter().all(Drive::is_still)
     }
 
     /// Whether the other gives what this one does: a load or an approach, displacements or forces.
@@ -57,11 +47,8 @@ impl Station {
 
     /// Pressed and guided by that share of all that another one is.
     pub fn share(self, share: f64) -> Self {
-        let scaled = |guide: Guide| match guide {
-            Guide::Shift(shift) => Guide::Shift(share * shift),
-            Guide::Force(force) => Guide::Force(share * force),
-        };
-        Self { control: self.control.scaled(share), guides: self.guides.map(scaled) }
+        let guides = self.guides.map(|guide| guide.share(share));
+        Self { control: self.control.scaled(share), guides }
     }
 }
 
@@ -79,8 +66,6 @@ pub struct Shift {
     /// Whether all that a pair slips in an increment rubs under the pressure at its end, as in the paper's
     /// eqs. 48 and 53, instead of what it slips in contact under the mean pressure.
     pub end_pressure: bool,
-    /// What progress is called.
-    pub progress: Progress,
 }
 
 impl Shift {
@@ -96,9 +81,8 @@ impl Shift {
 
     /// Along which axes the bodies are shifted, or pushed.
     pub(super) fn moves_along(&self) -> [bool; 2] {
-        let still = |guide: Guide| guide == Guide::Shift(0.0) || guide == Guide::Force(0.0);
         let stations = || self.lead.iter().chain(&self.cycle);
-        [0, 1].map(|axis| !stations().all(|station| still(station.guides[axis])))
+        [0, 1].map(|axis| !stations().all(|station| station.guides[axis].is_still()))
     }
 
     /// The way to the first cycle where pressing alone leaves no friction: bodies are pressed together at once.

@@ -4,7 +4,7 @@
 //! progress: the state at k and s is that at k / c and c s. Of cases that differ by the factor of all their coefficients, the
 //! one with the largest goes through the end of every other.
 
-use super::{Control, Motion, Schedule, Stepping};
+use super::{Control, Motion, Schedule, Sequence, Stepping};
 
 /// Places closer than this, relative to the extent, are not told apart by a run.
 const APART: f64 = 1e-8;
@@ -15,11 +15,7 @@ impl Motion {
     /// Whether what is worn follows from the product of wear coefficient and progress, where the law is linear in the
     /// coefficient and asks for nothing else: surfaces slide or roll steadily.
     pub fn is_steady(&self) -> bool {
-        match self {
-            Self::Sliding(sliding) => sliding.swing.is_none(),
-            Self::Rolling(rolling) => !rolling.swept,
-            Self::Shift(_) => false,
-        }
+        self.sequence == Sequence::Steady && self.amplitude().is_none()
     }
 }
 

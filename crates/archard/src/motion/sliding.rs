@@ -5,8 +5,8 @@
 //! once a turn, or once a stroke, and all points on a line along the motion wear alike.
 
 use super::{
-    APPROACH, Control, LOAD, Motion, Planned, Rotation, Schedule, Stepping, TOLERANCE, control,
-    few_steps, pressing,
+    APPROACH, Control, LOAD, Lever, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,
+    Stepping, TOLERANCE, control, few_steps, pressing,
 };
 use crate::frame::Direction;
 use crate::parameters::{Choice, Invalid, Parameter, Quantity, Values};
@@ -75,12 +75,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         };
         let axis = usize::from(values.word("direction") == Some("y"));
         let direction = Direction { axis, reversed: false };
-        let swing = ends(values, track.as_ref(), explicit)?;
-        Sliding { direction, track, speed, swing, rotation: None }.over(
-            distance,
-            control(values)?,
-            stepping,
-        )
+        let ends = ends(values, track.as_ref(), explicit)?;
+        Sliding { direction, track, speed, ends }.over(distance, control(values)?, stepping)
     },
 };
 
@@ -98,20 +94,16 @@ const STROKE: Parameter =
 const SPEED: Parameter = Parameter::optional("speed", Quantity::Speed, "mean speed of sliding");
 const STEP: Parameter = Parameter::optional("step", Quantity::Length, "distance slid in one step");
 
-/// How bodies slide: every pair in contact slides the same distance, or where they turn in proportion to the radius.
+/// Every pair in contact slides the same distance.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Sliding {
-    /// Along which axis of the frame.
-    pub direction: Direction,
+    direction: Direction,
     /// The track of the body that passes; `None` where both stay.
-    pub track: Option<Track>,
-    /// Mean speed of sliding (m/s), where it is known.
-    pub speed: Option<f64>,
-    /// Amplitude (m) of bodies that slide to and fro past each other so that their surfaces swing: by lengths comparable
-    /// with the contact, when progress is cycles, or by half the stroke of a track whose ends are resolved.
-    pub swing: Option<f64>,
-    /// How one body turns on the other instead, about the normal through x = y = 0.
-    pub rotation: Option<Rotation>,
+    track: Option<Track>,
+    /// Mean speed (m/s), where it is known.
+    speed: Option<f64>,
+    /// Whether the ends of a stroke are resolved: its surface swings then.
+    ends: bool,
 }
 
 /// A track.
@@ -199,7 +191,23 @@ impl Sliding {
             return Err(Invalid::new("step", message).beside("distance"));
         }
         let stepping = few_steps(stepping, STEP, distance)?;
-        Ok((Motion::Sliding(self), Schedule::steady(pressing(control)?, distance, stepping)))
+        Ok((self.motion(), Schedule::steady(pressing(control)?, distance, stepping)))
+    }
+
+    fn motion(self) -> Motion {
+        let passage = |body: usize| match self.track.filter(|track| track.body == body) {
+            None => Passage::Stays,
+            Some(track) if self.ends => Passage::Swings(0.5 * track.length, Some(track)),
+            track => Passage::Passes(track),
+        };
+        Motion {
+            progress: Progress::DISTANCE,
+            direction: self.direction,
+            surfaces: [0, 1].map(passage),
+            slip: Slip::Given(1.0, Lever::Even),
+            sequence: Sequence::Steady,
+            speed: self.speed,
+        }
     }
 }
 
@@ -237,15 +245,15 @@ fn track(values: &Values) -> Result<Option<Track>, Invalid> {
     Ok(Some(Track { length, body, strokes: name == "stroke" }))
 }
 
-/// Half of a stroke (m) that is gone through from end to end, where its ends are to be resolved.
-fn ends(values: &Values, track: Option<&Track>, explicit: bool) -> Result<Option<f64>, Invalid> {
+/// Whether the ends of a stroke are to be resolved.
+fn ends(values: &Values, track: Option<&Track>, explicit: bool) -> Result<bool, Invalid> {
     match track {
-        _ if !values.is_true("ends") => Ok(None),
+        _ if !values.is_true("ends") => Ok(false),
         Some(_) if explicit => {
             let message = "the ends of a stroke are resolved by the implicit scheme only";
             Err(Invalid::new("ends", message).beside("scheme"))
         }
-        Some(track) if track.strokes => Ok(Some(0.5 * track.length)),
+        Some(track) if track.strokes => Ok(true),
         _ => Err(Invalid::new("ends", "only a `stroke` has ends")),
     }
 }
@@ -317,11 +325,11 @@ fn rounded(value: f64) -> f64 {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{CHOICE, Sliding};
+    use super::CHOICE;
     use crate::motion::{Motion, Schedule};
     use crate::parameters::{Value, Values};
 
-    fn built(numbers: &[(&'static str, f64)]) -> Result<(Sliding, Schedule), String> {
+    fn built(numbers: &[(&'static str, f64)]) -> Result<(Motion, Schedule), String> {
         let mut values = Values::default();
         numbers.iter().for_each(|(name, value)| values.insert(name, Value::Number(*value)));
         values.insert("load", Value::Number(10.0));
@@ -329,9 +337,7 @@ mod tests {
         if numbers.iter().any(|(name, _)| ["track_radius", "track", "stroke"].contains(name)) {
             values.insert("passes", Value::Body(1, "disc".to_owned()));
         }
-        let (motion, schedule) = (CHOICE.build)(&values).map_err(|invalid| invalid.message)?;
-        let Motion::Sliding(sliding) = motion else { return Err("another motion".to_owned()) };
-        Ok((sliding, schedule))
+        (CHOICE.build)(&values).map_err(|invalid| invalid.message)
     }
 
     /// A disc of 10 mm track radius at 2 turns a second for 5 s: 10 turns, 0.2 pi m; two of the five say the others.
@@ -350,12 +356,12 @@ mod tests {
             let (sliding, schedule) = built(&[radius, two[0], two[1]]).unwrap();
             assert_relative_eq!(schedule.extent, 10.0 * turn, max_relative = 1e-14);
             assert_relative_eq!(sliding.speed.unwrap(), 2.0 * turn, max_relative = 1e-14);
-            assert_relative_eq!(sliding.track.unwrap().length, turn, max_relative = 1e-14);
+            assert_relative_eq!(sliding.track().unwrap().length, turn, max_relative = 1e-14);
         }
         // To and fro is twice the stroke.
         let (sliding, schedule) = built(&[("stroke", 0.01), ("turns", 5000.0)]).unwrap();
         assert_relative_eq!(schedule.extent, 100.0);
-        assert_relative_eq!(sliding.track.unwrap().length, 0.01);
+        assert_relative_eq!(sliding.track().unwrap().length, 0.01);
     }
 
     #[test]

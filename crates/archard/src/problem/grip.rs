@@ -7,7 +7,7 @@
 use super::{ContactProblem, ContactState, Flash, Heating};
 use crate::frame::Flow;
 use crate::friction::{Circumstance, Circumstances, Friction, Grip};
-use crate::motion::Rolling;
+use crate::motion::Drives;
 use crate::numerics::SAME;
 use crate::wear::Input;
 
@@ -39,7 +39,7 @@ impl ContactProblem {
         let Some(law) = self.friction.as_deref().filter(|law| !law.inputs().is_empty()) else {
             return Ok(Grip::default());
         };
-        let speed = self.motion.speed().unwrap_or_default();
+        let speed = self.motion.sliding_speed().unwrap_or_default();
         let under = |flash: Option<Flash>| {
             let at = |pair| Circumstances {
                 speed,
@@ -73,15 +73,15 @@ impl ContactProblem {
         &self,
         law: &dyn Friction,
         state: &ContactState,
-        (rolling, flow): (&Rolling, Flow<'_>),
+        (drives, flow): (&Drives, Flow<'_>),
         rigid: [&[f64]; 2],
     ) -> Grip {
         if law.inputs().is_empty() {
             return Grip::default();
         }
         let found = state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.creepage);
-        let [forward, lateral] = rolling.by_force(found);
-        let units = [rolling.direction.forward(), rolling.direction.lateral()];
+        let [forward, lateral] = drives.by_force(found);
+        let units = [flow.direction().forward(), flow.direction().lateral()];
         let warms = state.tangential.is_some() && self.goes_by_temperature();
         let flash = warms.then(|| self.flash(state)).flatten();
         let at = |pair: usize| {
@@ -89,7 +89,7 @@ impl ContactProblem {
                 let found = forward * units[0][axis] + lateral * units[1][axis];
                 rigid[axis][pair] / flow.advance() + found
             };
-            let speed = rolling.speed.unwrap_or_default() * part(0).hypot(part(1));
+            let speed = self.motion.speed.unwrap_or_default() * part(0).hypot(part(1));
             Circumstances { speed, ..self.circumstances(state, &flash, 0.0, pair) }
         };
         Grip::of(law, (0..self.frame.len()).map(at))

@@ -238,10 +238,10 @@ impl ContactProblem {
 
     /// Heat (W/m^2) of pairs that all slide at a speed (m/s), one value a pair.
     fn heat_of_sliding(&self, state: &ContactState, speed: f64, grip: &Grip) -> Vec<f64> {
-        let slides = self.motion.slides([0.0; 2]);
+        let heading = self.motion.heading([0.0; 2]);
         // The work over a metre.
         let heat = |(pair, &pressure): (usize, &f64)| {
-            speed * grip.at(pair) * self.rubbing(pressure, 1.0, slides).work
+            speed * grip.at(pair) * self.rubbing(pressure, 1.0, heading).work
         };
         state.pressure.iter().enumerate().map(heat).collect()
     }

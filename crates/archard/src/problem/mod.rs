@@ -23,7 +23,7 @@ use crate::body::Body;
 use crate::compliance::Compliance;
 use crate::frame::{ContactFrame, VectorField};
 use crate::friction::{Friction, Grip, Limits};
-use crate::motion::{Motion, Rolling};
+use crate::motion::{Drives, Motion};
 use crate::numerics::WRITTEN;
 use crate::numerics::vector;
 use crate::wear::{Columns, Input, Per, Rubbing, WearLaw};
@@ -94,7 +94,7 @@ impl ContactProblem {
     /// limit, with a [grip](crate::friction::Grip) of one.
     pub fn rubbing(&self, pressure: f64, slip: f64, direction: [f64; 2]) -> Rubbing {
         rubbing(self.friction.as_deref(), pressure, slip, direction)
-            .at_speed(self.motion.speed().unwrap_or_default())
+            .at_speed(self.motion.sliding_speed().unwrap_or_default())
     }
 
     /// Which of some bodies wear by laws that take that at once.
@@ -256,14 +256,14 @@ impl Tangential {
     }
 
     /// Power of the creepages and the spin over the speed of rolling (N): what friction dissipates.
-    pub fn creep_power(&self, problem: &ContactProblem, rolling: &Rolling) -> f64 {
+    pub fn creep_power(&self, problem: &ContactProblem, drives: &Drives) -> f64 {
         let frame = &problem.frame;
         let force = self.force(frame);
         let along = |unit: [f64; 2]| force[0] * unit[0] + force[1] * unit[1];
-        let Rolling { direction, spin, .. } = rolling;
+        let direction = problem.motion.direction;
         self.creepage[0] * along(direction.forward())
             + self.creepage[1] * along(direction.lateral())
-            + spin * self.moment(frame)
+            + drives.spin * self.moment(frame)
     }
 
     /// Whether a pair is in contact and sticks: it bears less than the limit.

@@ -68,7 +68,7 @@ impl<'a> Collector<'a> {
         let (distance, offset) = (position.slips(), position.offset);
         let pairs = self.any_stays().then(|| {
             let motion = &self.problem.motion;
-            let slides = |pair| motion.slides(self.problem.frame.place(pair));
+            let heading = |pair| motion.heading(self.problem.frame.place(pair));
             let flash = self.problem.flash_for_laws(state);
             let warm = flash.as_ref().and_then(Flash::temperatures);
             let half = 0.5 * motion.slip(advance);
@@ -76,7 +76,7 @@ impl<'a> Collector<'a> {
             let grip = self.problem.grip(state, further).unwrap_or_else(|last| last);
             let rubbing = |&pair: &usize| {
                 self.problem
-                    .rubbing(state.pressure[pair], distance.at(pair), slides(pair))
+                    .rubbing(state.pressure[pair], distance.at(pair), heading(pair))
                     .gripping(grip.at(pair))
                     .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
             };
@@ -121,7 +121,7 @@ impl<'a> Collector<'a> {
         pairs
             && lines.is_none_or(|(line, (made, times))| {
                 let of = |line: usize| (made.pressures[line], times * made.total(line));
-                let rolls = self.problem.motion.rolling().is_some();
+                let rolls = self.problem.motion.lever_arm().is_none();
                 let allowed = if rolls { OF_FRICTION } else { OF_LINES };
                 lies_on(line, (0..made.pressures.len()).map(of), allowed)
             })

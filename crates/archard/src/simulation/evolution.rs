@@ -6,7 +6,7 @@ use super::swing::Swing;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::frame::Part;
-use crate::motion::{Control, Motion, Passing};
+use crate::motion::{Control, Passing};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap, Grid, Surface, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
@@ -122,12 +122,10 @@ impl Evolution {
         compliance: &dyn Compliance,
         effort: &mut Effort,
     ) -> Result<(), Error> {
-        match simulation.problem.motion {
-            Motion::Rolling(_) => {
-                self.solve_rolling(simulation, increment, (gap, addition), compliance, effort)
-            }
-            _ => self.solve_normal(simulation, increment, gap, addition, compliance, effort),
+        if simulation.problem.motion.driven(increment.progress).is_some() {
+            return self.solve_rolling(simulation, increment, (gap, addition), compliance, effort);
         }
+        self.solve_normal(simulation, increment, gap, addition, compliance, effort)
     }
 
     /// The load (N) that is given; the one found where the approach is.
@@ -232,12 +230,12 @@ impl Evolution {
             }
             // Surfaces that end or repeat themselves with the frame are full of nothing but yielding pairs.
             Status::FrameFull if step.measure.closed => Err(Error::Overloaded {
-                measure: problem.motion.progress(),
+                measure: problem.motion.progress,
                 progress: increment.progress,
                 borne: step.most(),
             }),
             Status::Converged | Status::FrameFull => Err(Error::FrameFull {
-                measure: problem.motion.progress(),
+                measure: problem.motion.progress,
                 progress: increment.progress,
             }),
             Status::OutOfIterations => {
@@ -254,7 +252,7 @@ fn not_converged(
     residual: f64,
 ) -> Error {
     Error::NotConverged {
-        measure: simulation.problem.motion.progress(),
+        measure: simulation.problem.motion.progress,
         progress: increment.progress,
         iterations,
         residual,

@@ -65,7 +65,7 @@ pub(super) fn not_converged(
     residual: f64,
 ) -> Error {
     Error::FrictionNotConverged {
-        measure: simulation.problem.motion.progress(),
+        measure: simulation.problem.motion.progress,
         progress: increment.progress,
         iterations,
         residual,
@@ -90,7 +90,7 @@ pub(super) fn alternate(
         opened = now;
     }
     Err(Error::NotConsistent {
-        measure: simulation.problem.motion.progress(),
+        measure: simulation.problem.motion.progress,
         progress: increment.progress,
         passes: TURNS,
     })

@@ -9,7 +9,7 @@ use super::scar::{scar, track_width};
 use super::worn::{exposed_area, layer_volume, mass_loss, wear_rate, worn_section, worn_volume};
 use crate::body::Body;
 use crate::frame::VectorField;
-use crate::motion::{Progress, Rolling, Shift};
+use crate::motion::{Drives, Progress, Shift};
 use crate::problem::{ContactState, Tangential};
 
 /// What stands for the name of a body.
@@ -286,10 +286,10 @@ pub const COLUMNS: &[Column] = &[
         |r, _| track_width(r),
     ),
     column(TURNS, "", Class::Uncertain, "turns, or strokes to and fro, so far", |r, _| {
-        Some(r.state.progress / r.problem.motion.sliding()?.track?.cycle())
+        Some(r.state.progress / r.problem.motion.track()?.cycle())
     }),
     column(TIME, "s", Class::Uncertain, "time so far, where a speed is known", |r, _| {
-        Some(r.state.progress / r.problem.motion.sliding()?.speed?)
+        Some(r.state.progress / r.problem.motion.sliding_speed()?)
     }),
     column(
         CREEPAGE[0],
@@ -369,7 +369,7 @@ pub const COLUMNS: &[Column] = &[
         Class::Force,
         "energy that friction dissipated in the cycle so far",
         |r, _| {
-            let swings = r.problem.motion.swing().is_some() && r.problem.friction.is_some();
+            let swings = r.problem.motion.amplitude().is_some() && r.problem.friction.is_some();
             (swings || shifted(r).is_some()).then_some(r.effort.dissipated[0])
         },
     ),
@@ -428,7 +428,7 @@ pub(super) fn is_of(column: &str, name: &str) -> bool {
 /// The numbers of a step by column: the progress, then [`COLUMNS`]. Steps of one run have the same ones.
 pub fn row(report: &Report<'_>) -> Row {
     let Report { problem, state, .. } = report;
-    let mut row = vec![(problem.motion.progress().column.to_owned(), state.progress)];
+    let mut row = vec![(problem.motion.progress.column.to_owned(), state.progress)];
     for Column { name, value, .. } in COLUMNS {
         let bodies = if name.contains(BODY) { &problem.bodies[..] } else { &problem.bodies[..1] };
         let cell = |(i, body): (usize, &Body)| Some((of_body(name, &body.name), value(report, i)?));
@@ -484,9 +484,9 @@ pub fn body_of<'a>(column: &str, name: &'a str) -> Option<&'a str> {
 }
 
 /// A number of bodies that roll with friction; `None` of others.
-fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Rolling) -> f64) -> Option<f64> {
-    let rolling = report.problem.motion.rolling()?.at(report.state.progress);
-    report.state.tangential.as_ref().map(|own| value(own, &rolling))
+fn rolling(report: &Report<'_>, value: impl Fn(&Tangential, &Drives) -> f64) -> Option<f64> {
+    let drives = report.problem.motion.driven(report.state.progress)?;
+    report.state.tangential.as_ref().map(|own| value(own, &drives))
 }
 
 /// A report of rough surfaces; `None` of others.
@@ -510,7 +510,7 @@ fn yields<'a, 'b>(report: &'b Report<'a>, index: usize) -> Option<&'b Report<'a>
 fn shifted<'a>(report: &Report<'a>) -> Option<&'a Shift> {
     let Report { problem, state, .. } = report;
     let rubs = problem.friction.is_some() || state.tangential.is_some();
-    problem.motion.shift().filter(|_| rubs)
+    problem.motion.increments().filter(|_| rubs)
 }
 
 /// A number of bodies that roll or are shifted with friction, zero before it acts; `None` of others.
@@ -523,7 +523,7 @@ fn friction(report: &Report<'_>, value: impl Fn(&Tangential) -> f64) -> Option<f
 
 /// Cycles gone through, where that is not the progress itself.
 fn cycle(report: &Report<'_>, _: usize) -> Option<f64> {
-    let counted = report.problem.motion.progress() == Progress::CYCLES;
+    let counted = report.problem.motion.progress == Progress::CYCLES;
     shifted(report).filter(|_| !counted).map(|shift| report.state.progress / shift.period())
 }
 

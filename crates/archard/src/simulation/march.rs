@@ -9,7 +9,7 @@ use super::placed::Placed;
 use super::steps::Steps;
 use super::surroundings::More;
 use super::{Effort, Error, Report, Simulation};
-use crate::motion::Motion;
+use crate::motion::Sequence;
 use crate::problem::ContactState;
 
 /// Two values of progress closer than this, relative to the extent, are the same.
@@ -33,7 +33,7 @@ pub struct March {
 
 /// What carries a motion on.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-enum Stepper {
+pub(super) enum Stepper {
     /// Steps of wear, of a given length or by error.
     Steps(Box<Steps>),
     /// Increments, in cycles or once.
@@ -43,22 +43,7 @@ enum Stepper {
 impl March {
     /// The initial contact; bodies that are pressed together later only touch.
     pub(super) fn begin(simulation: &Simulation) -> Result<Self, Error> {
-        for one in simulation.frames() {
-            one.problem.fits()?;
-        }
-        let mut placed = Placed::default();
-        let stepper = loop {
-            let frame = placed.in_frame(simulation).unwrap_or(simulation);
-            let stepper = Stepper::begin(frame);
-            let missed = match &stepper {
-                Ok(stepper) => missed(frame, stepper.states()),
-                Err(error) => all_touches(error, frame),
-            };
-            let apart = [0.0, f64::NEG_INFINITY];
-            let larger = missed.map(|more| placed.larger(simulation, more, apart));
-            let Some(larger) = larger.transpose()?.flatten() else { break stepper? };
-            placed = larger;
-        };
+        let (placed, stepper) = Stepper::begin(simulation)?;
         let digest = digest(simulation);
         let mut march = Self { digest, stepper, placed, shown: None, past: 0, output: true };
         let window = march.placed.windowed(simulation, march.stepper.approach());
@@ -216,29 +201,47 @@ fn missed<'a>(
 }
 
 impl Stepper {
-    fn begin(simulation: &Simulation) -> Result<Self, Error> {
-        Ok(match &simulation.problem.motion {
-            Motion::Shift(shift) => {
+    /// The initial contact, in a frame that holds it; bodies that are pressed together later only touch.
+    pub(super) fn begin(simulation: &Simulation) -> Result<(Placed, Self), Error> {
+        for one in simulation.frames() {
+            one.problem.fits()?;
+        }
+        let mut placed = Placed::default();
+        loop {
+            let frame = placed.in_frame(simulation).unwrap_or(simulation);
+            let stepper = Self::within(frame);
+            let missed = match &stepper {
+                Ok(stepper) => missed(frame, stepper.states()),
+                Err(error) => all_touches(error, frame),
+            };
+            let apart = [0.0, f64::NEG_INFINITY];
+            let larger = missed.map(|more| placed.larger(simulation, more, apart));
+            let Some(larger) = larger.transpose()?.flatten() else { return Ok((placed, stepper?)) };
+            placed = larger;
+        }
+    }
+
+    fn within(simulation: &Simulation) -> Result<Self, Error> {
+        Ok(match &simulation.problem.motion.sequence {
+            Sequence::Cycle(shift) => {
                 Self::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
             }
-            Motion::Sliding(_) | Motion::Rolling(_) => {
-                Self::Steps(Box::new(Steps::begin(simulation)?))
-            }
+            Sequence::Steady | Sequence::Raised => Self::Steps(Box::new(Steps::begin(simulation)?)),
         })
     }
 
     /// Goes on to the next state, and not beyond a place; whether there was one.
     fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
-        match (self, &simulation.problem.motion) {
+        match (self, &simulation.problem.motion.sequence) {
             (Self::Steps(steps), _) => steps.step(simulation, next),
-            (Self::Cycles(cycles), Motion::Shift(shift)) => {
+            (Self::Cycles(cycles), Sequence::Cycle(shift)) => {
                 cycles.step(Setting { simulation, shift }, next)
             }
             (Self::Cycles(_), _) => Ok(false),
         }
     }
 
-    fn effort(&self) -> Effort {
+    pub(super) fn effort(&self) -> Effort {
         match self {
             Self::Steps(steps) => steps.effort,
             Self::Cycles(cycles) => cycles.effort,
@@ -265,7 +268,7 @@ impl Stepper {
     }
 
     /// The present state.
-    fn state(&self) -> &ContactState {
+    pub(super) fn state(&self) -> &ContactState {
         match self {
             Self::Steps(steps) => steps.state(),
             Self::Cycles(cycles) => &cycles.shown().state,

@@ -7,11 +7,11 @@
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
+use super::Error;
 use super::collector::Collector;
-use super::{Error, Report};
 use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::{Friction, Grip, Limits};
-use crate::motion::Motion;
+use crate::motion::Slip;
 use crate::problem::{ContactProblem, ContactState, Flash};
 use crate::wear::{Per, Rubbing};
 
@@ -40,20 +40,18 @@ pub struct WornLine {
     pub depths: [f64; 2],
 }
 
-impl Report<'_> {
-    /// What one passage more wears off each line of the surfaces that pass, under the contact as it is; nothing where none pass.
-    ///
-    /// # Errors
-    /// If surfaces do not pass along the frame.
-    pub fn passage(&self) -> Result<Vec<WornLine>, Error> {
-        let Some(lines) = Collector::of(self.problem)?.lines() else { return Ok(vec![]) };
-        let made = OfLines::of(self.state, lines, 1.0).depths;
-        let told = |(line, depths): (&Line, [f64; 2])| {
-            let passes = |body: usize| if lines.bodies[body] { depths[body] } else { 0.0 };
-            WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)] }
-        };
-        Ok(lines.flow.lines().iter().zip(made).map(told).collect())
-    }
+/// What one passage wears off each line of the surfaces that pass, under the contact as it is; nothing where none pass.
+pub(super) fn passage(
+    problem: &ContactProblem,
+    state: &ContactState,
+) -> Result<Vec<WornLine>, Error> {
+    let Some(lines) = Collector::of(problem)?.lines() else { return Ok(vec![]) };
+    let made = OfLines::of(state, lines, 1.0).depths;
+    let told = |(line, depths): (&Line, [f64; 2])| {
+        let passes = |body: usize| if lines.bodies[body] { depths[body] } else { 0.0 };
+        WornLine { place: line.place, width: line.width, depths: [passes(0), passes(1)] }
+    };
+    Ok(lines.flow.lines().iter().zip(made).map(told).collect())
 }
 
 /// Wear of the lines under the contact as it is, in one passage.
@@ -76,8 +74,8 @@ impl OfLines {
         let weight = problem.frame.measure().weight;
         let further = 0.5 * problem.motion.slip(passages / each);
         let grip = grip_of_passages(state, problem, flow, further);
-        let (means, slips, scale) = match problem.motion {
-            Motion::Rolling(_) => {
+        let (means, slips, scale) = match problem.motion.slip {
+            Slip::Sought(_) => {
                 let means = flow.on_the_way(pressure);
                 let slips = rubbed_slip(state, problem, flow, (&means, &grip));
                 let rows = flow.has_rows();
@@ -89,7 +87,7 @@ impl OfLines {
                 (means, slips, scale)
             }
             // A point slides the length of every element.
-            _ => {
+            Slip::Given(..) => {
                 let all = || vec![flow.advance(); pressure.len()];
                 (pressure.clone(), flow.advances().unwrap_or_else(all), 1.0)
             }
@@ -102,14 +100,15 @@ impl OfLines {
             None => flow.direction().forward(),
         };
         let all = || vec![flow.advance(); means.len()];
-        let rolled = problem.motion.rolling().map(|_| flow.advances().unwrap_or_else(all));
+        let rolls = problem.motion.lever_arm().is_none();
+        let rolled = rolls.then(|| flow.advances().unwrap_or_else(all));
         let flash = problem.flash_for_laws(state);
         let warm = flash.as_ref().and_then(|flash| temperatures(flash, problem, flow));
         // The slip of a passage that was slid only in part was as fast there.
         let speed = |pair: usize| {
-            let rolling = problem.motion.rolling()?;
+            let rolled = rolled.as_ref()?[pair];
             let [x, y] = direction(pair);
-            Some(rolling.speed? * x.hypot(y) / rolled.as_ref()?[pair])
+            Some(problem.motion.speed? * x.hypot(y) / rolled)
         };
         let rubbing = |pair: usize, times: f64| {
             let slip = scale * times * slips[pair];
@@ -203,7 +202,7 @@ impl OfLines {
 
 /// Temperatures (K) of the surfaces while they are rubbed at each pair, in rolling on the way there.
 fn temperatures(flash: &Flash, problem: &ContactProblem, flow: Flow<'_>) -> Option<Vec<f64>> {
-    if problem.motion.rolling().is_none() {
+    if problem.motion.lever_arm().is_some() {
         return flash.temperatures();
     }
     let bulk = flash.bulk?;

@@ -1,7 +1,7 @@
 //! Whether surfaces can repeat themselves without end with a frame.
 
 use crate::frame::ContactFrame;
-use crate::motion::Motion;
+use crate::motion::{Lever, Motion};
 use crate::parameters::Invalid;
 
 /// From the last element to the first the gap changes by at most so many times what it changes by elsewhere. That is one change
@@ -11,17 +11,17 @@ const JUMPS: f64 = 2.0;
 /// What keeps surfaces from repeating themselves with a frame, if anything does.
 pub fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
     let wrong = |message: &str| Err(Invalid::new("periodic", message));
-    if motion.rolling().is_some() {
+    if motion.driven(0.0).is_some() {
         return wrong(
             "bodies that roll have one contact: `frame.periodic` is for surfaces that stay",
         );
     }
-    if motion.passing().is_some() || motion.swing().is_some() {
+    if !motion.stays() {
         return wrong(
             "surfaces that pass or swing do not stay opposite each other: `frame.periodic` is for those that do",
         );
     }
-    if motion.turns() {
+    if motion.lever_arm() == Some(Lever::Radius) {
         return wrong(
             "bodies that turn have one axis: `frame.periodic` is for surfaces without one",
         );

@@ -20,7 +20,6 @@ use super::surroundings::More;
 use super::wider::Wider;
 use super::{Error, Simulation};
 use crate::frame::{ContactFrame, Part, extent};
-use crate::motion::Motion;
 use crate::problem::{ContactProblem, Unworn};
 
 /// Gaps, over the approach, up to which pairs lie in a window.
@@ -147,7 +146,7 @@ impl Placed {
         let part = grown.lying_in(&Part::inside(grown.frame(), more));
         let [columns, rows] = part.frame();
         if columns.saturating_mul(rows) > first.most {
-            let measure = first.problem.motion.progress();
+            let measure = first.problem.motion.progress;
             return Err(Error::Outgrown { measure, progress, elements: part.frame() });
         }
         let larger = Self { grown: Some(Made::by(part)), window: None, ..*self };
@@ -233,12 +232,10 @@ fn window(simulation: &Simulation, approach: f64) -> Option<Part> {
 fn stays_apart(problem: &ContactProblem) -> bool {
     let frame = &problem.frame;
     let motion = &problem.motion;
-    let stay = matches!(motion, Motion::Sliding(_))
-        && motion.passing().is_none()
-        && motion.swing().is_none();
+    let stay = motion.lever_arm().is_some() && motion.stays();
     let plain = frame.is_uniform() && !frame.is_line() && !frame.measure().closed;
     let open = || {
-        let rubbing = problem.rubbing(0.0, SLIP, motion.slides([0.0; 2]));
+        let rubbing = problem.rubbing(0.0, SLIP, motion.heading([0.0; 2]));
         problem.wear(std::iter::once(rubbing), [true; 2], |_, _| [0.0; 2])
     };
     stay && plain && !problem.goes_by_temperature() && open().depth(0) == 0.0

@@ -8,7 +8,7 @@ use crate::body::Body;
 use crate::compliance::bem::contact::ContactError;
 use crate::frame::{ContactFrame, OffTheSurface};
 use crate::friction::{Circumstance, Friction};
-use crate::motion::{Motion, Sliding};
+use crate::motion::{Lever, Motion, Passage, Slip};
 use crate::parameters::Invalid;
 use crate::problem::{ContactProblem, Heating, NoTemperature};
 use crate::wear::{Input, Per, WearLaw};
@@ -152,13 +152,10 @@ fn yielding(
     motion: &Motion,
 ) -> Option<Refusal> {
     let body = bodies.iter().find(|body| body.hardness.is_some())?;
-    let moves = motion.rolling().is_some()
-        || motion.passing().is_some()
-        || motion.swing().is_some()
-        || motion.turns();
+    let moves = !motion.stays() || motion.lever_arm() == Some(Lever::Radius);
     let what = if moves {
         "is for surfaces that stay opposite each other, and these move"
-    } else if friction.is_some() && motion.shift().is_some() {
+    } else if friction.is_some() && motion.increments().is_some() {
         "is for bodies without friction under this motion: what slips is computed of elastic ones"
     } else if bodies.iter().any(|body| body.finite.is_some()) {
         "is for half-spaces: bodies of finite shape stay elastic"
@@ -185,14 +182,14 @@ impl Known<'_> {
             }),
             Input::Speed => self.speed(part.clone()),
             Input::Temperature => self.temperature(part.clone()),
-            Input::Rolled => self.motion.rolling().is_none().then(|| {
+            Input::Rolled => self.motion.driven(0.0).is_none().then(|| {
                 let what = "depends on the distance rolled, and the bodies do not roll";
                 Refusal::new(part.clone(), what, "this law is one of `motion.rolling`")
             }),
             Input::Vectors | Input::CrossShear | Input::Distance | Input::Depth => None,
         };
         law.inputs().iter().find_map(lacks).or_else(|| {
-            let slides = matches!(self.motion, Motion::Sliding(Sliding { track: None, .. }));
+            let slides = self.motion.lever_arm().is_some() && self.motion.track().is_none();
             (slides && law.per() == Per::Cycle).then(|| {
                 let what =
                     "takes a whole cycle at once, and bodies that slide on the same spot have none";
@@ -205,7 +202,7 @@ impl Known<'_> {
     fn speed(self, part: Part) -> Option<Refusal> {
         let what = "depends on the sliding speed, which this motion does not define";
         let help = "give the `speed`, or the `time`, of a motion that takes it";
-        (!self.motion.tells_speed()).then(|| Refusal::new(part, what, help))
+        self.motion.speed.is_none().then(|| Refusal::new(part, what, help))
     }
 
     fn temperature(self, part: Part) -> Option<Refusal> {
@@ -244,7 +241,7 @@ pub fn inclined(friction: &dyn Friction, mirrored: [bool; 2]) -> Option<Refusal>
 
 /// A motion that takes the bodies across planes of symmetry (x = 0, y = 0).
 pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> {
-    let moves = motion.moves();
+    let moves = motion.crosses();
     let axis = AXES[(0..2).find(|&axis| mirrored[axis] && moves[axis])?];
     let what = format!("moves the bodies along {axis}, across their plane of symmetry {axis} = 0");
     let help = format!("model both sides: take \"{axis}\" out of `symmetry`");
@@ -254,23 +251,24 @@ pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> 
 /// A motion that the pairs do not allow.
 fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
-    if motion.swing().is_some() && !frame.is_uniform() {
+    if motion.amplitude().is_some() && !frame.is_uniform() {
         return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
     }
-    if motion.turns() && (!frame.is_uniform() || frame.is_line()) {
+    if motion.lever_arm() == Some(Lever::Radius) && (!frame.is_uniform() || frame.is_line()) {
         return refusal("bodies turn on a uniform frame only, not on a mesh", "");
     }
-    let rolling = motion.rolling().map(|rolling| rolling.direction);
-    let direction = motion.passing().map(|passing| passing.direction).or(rolling)?;
+    if !motion.surfaces.iter().any(Passage::passes) {
+        return None;
+    }
     if !frame.is_plane() {
         return Some(curved());
     }
-    match frame.flow(direction) {
+    match frame.flow(motion.direction) {
         Err(error) => {
             let what = format!("particles do not pass from pair to pair: {error}");
             refusal(&what, "")
         }
-        Ok(flow) if !flow.has_rows() && rolling.is_none() => {
+        Ok(flow) if !flow.has_rows() && matches!(motion.slip, Slip::Given(..)) => {
             let help = "take a grid, or a zone with `elements`";
             refusal("a track needs pairs in rows along it", help)
         }

@@ -9,7 +9,7 @@ use super::{Effort, Error, Simulation, friction};
 use crate::compliance::{Compliance, SlipMap};
 use crate::frame::{Flow, VectorField};
 use crate::friction::{Friction, Grip, Limits};
-use crate::motion::{Drive, Rolling};
+use crate::motion::{Drive, Drives};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::solve::tangential::{self, Admissible, PrescribedForce, Turning};
@@ -27,7 +27,8 @@ const AROUND: Range<usize> = 8..16;
 
 /// What a step of friction is found from, whatever its grip.
 struct Rubbed<'a> {
-    rolling: &'a Rolling,
+    drives: &'a Drives,
+    flow: Flow<'a>,
     law: &'a dyn Friction,
     map: &'a dyn SlipMap,
     rigid: [&'a [f64]; 2],
@@ -90,9 +91,9 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
-        let flow = problem.frame.flow(rolling.direction)?;
-        if problem.friction.is_none() || !second_order::turns(rolling, flow) {
+        let Some(drives) = problem.motion.driven(increment.progress) else { return Ok(()) };
+        let flow = problem.frame.flow(problem.motion.direction)?;
+        if problem.friction.is_none() || !second_order::turns(&drives, flow) {
             let plain = (friction::solve as friction::Solve, Some(&[][..]), entries);
             return self.rub(simulation, increment, &before_pressure, plain, effort);
         }
@@ -129,34 +130,31 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let Some(rolling) = problem.motion.rolling() else { return Ok(()) };
-        let rolling = &rolling.at(increment.progress);
-        let frame = &problem.frame;
-        let flow = frame.flow(rolling.direction)?;
-        let mut rigid = self.rigid_slip(problem, rolling, flow);
+        let Some(drives) = &problem.motion.driven(increment.progress) else { return Ok(()) };
+        let (frame, direction) = (&problem.frame, problem.motion.direction);
+        let flow = frame.flow(direction)?;
+        let mut rigid = self.rigid_slip(problem, drives, flow);
         let Some(law) = &problem.friction else {
-            let given =
-                |drive: Drive| if let Drive::Creepage(creepage) = drive { creepage } else { 0.0 };
             self.state.tangential = Some(Tangential {
                 traction: [vec![0.0; frame.len()], vec![0.0; frame.len()]],
                 slip: rigid,
-                creepage: [given(rolling.longitudinal), given(rolling.lateral)],
+                creepage: drives.both().map(Drive::slip),
                 shift: [0.0; 2],
                 grip: Grip::default(),
             });
             return Ok(());
         };
-        let units = [rolling.direction.forward(), rolling.direction.lateral()];
-        let drives = [rolling.longitudinal, rolling.lateral];
+        let units = [direction.forward(), direction.lateral()];
         let prescribed = |(direction, drive): ([f64; 2], Drive)| match drive {
-            Drive::Creepage(_) => None,
+            Drive::Slip(_) => None,
             Drive::Force(force) => Some(PrescribedForce { direction, force }),
         };
         let prescribed: Vec<PrescribedForce> =
-            units.into_iter().zip(drives).filter_map(prescribed).collect();
+            units.into_iter().zip(drives.both()).filter_map(prescribed).collect();
         rigid.iter_mut().for_each(|slip| to_mean_passages(flow, slip));
         let step = Rubbed {
-            rolling,
+            drives,
+            flow,
             law: &**law,
             map: &*problem.compliance.rolling(flow),
             rigid: [&rigid[0], &rigid[1]],
@@ -165,7 +163,7 @@ impl Evolution {
             entries,
         };
         let grip = |state: &ContactState| {
-            problem.grip_of_rolling(&**law, state, (rolling, flow), [&rigid[0], &rigid[1]])
+            problem.grip_of_rolling(&**law, state, (drives, flow), [&rigid[0], &rigid[1]])
         };
         let settled = if turning.is_none() { ROUGHLY } else { SETTLED };
         let (mut now, mut share, mut apart) = (grip(&self.state), 1.0, f64::INFINITY);
@@ -197,13 +195,11 @@ impl Evolution {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let frame = &simulation.problem.frame;
-        let Rubbed { rolling, law, map, rigid, prescribed, turning, entries } = *rubbed;
-        let flow = frame.flow(rolling.direction)?;
+        let Rubbed { drives, flow, law, map, rigid, prescribed, turning, entries } = *rubbed;
         let advance = flow.advance();
         let pressure = &self.state.pressure;
         let limits = Limits::new(law, &grip);
         let limit = limits.all(pressure);
-        let drives = [rolling.longitudinal, rolling.lateral];
         let allowed = entries.map(|entered| limits.all(entered));
         let entered = (entries.unwrap_or(pressure), allowed.as_ref().unwrap_or(&limit).as_slice());
         let ties = second_order::entries(flow, entered, &limit);
@@ -219,7 +215,7 @@ impl Evolution {
         let rigid_slip: Vec<f64> = before
             .iter()
             .flat_map(|before| {
-                let forces = drives.into_iter().zip(before.creepage);
+                let forces = drives.both().into_iter().zip(before.creepage);
                 forces.filter(|(drive, _)| matches!(drive, Drive::Force(_)))
             })
             .map(|(_, creepage)| creepage * advance)
@@ -230,7 +226,7 @@ impl Evolution {
             rigid_slip: &rigid_slip,
         });
         // Spin turns tractions behind the edge, and between unlike bodies ties would change pressures that change ties.
-        let plain = second_order::turns(rolling, flow) || simulation.problem.compliance.couples();
+        let plain = second_order::turns(drives, flow) || simulation.problem.compliance.couples();
         let outcome = if plain || ties.is_empty() {
             solve(simulation, increment, admissible(&ties), (&step, start), effort)?
         } else {
@@ -242,8 +238,8 @@ impl Evolution {
             solve(simulation, increment, admissible(&ties), (&step, start), effort)?
         };
         let mut rigid_slip = outcome.rigid_slip.iter().map(|slip| slip / advance);
-        let creepage = drives.map(|drive| match drive {
-            Drive::Creepage(creepage) => creepage,
+        let creepage = drives.both().map(|drive| match drive {
+            Drive::Slip(creepage) => creepage,
             Drive::Force(_) => rigid_slip.next().unwrap_or_default(),
         });
         let (traction, mut slip) = (outcome.traction, outcome.slip);
@@ -258,13 +254,13 @@ impl Evolution {
     fn rigid_slip(
         &self,
         problem: &ContactProblem,
-        rolling: &Rolling,
+        drives: &Drives,
         flow: Flow<'_>,
     ) -> [Vec<f64>; 2] {
-        let mut slip = rolling.rigid_slip(flow);
-        let axis = rolling.direction.axis;
-        let forward = rolling.direction.forward();
-        if rolling.worn_radius {
+        let mut slip = drives.rigid_slip(flow);
+        let axis = flow.direction().axis;
+        let forward = flow.direction().forward();
+        if drives.worn_radius {
             let curvature =
                 |body: usize| problem.bodies[body].curvatures().map_or(0.0, |both| both[axis]);
             let [one, two] = [curvature(0), curvature(1)];
@@ -295,7 +291,7 @@ impl Evolution {
     pub(super) fn creep_work(
         &self,
         problem: &ContactProblem,
-        rolling: &Rolling,
+        drives: &Drives,
         flow: Flow<'_>,
     ) -> f64 {
         let Some(tangential) = &self.state.tangential else { return 0.0 };
@@ -308,13 +304,13 @@ impl Evolution {
             return self.state.load * tangential.creepage[0].hypot(tangential.creepage[1]);
         }
         let distance = distance_of_work(&self.state, &**friction, problem, flow);
-        tangential.creep_power(problem, rolling) / coefficient * distance
+        tangential.creep_power(problem, drives) / coefficient * distance
     }
 }
 
 fn not_consistent(simulation: &Simulation, increment: Increment) -> Error {
     Error::NotConsistent {
-        measure: simulation.problem.motion.progress(),
+        measure: simulation.problem.motion.progress,
         progress: increment.progress,
         passes: TURNS,
     }

@@ -11,11 +11,10 @@ const EDGE: f64 = 1e-3;
 /// wear.
 pub(super) fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
     let Report { problem, state, .. } = report;
-    let sliding = problem.motion.sliding()?;
-    let track = sliding.track?;
+    let track = problem.motion.track()?;
     let stays = 1 - track.body;
     problem.bodies[stays].wear.as_ref()?;
-    Some(zone(&problem.frame, &state.worn(stays), sliding.direction.axis))
+    Some(zone(&problem.frame, &state.worn(stays), problem.motion.direction.axis))
 }
 
 /// Extent (m) of the worn zone of a body that keeps its place under the contact, along the motion and across, as that of a
@@ -23,14 +22,13 @@ pub(super) fn scar(report: &Report<'_>) -> Option<[f64; 2]> {
 pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
     let Report { problem, state, .. } = report;
     problem.bodies[body].wear.as_ref()?;
-    let passes = problem.motion.passing().is_some_and(|passing| passing.bodies[body]);
+    let passes = problem.motion.surfaces[body].passes();
     let endless = problem.frame.is_uniform() && problem.frame.measure().closed;
     let swings = state.surfaces.iter().any(|one| one.grid.swings().is_some());
-    if passes || endless || swings || problem.motion.rolling().is_some() {
+    if passes || endless || swings {
         return None;
     }
-    let axis = problem.motion.sliding().map_or(0, |sliding| sliding.direction.axis);
-    Some(zone(&problem.frame, &state.worn(body), axis))
+    Some(zone(&problem.frame, &state.worn(body), problem.motion.direction.axis))
 }
 
 /// What is worn off the section through the middle of the frame along an axis (m^2), of a body that keeps its place under the
@@ -129,20 +127,19 @@ fn gyration_of_pairs(frame: &ContactFrame, worn: &[f64], axis: usize) -> f64 {
 /// beyond the outermost lines, end. `None` where there is no track, or the body does not wear.
 pub(super) fn track_width(report: &Report<'_>) -> Option<f64> {
     let Report { problem, state, .. } = report;
-    let sliding = problem.motion.sliding()?;
-    let track = sliding.track?;
+    let (track, direction) = (problem.motion.track()?, problem.motion.direction);
     problem.bodies[track.body].wear.as_ref()?;
     let (frame, worn) = (&problem.frame, state.worn(track.body));
     if frame.is_line() {
-        return Some(frame.size()[1 - sliding.direction.axis]);
+        return Some(frame.size()[1 - direction.axis]);
     }
-    let Ok(flow) = frame.flow(sliding.direction) else { return Some(f64::NAN) };
+    let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let lines = flow.lines();
     let mut section: Vec<[f64; 2]> =
         lines.iter().map(|line| [line.place, line.mean(&worn)]).collect();
     section.sort_by(|one, other| other[0].total_cmp(&one[0]));
     let high = edge(&section);
-    if frame.mirrored()[1 - sliding.direction.axis] {
+    if frame.mirrored()[1 - direction.axis] {
         return Some(high.map_or(0.0, |high| 2.0 * high));
     }
     section.reverse();

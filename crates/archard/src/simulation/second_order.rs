@@ -13,7 +13,7 @@ use std::iter::successors;
 use super::evolution::Evolution;
 use crate::frame::Flow;
 use crate::friction::Map;
-use crate::motion::Rolling;
+use crate::motion::Drives;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, GROWS};
 use crate::solve::tangential::{Tie, Turning};
@@ -73,8 +73,8 @@ pub(super) fn continued(
 }
 
 /// Whether the slip turns on the way through the contact.
-pub(super) fn turns(rolling: &Rolling, flow: Flow<'_>) -> bool {
-    rolling.spin != 0.0 && flow.has_rows()
+pub(super) fn turns(drives: &Drives, flow: Flow<'_>) -> bool {
+    drives.spin != 0.0 && flow.has_rows()
 }
 
 impl Evolution {

@@ -7,7 +7,7 @@ use super::{Effort, Error, Simulation};
 use crate::closed_form::flash_temperature::FAST;
 use crate::compliance::WornLines;
 use crate::frame::Part;
-use crate::motion::{Control, Motion};
+use crate::motion::{Control, Sequence, Slip};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap};
 
@@ -104,7 +104,7 @@ impl Evolution {
             }
         }
         Err(Error::NotConsistent {
-            measure: problem.motion.progress(),
+            measure: problem.motion.progress,
             progress: increment.progress,
             passes: PASSES,
         })
@@ -190,14 +190,14 @@ impl Evolution {
     fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
         if problem.grip(&self.state, |_| 0.0).is_err() {
             let passes = PASSES;
-            let (measure, progress) = (problem.motion.progress(), self.state.progress);
+            let (measure, progress) = (problem.motion.progress, self.state.progress);
             return Err(Error::NotConsistent { measure, progress, passes });
         }
         let peclet = problem.flash_for_laws(&self.state).and_then(|flash| flash.peclet);
         match peclet.filter(|peclet| *peclet < FAST) {
             None => Ok(()),
             Some(peclet) => Err(Error::TooSlow {
-                measure: problem.motion.progress(),
+                measure: problem.motion.progress,
                 progress: self.state.progress,
                 peclet,
             }),
@@ -253,26 +253,28 @@ impl Evolution {
         position: &Position,
     ) -> Result<f64, Error> {
         let problem = &simulation.problem;
-        Ok(match &problem.motion {
-            Motion::Rolling(rolling) if rubs(problem, increment.advance) => {
-                let flow = problem.frame.flow(rolling.direction)?;
-                increment.advance * self.creep_work(problem, rolling, flow)
+        Ok(match &problem.motion.slip {
+            Slip::Sought(drives) if rubs(problem, increment.advance) => {
+                let flow = problem.frame.flow(problem.motion.direction)?;
+                increment.advance * self.creep_work(problem, drives, flow)
             }
-            Motion::Rolling(_) => 0.0,
-            _ => self.prescribed_load(increment) * position.distance(&self.state.pressure),
+            Slip::Sought(_) => 0.0,
+            Slip::Given(..) => {
+                self.prescribed_load(increment) * position.distance(&self.state.pressure)
+            }
         })
     }
 }
 
 fn swung_out(problem: &ContactProblem, increment: Increment) -> Error {
-    Error::SwungOut { measure: problem.motion.progress(), progress: increment.progress }
+    Error::SwungOut { measure: problem.motion.progress, progress: increment.progress }
 }
 
 /// Whether an advance (the motion's unit) wears anything.
 fn rubs(problem: &ContactProblem, advance: f64) -> bool {
     problem.wears()
-        && match &problem.motion {
-            Motion::Rolling(rolling) => !rolling.swept,
-            motion => motion.slip(advance) != 0.0,
+        && match problem.motion.slip {
+            Slip::Sought(_) => problem.motion.sequence == Sequence::Steady,
+            Slip::Given(..) => problem.motion.slip(advance) != 0.0,
         }
 }

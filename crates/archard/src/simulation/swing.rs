@@ -16,7 +16,7 @@
 use super::Error;
 use super::evolution::Evolution;
 use crate::friction::Limits;
-use crate::motion::Sliding;
+use crate::motion::{Lever, Motion};
 use crate::numerics::vector::Values;
 use crate::problem::{ContactProblem, ContactState, Grid};
 
@@ -36,7 +36,8 @@ const DENSE: usize = 12;
 /// How surfaces swing past each other.
 pub(super) struct Swing<'a> {
     problem: &'a ContactProblem,
-    sliding: &'a Sliding,
+    /// The way to either side (m).
+    amplitude: f64,
     /// The body that keeps its place, and the one that is moved over it.
     bodies: [usize; 2],
     /// The elements of the one that is moved.
@@ -73,7 +74,7 @@ impl Position {
     /// That of surfaces that do not swing, whose pairs slide that far (m) at a unit lever.
     pub fn middle(problem: &ContactProblem, slip: f64) -> Self {
         let ways = vec![(0, 1.0)];
-        if !problem.motion.turns() {
+        if problem.motion.lever_arm() != Some(Lever::Radius) {
             return Self { offset: 0, mean: Some(slip), slips: vec![], ways };
         }
         let slip = |pair| slip * problem.motion.lever(problem.frame.place(pair));
@@ -146,18 +147,18 @@ fn places(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Place> {
 }
 
 /// Contact solves of a step of a problem: one, or one a position of surfaces that swing, with a contact of that length (m).
-pub fn solves_of_a_step(sliding: &Sliding, element: f64, contact: Option<f64>) -> Option<u64> {
-    let amplitude = sliding.swing?;
+pub fn solves_of_a_step(motion: &Motion, element: f64, contact: Option<f64>) -> Option<u64> {
+    let amplitude = motion.amplitude()?;
     let length = contact.map_or(1, |contact| (contact / element) as usize);
-    let side = stride(sliding, element, length) as f64 * element;
+    let side = stride(motion, element, length) as f64 * element;
     let positions = 2 * (amplitude / side).ceil() as u64 + 1;
-    Some(if sliding.track.is_some() { positions } else { 2 * positions } + 1)
+    Some(if motion.track().is_some() { positions } else { 2 * positions } + 1)
 }
 
 /// Elements from one position to the next, of a contact of so many elements.
-fn stride(sliding: &Sliding, element: f64, contact: usize) -> usize {
-    let amplitude = sliding.swing.unwrap_or_default();
-    match sliding.track {
+fn stride(motion: &Motion, element: f64, contact: usize) -> usize {
+    let amplitude = motion.amplitude().unwrap_or_default();
+    match motion.track() {
         Some(_) => (contact / CLOSE).max(1),
         None => (amplitude / element / MOST as f64).ceil().max(1.0) as usize,
     }
@@ -166,22 +167,21 @@ fn stride(sliding: &Sliding, element: f64, contact: usize) -> usize {
 impl<'a> Swing<'a> {
     /// Of a problem; `None` where no surface swings.
     pub fn of(problem: &'a ContactProblem) -> Option<Self> {
-        let sliding = problem.motion.sliding()?;
-        let amplitude = sliding.swing?;
-        let axis = sliding.direction.axis;
+        let motion = &problem.motion;
+        let (amplitude, axis) = (motion.amplitude()?, motion.direction.axis);
         let curvature = |body: usize| {
             problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
         };
-        let bodies = match sliding.track {
+        let bodies = match motion.track() {
             Some(track) => [1 - track.body, track.body],
             None if curvature(1) > curvature(0) => [1, 0],
             None => [0, 1],
         };
         // As far as the amplitude in positions of any stride.
         let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
-        let longest = stride(sliding, element, frame[axis]);
+        let longest = stride(motion, element, frame[axis]);
         let margin = (amplitude / element).ceil() as usize + longest;
-        Some(Self { problem, sliding, bodies, grid: Grid::swinging(frame, axis, margin) })
+        Some(Self { problem, amplitude, bodies, grid: Grid::swinging(frame, axis, margin) })
     }
 
     /// The body whose surface is moved, and its elements.
@@ -194,7 +194,7 @@ impl<'a> Swing<'a> {
     /// # Errors
     /// If elasticity takes up the amplitude somewhere.
     pub fn way(&self, history: &Evolution, advance: f64) -> Result<Way, Error> {
-        let (state, amplitude) = (&history.state, self.amplitude());
+        let (state, amplitude) = (&history.state, self.amplitude);
         let elastic = self.elastic(state);
         let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
         let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
@@ -207,7 +207,7 @@ impl<'a> Swing<'a> {
             elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
         let element = self.problem.frame.spacing()[self.axis()];
         let contact = self.contact_length(&state.pressure);
-        let stride = stride(self.sliding, element, contact);
+        let stride = stride(&self.problem.motion, element, contact);
         let mut places = places(reach, element, stride, stride > 1 && contact < DENSE * stride);
         if !history.forward {
             places.reverse();
@@ -233,17 +233,12 @@ impl<'a> Swing<'a> {
     }
 
     fn axis(&self) -> usize {
-        self.sliding.direction.axis
-    }
-
-    /// The way to either side (m).
-    fn amplitude(&self) -> f64 {
-        self.sliding.swing.unwrap_or_default()
+        self.problem.motion.direction.axis
     }
 
     /// Share of a step that goes back: on a stroke that is many contacts long, none.
     fn back(&self) -> f64 {
-        if self.sliding.track.is_some() { 0.0 } else { BACK }
+        if self.problem.motion.track().is_some() { 0.0 } else { BACK }
     }
 
     /// Elements along the motion from end to end of a contact under pressures (Pa).
@@ -288,7 +283,7 @@ impl<'a> Swing<'a> {
     /// What resists slip along the motion (Pa), one value a pair.
     fn resistance(&self, state: &ContactState) -> Vec<f64> {
         let Some(friction) = &self.problem.friction else { return vec![0.0; state.pressure.len()] };
-        let resistance = friction.map().resistance(self.problem.motion.slides([0.0; 2]));
+        let resistance = friction.map().resistance(self.problem.motion.heading([0.0; 2]));
         let grip = self.problem.grip(state, |_| 0.0).unwrap_or_else(|last| last);
         let limits = Limits::new(&**friction, &grip).all(&state.pressure);
         limits.iter().map(|limit| resistance * limit).collect()
@@ -325,7 +320,10 @@ mod tests {
     use super::{Swing, places};
     use crate::body::profile::Cylinder;
     use crate::body::{Body, Material};
-    use crate::motion::{Control, Motion, Schedule, Sliding, Stepping};
+    use crate::frame::Direction;
+    use crate::motion::{
+        Control, Lever, Motion, Passage, Progress, Schedule, Sequence, Slip, Stepping,
+    };
     use crate::simulation::Simulation;
     use crate::simulation::evolution::Evolution;
 
@@ -335,10 +333,17 @@ mod tests {
         let body = |name: &str, radius: f64| {
             Body::new(name, Cylinder::along_y(radius).unwrap()).material(steel)
         };
-        let sliding = Sliding { swing: Some(50e-6), ..Sliding::default() };
+        let motion = Motion {
+            progress: Progress::CYCLES,
+            direction: Direction::X,
+            surfaces: [Passage::Swings(50e-6, None); 2],
+            slip: Slip::Given(4.0 * 50e-6, Lever::Even),
+            sequence: Sequence::Steady,
+            speed: None,
+        };
         let schedule = Schedule::steady(Control::Load(1e3), 10.0, Stepping::Implicit(1.0));
         let bodies = [body("small", 6e-3), body("large", 30e-3)];
-        let builder = Simulation::builder(bodies, (Motion::Sliding(sliding), schedule));
+        let builder = Simulation::builder(bodies, (motion, schedule));
         builder.line([1e-3, 1.0], 100).build().unwrap()
     }
 

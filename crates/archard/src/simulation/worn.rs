@@ -3,6 +3,7 @@
 use super::Report;
 use crate::body::Body;
 use crate::frame::Line;
+use crate::motion::Passage;
 
 /// A layer is worn off where this part of it is: the rest is rounding.
 const THROUGH: f64 = 1.0 - 1e-9;
@@ -32,11 +33,10 @@ pub(super) fn worn_volume(report: &Report<'_>, body: usize) -> Option<f64> {
 /// What some function of the depth (m) of a body comes to over its surface, the whole track where it passes; `None` in rolling.
 fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
     let Report { problem, state, .. } = report;
-    let passing = problem.motion.passing().filter(|passing| passing.bodies[body]);
-    match (passing.and_then(|passing| passing.length), problem.motion.rolling()) {
-        (Some(length), _) => Some(length * section(report, body, of)?),
-        (None, Some(_)) => None,
-        (None, None) => {
+    match problem.motion.surfaces[body] {
+        Passage::Passes(Some(track)) => Some(track.length * section(report, body, of)?),
+        Passage::Passes(None) => None,
+        Passage::Stays | Passage::Swings(..) => {
             let surface = &state.surfaces[body];
             let of_all = each(&surface.depth, of);
             Some(match surface.grid.swings() {
@@ -67,9 +67,10 @@ pub(super) fn worn_section(report: &Report<'_>, body: usize) -> Option<f64> {
 /// The same of some function of the depth.
 fn section(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f64> {
     let (frame, motion) = (&report.problem.frame, &report.problem.motion);
-    let passes = motion.worn_along().filter(|(_, bodies)| bodies[body]);
-    let rolling = motion.rolling().map(|rolling| rolling.direction);
-    let direction = passes.map(|(direction, _)| direction).or(rolling)?;
+    if !motion.surfaces[body].grooves() {
+        return None;
+    }
+    let direction = motion.direction;
     let Ok(flow) = frame.flow(direction) else { return Some(f64::NAN) };
     let images = if frame.mirrored()[1 - direction.axis] { 2.0 } else { 1.0 };
     let worn = each(&report.state.worn(body), of);
@@ -79,7 +80,7 @@ fn section(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<
 
 /// Worn volume of a body over the load and the distance (1/Pa), which is k again; `None` without a track.
 pub(super) fn wear_rate(report: &Report<'_>, body: usize) -> Option<f64> {
-    report.problem.motion.sliding()?.track?;
+    report.problem.motion.track()?;
     let worked = report.effort.load_distance;
     let volume = worn_volume(report, body)?;
     Some(if worked > 0.0 { volume / worked } else { 0.0 })

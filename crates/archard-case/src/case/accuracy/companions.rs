@@ -204,7 +204,7 @@ impl Resolved {
         following.falls_short(&Unsettled::TooCoarse {
             elements: own.case.frame.elements,
             error,
-            place: parts.motion.progress().at(place),
+            place: parts.motion.progress.at(place),
             asked: accuracy,
             hint: if has_tip(&parts) { "; outputs once the tip is worn take fewer" } else { "" },
         });

@@ -22,7 +22,7 @@ impl Resolved {
         let known = locate::known(&parts);
         for axis in 0..if own.line { 1 } else { 2 } {
             let elements = own.elements[axis];
-            let moved = [moved, [moved[1], moved[0]]][parts.motion.axis()];
+            let moved = [moved, [moved[1], moved[0]]][parts.motion.direction.axis];
             let other = usize::from(moved[axis] && !widens);
             case.frame.elements[axis] = nearest(elements as f64 / ratio, elements + other);
             // As far as the surfaces are known: measured ones end with their readings.

@@ -14,7 +14,7 @@ const DIVISOR: f64 = 4.0;
 fn rubs(case: &Case) -> bool {
     let declared = case.motion.choice.parameters;
     let takes = declared.iter().any(|parameter| parameter.name == INCREMENTS);
-    let rub = |parts: Parts<'_>| parts.friction.is_some() && parts.motion.period().is_some();
+    let rub = |parts: Parts<'_>| parts.friction.is_some() && parts.motion.increments().is_some();
     takes && Parts::of(case).is_ok_and(rub)
 }
 

@@ -4,7 +4,7 @@ use crate::case::check::Parts;
 use crate::case::definition::{BuildError, Case};
 use archard::body::Body;
 use archard::estimate::Estimator;
-use archard::motion::{Control, Drive};
+use archard::motion::{Control, Drive, Shift, Slip};
 use archard::simulation::Regularity;
 use archard::simulation::history::{APPROACH, CREEPAGE, FORCE, LOAD};
 
@@ -14,11 +14,11 @@ pub(super) fn regularity(case: &Case) -> Result<Regularity, BuildError> {
     Ok(Regularity {
         sharpest: sharpest(&parts),
         centre: centre(&parts),
-        may_stick: parts.motion.drives().is_some() && !slips(&parts),
+        may_stick: parts.motion.driven(0.0).is_some() && !slips(&parts),
         given: given(&parts),
         areas: areas(case),
         line: case.frame.line,
-        period: parts.motion.period(),
+        period: parts.motion.increments().map(Shift::period),
     })
 }
 
@@ -35,11 +35,14 @@ fn given(parts: &Parts<'_>) -> Vec<&'static str> {
         Control::Load(_) => LOAD,
         Control::Approach(_) => APPROACH,
     };
-    let drives =
-        parts.motion.drives().into_iter().flat_map(|drives| drives.into_iter().enumerate());
+    let mut drives = parts.motion.driven(0.0).map_or(vec![], |drives| drives.both().to_vec());
+    if parts.motion.direction.axis == 1 {
+        drives.reverse();
+    }
+    let drives = drives.into_iter().enumerate();
     let driven = drives.map(|(axis, drive)| match drive {
         Drive::Force(_) => FORCE[axis],
-        Drive::Creepage(_) => CREEPAGE[axis],
+        Drive::Slip(_) => CREEPAGE[axis],
     });
     [normal].into_iter().chain(driven).collect()
 }
@@ -64,7 +67,7 @@ pub(super) fn order(parts: &Parts<'_>) -> f64 {
 
 /// Whether friction decides what slips.
 pub(super) fn slips_partly(parts: &Parts<'_>) -> bool {
-    parts.motion.slips_partly() && parts.friction.is_some()
+    matches!(parts.motion.slip, Slip::Sought(_)) && parts.friction.is_some()
 }
 
 /// Whether a body is sharp, but not along an edge: most happens at the middle of the contact, where elements must not miss it.

@@ -25,7 +25,7 @@ pub struct Cycles {
 impl Cycles {
     /// The cycles of the parts; `None` unless they are pressed and shifted step by step.
     pub(super) fn of(parts: &Parts<'_>) -> Option<Self> {
-        let period = parts.motion.period()?;
+        let period = parts.motion.increments()?.period();
         let cycle = |place: f64| (place / period - 1e-9).ceil().max(1.0) as u64;
         let total = (parts.schedule.extent / period).round().max(1.0) as u64;
         let mut outputs: Vec<u64> =

@@ -7,7 +7,7 @@ use crate::case::problem::Problem;
 
 /// A density of a body that does not wear, or that rolls, where sections are known and no volumes.
 pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
-    let rolls = parts.motion.rolling().is_some();
+    let rolls = parts.motion.driven(0.0).is_some();
     let weighed = parts.case.bodies.iter().filter(|body| body.density.is_some());
     let doubt = |body: &BodyCase| {
         let message = match body.wears() {

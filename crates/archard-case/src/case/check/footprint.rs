@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_4;
 
 use super::{Parts, size};
 use archard::compliance::bem;
-use archard::motion::{Shift, Stepping};
+use archard::motion::{Sequence, Shift, Stepping};
 use archard::solve::monolithic::factors_memory;
 
 // Counted from the algorithms, not fitted. The peak resident memory of whole runs, `/usr/bin/time -f %M archard run` with two
@@ -43,14 +43,14 @@ pub(in crate::case) fn of_pairs(pairs: f64) -> f64 {
 /// Memory (bytes) of a run.
 pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
     let by_error = matches!(parts.schedule.stepping, Stepping::Tolerance(_))
-        && parts.motion.period().is_none();
+        && parts.motion.increments().is_none();
     let histories = if by_error { 2.0 } else { 1.0 };
     let pairs = parts.pairs() as f64;
     let meshed = bem::memory(parts.bodies.each_ref().map(|body| body.finite.as_ref().map(size)));
     let unlike = if parts.alike() { 0.0 } else { 1.0 };
-    let friction = match parts.motion.rolling() {
-        Some(rolling) if parts.friction.is_some() => {
-            let goes_on = !rolling.swept && parts.schedule.extent > 0.0;
+    let friction = match parts.motion.driven(0.0) {
+        Some(_) if parts.friction.is_some() => {
+            let goes_on = parts.motion.sequence == Sequence::Steady && parts.schedule.extent > 0.0;
             let [own, rubbing, coupled] = SOLUTION;
             // Before and after a step.
             let wear =
@@ -58,7 +58,7 @@ pub(in crate::case) fn memory(parts: &Parts<'_>) -> f64 {
             let coupling = unlike * (3.0 * KERNEL + SOLVE + own + rubbing + coupled);
             share_in_contact(parts) * KRYLOV + coupling + wear
         }
-        _ => parts.motion.shift().map_or(0.0, |shift| of_a_cycle(parts, shift)),
+        _ => parts.motion.increments().map_or(0.0, |shift| of_a_cycle(parts, shift)),
     };
     let wider = KERNEL * parts.case.doubles.len() as f64;
     let fields = KERNEL + histories * SOLVE + wider + friction;
@@ -73,7 +73,7 @@ pub(in crate::case) fn pairs_within(parts: &Parts<'_>, free: f64) -> usize {
 
 /// Memory (bytes) of the factors that friction of meshed bodies keeps for each increment of a cycle.
 fn of_factors(parts: &Parts<'_>) -> f64 {
-    match parts.motion.shift() {
+    match parts.motion.increments() {
         Some(shift) if parts.case.is_meshed() && parts.friction.is_some() => {
             let in_contact = share_in_contact(parts) * parts.pairs() as f64;
             shift.cycle.len() as f64 * factors_memory(in_contact)

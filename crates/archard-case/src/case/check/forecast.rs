@@ -14,7 +14,7 @@ use crate::verdict::Verdict;
 use archard::body::mesh::{Listed, Meshed};
 use archard::body::{Elasticity, Finite};
 use archard::estimate::{Estimate, Estimator};
-use archard::motion::Stepping;
+use archard::motion::{Sequence, Stepping};
 use archard::simulation::solves_of_a_step;
 
 /// What to expect of a run.
@@ -114,12 +114,13 @@ fn files(parts: &Parts<'_>) -> Vec<(String, Vec<Listed>)> {
 impl Solves {
     /// One for the contact before a motion that starts under load, and one a step.
     fn of(parts: &Parts<'_>) -> Self {
-        if let (Some(shift), Some(cycles)) = (parts.motion.shift(), Cycles::of(parts)) {
+        if let (Some(shift), Some(cycles)) = (parts.motion.increments(), Cycles::of(parts)) {
             return cycles.solves(parts, shift);
         }
         let first = u64::from(!parts.schedule.ramped);
-        let rolling = parts.motion.rolling();
-        let wears = rolling.is_some_and(|rolling| !rolling.swept)
+        let rolling = parts.motion.driven(0.0);
+        let wears = rolling.is_some()
+            && parts.motion.sequence == Sequence::Steady
             && parts.schedule.extent > 0.0
             && parts.wears();
         let coupled = rolling.is_some() && parts.friction.is_some() && !parts.alike();
@@ -128,7 +129,7 @@ impl Solves {
                 let steps = (parts.schedule.extent / step - 1e-9).ceil() as u64;
                 let solves = first + steps * of_a_step(parts);
                 // How far surfaces swing depends on what the bodies give way.
-                match (parts.motion.swing(), wears || coupled) {
+                match (parts.motion.amplitude(), wears || coupled) {
                     (Some(_), _) => Self::About(solves),
                     (None, true) => Self::AtLeast(solves),
                     (None, false) => Self::Exactly(solves),
@@ -137,7 +138,7 @@ impl Solves {
             Stepping::Jumps(_) | Stepping::ToOutputs => Self::AtLeast(first),
             Stepping::Tolerance(tolerance) => {
                 let outputs = parts.case.output.places(parts.schedule.extent).len();
-                let law = match (rolling, parts.motion.swing()) {
+                let law = match (rolling, parts.motion.amplitude()) {
                     (Some(_), _) => IN_ROLLING,
                     (None, Some(_)) => WHERE_SURFACES_SWING,
                     (None, None) => WHERE_ALL_SLIDES,
@@ -171,12 +172,11 @@ fn by_error([spared_by_none, over_root]: Law, tolerance: f64, outputs: usize) ->
 
 /// Solves of a step: one, or one a position of surfaces that swing.
 fn of_a_step(parts: &Parts<'_>) -> u64 {
-    let Some(sliding) = parts.motion.sliding() else { return 1 };
-    let axis = sliding.direction.axis;
+    let axis = parts.motion.direction.axis;
     let element = parts.case.frame.spacing()[axis];
     let contact = parts.subject().contact(parts.schedule.control);
     let length = contact.map(|contact| 2.0 * contact.semi_axes[axis]);
-    solves_of_a_step(sliding, element, length).unwrap_or(1)
+    solves_of_a_step(&parts.motion, element, length).unwrap_or(1)
 }
 
 impl fmt::Display for Solves {

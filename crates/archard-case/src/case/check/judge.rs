@@ -64,7 +64,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 
 /// Wear without sliding, sliding without wear, where that does not depend on friction.
 fn rubbing(parts: &Parts<'_>) -> Vec<Problem> {
-    if parts.motion.slips_partly() {
+    if parts.motion.lever_arm().is_none() {
         return vec![];
     }
     let motion = parts.case.motion.choice.name;
@@ -86,16 +86,15 @@ fn useless_friction(parts: &Parts<'_>) -> Option<Problem> {
     let asked = parts.bodies.iter().filter_map(|body| body.wear.as_deref()).any(|law| {
         law.inputs().iter().any(|one| matches!(one, Input::Friction | Input::Temperature))
     });
-    let swings = parts.motion.swing().is_some();
+    let swings = parts.motion.amplitude().is_some();
     // What their own warnings or errors speak of, where it has no effect.
     let warms = parts.bodies.iter().any(|body| body.thermal.is_some());
-    (parts.friction.is_some() && !asked && !swings && !warms && !parts.motion.slips_partly()).then(
-        || {
+    (parts.friction.is_some() && !asked && !swings && !warms && parts.motion.lever_arm().is_some())
+        .then(|| {
             let name = parts.case.motion.choice.name;
             let message = format!("has no effect in `motion.{name}`: all of the contact slides");
             Problem::warning(Key::of(["friction"]), message).at_name()
-        },
-    )
+        })
 }
 
 /// Explicit steps beyond their bound: pressures swing from step to step.
@@ -116,7 +115,7 @@ fn explicit(parts: &Parts<'_>) -> Option<Problem> {
 /// Depth worn off both bodies per pressure and distance slid (1/Pa).
 pub(super) fn wear_slope(parts: &Parts<'_>) -> f64 {
     let rubbing =
-        problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, parts.motion.slides([0.0; 2]));
+        problem::rubbing(parts.friction.as_deref(), PRESSURE, 1.0, parts.motion.heading([0.0; 2]));
     let laws = parts.bodies.iter().filter_map(|body| body.wear.as_ref());
     laws.map(|law| law.slope(rubbing)).sum()
 }
@@ -135,7 +134,7 @@ fn long(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         let motion = parts.case.motion.choice.name;
         let message = format!("the run will take {:.0e} contact solves", solves as f64);
         Problem::warning(Key::of(["motion", motion]), message).help(
-            if parts.motion.period().is_some() {
+            if parts.motion.increments().is_some() {
                 "take fewer cycles or increments, or jump over cycles with `tolerance`"
             } else {
                 "take longer steps or a larger tolerance"

@@ -3,6 +3,7 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use archard::motion::Lever;
 use archard::simulation::line_of_contact;
 
 /// What is wrong with a line of contact; or with what says that there is one.
@@ -29,21 +30,21 @@ fn not_a_line(key: Key) -> Problem {
 
 /// Rolling or swinging along the line, or spin, which slips differently all along it.
 fn across(parts: &Parts<'_>) -> Option<Problem> {
-    let sliding = parts.motion.sliding().filter(|sliding| sliding.swing.is_some());
-    if sliding.is_some_and(|sliding| sliding.direction.axis == 1) {
+    let along_the_line = parts.motion.direction.axis == 1;
+    if parts.motion.amplitude().is_some() && along_the_line {
         let message = "the line of contact lies along y: surfaces swing along x";
         let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
         return Some(Problem::error(key, message));
     }
-    if parts.motion.turns() {
+    if parts.motion.lever_arm() == Some(Lever::Radius) {
         let message = "bodies turn about a point, and a line of contact has none";
         let key = Key::of(["motion", parts.case.motion.choice.name]);
         return Some(Problem::error(key, message).at_name());
     }
-    let rolling = parts.motion.rolling()?;
-    let (name, message) = if rolling.direction.axis == 1 {
+    let drives = parts.motion.driven(parts.schedule.extent)?;
+    let (name, message) = if along_the_line {
         ("direction", "the line of contact lies along y: bodies roll along x")
-    } else if rolling.spin != 0.0 {
+    } else if drives.spin != 0.0 {
         ("spin", "the slip of bodies that spin is not the same all along a line of contact")
     } else {
         return None;

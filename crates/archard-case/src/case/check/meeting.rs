@@ -9,6 +9,7 @@ use archard::body::Body;
 use archard::compliance::bem::Undetermined;
 use archard::compliance::bem::contact::{ContactError, Meeting};
 use archard::frame::Pairs;
+use archard::motion::Passage;
 use archard::simulation::refusal;
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -25,9 +26,7 @@ pub(super) fn problems(parts: &Parts<'_>) -> Vec<Problem> {
         Err(error) => problems.push(said(parts, error)),
         Ok(meeting) => {
             problems.extend(lopsided(parts, meeting.pairs()));
-            if (parts.motion.rolling().is_some() || parts.motion.passing().is_some())
-                && !meeting.is_plane()
-            {
+            if parts.motion.surfaces.iter().any(Passage::passes) && !meeting.is_plane() {
                 problems.extend(parts.refused(refusal::curved()));
             }
         }

@@ -45,7 +45,7 @@ use archard::body::{Body, Elasticity, Finite};
 use archard::compliance::bem::Size;
 use archard::estimate::{Course, Estimate, Estimator, Subject};
 use archard::friction::Friction;
-use archard::motion::{Control, Motion, Schedule};
+use archard::motion::{Control, Lever, Motion, Schedule};
 use archard::parameters::Values;
 use archard::simulation::refusal::{Part, Refusal};
 
@@ -89,7 +89,9 @@ impl<'a> Parts<'a> {
     pub(super) fn estimate(&self, estimator: &Estimator, progress: f64) -> Estimate {
         let control = self.schedule.control;
         let load_distance = match control {
-            Control::Load(load) if !self.motion.turns() => Some(load * self.motion.slip(progress)),
+            Control::Load(load) if self.motion.lever_arm() != Some(Lever::Radius) => {
+                Some(load * self.motion.slip(progress))
+            }
             _ => None,
         };
         estimator.of(&self.subject(), &Course { control, progress, load_distance })

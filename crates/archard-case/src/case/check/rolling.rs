@@ -6,16 +6,16 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::body::Body;
 use archard::estimate::Contact;
-use archard::motion::{Control, Drive, Rolling};
+use archard::motion::{Control, Drive, Drives, Sequence};
 
 /// All that is wrong or doubtful about rolling.
 pub(super) fn problems(parts: &Parts<'_>, contact: Option<&Contact>) -> Vec<Problem> {
-    let Some(rolling) = parts.motion.rolling() else { return vec![] };
-    let mut problems = wear(parts, rolling);
-    problems.extend(friction(parts, rolling));
-    problems.extend(narrow(parts, rolling, contact));
-    problems.extend(worn_radius(parts, rolling));
-    problems.extend(over_the_rim(parts, rolling));
+    let Some(drives) = &parts.motion.driven(parts.schedule.extent) else { return vec![] };
+    let mut problems = wear(parts, drives);
+    problems.extend(friction(parts, drives));
+    problems.extend(narrow(parts, contact));
+    problems.extend(worn_radius(parts, drives));
+    problems.extend(over_the_rim(parts));
     problems
 }
 
@@ -29,11 +29,12 @@ fn motion(parts: &Parts<'_>) -> Key {
 }
 
 /// Wear that cannot come about, or rolling on and on without any.
-fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
-    let goes_on = parts.schedule.extent > 0.0 && !rolling.swept;
+fn wear(parts: &Parts<'_>, drives: &Drives) -> Vec<Problem> {
+    let raised = parts.motion.sequence == Sequence::Raised;
+    let goes_on = parts.schedule.extent > 0.0 && !raised;
     let worn: Vec<_> = parts.case.bodies.iter().filter(|body| body.wears()).collect();
     let mut problems = vec![];
-    if is_still(parts, rolling) {
+    if is_still(parts, drives) {
         let end = if goes_on { ", and nothing will wear" } else { "" };
         let message = format!(
             "no creepage, force or spin is given: nothing slips between bodies of one elasticity{end}"
@@ -48,7 +49,7 @@ fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
                 .help("`revolutions = 0` is enough for the contact alone"),
         );
     }
-    let reason = match (rolling.swept, goes_on) {
+    let reason = match (raised, goes_on) {
         (true, _) => "raising the creepage wears nothing",
         (_, false) => "nothing wears without `revolutions`",
         _ => return problems,
@@ -61,18 +62,15 @@ fn wear(parts: &Parts<'_>, rolling: &Rolling) -> Vec<Problem> {
 }
 
 /// Whether nothing drives bodies that roll on each other as one.
-fn is_still(parts: &Parts<'_>, rolling: &Rolling) -> bool {
-    let is_zero = |drive: Drive| matches!(drive, Drive::Creepage(0.0) | Drive::Force(0.0));
-    parts.alike()
-        && is_zero(rolling.longitudinal)
-        && is_zero(rolling.lateral)
-        && rolling.spin == 0.0
+fn is_still(parts: &Parts<'_>, drives: &Drives) -> bool {
+    let is_zero = |drive: Drive| matches!(drive, Drive::Slip(0.0) | Drive::Force(0.0));
+    parts.alike() && drives.both().into_iter().all(is_zero) && drives.spin == 0.0
 }
 
 /// Friction that is missing, or bears less than it has to.
-fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
+fn friction(parts: &Parts<'_>, drives: &Drives) -> Option<Problem> {
     let force = |drive: Drive| if let Drive::Force(force) = drive { force } else { 0.0 };
-    let (along, across) = (force(rolling.longitudinal), force(rolling.lateral));
+    let [along, across] = drives.both().map(force);
     let asked = along.hypot(across);
     let name = if along == 0.0 { "lateral_force" } else { "force" };
     if parts.friction.is_none() && asked > 0.0 {
@@ -84,8 +82,8 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
         return Some(Problem::warning(motion(parts), message).at_name());
     }
     let Control::Load(load) = parts.schedule.control else { return None };
-    let given = [rolling.longitudinal, rolling.lateral].map(|one| matches!(one, Drive::Force(_)));
-    let direction = rolling.direction;
+    let given = drives.both().map(|one| matches!(one, Drive::Force(_)));
+    let direction = parts.motion.direction;
     let [forward, lateral] = [direction.forward(), direction.lateral()];
     let force = [0, 1].map(|axis| along * forward[axis] + across * lateral[axis]);
     let bears = parts.subject().largest_force(force, given)? * load;
@@ -103,8 +101,8 @@ fn friction(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
 
 /// A zone without a free element behind the contact: particles are rubbed until they have left the last
 /// pair under pressure.
-fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Option<Problem> {
-    let axis = rolling.direction.axis;
+fn narrow(parts: &Parts<'_>, contact: Option<&Contact>) -> Option<Problem> {
+    let axis = parts.motion.direction.axis;
     let half_width = contact?.semi_axes[axis];
     let frame = parts.case.frame;
     let needed = 2.0 * (half_width + frame.spacing()[axis]);
@@ -123,12 +121,12 @@ fn narrow(parts: &Parts<'_>, rolling: &Rolling, contact: Option<&Contact>) -> Op
 }
 
 /// A creepage that is to follow worn radii of bodies that have none.
-fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
-    let axis = rolling.direction.axis;
+fn worn_radius(parts: &Parts<'_>, drives: &Drives) -> Option<Problem> {
+    let axis = parts.motion.direction.axis;
     let without = |body: &&Body| {
         body.wear.is_some() && body.curvatures().is_none_or(|both| both[axis] == 0.0)
     };
-    let body = parts.bodies.iter().filter(|_| rolling.worn_radius).find(without)?;
+    let body = parts.bodies.iter().filter(|_| drives.worn_radius).find(without)?;
     let name = &body.name;
     let lack = match body.curvatures() {
         Some(_) => format!("the body `{name}` has no radius along the direction of rolling"),
@@ -141,8 +139,8 @@ fn worn_radius(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
 }
 
 /// Discs that roll across their rim.
-fn over_the_rim(parts: &Parts<'_>, rolling: &Rolling) -> Option<Problem> {
-    let axis = rolling.direction.axis;
+fn over_the_rim(parts: &Parts<'_>) -> Option<Problem> {
+    let axis = parts.motion.direction.axis;
     let bodies = parts.case.bodies.iter().zip(&parts.bodies);
     let mut discs = bodies.filter(|(case, _)| case.profile.choice.name == "disc");
     let (body, _) = discs.find(|(_, body)| {

@@ -10,11 +10,11 @@ use crate::case::key::Key;
 use crate::case::problem::Problem;
 use archard::body::Elasticity;
 use archard::estimate::Contact;
-use archard::motion::{Control, Guide, Shift, Station, Stepping};
+use archard::motion::{Control, Drive, Shift, Station, Stepping};
 
 /// All that is wrong or doubtful about pressing and shifting.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
-    let Some(shift) = parts.motion.shift() else { return vec![] };
+    let Some(shift) = parts.motion.increments() else { return vec![] };
     let mut problems: Vec<Problem> = sliding_away(parts, shift).into_iter().collect();
     problems.extend(no_effect(parts, shift));
     problems.extend(far(parts, shift, forecast.estimate.contact.as_ref()));
@@ -50,7 +50,7 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
         ("force_amplitude", String::new(), station)
     } else {
         let (place, station, _) = beyond.next()?;
-        ("file", format!(" at {}", shift.progress.at(place)), station)
+        ("file", format!(" at {}", parts.motion.progress.at(place)), station)
     };
     let force = three(size(force(station)));
     let message = if parts.friction.is_none() {
@@ -67,8 +67,8 @@ fn sliding_away(parts: &Parts<'_>, shift: &Shift) -> Option<Problem> {
 /// The tangential force (N) prescribed at a station, along x and y.
 fn force(station: &Station) -> [f64; 2] {
     station.guides.map(|guide| match guide {
-        Guide::Force(force) => force,
-        Guide::Shift(_) => 0.0,
+        Drive::Force(force) => force,
+        Drive::Slip(_) => 0.0,
     })
 }
 
@@ -85,7 +85,7 @@ fn borne(parts: &Parts<'_>, station: &Station) -> Option<f64> {
         Control::Load(load) => load,
         Control::Approach(_) => parts.subject().contact(station.control)?.load,
     };
-    let given = station.guides.map(|guide| matches!(guide, Guide::Force(_)));
+    let given = station.guides.map(|guide| matches!(guide, Drive::Force(_)));
     Some(parts.subject().largest_force(force(station), given)? * load)
 }
 
@@ -124,8 +124,8 @@ fn far(parts: &Parts<'_>, shift: &Shift, contact: Option<&Contact>) -> Option<Pr
     let half_width = contact?.semi_axes.into_iter().fold(f64::INFINITY, f64::min);
     let reaches = shift.cycle.iter().map(|station| {
         let [x, y] = station.guides.map(|guide| match guide {
-            Guide::Shift(shift) => shift,
-            Guide::Force(_) => 0.0,
+            Drive::Slip(shift) => shift,
+            Drive::Force(_) => 0.0,
         });
         x.hypot(y)
     });
@@ -244,7 +244,7 @@ fn slip_of_an_increment(parts: &Parts<'_>, shift: &Shift) -> f64 {
     };
     let between = |before: &Station, after: &Station| {
         let moved = [0, 1].map(|axis| match (before.guides[axis], after.guides[axis]) {
-            (Guide::Shift(one), Guide::Shift(other)) => other - one,
+            (Drive::Slip(one), Drive::Slip(other)) => other - one,
             _ => 0.0,
         });
         let pressed = approach(before).zip(approach(after)).map_or(0.0, |(one, two)| two - one);

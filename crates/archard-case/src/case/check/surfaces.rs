@@ -36,7 +36,7 @@ impl Surfaces {
         }
         let (axis, amplitude) = along(parts.case)?;
         let half_width = parts.subject().contact(parts.schedule.control)?.semi_axes[axis];
-        Some(Self { swing: parts.motion.swing().is_some(), ratio: amplitude / half_width })
+        Some(Self { swing: parts.motion.amplitude().is_some(), ratio: amplitude / half_width })
     }
 }
 
@@ -50,8 +50,7 @@ impl fmt::Display for Surfaces {
 
 /// A surface that swings so far that its elements are more than a machine holds.
 pub(super) fn too_long(parts: &Parts<'_>) -> Option<Problem> {
-    let amplitude = parts.motion.swing()?;
-    let axis = usize::from(parts.motion.slides([0.0; 2])[1] != 0.0);
+    let (amplitude, axis) = (parts.motion.amplitude()?, parts.motion.direction.axis);
     let frame = &parts.case.frame;
     let along = 2.0 * amplitude / frame.spacing()[axis] + frame.elements[axis] as f64;
     let elements = along * frame.elements[1 - axis] as f64;

@@ -9,11 +9,10 @@ use archard::numerics::SAME;
 
 /// What is wrong or doubtful about a track, or about none.
 pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
-    let Some(sliding) = parts.motion.sliding() else { return vec![] };
-    match &sliding.track {
+    match &parts.motion.track() {
         None => stays(parts).into_iter().collect(),
         Some(track) => {
-            let axis = sliding.direction.axis;
+            let axis = parts.motion.direction.axis;
             let short = short(parts, track, axis, forecast);
             short.into_iter().chain(uneven(parts, track, axis)).collect()
         }
@@ -22,7 +21,7 @@ pub(super) fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
 
 /// Both bodies wear and nothing is said of how their surfaces meet.
 fn stays(parts: &Parts<'_>) -> Option<Problem> {
-    if parts.motion.swing().is_some() {
+    if parts.motion.lever_arm().is_none() || !parts.motion.stays() {
         return None;
     }
     let said = parts.case.motion.values.get("surfaces").is_some();

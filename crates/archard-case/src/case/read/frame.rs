@@ -183,7 +183,7 @@ impl Reader<'_> {
             self.push(Problem::error(key, wrong).at_name());
             return None;
         }
-        self.places(key, entry, motion.progress().quantity, schedule.extent)
+        self.places(key, entry, motion.progress.quantity, schedule.extent)
     }
 
     /// The length (m) of a line of contact, `Some(None)` where the frame is none; `None` if that is wrong. Loads are read

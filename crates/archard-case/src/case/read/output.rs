@@ -8,7 +8,7 @@ use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
 use archard::body::Elasticity;
 use archard::elastic::{self, Point};
-use archard::motion::{Motion, Planned, Progress};
+use archard::motion::{Motion, Planned, Progress, Shift};
 use archard::parameters::{Quantity, Values};
 
 impl Reader<'_> {
@@ -23,7 +23,7 @@ impl Reader<'_> {
         let Some((key, entry)) = root.get("output") else { return Some(default) };
         let section = self.as_table(key, &entry.node)?;
         self.unknown(&section, "key", &["every", "at", "points", "sections"]);
-        let quantity = motion.progress().quantity;
+        let quantity = motion.progress.quantity;
         match (section.get("every"), section.get("at")) {
             (None, None) => Some(default),
             (Some(_), Some((key, _))) => {
@@ -152,7 +152,7 @@ impl Reader<'_> {
 /// A tenth of a motion, in whole cycles where it counts them or repeats itself.
 fn tenth(motion: &Motion, extent: f64) -> f64 {
     let tenth = extent / 10.0;
-    let Some(period) = motion.period() else { return tenth };
-    let counts = motion.progress() == Progress::CYCLES || extent > 1.5 * period;
+    let Some(period) = motion.increments().map(Shift::period) else { return tenth };
+    let counts = motion.progress == Progress::CYCLES || extent > 1.5 * period;
     if counts { period * (tenth / period - 1e-9).ceil().max(1.0) } else { tenth }
 }

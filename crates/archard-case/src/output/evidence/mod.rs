@@ -91,7 +91,7 @@ impl Evidence {
                 _ => self.largest.push((element, across)),
             }
         }
-        let shifted = problem.motion.period().is_some();
+        let shifted = problem.motion.increments().is_some();
         self.stick = state.tangential.as_ref().filter(|_| shifted).and_then(|tangential| {
             let sticks = |pair: usize| tangential.sticks(problem, &state.pressure, pair);
             let slips = |pair: usize| state.pressure[pair] > 0.0 && !sticks(pair);
@@ -189,14 +189,14 @@ pub(super) fn worn_over_coefficient(report: &Report<'_>) -> Option<f64> {
         // Pressures in other directions than the load's wear too.
         return None;
     }
-    if problem.motion.rolling().is_some() && problem.compliance.couples() {
+    if problem.motion.driven(0.0).is_some() && problem.compliance.couples() {
         // Friction shifts the pressures of unlike bodies, whose moment does work as well.
         return None;
     }
     if !ends_a_cycle(problem, report.state.progress) {
         return None;
     }
-    match problem.motion.shift() {
+    match problem.motion.increments() {
         Some(shift) if shift.end_pressure => None,
         Some(_) => Some(effort.dissipated[1] / Subject::from(*problem).friction_coefficient()?),
         None => Some(effort.load_distance),
@@ -223,8 +223,8 @@ fn volume(report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
 
 /// Whether whole cycles are done, which count as dissipated; always where there are none.
 fn ends_a_cycle(problem: &ContactProblem, progress: f64) -> bool {
-    problem.motion.period().is_none_or(|period| {
-        let cycles = progress / period;
+    problem.motion.increments().is_none_or(|shift| {
+        let cycles = progress / shift.period();
         (cycles - cycles.round()).abs() < WRITTEN
     })
 }

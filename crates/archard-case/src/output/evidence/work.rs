@@ -24,7 +24,7 @@ pub(super) struct Cycle {
 impl Cycle {
     /// Takes up a report and its row; at the end of a cycle, how far work and dissipation are apart.
     pub fn take(&mut self, report: &Report<'_>, row: &[(String, f64)]) -> Option<f64> {
-        let shift = report.problem.motion.shift().filter(|shift| Shift::moves(shift))?;
+        let shift = report.problem.motion.increments().filter(|shift| Shift::moves(shift))?;
         report.problem.friction.as_ref()?;
         if shift.released || shift.end_pressure {
             return None;

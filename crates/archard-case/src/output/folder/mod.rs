@@ -275,7 +275,7 @@ impl ResultFolder {
     /// Writes the fields of a report and their sections.
     fn put_out_fields(&mut self, report: &Report<'_>) -> Result<(), Error> {
         let Report { problem, state, .. } = report;
-        let progress = (problem.motion.progress().column, state.progress);
+        let progress = (problem.motion.progress.column, state.progress);
         let name = format!("{FIELDS}/{:04}", self.collection.outputs.len());
         let through = sections::through(problem, state);
         let uniform = problem.frame.is_uniform();
@@ -312,7 +312,7 @@ fn finite(report: &Report<'_>, row: &[(String, f64)]) -> Result<(), Error> {
     match wrong.map(|(column, _)| column.as_str()).or_else(field) {
         None => Ok(()),
         Some(name) => {
-            let place = report.problem.motion.progress().at(report.state.progress);
+            let place = report.problem.motion.progress.at(report.state.progress);
             Err(Error::NotFinite { name: name.to_owned(), place })
         }
     }

@@ -8,7 +8,7 @@ use archard::closed_form::pin_on_disc;
 use archard::compliance::Compliance;
 use archard::frame::{ContactFrame, Direction, VectorField};
 use archard::friction::{FRICTION as FRICTION_LAWS, Grip};
-use archard::motion::{Control, Drive, MOTIONS, Motion, Rolling, Stepping};
+use archard::motion::{Control, Drive, MOTIONS, Rolling, Sequence, Slip, Stepping};
 use archard::parameters::{Choice, Value, Values};
 use archard::problem::{ContactProblem, ContactState, Surface, Tangential, Unworn};
 use archard::simulation::{Effort, Observer, Report};
@@ -139,15 +139,8 @@ impl Run {
         let crowned = build(PROFILES, "disc", &[("radius", 30e-3), ("crown", CROWN)]);
         let plain = build(PROFILES, "disc", &[("radius", 30e-3)]);
         let frame = ContactFrame::uniform([0.5e-3, 2e-3], elements, [&*crowned, &*plain]);
-        let rolling = Rolling {
-            direction,
-            longitudinal: Drive::Creepage(CREEPAGE),
-            lateral: Drive::Creepage(0.0),
-            spin: 0.0,
-            speed: None,
-            worn_radius: false,
-            swept: false,
-        };
+        let rolling = Rolling::along(direction).longitudinal(Drive::Slip(CREEPAGE));
+        let planned = rolling.over(1.0, Control::Load(LOAD), Stepping::Implicit(1.0));
         Self {
             problem: ContactProblem {
                 bodies: [
@@ -159,7 +152,7 @@ impl Run {
                 friction: Some(
                     build(FRICTION_LAWS, "coulomb", &[("coefficient", FRICTION)]).into(),
                 ),
-                motion: Motion::Rolling(rolling),
+                motion: planned.expect("a motion").0,
                 unworn: Unworn::default(),
             },
         }
@@ -168,17 +161,17 @@ impl Run {
     /// The state at that progress (m or revolutions).
     pub(super) fn state(&self, progress: f64) -> ContactState {
         let motion = &self.problem.motion;
-        match (motion.rolling(), motion.shift()) {
-            (Some(rolling), _) => self.rolled(rolling, progress),
-            (None, Some(_)) => self.fretted(progress),
-            (None, None) => self.slid(progress),
+        match (&motion.slip, &motion.sequence) {
+            (Slip::Given(..), _) => self.slid(progress),
+            (Slip::Sought(_), Sequence::Cycle(_)) => self.fretted(progress),
+            (Slip::Sought(_), _) => self.rolled(motion.direction, progress),
         }
     }
 
     /// Load times distance (N m), or work of the creepage over friction (N).
     pub(super) fn load_distance(&self, progress: f64) -> f64 {
         match &self.state(progress).tangential {
-            Some(tangential) if self.problem.motion.rolling().is_some() => {
+            Some(tangential) if self.problem.motion.driven(0.0).is_some() => {
                 let [along_x, along_y] = tangential.force(&self.problem.frame);
                 CREEPAGE * along_x.hypot(along_y) / FRICTION * progress
             }
@@ -206,9 +199,9 @@ impl Run {
 
     /// Discs after some revolutions: the leading half of the contact bears half of what friction allows,
     /// and every line wears as its tractions have it.
-    fn rolled(&self, rolling: &Rolling, revolutions: f64) -> ContactState {
+    fn rolled(&self, direction: Direction, revolutions: f64) -> ContactState {
         let frame = &self.problem.frame;
-        let (forward, elements) = (rolling.direction.forward(), frame.elements());
+        let (forward, elements) = (direction.forward(), frame.elements());
         let bowl = |pair: usize| {
             let [x, y] = frame.place(pair);
             (1.0 - (x / 0.15e-3).powi(2) - (y / 0.6e-3).powi(2)).max(0.0).sqrt()
@@ -222,9 +215,9 @@ impl Run {
             FRICTION * pressure[pair] * if leads { 0.5 } else { 1.0 }
         };
         let traction: Vec<f64> = (0..frame.len()).map(traction).collect();
-        let advance = frame.flow(rolling.direction).unwrap().advance();
+        let advance = frame.flow(direction).unwrap().advance();
         let mut worn = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
-        for line in rolling.direction.lines(elements) {
+        for line in direction.lines(elements) {
             let sum: f64 = line.clone().map(|pair| traction[pair]).sum();
             let work = revolutions * CREEPAGE * sum * advance / FRICTION;
             for pair in line {

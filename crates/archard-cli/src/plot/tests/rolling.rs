@@ -49,10 +49,9 @@ fn state(problem: &ContactProblem, progress: f64, share: f64, depth: f64) -> Con
     let bowl: Vec<f64> = (0..frame.len()).map(bowl).collect();
     let peak = LOAD / frame.integrate(&bowl);
     let scaled = |factor: f64| -> Vec<f64> { bowl.iter().map(|bowl| factor * bowl).collect() };
-    let rolling = problem.motion.rolling().unwrap();
-    let forward = rolling.direction.forward();
+    let forward = problem.motion.direction.forward();
     let mut worn = vec![0.0; frame.len()];
-    for line in rolling.direction.lines(frame.elements()) {
+    for line in problem.motion.direction.lines(frame.elements()) {
         let most = line.clone().map(|pair| bowl[pair]).fold(0.0, f64::max);
         line.for_each(|pair| worn[pair] = depth * most);
     }

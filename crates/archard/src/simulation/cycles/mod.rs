@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::march::SAME;
 use super::moving::{Move, Moving};
 use super::{Effort, Error, Simulation};
-use crate::motion::{Control, Guide, Shift, Station, Stepping};
+use crate::motion::{Control, Drive, Shift, Station, Stepping};
 use crate::problem::ContactState;
 use crate::solve::monolithic;
 
@@ -107,7 +107,7 @@ impl Setting<'_> {
         let mirrored = self.simulation.problem.frame.mirrored();
         for (guide, mirrored) in station.guides.iter_mut().zip(mirrored) {
             if mirrored {
-                *guide = Guide::Shift(0.0);
+                *guide = Drive::Slip(0.0);
             }
         }
         station

@@ -126,7 +126,7 @@ fn stroke(pair: usize, states: [&ContactState; 2], problem: &ContactProblem) -> 
     let pressures = states.map(|state| state.pressure[pair]);
     let own = problem.compliance.normal_self_term();
     let gaps = states.map(|state| state.gap.values[pair]);
-    let (share, pressure) = if problem.motion.shift().is_some_and(|shift| shift.end_pressure) {
+    let (share, pressure) = if problem.motion.increments().is_some_and(|shift| shift.end_pressure) {
         (f64::from(pressures[1] > 0.0), pressures[1])
     } else {
         (under_pressure(pressures, gaps, own), 0.5 * (pressures[0] + pressures[1]))

@@ -12,7 +12,7 @@ use super::solve::WarmStart;
 use super::touch::Course;
 use crate::frame::VectorField;
 use crate::friction::{Grip, Limits};
-use crate::motion::{Guide, Shift, Station};
+use crate::motion::{Drive, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
 use crate::simulation::evolution::{Evolution, Increment};
@@ -52,7 +52,7 @@ impl Shifted {
         let pairs = problem.frame.len();
         let zeros = || vec![0.0; pairs];
         let mut evolution = Evolution::new(problem);
-        let moves = problem.motion.shift().is_some_and(Shift::moves);
+        let moves = problem.motion.increments().is_some_and(Shift::moves);
         evolution.state.tangential =
             (moves || problem.friction.is_some() || problem.wears()).then(|| {
                 let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
@@ -242,8 +242,8 @@ impl Shifted {
             }
         }
         let prescribed = [0, 1].into_iter().filter_map(|axis| match station.guides[axis] {
-            Guide::Shift(_) => None,
-            Guide::Force(force) => {
+            Drive::Slip(_) => None,
+            Drive::Force(force) => {
                 let mut direction = [0.0; 2];
                 direction[axis] = 1.0;
                 Some(PrescribedForce { direction, force })
@@ -256,8 +256,8 @@ impl Shifted {
     fn shifted_since(&self, station: Station) -> [f64; 2] {
         let shift = self.shift();
         [0, 1].map(|axis| match station.guides[axis] {
-            Guide::Shift(target) => target - shift[axis],
-            Guide::Force(_) => 0.0,
+            Drive::Slip(target) => target - shift[axis],
+            Drive::Force(_) => 0.0,
         })
     }
 
@@ -278,8 +278,8 @@ impl Shifted {
     pub fn shift_at(&self, station: Station, rigid_slip: &[f64]) -> [f64; 2] {
         let (before, mut rigid_slip) = (self.shift(), rigid_slip.iter());
         [0, 1].map(|axis| match station.guides[axis] {
-            Guide::Shift(shift) => shift,
-            Guide::Force(_) => before[axis] + rigid_slip.next().copied().unwrap_or(0.0),
+            Drive::Slip(shift) => shift,
+            Drive::Force(_) => before[axis] + rigid_slip.next().copied().unwrap_or(0.0),
         })
     }
 

@@ -72,7 +72,7 @@ impl Shifted {
             return Ok(self.warm_start(Solved::default()));
         }
         let problem = &simulation.problem;
-        let ends = problem.motion.shift().is_some_and(|shift| shift.end_pressure);
+        let ends = problem.motion.increments().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
             let rigid_slip = self.solve(simulation, increment, station, known, effort)?;
             self.evolution.imprint(problem);

@@ -72,7 +72,7 @@ impl Shifted {
                 return self.solve_in_turn(simulation, increment, station, known, effort);
             }
             Status::FrameFull => {
-                let measure = problem.motion.progress();
+                let measure = problem.motion.progress;
                 return Err(Error::FrameFull { measure, progress: increment.progress });
             }
         }
