@@ -3,6 +3,7 @@
 from archard import rail
 from archard._archard import __version__
 from archard._compare import Comparison
+from archard._contact import Contact, contact
 from archard._errors import (
     ArchardWarning,
     CaseError,
@@ -29,6 +30,7 @@ __all__ = [
     "CaseWarning",
     "Coefficient",
     "Comparison",
+    "Contact",
     "Exponent",
     "Fit",
     "Forecast",
@@ -50,6 +52,7 @@ __all__ = [
     "WrongResult",
     "__version__",
     "cases",
+    "contact",
     "fit",
     "rail",
     "surface",

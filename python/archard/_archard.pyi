@@ -26,6 +26,7 @@ __all__ = [
     "quantity",
     "read_fields",
     "read_surface",
+    "solve_contact",
     "solve_elastic",
     "verify",
 ]
@@ -101,6 +102,9 @@ class WheelRail:
     ]: ...
 
 def read_fields(name: str, bytes: bytes) -> tuple[_Arrays, _Arrays]: ...
+def solve_contact(
+    file: CaseFile,
+) -> tuple[tuple[int, int] | None, list[tuple[str, NDArray[np.float64]]], list[tuple[str, float]]]: ...
 def solve_elastic(file: CaseFile, folder: str | PathLike[str], *, threads: int | None, force: bool) -> None: ...
 def fit(
     case: CaseFile,

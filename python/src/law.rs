@@ -61,8 +61,8 @@ impl Law {
         let (body, function, name, named, cycle) = given;
         let there = |input: Input| match input {
             Input::Friction => problem.friction.is_some(),
-            Input::Speed => problem.motion.tells_speed(),
-            Input::Rolled => problem.motion.rolling().is_some(),
+            Input::Speed => problem.motion.speed.is_some(),
+            Input::Rolled => problem.motion.driven(0.0).is_some(),
             // By name only: slow contacts are refused then.
             Input::Temperature => false,
             Input::CrossShear => cycle,

@@ -7,6 +7,7 @@ mod away;
 mod build;
 mod case;
 mod command;
+mod contact;
 mod elastic;
 mod fields;
 mod fit;
@@ -35,6 +36,8 @@ mod _archard {
     use super::case::{CaseFile, Checked};
     #[pymodule_export]
     use super::command::command;
+    #[pymodule_export]
+    use super::contact::solve_contact;
     #[pymodule_export]
     use super::elastic::solve_elastic;
     #[pymodule_export]

@@ -3,9 +3,9 @@
 use archard::body::profile::Flat;
 use archard::compliance::HalfSpace;
 use archard::frame::Direction;
-use archard::motion::{Control, Drive, Rolling, Stepping};
-use archard::simulation::{Refused, Run, Simulation, WornLine};
-use archard::{Body, ContactFrame};
+use archard::motion::{Control, Drive, Drives, Rolling};
+use archard::simulation::{Builder, Refused, WornLine};
+use archard::{Body, Contact, ContactFrame};
 
 use super::lattice::Lattice;
 use super::{Bodies, ContactError, Wear};
@@ -77,9 +77,8 @@ impl Site {
         if approach <= 0.0 {
             return Ok(0.0);
         }
-        let simulation =
-            self.simulation(Rolling::along(Direction::X), approach, (bodies, &[None, None]))?;
-        Ok(Run::begin(simulation.build()?)?.report().state.load)
+        let free = Rolling::along(Direction::X);
+        Ok(self.contact(free, approach, (bodies, &[None, None]))?.solve()?.load())
     }
 
     /// Presses the bodies together and rolls them, where others have pressed them apart by so much (m).
@@ -95,16 +94,17 @@ impl Site {
             return Ok(self.light(creepage));
         }
         let rolling = Rolling::along(Direction::X)
-            .longitudinal(Drive::Creepage(creepage.longitudinal))
-            .lateral(Drive::Creepage(creepage.lateral))
+            .longitudinal(Drive::Slip(creepage.longitudinal))
+            .lateral(Drive::Slip(creepage.lateral))
             .spin(creepage.spin)
             .at_speed(creepage.speed);
-        let mut builder = self.simulation(rolling, approach - apart, (bodies, &bodies.wear))?;
+        let mut builder = self.contact(rolling, approach - apart, (bodies, &bodies.wear))?;
         builder.friction = Some(bodies.friction.clone());
-        let run = Run::begin(builder.build()?)?;
+        let contact = builder.solve()?;
         let wears = bodies.wear.iter().any(Option::is_some);
-        let worn = if wears { run.report().passage()? } else { vec![] };
-        let (problem, state) = (&run.simulation().problem, run.report().state);
+        let worn = if wears { contact.passage()? } else { vec![] };
+        let (problem, state) = (contact.problem(), contact.state());
+        let drives = problem.motion.driven(0.0).unwrap_or(Drives::FREE);
         let (frame, tangential) = (&problem.frame, state.tangential.as_ref());
         let rows = (0..frame.len()).filter(|&pair| state.pressure[pair] > 0.0);
         let angle_spread = self.spread(search, rows.map(|pair| pair / self.lattice.elements[0]))?;
@@ -121,7 +121,7 @@ impl Site {
             spacing,
             elements: frame.elements(),
             pressure: state.pressure.clone(),
-            // The run knows what acts on the wheel, and how far the rail slips over it from element to element.
+            // Known is what acts on the wheel, and how far the rail slips over it from element to element.
             traction: tangential
                 .map_or_else(none, |of| of.traction.each_ref().map(|one| touching(one, -1.0))),
             slip: tangential.map_or_else(none, |of| {
@@ -131,13 +131,12 @@ impl Site {
         Ok(Pressed {
             map,
             approach,
-            normal: state.load,
-            // Of friction the run knows what acts on the wheel.
-            tangential: tangential.map_or([0.0; 2], |of| of.force(frame).map(|force| -force)),
+            normal: contact.load(),
+            tangential: contact.force().map(|force| -force),
             moment: tangential.map_or(0.0, |of| -of.moment(frame)),
-            peak: state.pressure.iter().copied().fold(0.0, f64::max),
-            area: state.contact_area(problem),
-            power: tangential.map_or(0.0, |of| of.creep_power(problem, &rolling) * creepage.speed),
+            peak: contact.peak_pressure(),
+            area: contact.area(),
+            power: tangential.map_or(0.0, |of| of.creep_power(problem, &drives) * creepage.speed),
             angle_spread,
             worn,
             patch: self.patch,
@@ -183,12 +182,12 @@ impl Site {
         }
     }
 
-    fn simulation(
+    fn contact(
         &self,
         rolling: Rolling,
         approach: f64,
         (bodies, wear): (&Bodies, &Wear),
-    ) -> Result<archard::simulation::Builder, ContactError> {
+    ) -> Result<Builder, ContactError> {
         let Lattice { rectangle, elements, .. } = self.lattice;
         let frame = ContactFrame::uniform(rectangle, elements, [&self.lattice, &Flat]);
         let frame = frame.map_err(Refused::from)?.closed();
@@ -196,8 +195,7 @@ impl Site {
         let mut wheel = Body::new("wheel", self.lattice.clone()).material(bodies.wheel);
         let mut rail = Body::new("rail", Flat).material(bodies.rail);
         [wheel.wear, rail.wear] = wear.clone();
-        let steady = rolling.over(0.0, Control::Approach(approach), Stepping::Implicit(1.0));
-        let steady = steady.map_err(Refused::from)?;
-        Ok(Simulation::builder([wheel, rail], steady).contact(frame, compliance))
+        let rolls = Contact::rolling([wheel, rail], rolling, Control::Approach(approach));
+        Ok(rolls.map_err(Refused::from)?.contact(frame, compliance))
     }
 }

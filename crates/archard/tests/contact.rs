@@ -1,0 +1,110 @@
+//! Contacts that are solved once, against closed forms.
+
+use approx::assert_relative_eq;
+use archard::body::Layer;
+use archard::body::contact_modulus;
+use archard::body::profile::{Flat, Sphere, Wave};
+use archard::closed_form::Hertz;
+use archard::closed_form::cattaneo_mindlin::PartialSlip;
+use archard::friction::Coulomb;
+use archard::motion::{Control, Drive, Station};
+use archard::simulation::Builder;
+use archard::{Body, Contact, Material};
+
+const RADIUS: f64 = 50e-3;
+const LOAD: f64 = 10.2;
+
+fn steel() -> Material {
+    Material::new(210e9, 0.3).expect("a material")
+}
+
+fn ball_on_flat() -> [Body; 2] {
+    let ball = Body::new("ball", Sphere::new(RADIUS).expect("a radius")).material(steel());
+    [ball, Body::new("flat", Flat).material(steel())]
+}
+
+fn hertz() -> Hertz {
+    let modulus = contact_modulus([Some(&steel()); 2]);
+    Hertz::from_load([1.0 / RADIUS; 2], modulus, LOAD).expect("a contact")
+}
+
+fn solved(builder: Builder) -> Contact {
+    builder.frame([0.36e-3; 2], [48; 2]).solve().expect("a contact")
+}
+
+/// By load or by approach, on a body or on one that has a layer of its own stuff.
+#[test]
+fn a_ball_on_a_flat_is_hertz_s() {
+    let hertz = hertz();
+    let layer = Layer::new(steel(), 20e-6).expect("a layer");
+    let [ball, flat] = ball_on_flat();
+    for bodies in [ball_on_flat(), [ball, flat.layers([layer])]] {
+        for control in [Control::Load(LOAD), Control::Approach(hertz.approach)] {
+            let contact = solved(Contact::between(bodies.clone(), control).expect("a control"));
+            assert_relative_eq!(contact.load(), LOAD, max_relative = 1e-3);
+            assert_relative_eq!(contact.approach(), hertz.approach, max_relative = 1e-3);
+            assert_relative_eq!(contact.peak_pressure(), hertz.peak_pressure, max_relative = 3e-3);
+            assert_relative_eq!(contact.area(), hertz.contact_area(), max_relative = 5e-3);
+            let open = contact.gap().into_iter().zip(contact.pressure());
+            assert!(
+                open.clone()
+                    .all(|(gap, pressure)| gap > -1e-12 && (gap < 1e-12 || *pressure == 0.0))
+            );
+            assert_eq!(contact.force(), [0.0; 2]);
+        }
+    }
+}
+
+/// Waves that are pressed flat: p = mean + p* cos(2 pi x / length), with p* = pi E* 2 a / length (Johnson, Contact Mechanics, 13.2).
+#[test]
+fn waves_that_repeat_themselves_are_pressed_flat() {
+    let (amplitude, length) = (0.1e-6, 1e-3);
+    let wave = Wave::new(amplitude, [Some(length), None]).expect("a wave");
+    let bodies =
+        [Body::new("wave", wave).material(steel()), Body::new("flat", Flat).material(steel())];
+    let most = std::f64::consts::PI * contact_modulus([Some(&steel()); 2]) * amplitude / length;
+    let mean = 2.0 * most;
+    let pressed = Contact::between(bodies, Control::Load(mean * length * length)).expect("a load");
+    let contact = pressed.frame([length; 2], [32; 2]).periodic().solve().expect("a contact");
+    for (pair, pressure) in contact.pressure().iter().enumerate() {
+        let [x, _] = contact.problem().frame.place(pair);
+        let expected = mean + most * (std::f64::consts::TAU * x / length).cos();
+        assert_relative_eq!(*pressure, expected, max_relative = 1e-6);
+    }
+}
+
+/// A shift or a force short of sliding, in one increment or in many: bodies of one elasticity do not ask for the way.
+#[test]
+fn a_ball_that_is_shifted_is_cattaneo_s() {
+    let friction = 0.3;
+    let theory = PartialSlip::new(RADIUS, [Some(&steel()); 2], LOAD, friction).expect("a contact");
+    let shift = 0.5 * theory.sliding_shift;
+    let force = theory.force(shift);
+    for (drive, increments) in
+        [(Drive::Slip(shift), 1), (Drive::Force(force), 1), (Drive::Slip(shift), 4)]
+    {
+        let station = Station::pressed(Control::Load(LOAD)).guided([drive, Drive::Slip(0.0)]);
+        let shifted = Contact::shifted(ball_on_flat(), station, increments).expect("a station");
+        let contact = solved(shifted.friction(Coulomb::new(friction).expect("a coefficient")));
+        let tangential = contact.state().tangential.as_ref().expect("friction");
+        // The theory leaves out what slips across the force.
+        assert_relative_eq!(contact.force()[0], force, max_relative = 2e-3);
+        assert_relative_eq!(tangential.shift[0], shift, max_relative = 2e-3);
+        let stick = std::f64::consts::PI * theory.stick_radius(force).powi(2);
+        let found = tangential.stick_area(contact.problem(), contact.pressure());
+        assert_relative_eq!(found, stick, max_relative = 0.03);
+    }
+}
+
+#[test]
+fn wrong_values_are_named() {
+    let error = |control| Contact::between(ball_on_flat(), control).unwrap_err().parameter;
+    assert_eq!(error(Control::Load(0.0)), "load");
+    assert_eq!(error(Control::Approach(f64::NAN)), "approach");
+    let far = Station::pressed(Control::Load(1.0)).guided([Drive::Slip(f64::INFINITY); 2]);
+    assert!(Contact::shifted(ball_on_flat(), far, 1).is_err());
+    let held = Station::pressed(Control::Load(1.0));
+    assert!(Contact::shifted(ball_on_flat(), held, 0).is_err());
+    let nowhere = Contact::between(ball_on_flat(), Control::Load(1.0)).expect("a load").solve();
+    assert!(nowhere.unwrap_err().to_string().contains("frame"));
+}

@@ -1,0 +1,105 @@
+"""One contact, solved once: pressures, gaps and tractions as arrays."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from archard import _archard
+from archard.case import Case
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """A contact that was solved; all in SI.
+
+    Fields have a value for each pair: in rows along x, the first of the lowest y, on a grid; one after the other on a mesh.
+    """
+
+    x: Array
+    """Places (m) of the pairs along x."""
+    y: Array
+    """Places (m) of the pairs along y."""
+    pressure: Array
+    """Normal pressure (Pa)."""
+    gap: Array
+    """Normal gap (m), zero in contact."""
+    traction: tuple[Array, Array] | None
+    """Tractions of friction (Pa) on body 1 along x and y; ``None`` without friction."""
+    approach: float
+    """Approach (m) of the bodies from first touch."""
+    load: float
+    """Normal force (N)."""
+    area: float
+    """Area (m^2) under pressure."""
+    force: tuple[float, float]
+    """Force of friction (N) on body 1 along x and y."""
+
+    @property
+    def peak_pressure(self) -> float:
+        """Largest pressure (Pa) of a pair."""
+        return float(self.pressure.max())
+
+    def __repr__(self) -> str:
+        return (
+            f"Contact(load={self.load:.6g} N, approach={self.approach:.6g} m, "
+            f"peak_pressure={self.peak_pressure:.6g} Pa, area={self.area:.6g} m^2)"
+        )
+
+
+def contact(
+    case: str | os.PathLike[str] | Mapping[str, Any] | Case,
+    *,
+    load: object | None = None,
+    approach: object | None = None,
+) -> Contact:
+    """Solve the contact of a case before any wear.
+
+    Bodies that roll, or fret from the beginning, do so with their friction; all others are pressed together by the load or approach
+    of their motion.
+
+    Args:
+        case: what :class:`Case` takes. With a load or an approach it needs no ``motion``.
+        load: normal force with its unit, as ``"10 N"``; the bodies are pressed together by it and not moved.
+        approach: approach of the bodies from first touch with its unit, instead.
+
+    Raises:
+        CaseError: all that is wrong with the case.
+        RunError: if a solve does not converge, or the contact fills the frame.
+        ValueError: if both a load and an approach are given, or friction depends on the way to the load.
+
+    >>> import archard
+    >>> steel = {"material": {"young": "210 GPa", "poisson": 0.3}}
+    >>> ball = {**steel, "profile": {"sphere": {"radius": "50 mm"}}}
+    >>> flat = {**steel, "profile": {"flat": {}}}
+    >>> frame = {"size": ["0.36 mm", "0.36 mm"], "elements": [48, 48]}
+    >>> solved = archard.contact({"body": {"ball": ball, "flat": flat}, "frame": frame}, load="10.2 N")
+    >>> round(solved.peak_pressure / 1e6), solved.pressure.shape
+    (219, (48, 48))
+
+    """
+    if load is not None and approach is not None:
+        raise ValueError("load and approach exclude each other: keep one")
+    own = Case(case)
+    pressed = {"load": load} if load is not None else {"approach": approach}
+    if load is not None or approach is not None:
+        for key in ("motion", "friction", "output", "accuracy"):
+            if key in own:
+                del own[key]
+        own["motion"] = {"indentation": pressed}
+    elements, fields, values = _archard.solve_contact(own._compiled())
+    found, known = dict(fields), dict(values)
+    if elements is not None:
+        found = {name: field.reshape(elements[1], elements[0]) for name, field in found.items()}
+    traction = (found["traction_x"], found["traction_y"]) if "traction_x" in found else None
+    shown = {name: found[name] for name in ("x", "y", "pressure", "gap")}
+    force = (known["force_x"], known["force_y"])
+    single = {name: known[name] for name in ("approach", "load", "area")}
+    return Contact(**shown, **single, traction=traction, force=force)

@@ -1,0 +1,75 @@
+"""Contacts that are solved once."""
+
+from __future__ import annotations
+
+import archard
+import numpy as np
+import pytest
+
+STEEL = {"material": {"young": "210 GPa", "poisson": 0.3}}
+FLAT = {**STEEL, "profile": {"flat": {}}}
+BALL = {**STEEL, "profile": {"sphere": {"radius": "50 mm"}}}
+FRAME = {"size": ["0.36 mm", "0.36 mm"], "elements": [48, 48]}
+MODULUS = 210e9 / (1 - 0.3**2) / 2
+
+
+def test_a_ball_on_a_flat_is_hertz_s():
+    """Pressure, approach and gap, by a load and by the approach it makes."""
+    case = {"body": {"ball": BALL, "flat": FLAT}, "frame": FRAME}
+    radius = (3 * 10.2 * 50e-3 / (4 * MODULUS)) ** (1 / 3)
+    peak = 3 * 10.2 / (2 * np.pi * radius**2)
+    pressed = archard.contact(case, load="10.2 N")
+    again = archard.contact(case, approach=f"{radius**2 / 50e-3!r} m")
+    for solved in (pressed, again):
+        assert solved.load == pytest.approx(10.2, rel=2e-3)
+        assert solved.peak_pressure == pytest.approx(peak, rel=5e-3)
+        assert solved.approach == pytest.approx(radius**2 / 50e-3, rel=2e-3)
+    distance = np.hypot(pressed.x, pressed.y)
+    inside = distance < 0.9 * radius
+    expected = peak * np.sqrt(1 - (distance[inside] / radius) ** 2)
+    assert pressed.pressure[inside] == pytest.approx(expected, rel=0.02)
+    assert np.all(np.abs(pressed.gap[pressed.pressure > 0]) < 1e-12)
+    assert pressed.traction is None
+    assert "peak_pressure" in repr(pressed)
+
+
+def test_heights_are_pressed():
+    """An array of heights under a flat: waves flattened altogether (Westergaard)."""
+    count, length, amplitude = 64, 1e-3, 0.1e-6
+    x = (np.arange(count) + 0.5) / count - 0.5
+    heights = np.tile(-amplitude * (1 - np.cos(2 * np.pi * x)), (count, 1))
+    surface = {"file": heights, "pixel": f"{length / count!r} m", "unit": "m"}
+    rough = {**STEEL, "profile": {"surface": surface}}
+    frame = {"size": ["1 mm", "1 mm"], "elements": [count, count], "periodic": True}
+    most = np.pi * MODULUS * amplitude / length
+    mean = 2 * most
+    solved = archard.contact({"body": {"rough": rough, "flat": FLAT}, "frame": frame}, load=f"{mean * length**2!r} N")
+    assert solved.pressure == pytest.approx(mean + most * np.cos(2 * np.pi * solved.x / length), rel=1e-3)
+
+
+def test_motions_say_how_bodies_are_driven():
+    """Rolling with friction below its limit; fretting at its first station; a pin before it slides; a mesh as it is."""
+    rolls = archard.contact("carter")
+    assert rolls.traction is not None
+    assert 0 < abs(rolls.force[0]) < 0.3 * rolls.load
+    slides = archard.contact("pin_on_disc")
+    assert slides.load == pytest.approx(10.2, rel=1e-6)
+    assert slides.force == (0, 0)
+    meshed = archard.contact("punch_indentation_block", load="1 kN")
+    assert meshed.load == pytest.approx(1e3, rel=1e-6)
+
+
+def test_what_cannot_be_is_said():
+    """Both controls, friction that depends on the way, no load, one body."""
+    case = {"body": {"ball": BALL, "flat": FLAT}, "frame": FRAME}
+    with pytest.raises(ValueError, match="exclude"):
+        archard.contact(case, load="1 N", approach="1 um")
+    with pytest.raises(archard.CaseError, match="motion"):
+        archard.contact(case)
+    with pytest.raises(archard.CaseError, match="load"):
+        archard.contact(case, load="-1 N")
+    rubs = {**case, "motion": {"indentation": {"load": "1 N", "increments": 4}}, "friction": {"coulomb": {"coefficient": 0.3}}}
+    with pytest.raises(ValueError, match="depends on the way"):
+        archard.contact(rubs)
+    with pytest.raises(ValueError, match="two bodies"):
+        archard.contact("patch_test")
