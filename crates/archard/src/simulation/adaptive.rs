@@ -18,7 +18,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::evolution::{Evolution, Increment};
+use super::memory::{History, Increment};
 use super::moving::{Move, Moving};
 use super::trial::{STATED, Trial, Way, depths, extrapolate, relative_change, slides};
 use super::{Effort, Error, Simulation};
@@ -52,8 +52,8 @@ const SMALLEST: f64 = 1e-10;
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Adaptive {
     tolerance: f64,
-    coarse: Evolution,
-    fine: Evolution,
+    coarse: History,
+    fine: History,
     /// Surfaces put out: worn by the extrapolation, never falling anywhere, its volume exact.
     surfaces: [Surface; 2],
     /// Length of the next step (the motion's unit).
@@ -73,11 +73,7 @@ impl Adaptive {
     ///
     /// # Errors
     /// If bodies cannot roll on the frame.
-    pub fn new(
-        simulation: &Simulation,
-        initial: &Evolution,
-        tolerance: f64,
-    ) -> Result<Self, Error> {
+    pub fn new(simulation: &Simulation, initial: &History, tolerance: f64) -> Result<Self, Error> {
         let extent = simulation.schedule.extent;
         let probe = SMALLEST * extent;
         let problem = &simulation.problem;
@@ -102,7 +98,7 @@ impl Adaptive {
         simulation: &Simulation,
         target: f64,
         effort: &mut Effort,
-    ) -> Result<Evolution, Error> {
+    ) -> Result<History, Error> {
         let mut lag_of_longer = f64::INFINITY;
         loop {
             let progress = self.fine.state.progress;
@@ -161,12 +157,12 @@ impl Adaptive {
     }
 
     /// Both histories.
-    pub fn histories(&self) -> [&Evolution; 2] {
+    pub fn histories(&self) -> [&History; 2] {
         [&self.coarse, &self.fine]
     }
 
     /// Both, to change.
-    pub fn histories_mut(&mut self) -> [&mut Evolution; 2] {
+    pub fn histories_mut(&mut self) -> [&mut History; 2] {
         [&mut self.coarse, &mut self.fine]
     }
 
@@ -212,7 +208,7 @@ impl Adaptive {
         weight: Values<'_>,
         slides: bool,
         effort: &mut Effort,
-    ) -> Evolution {
+    ) -> History {
         self.truncation = self.truncation.max(trial.truncation);
         self.ripple = self.ripple.max(trial.ripple);
         let factor = if slides { STATED } else { 1.0 };
@@ -237,7 +233,7 @@ impl Adaptive {
         let state = ContactState { surfaces, ..self.fine.state.clone() };
         // Nothing goes on from the state shown: it needs no displacement.
         let forward = self.fine.forward;
-        Evolution { state, displacement: vec![], known: None, load_distance, forward }
+        History { load_distance, forward, ..History::at(state, vec![]) }
     }
 }
 

@@ -8,7 +8,7 @@ use super::march::March;
 use crate::numerics::seal::{seal, unseal};
 
 /// What is kept begins with this; another layout of a [`March`] begins with another.
-const LAYOUT: &str = "march 2\n";
+const LAYOUT: &str = "march 3\n";
 
 /// Why a run does not go on from what was kept.
 #[non_exhaustive]

@@ -1,6 +1,6 @@
 //! Friction under given pressures, and its alternation with the pressures of unlike bodies.
 
-use super::evolution::Increment;
+use super::memory::Increment;
 use super::{Effort, Error, Simulation};
 use crate::solve::Status;
 use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};

@@ -5,7 +5,7 @@
 //! is worn off the one that takes their place, to the same volume.
 
 use super::Simulation;
-use super::evolution::{Evolution, unworn};
+use super::memory::{History, Rubbed, unworn};
 use crate::frame::Part;
 use crate::numerics::vector::map;
 use crate::problem::{ContactProblem, ContactState, Gap, Surface, Tangential};
@@ -118,13 +118,34 @@ impl Move for ContactState {
     }
 }
 
-impl Move for Evolution {
+impl Move for History {
     fn moved(&self, to: &Moving<'_>) -> Self {
         Self {
             state: self.state.moved(to),
             displacement: self.displacement.moved(to),
             known: to.known(self.known),
+            elastic_displacement: self.elastic_displacement.moved(to),
+            course: None,
+            until_touch: None,
+            rubbed: self.rubbed.moved(to),
             ..*self
+        }
+    }
+}
+
+impl Move for Rubbed {
+    fn moved(&self, to: &Moving<'_>) -> Self {
+        let whole = match self.whole.is_empty() {
+            true => vec![],
+            false => to.over(&self.whole, vec![None; to.pairs()]),
+        };
+        Self {
+            depths: self.depths.moved(to),
+            slopes: self.slopes.moved(to),
+            slip: self.slip.moved(to),
+            work: self.work.moved(to),
+            dissipated: self.dissipated,
+            whole,
         }
     }
 }

@@ -247,13 +247,13 @@ mod tests {
     use crate::body::profile::{Flat, Sphere};
     use crate::body::{Body, Material};
     use crate::motion::{Control, Sliding, Stepping};
-    use crate::simulation::evolution::{Evolution, Increment};
+    use crate::simulation::memory::{History, Increment};
     use crate::simulation::moving::Move;
     use crate::simulation::{Effort, Simulation};
     use crate::wear::Archard;
 
     /// A worn ball on a flat, pressed together.
-    fn pressed() -> (Simulation, Evolution) {
+    fn pressed() -> (Simulation, History) {
         let steel = Material::new(210e9, 0.3).unwrap();
         let ball = Body::new("ball", Sphere::new(50e-3).unwrap()).material(steel);
         let ball = ball.wear(Archard::new(1.33e-13).unwrap());
@@ -264,7 +264,7 @@ mod tests {
             .build()
             .unwrap();
         let problem = &simulation.problem;
-        let mut history = Evolution::new(problem);
+        let mut history = History::new(problem);
         let worn = &mut history.state.surfaces[0].depth;
         let cap = problem.frame.gap().iter().map(|gap| (2e-7 - gap).max(0.0));
         worn.iter_mut().zip(cap).for_each(|(worn, cap)| *worn = cap);
@@ -275,7 +275,7 @@ mod tests {
 
     /// Holds what a history says it knows of displacements and gaps against the sum over its pressures, and its load and worn
     /// volume against those of another.
-    fn assert_true(history: &Evolution, on: &Simulation, same: (&Evolution, &Simulation)) {
+    fn assert_true(history: &History, on: &Simulation, same: (&History, &Simulation)) {
         let problem = &on.problem;
         let mut displacement = vec![0.0; problem.frame.len()];
         problem.compliance.apply_normal(&history.state.pressure, &mut displacement);
@@ -288,7 +288,7 @@ mod tests {
             let apart = problem.frame.gap()[pair] + worn[pair] - history.state.approach;
             assert!((gap - apart - displacement[pair]).abs() < 1e-12, "{pair}");
         }
-        let sums = |history: &Evolution, on: &Simulation| {
+        let sums = |history: &History, on: &Simulation| {
             let frame = &on.problem.frame;
             [&history.state.pressure, &history.state.total_worn()].map(|one| frame.integrate(one))
         };
@@ -321,7 +321,7 @@ mod tests {
         assert_eq!(elements(&grown), [109, 87]);
         let mut completed = history.clone();
         completed.complete(&simulation.problem, &mut Effort::default());
-        let moved = |history: &Evolution, from: &Placed, to: &Placed| {
+        let moved = |history: &History, from: &Placed, to: &Placed| {
             from.to(to, &simulation).map_or_else(|| history.clone(), |to| history.moved(&to))
         };
         for history in [history, completed] {

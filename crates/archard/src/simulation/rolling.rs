@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::evolution::{Evolution, Increment};
+use super::memory::{History, Increment};
 use super::passing::distance_of_work;
 use super::second_order::{self, to_mean_passages, to_own_passages};
 use super::{Effort, Error, Simulation, friction};
@@ -38,7 +38,7 @@ struct Rubbed<'a> {
     entries: Option<&'a [f64]>,
 }
 
-impl Evolution {
+impl History {
     /// Finds pressures and friction that belong together.
     pub(super) fn solve_rolling(
         &mut self,

@@ -10,7 +10,7 @@
 
 use std::iter::successors;
 
-use super::evolution::Evolution;
+use super::memory::History;
 use crate::frame::Flow;
 use crate::friction::Map;
 use crate::motion::Drives;
@@ -77,7 +77,7 @@ pub(super) fn turns(drives: &Drives, flow: Flow<'_>) -> bool {
     drives.spin != 0.0 && flow.has_rows()
 }
 
-impl Evolution {
+impl History {
     /// The pairs that slip, each with the one behind.
     pub(super) fn turning(&self, problem: &ContactProblem, flow: Flow<'_>) -> Vec<Turning> {
         let known = self.state.tangential.as_ref().zip(problem.friction.as_ref());

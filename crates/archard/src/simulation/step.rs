@@ -1,7 +1,7 @@
 //! A step of wear: by the pressures at its end, or by those at its start.
 
 use super::collector::{Collected, Collector, Foreseen};
-use super::evolution::{Evolution, Increment};
+use super::memory::{History, Increment};
 use super::swing::{Position, Swing};
 use super::{Effort, Error, Simulation};
 use crate::closed_form::flash_temperature::FAST;
@@ -17,7 +17,7 @@ const PASSES: usize = 50;
 const STEEPER: f64 = 0.5;
 const HALVINGS: usize = 16;
 
-impl Evolution {
+impl History {
     /// An implicit step: the contact at its end does the wear.
     ///
     /// What wears is foreseen as straight lines in the pressures, which adds their slopes to the compliance, and found

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::adaptive::Adaptive;
-use super::evolution::{Evolution, Increment};
 use super::march::SAME;
+use super::memory::{History, Increment};
 use super::moving::{Move, Moving};
 use super::{Effort, Error, Simulation};
 use crate::motion::Stepping;
@@ -13,60 +13,58 @@ use crate::problem::ContactState;
 /// A motion in steps of wear.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Steps {
-    evolution: Evolution,
+    history: History,
     /// Both histories, where steps are chosen by error.
     adaptive: Option<Adaptive>,
     pub effort: Effort,
 }
 
 /// How a history takes a step.
-type Scheme = fn(&mut Evolution, &Simulation, Increment, &mut Effort) -> Result<(), Error>;
+type Scheme = fn(&mut History, &Simulation, Increment, &mut Effort) -> Result<(), Error>;
 
 impl Steps {
     /// The initial contact.
     pub fn begin(simulation: &Simulation) -> Result<Self, Error> {
         let schedule = &simulation.schedule;
         let mut effort = Effort::default();
-        let mut evolution = Evolution::new(&simulation.problem);
+        let mut history = History::new(&simulation.problem);
         if !schedule.ramped {
             let increment = Increment { advance: 0.0, progress: 0.0, control: schedule.control };
-            evolution.press(simulation, increment, &mut effort)?;
+            history.press(simulation, increment, &mut effort)?;
         }
         let adaptive = match schedule.stepping {
-            Stepping::Tolerance(tolerance) => {
-                Some(Adaptive::new(simulation, &evolution, tolerance)?)
-            }
+            Stepping::Tolerance(tolerance) => Some(Adaptive::new(simulation, &history, tolerance)?),
             _ => None,
         };
-        Ok(Self { evolution, adaptive, effort })
+        Ok(Self { history, adaptive, effort })
     }
 
     /// Goes over to another frame; on elements twice as large the bodies are pressed together anew.
     pub fn go(&mut self, to: &Moving<'_>) -> Result<(), Error> {
-        self.evolution = self.evolution.moved(to);
+        self.history = self.history.moved(to);
         self.adaptive = self.adaptive.moved(to);
         if to.shared.is_some() {
             return Ok(());
         }
-        let Self { evolution, adaptive, effort } = self;
+        let Self { history, adaptive, effort } = self;
         match adaptive.as_mut().map(Adaptive::histories_mut) {
             Some([coarse, fine]) => {
                 coarse.press_anew(to.simulation, effort)?;
                 fine.press_anew(to.simulation, effort)
             }
-            None => evolution.press_anew(to.simulation, effort),
+            None => history.press_anew(to.simulation, effort),
         }
     }
 
     /// The contacts that were found.
     pub fn states(&self) -> impl Iterator<Item = &ContactState> {
         let both = self.adaptive.iter().flat_map(Adaptive::histories);
-        both.chain([&self.evolution]).map(|history| &history.state)
+        both.chain([&self.history]).map(|history| &history.state)
     }
 
     /// The present state.
     pub fn state(&self) -> &ContactState {
-        &self.evolution.state
+        &self.history.state
     }
 
     /// One accepted step, which ends on an output or before it where steps are chosen by error.
@@ -78,21 +76,21 @@ impl Steps {
         }
         match (&mut self.adaptive, schedule.stepping) {
             (Some(adaptive), _) => {
-                self.evolution = adaptive.step(simulation, next, &mut self.effort)?;
+                self.history = adaptive.step(simulation, next, &mut self.effort)?;
             }
             (None, Stepping::Explicit(step)) => {
-                self.fixed(simulation, step, Evolution::explicit)?;
+                self.fixed(simulation, step, History::explicit)?;
             }
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
-                self.fixed(simulation, step, Evolution::implicit)?;
+                self.fixed(simulation, step, History::implicit)?;
             }
-            (None, Stepping::ToOutputs) => self.to(simulation, next, Evolution::implicit)?,
+            (None, Stepping::ToOutputs) => self.to(simulation, next, History::implicit)?,
             // Cycles are gone through elsewhere.
-            (None, Stepping::Jumps(_)) => self.fixed(simulation, extent, Evolution::implicit)?,
+            (None, Stepping::Jumps(_)) => self.fixed(simulation, extent, History::implicit)?,
         }
         self.effort.steps += 1;
-        self.effort.load_distance = self.evolution.load_distance;
-        let progress = &mut self.evolution.state.progress;
+        self.effort.load_distance = self.history.load_distance;
+        let progress = &mut self.history.state.progress;
         if extent - *progress <= SAME * extent {
             *progress = extent;
         }
@@ -113,9 +111,9 @@ impl Steps {
 
     /// One step to a place.
     fn to(&mut self, simulation: &Simulation, end: f64, scheme: Scheme) -> Result<(), Error> {
-        let advance = end - self.evolution.state.progress;
+        let advance = end - self.history.state.progress;
         let increment =
             Increment { advance, progress: end, control: simulation.schedule.control_at(end) };
-        scheme(&mut self.evolution, simulation, increment, &mut self.effort)
+        scheme(&mut self.history, simulation, increment, &mut self.effort)
     }
 }

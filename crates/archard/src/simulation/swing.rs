@@ -14,7 +14,7 @@
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
 use super::Error;
-use super::evolution::Evolution;
+use super::memory::History;
 use crate::friction::Limits;
 use crate::motion::{Lever, Motion};
 use crate::numerics::vector::Values;
@@ -193,7 +193,7 @@ impl<'a> Swing<'a> {
     ///
     /// # Errors
     /// If elasticity takes up the amplitude somewhere.
-    pub fn way(&self, history: &Evolution, advance: f64) -> Result<Way, Error> {
+    pub fn way(&self, history: &History, advance: f64) -> Result<Way, Error> {
         let (state, amplitude) = (&history.state, self.amplitude);
         let elastic = self.elastic(state);
         let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
@@ -325,7 +325,7 @@ mod tests {
         Control, Lever, Motion, Passage, Progress, Schedule, Sequence, Slip, Stepping,
     };
     use crate::simulation::Simulation;
-    use crate::simulation::evolution::Evolution;
+    use crate::simulation::memory::History;
 
     /// Cylinders of 6 and 30 mm on a line of 1 mm in 100 elements.
     fn cylinders() -> Simulation {
@@ -353,7 +353,7 @@ mod tests {
         let simulation = cylinders();
         let swing = Swing::of(&simulation.problem).unwrap();
         assert_eq!(swing.bodies, [0, 1]);
-        let mut state = Evolution::new(&simulation.problem).state;
+        let mut state = History::new(&simulation.problem).state;
         let place = swing.grid.at(40, 0);
         state.surfaces[1].depth[place] = 1e-6;
         let gaps = swing.gap(&state, 10).unwrap();

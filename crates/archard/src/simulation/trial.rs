@@ -17,7 +17,7 @@
 
 use std::borrow::Cow;
 
-use super::evolution::Evolution;
+use super::memory::History;
 use crate::problem::{ContactProblem, ContactState};
 
 /// What the error removed counts as steps are chosen, and how much more what a step adds to it.
@@ -42,8 +42,8 @@ const LAG: f64 = 1.4;
 
 /// A step of both histories, before it is accepted.
 pub(super) struct Trial {
-    pub coarse: Evolution,
-    pub fine: Evolution,
+    pub coarse: History,
+    pub fine: History,
     /// Deepest total wear (m), its errors by truncation and by ripples (m).
     pub depth: f64,
     pub truncation: f64,
@@ -93,7 +93,7 @@ impl Way<'_> {
 
 impl Trial {
     /// Extrapolates both histories and estimates the error.
-    pub fn of(coarse: Evolution, fine: Evolution, way: &Way<'_>) -> Self {
+    pub fn of(coarse: History, fine: History, way: &Way<'_>) -> Self {
         let [coarse_worn, fine_worn] = [depths(&coarse.state), depths(&fine.state)];
         let [coarse_began, fine_began] = way.before.map(depths);
         let worn = [0, 1].map(|body| extrapolate(&coarse_worn[body], &fine_worn[body]).into());

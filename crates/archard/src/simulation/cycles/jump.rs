@@ -7,12 +7,11 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::shifted::Shifted;
-use super::spread::spread;
 use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::{ContactProblem, Surface};
-use crate::simulation::evolution::{Evolution, Increment};
+use crate::simulation::memory::{History, Increment};
+use crate::simulation::spread::spread;
 use crate::simulation::{Effort, Error, Simulation};
 
 /// A part of a jump that an implicit solve stands for (cycles).
@@ -52,7 +51,7 @@ fn stages(cycles: f64, steps: usize) -> impl Iterator<Item = Stage> {
 pub(super) struct Rate {
     line: Line,
     /// The contact at the most pressed instant.
-    reference: Evolution,
+    reference: History,
     control: Control,
     /// The cycle, the first being 1.
     cycle: usize,
@@ -127,13 +126,13 @@ impl Rate {
     /// instant, one cycle earlier: a pair that has joined since was rubbed for a part of the cycle only, and is given what
     /// its neighbours were.
     pub fn of(
-        shifted: &Shifted,
-        reference: Shifted,
+        history: &History,
+        reference: History,
         (cycle, begun): (usize, Option<&[f64]>),
         control: Control,
         problem: &ContactProblem,
     ) -> Self {
-        let pressure = &reference.evolution.state.pressure;
+        let pressure = &reference.state.pressure;
         let frame = &problem.frame;
         let known = rubbed_throughout(pressure, begun);
         let control = match control {
@@ -152,7 +151,7 @@ impl Rate {
             spread(quotient, &known, frame)
         };
         let constant = [0, 1].map(|body| {
-            let (depths, slopes) = (&shifted.rubbed.depths[body], &shifted.rubbed.slopes[body]);
+            let (depths, slopes) = (&history.rubbed.depths[body], &history.rubbed.slopes[body]);
             map(
                 [depths, slopes, pressure],
                 |[depth, slope, pressure]| {
@@ -161,26 +160,23 @@ impl Rate {
             )
         });
         let couples = problem.compliance.couples();
-        let gap_by_friction = if couples {
-            reference.evolution.opened_by_friction(problem)
-        } else {
-            vec![0.0; pressure.len()]
-        };
-        let stuck = map([pressure, &shifted.rubbed.slip], |[pressure, slip]| {
+        let gap_by_friction =
+            if couples { reference.opened_by_friction(problem) } else { vec![0.0; pressure.len()] };
+        let stuck = map([pressure, &history.rubbed.slip], |[pressure, slip]| {
             f64::from(pressure > 0.0 && slip == 0.0)
         });
         Self {
             line: Line {
                 constant,
-                slope: shifted.rubbed.slopes.each_ref().map(per_pressure),
+                slope: history.rubbed.slopes.each_ref().map(per_pressure),
                 gap_by_friction,
-                slip: per_pressure(&shifted.rubbed.work),
-                distance: shifted.rubbed.slip.clone(),
-                dissipated: shifted.rubbed.dissipated,
+                slip: per_pressure(&history.rubbed.work),
+                distance: history.rubbed.slip.clone(),
+                dissipated: history.rubbed.dissipated,
             },
             cycle,
             stuck,
-            reference: reference.evolution,
+            reference: reference.pressed_alone(),
             control,
         }
     }
@@ -196,13 +192,13 @@ impl Rate {
         effort: &mut Effort,
     ) -> Result<Wear, Error> {
         let problem = &simulation.problem;
-        let mut evolution = self.reference.clone();
-        evolution.state.surfaces.clone_from(&start.surfaces);
+        let mut history = self.reference.clone();
+        history.state.surfaces.clone_from(&start.surfaces);
         if problem.compliance.couples() {
-            evolution.find_displacement(problem, effort);
+            history.find_displacement(problem, effort);
         }
         let mut wear = start.clone();
-        let progress = evolution.state.progress;
+        let progress = history.state.progress;
         let increment = Increment { advance: 0.0, progress, control: self.control };
         let mut earlier: Option<Vec<f64>> = None;
         // Rates are those of the middle of their cycles.
@@ -217,15 +213,15 @@ impl Rate {
         for Stage { at, implicit, weight } in stages(cycles as f64, steps) {
             let line = self.line.towards(&other.line, share(at));
             let slope = map([&line.slope[0], &line.slope[1]], |[one, two]| implicit * (one + two));
-            let undeformed = evolution.undeformed_gap(problem);
+            let undeformed = history.undeformed_gap(problem);
             let gap = map(
                 [&undeformed, &line.gap_by_friction, &line.constant[0], &line.constant[1]],
                 |[gap, gap_by_friction, one, two]| gap + gap_by_friction + implicit * (one + two),
             );
-            if let Some(earlier) = earlier.replace(evolution.state.pressure.clone()) {
-                evolution.foresee(&earlier, problem);
+            if let Some(earlier) = earlier.replace(history.state.pressure.clone()) {
+                history.foresee(&earlier, problem);
             }
-            evolution.solve_normal(
+            history.solve_normal(
                 simulation,
                 increment,
                 &gap,
@@ -233,8 +229,8 @@ impl Rate {
                 &*problem.compliance,
                 effort,
             )?;
-            let pressure = &evolution.state.pressure;
-            for (body, surface) in evolution.state.surfaces.iter_mut().enumerate() {
+            let pressure = &history.state.pressure;
+            for (body, surface) in history.state.surfaces.iter_mut().enumerate() {
                 let fields: [&[f64]; 3] = [&line.constant[body], &line.slope[body], pressure];
                 update(&mut surface.depth, fields, |worn, [constant, slope, pressure]| {
                     worn + weight * (constant + slope * pressure).max(0.0)
@@ -247,13 +243,13 @@ impl Rate {
                 });
             wear.load_distance += weight * work * measure.area;
             wear.dissipated += weight * line.dissipated;
-            for surface in evolution.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
+            for surface in history.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
                 update(&mut surface.slid, [&line.distance], |slid, [distance]| {
                     slid + weight * distance
                 });
             }
         }
-        wear.surfaces = evolution.state.surfaces;
+        wear.surfaces = history.state.surfaces;
         Ok(wear)
     }
 }

@@ -6,8 +6,6 @@ mod over;
 mod rubbing;
 mod shifted;
 mod solve;
-mod spread;
-mod touch;
 mod unlike;
 
 use std::collections::VecDeque;
@@ -20,11 +18,11 @@ use super::moving::{Move, Moving};
 use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Drive, Shift, Station, Stepping};
 use crate::problem::ContactState;
+use crate::simulation::memory::History;
 use crate::solve::monolithic;
 
 use jump::{Rate, Wear};
 use jump_control::JumpControl;
-use shifted::Shifted;
 use solve::WarmStart;
 
 /// A motion in increments.
@@ -56,7 +54,7 @@ struct Open {
     /// Increments done.
     index: usize,
     /// The bodies at the most pressed instant.
-    reference: Option<Shifted>,
+    reference: Option<History>,
     /// The pressures (Pa) at the beginning, where that is the same instant of the cycle before.
     begun: Option<Vec<f64>>,
     /// What became of the last increment since the cycle before.
@@ -66,13 +64,11 @@ struct Open {
 /// Where a run has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Position {
-    shifted: Shifted,
+    history: History,
     /// The solutions of the last cycle, to start those of the next from.
     memory: Vec<Option<Arc<WarmStart>>>,
     /// Cycles done or jumped over.
     done: usize,
-    /// Energy (J) dissipated in them.
-    dissipated: f64,
 }
 
 /// A state on the way, with what it took.
@@ -85,18 +81,18 @@ pub(super) struct Shown {
 
 impl Position {
     fn wear(&self) -> Wear {
-        let evolution = &self.shifted.evolution;
+        let History { state, load_distance, dissipated, .. } = &self.history;
         Wear {
-            surfaces: evolution.state.surfaces.clone(),
-            load_distance: evolution.load_distance,
-            dissipated: self.dissipated,
+            surfaces: state.surfaces.clone(),
+            load_distance: *load_distance,
+            dissipated: *dissipated,
         }
     }
 
     fn take(&mut self, wear: Wear) {
-        let evolution = &mut self.shifted.evolution;
-        (evolution.state.surfaces, evolution.load_distance) = (wear.surfaces, wear.load_distance);
-        self.dissipated = wear.dissipated;
+        let Wear { surfaces, load_distance, dissipated } = wear;
+        self.history.state.surfaces = surfaces;
+        (self.history.load_distance, self.history.dissipated) = (load_distance, dissipated);
     }
 }
 
@@ -126,10 +122,10 @@ impl Setting<'_> {
 
 impl Position {
     fn shown(&self, control: Control, effort: &mut Effort) -> Shown {
-        let Self { shifted, dissipated, .. } = self;
-        effort.load_distance = shifted.evolution.load_distance;
-        effort.dissipated = [shifted.rubbed.dissipated, *dissipated];
-        Shown { state: shifted.evolution.state.clone(), control, effort: *effort }
+        let History { state, rubbed, load_distance, dissipated, .. } = &self.history;
+        effort.load_distance = *load_distance;
+        effort.dissipated = [rubbed.dissipated, *dissipated];
+        Shown { state: state.clone(), control, effort: *effort }
     }
 }
 
@@ -139,17 +135,16 @@ impl Cycles {
         let Setting { simulation, shift } = setting;
         let mut effort = Effort::default();
         let mut position = Position {
-            shifted: Shifted::new(&simulation.problem),
+            history: History::untouched(&simulation.problem),
             memory: vec![None; shift.cycle.len()],
             done: 0,
-            dissipated: 0.0,
         };
         let problem = &simulation.problem;
         let pressing_rubs = problem.friction.is_some()
             && (problem.compliance.couples() || !problem.frame.is_plane());
         for station in shift.lead(pressing_rubs) {
             let at = (setting.symmetric(*station), 0.0);
-            position.shifted.increment(simulation, at, None, &mut effort)?;
+            position.history.increment(simulation, at, None, &mut effort)?;
         }
         let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
         let tolerance = match simulation.schedule.stepping {
@@ -175,10 +170,10 @@ impl Cycles {
     /// Goes over to a larger frame. The solutions of the last cycle are not taken along, nor is its rate of wear.
     pub fn go(&mut self, to: &Moving<'_>) {
         let Self { position, open, effort, .. } = self;
-        position.shifted = position.shifted.moved(to, effort);
+        position.history = position.history.strained(to, effort);
         position.memory.fill(None);
         if let Some(open) = open {
-            open.reference = open.reference.as_ref().map(|own| own.moved(to, effort));
+            open.reference = open.reference.as_ref().map(|own| own.strained(to, effort));
             (open.begun, open.change) = (open.begun.moved(to), None);
         }
         self.rate = None;
@@ -226,16 +221,16 @@ impl Cycles {
     fn open(&mut self, Setting { simulation, shift }: Setting<'_>) -> Open {
         self.position.done += 1;
         self.effort.true_cycles += 1;
-        let shifted = &mut self.position.shifted;
+        let history = &mut self.position.history;
         let fresh = self.position.done == 1 && shift.lead.is_empty();
         if shift.released && !fresh {
-            shifted.release(&simulation.problem);
+            history.release(&simulation.problem);
         }
         if !fresh {
-            shifted.begin_cycle();
+            history.begin_cycle();
         }
         let comparable = shift.peak() == shift.cycle.len() - 1 && !shift.released;
-        let begun = comparable.then(|| shifted.evolution.state.pressure.clone());
+        let begun = comparable.then(|| history.state.pressure.clone());
         Open { begun, ..Open::default() }
     }
 
@@ -248,7 +243,7 @@ impl Cycles {
         };
         let (index, last) = (open.index, shift.cycle.len() - 1);
         let station = setting.symmetric(shift.cycle[index]);
-        let Position { shifted, memory, done, dissipated } = &mut self.position;
+        let Position { history, memory, done } = &mut self.position;
         self.effort.iterations = 0;
         let progress = if index == last {
             *done as f64 * shift.period()
@@ -260,24 +255,23 @@ impl Cycles {
             Arc::make_mut(known).foresee(change);
         }
         let at = (station, progress);
-        let warm_start = shifted.increment(simulation, at, known.as_deref(), &mut self.effort)?;
+        let warm_start = history.increment(simulation, at, known.as_deref(), &mut self.effort)?;
         open.change = known.and_then(|known| known.change_to(&warm_start));
         memory[index] = Some(Arc::new(warm_start));
         let jumps = !matches!(simulation.schedule.stepping, Stepping::Implicit(_));
         if jumps && index == shift.peak() {
-            open.reference = Some(shifted.clone());
+            open.reference = Some(history.clone());
         }
         self.effort.steps += 1;
         open.index += 1;
         if index == last {
-            shifted.end_cycle(&simulation.problem);
-            *dissipated += shifted.rubbed.dissipated;
+            history.end_cycle(&simulation.problem);
             if jumps {
-                let reference = open.reference.take().unwrap_or_else(|| shifted.clone());
+                let reference = open.reference.take().unwrap_or_else(|| history.clone());
                 let control = shift.cycle[shift.peak()].control;
                 let begun = open.begun.as_deref();
                 self.rate = Some(Rate::of(
-                    shifted,
+                    history,
                     reference,
                     (*done, begun),
                     control,

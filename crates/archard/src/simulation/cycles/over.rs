@@ -180,7 +180,7 @@ impl Cycles {
         let Setting { simulation, shift } = setting;
         let (Some(station), false) = (shift.cycle.last(), shift.released) else { return Ok(()) };
         let at = (setting.symmetric(*station), self.position.done as f64 * shift.period());
-        self.position.shifted.solve_increment(simulation, at, None, &mut self.effort)?;
+        self.position.history.solve_increment(simulation, at, None, &mut self.effort)?;
         Ok(())
     }
 
@@ -189,7 +189,7 @@ impl Cycles {
         let further = corrected.load_distance - foreseen.load_distance;
         let dissipated = corrected.dissipated - foreseen.dissipated;
         let states = rows.iter_mut().map(|row| &mut row.state);
-        for state in states.chain([&mut self.position.shifted.evolution.state]) {
+        for state in states.chain([&mut self.position.history.state]) {
             for (body, surface) in state.surfaces.iter_mut().enumerate() {
                 let [new, old] = [corrected, foreseen].map(|wear| &wear.surfaces[body]);
                 let change = |field: &mut [f64], [new, old]: [&[f64]; 2]| {
@@ -199,8 +199,8 @@ impl Cycles {
                 change(&mut surface.slid, [&new.slid, &old.slid]);
             }
         }
-        self.position.shifted.evolution.load_distance += further;
-        self.position.dissipated += dissipated;
+        self.position.history.load_distance += further;
+        self.position.history.dissipated += dissipated;
         for effort in rows.iter_mut().map(|row| &mut row.effort).chain([&mut self.effort]) {
             effort.load_distance += further;
             effort.dissipated[1] += dissipated;

@@ -5,116 +5,70 @@
 //! takes the mean of the pressures before and after, friction the mean of the tractions, so that what is
 //! dissipated in a closed cycle equals the work done on the bodies.
 
-use serde::{Deserialize, Serialize};
-
 use crate::problem::{ContactProblem, ContactState};
-use crate::simulation::evolution::Evolution;
-use crate::simulation::moving::{Move, Moving};
+use crate::simulation::memory::{History, Rubbed};
 use crate::wear::{Per, Rubbing};
 
-/// What rubbing did since a cycle began.
-#[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub(super) struct Rubbed {
-    /// Depth worn off body 1 and body 2 (m), one value a pair.
-    pub depths: [Vec<f64>; 2],
-    /// The same by the slope of the laws: pressure times the derivative of the depth (m).
-    pub slopes: [Vec<f64>; 2],
-    /// Distance slid in contact (m), and its integral with the pressure (Pa m), one value a pair.
-    pub slip: Vec<f64>,
-    pub work: Vec<f64>,
-    /// Energy dissipated (J).
-    pub dissipated: f64,
-    /// All that pairs went through, where a law takes a whole cycle.
-    pub whole: Vec<Option<Rubbing>>,
-}
-
-impl Rubbed {
-    pub fn none(pairs: usize) -> Self {
-        let zeros = || vec![0.0; pairs];
-        let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
-        Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0, whole: vec![] }
-    }
-
+impl History {
     /// Takes up what was rubbed since a state, and wears both bodies by it.
-    pub fn take_up(
-        &mut self,
-        evolution: &mut Evolution,
-        before: &ContactState,
-        problem: &ContactProblem,
-    ) {
-        let stroke = |pair| Some((pair, stroke(pair, [before, &evolution.state], problem)?));
+    pub(super) fn take_up(&mut self, before: &ContactState, problem: &ContactProblem) {
+        let stroke = |pair| Some((pair, stroke(pair, [before, &self.state], problem)?));
         let strokes: Vec<_> = (0..before.pressure.len()).filter_map(stroke).collect();
         for &(pair, rubbing) in &strokes {
             let work = rubbing.pressure * rubbing.slip;
-            self.slip[pair] += rubbing.slip;
-            self.work[pair] += work;
+            self.rubbed.slip[pair] += rubbing.slip;
+            self.rubbed.work[pair] += work;
             let area = problem.frame.area(pair);
-            self.dissipated += rubbing.work * area;
-            evolution.load_distance += work * area;
+            self.rubbed.dissipated += rubbing.work * area;
+            self.load_distance += work * area;
         }
-        self.wear(evolution, &strokes, Per::Increment, problem);
-        for surface in evolution.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
+        self.wear_by(&strokes, Per::Increment, problem);
+        for surface in self.state.surfaces.iter_mut().filter(|one| !one.slid.is_empty()) {
             strokes.iter().for_each(|&(pair, rubbing)| surface.slid[pair] += rubbing.slip);
         }
         if problem.wearing([true; 2], Per::Cycle) != [false; 2] {
-            self.whole.resize(before.pressure.len(), None);
+            let whole = &mut self.rubbed.whole;
+            whole.resize(before.pressure.len(), None);
             for (pair, rubbing) in strokes {
-                let before = self.whole[pair].take();
-                self.whole[pair] = Some(before.map_or(rubbing, |before| before.then(rubbing)));
+                let before = whole[pair].take();
+                whole[pair] = Some(before.map_or(rubbing, |before| before.then(rubbing)));
             }
         }
     }
 
-    /// Wears both bodies by laws that take a whole cycle, at its end.
-    pub fn end_cycle(&mut self, evolution: &mut Evolution, problem: &ContactProblem) {
-        let rubbed = std::mem::take(&mut self.whole);
+    /// Begins a new cycle.
+    pub(super) fn begin_cycle(&mut self) {
+        self.rubbed = Rubbed::none(self.displacement.len());
+    }
+
+    /// Ends it, with the wear of laws that take a whole cycle.
+    pub(super) fn end_cycle(&mut self, problem: &ContactProblem) {
+        let rubbed = std::mem::take(&mut self.rubbed.whole);
         let rubbed: Vec<(usize, Rubbing)> =
             rubbed.into_iter().enumerate().filter_map(|(pair, one)| Some((pair, one?))).collect();
-        self.wear(evolution, &rubbed, Per::Cycle, problem);
+        self.wear_by(&rubbed, Per::Cycle, problem);
+        self.dissipated += self.rubbed.dissipated;
     }
 
     /// Wears both bodies, at pairs that were rubbed, by the laws that take that at once.
-    fn wear(
-        &mut self,
-        evolution: &mut Evolution,
-        rubbed: &[(usize, Rubbing)],
-        per: Per,
-        problem: &ContactProblem,
-    ) {
+    fn wear_by(&mut self, rubbed: &[(usize, Rubbing)], per: Per, problem: &ContactProblem) {
         let points = || rubbed.iter().map(|(_, rubbing)| *rubbing);
         for index in 0..2 {
             let one = [0, 1].map(|body| body == index);
-            let state = &evolution.state;
+            let state = &self.state;
             let wear = problem.wear(points(), problem.wearing(one, per), |body, point| {
                 let (pair, rubbing) = rubbed[point];
                 let [slid, depth] = state.surfaces[body].before(pair);
                 // What a cycle slid was added while it went on.
                 [if per == Per::Cycle { slid - rubbing.slip } else { slid }, depth]
             });
-            let worn = &mut evolution.state.surfaces[index].depth;
+            let worn = &mut self.state.surfaces[index].depth;
             for (point, &(pair, rubbing)) in rubbed.iter().enumerate() {
                 let depth = wear.depths[index][point];
-                self.depths[index][pair] += depth;
-                self.slopes[index][pair] += wear.slopes[point] * rubbing.pressure;
+                self.rubbed.depths[index][pair] += depth;
+                self.rubbed.slopes[index][pair] += wear.slopes[point] * rubbing.pressure;
                 worn[pair] += depth;
             }
-        }
-    }
-}
-
-impl Move for Rubbed {
-    fn moved(&self, to: &Moving<'_>) -> Self {
-        let whole = match self.whole.is_empty() {
-            true => vec![],
-            false => to.over(&self.whole, vec![None; to.pairs()]),
-        };
-        Self {
-            depths: self.depths.moved(to),
-            slopes: self.slopes.moved(to),
-            slip: self.slip.moved(to),
-            work: self.work.moved(to),
-            dissipated: self.dissipated,
-            whole,
         }
     }
 }

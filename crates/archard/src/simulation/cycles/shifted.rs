@@ -3,38 +3,17 @@
 //! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
 //! surfaces were displaced elastically by.
 
-use std::sync::Arc;
-
-use serde::{Deserialize, Serialize};
-
-use super::rubbing::Rubbed;
 use super::solve::WarmStart;
-use super::touch::Course;
 use crate::frame::VectorField;
 use crate::friction::{Grip, Limits};
 use crate::motion::{Drive, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
-use crate::simulation::evolution::{Evolution, Increment};
+use crate::simulation::memory::{History, Increment, Rubbed};
 use crate::simulation::moving::{Move, Moving};
 use crate::simulation::{Effort, Error, Simulation, friction};
 use crate::solve::monolithic;
 use crate::solve::tangential::{self, PrescribedForce};
-
-/// Bodies on their way, and what they went through in the present cycle.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Shifted {
-    pub evolution: Evolution,
-    /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes
-    /// with it.
-    pub elastic_displacement: [Vec<f64>; 2],
-    pub approached: f64,
-    /// How pairs that close slide meanwhile, as the increments so far show, and what open pairs slide (m) until
-    /// they touch in the present one.
-    pub course: Option<Arc<Course>>,
-    pub until_touch: Option<[Vec<f64>; 2]>,
-    pub rubbed: Rubbed,
-}
 
 /// What a solve left behind beside the state.
 #[derive(Default)]
@@ -46,106 +25,79 @@ pub(super) struct Solved {
     pub monolithic: Option<monolithic::Solution>,
 }
 
-impl Shifted {
-    /// Bodies that just touch.
-    pub fn new(problem: &ContactProblem) -> Self {
+impl History {
+    /// Bodies that just touch, with friction as far as the motion asks for it.
+    pub(super) fn untouched(problem: &ContactProblem) -> Self {
         let pairs = problem.frame.len();
-        let zeros = || vec![0.0; pairs];
-        let mut evolution = Evolution::new(problem);
+        let zeros = || [vec![0.0; pairs], vec![0.0; pairs]];
+        let mut history = Self::new(problem);
         let moves = problem.motion.increments().is_some_and(Shift::moves);
-        evolution.state.tangential =
-            (moves || problem.friction.is_some() || problem.wears()).then(|| {
-                let [traction, slip] = [[zeros(), zeros()], [zeros(), zeros()]];
-                Tangential {
-                    traction,
-                    slip,
-                    creepage: [0.0; 2],
-                    shift: [0.0; 2],
-                    grip: Grip::default(),
-                }
+        history.state.tangential =
+            (moves || problem.friction.is_some() || problem.wears()).then(|| Tangential {
+                traction: zeros(),
+                slip: zeros(),
+                creepage: [0.0; 2],
+                shift: [0.0; 2],
+                grip: Grip::default(),
             });
-        let elastic_displacement = [zeros(), zeros()];
-        let rubbed = Rubbed::none(pairs);
-        Self {
-            evolution,
-            elastic_displacement,
-            approached: 0.0,
-            course: None,
-            until_touch: None,
-            rubbed,
-        }
+        Self { elastic_displacement: zeros(), rubbed: Rubbed::none(pairs), ..history }
     }
 
-    /// The same in a larger frame.
-    pub fn moved(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
+    /// The same in a larger frame, with the displacement of all tractions there.
+    pub(super) fn strained(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
         let problem = to.problem();
-        let mut evolution = self.evolution.moved(to);
-        evolution.find_displacement(problem, effort);
-        let mut shifted = Self {
-            evolution,
-            elastic_displacement: [vec![], vec![]],
-            approached: self.approached,
-            // The pairs that close show it anew.
-            course: None,
-            until_touch: None,
-            rubbed: self.rubbed.moved(to),
-        };
+        // The pairs that close show their course anew.
+        let mut moved = Self { course: None, until_touch: None, ..self.moved(to) };
+        moved.find_displacement(problem, effort);
         // Beyond the smaller frame too the surfaces were displaced and opened.
         effort.applications += 1;
-        let tangential = shifted.evolution.state.tangential.as_ref();
-        let strain = shifted.displacement_under(problem, tangential.map(|one| &one.traction));
+        let tangential = moved.state.tangential.as_ref();
+        let strain = moved.displacement_under(problem, tangential.map(|one| &one.traction));
         let [x, y] = &self.elastic_displacement;
-        shifted.elastic_displacement = [to.over(x, strain.t1), to.over(y, strain.t2)];
-        let Evolution { state, displacement, .. } = &mut shifted.evolution;
-        let opened = map([displacement, &strain.n], |[pressed, rubbed]| pressed + rubbed);
-        state.gap = state.gap.opened_by(opened).into();
-        shifted
+        moved.elastic_displacement = [to.over(x, strain.t1), to.over(y, strain.t2)];
+        let opened = map([&moved.displacement, &strain.n], |[pressed, rubbed]| pressed + rubbed);
+        moved.state.gap = moved.state.gap.opened_by(opened).into();
+        moved
     }
 
     /// Takes the bodies apart without rubbing.
-    pub fn release(&mut self, problem: &ContactProblem) {
-        let surfaces = self.evolution.state.surfaces.clone();
-        let load_distance = self.evolution.load_distance;
-        let rubbed = std::mem::take(&mut self.rubbed);
-        let course = self.course.take();
-        *self = Self { rubbed, course, ..Self::new(problem) };
-        self.evolution.load_distance = load_distance;
-        let state = &mut self.evolution.state;
-        state.surfaces = surfaces;
-        let worn = state.total_worn();
-        update(&mut state.gap.values, [&worn], |gap, [worn]| gap + worn);
+    pub(super) fn release(&mut self, problem: &ContactProblem) {
+        let apart = Self::untouched(problem);
+        let before = std::mem::replace(self, apart);
+        let History { state, rubbed, course, load_distance, dissipated, forward, .. } = before;
+        self.state.surfaces = state.surfaces;
+        (self.rubbed, self.course) = (rubbed, course);
+        (self.load_distance, self.dissipated, self.forward) = (load_distance, dissipated, forward);
+        let worn = self.state.total_worn();
+        update(&mut self.state.gap.values, [&worn], |gap, [worn]| gap + worn);
     }
 
-    /// Begins a new cycle.
-    pub fn begin_cycle(&mut self) {
-        self.rubbed = Rubbed::none(self.evolution.displacement.len());
-    }
-
-    /// Ends it.
-    pub fn end_cycle(&mut self, problem: &ContactProblem) {
-        self.rubbed.end_cycle(&mut self.evolution, problem);
+    /// The same without what friction remembers.
+    pub(super) fn pressed_alone(self) -> Self {
+        let Self { state, displacement, known, load_distance, dissipated, forward, .. } = self;
+        Self { known, load_distance, dissipated, forward, ..Self::at(state, displacement) }
     }
 
     /// Brings the bodies to a station at some progress (the motion's unit), with all the rubbing on the way.
-    pub fn increment(
+    pub(super) fn increment(
         &mut self,
         simulation: &Simulation,
         (station, progress): (Station, f64),
         known: Option<&WarmStart>,
         effort: &mut Effort,
     ) -> Result<WarmStart, Error> {
-        if self.evolution.state.tangential.is_none() {
+        if self.state.tangential.is_none() {
             return self.solve_increment(simulation, (station, progress), known, effort);
         }
         let before = self.clone_contact();
         let warm_start = self.solve_increment(simulation, (station, progress), known, effort)?;
-        self.rubbed.take_up(&mut self.evolution, &before, &simulation.problem);
+        self.take_up(&before, &simulation.problem);
         Ok(warm_start)
     }
 
     /// Pressures, tractions and gaps before an increment.
-    pub fn clone_contact(&self) -> ContactState {
-        let state = &self.evolution.state;
+    pub(super) fn clone_contact(&self) -> ContactState {
+        let state = &self.state;
         let bare = state.surfaces.each_ref().map(|one| one.map(one.grid, |_| vec![]));
         let tangential = state.tangential.clone();
         let (pressure, gap) = (state.pressure.clone(), state.gap.clone());
@@ -153,7 +105,7 @@ impl Shifted {
     }
 
     /// Finds the pressures under a gap (m) that friction opens beside.
-    pub fn press(
+    pub(super) fn press_under(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
@@ -161,27 +113,20 @@ impl Shifted {
         effort: &mut Effort,
     ) -> Result<(), Error> {
         let problem = &simulation.problem;
-        let gap = map(
-            [&self.evolution.undeformed_gap(problem), gap_by_friction],
-            |[gap, gap_by_friction]| gap + gap_by_friction,
-        );
+        let gap =
+            map([&self.undeformed_gap(problem), gap_by_friction], |[gap, gap_by_friction]| {
+                gap + gap_by_friction
+            });
         let addition = vec![0.0; gap.len()];
-        self.evolution.solve_normal(
-            simulation,
-            increment,
-            &gap,
-            &addition,
-            &*problem.compliance,
-            effort,
-        )?;
+        self.solve_normal(simulation, increment, &gap, &addition, &*problem.compliance, effort)?;
         // What open pairs slide until they touch asks for the gap of all of them.
-        self.evolution.complete(problem, effort);
+        self.complete(problem, effort);
         Ok(())
     }
 
     /// Displacement (m) under the present pressures and these tractions (Pa): tangential, and how far it
     /// opens the gap beside the pressures' own.
-    pub fn displacement_under(
+    pub(super) fn displacement_under(
         &self,
         problem: &ContactProblem,
         traction: Option<&[Vec<f64>; 2]>,
@@ -191,9 +136,9 @@ impl Shifted {
         let couples = problem.compliance.couples();
         if couples {
             let [t1, t2] = traction.cloned().unwrap_or_else(zeros);
-            let n = self.evolution.state.pressure.iter().map(|pressure| -pressure).collect();
+            let n = self.state.pressure.iter().map(|pressure| -pressure).collect();
             let mut strain = problem.compliance.apply(&VectorField { t1, t2, n });
-            for (n, own) in strain.n.iter_mut().zip(&self.evolution.displacement) {
+            for (n, own) in strain.n.iter_mut().zip(&self.displacement) {
                 *n = -*n - own;
             }
             return strain;
@@ -208,7 +153,7 @@ impl Shifted {
 
     /// Slip (m) before any tangential traction, with the strains of the pressures taken off, and the
     /// directions in which a force is given.
-    pub fn rigid_slip(
+    pub(super) fn slip_of_shift(
         &self,
         problem: &ContactProblem,
         station: Station,
@@ -216,7 +161,7 @@ impl Shifted {
     ) -> ([Vec<f64>; 2], Vec<PrescribedForce>) {
         let [x, y] = self.shifted_since(station);
         // Where pressures are found with friction, so is the approach.
-        let approach = if pressed.is_some() { self.evolution.state.approach } else { 0.0 };
+        let approach = if pressed.is_some() { self.state.approach } else { 0.0 };
         let moved = problem.frame.moved([x, y, self.approached - approach]);
         let mut rigid = [0, 1].map(|axis| {
             let (elastic_displacement, moved) =
@@ -262,7 +207,7 @@ impl Shifted {
     }
 
     /// Gap (m) that a shift which is given opens until a station: on curved frames.
-    pub fn opened_by_shift(&self, problem: &ContactProblem, station: Station) -> Vec<f64> {
+    pub(super) fn opened_by_shift(&self, problem: &ContactProblem, station: Station) -> Vec<f64> {
         let [x, y] = self.shifted_since(station);
         if problem.frame.is_plane() || [x, y] == [0.0; 2] {
             return vec![0.0; problem.frame.len()];
@@ -271,11 +216,11 @@ impl Shifted {
     }
 
     fn shift(&self) -> [f64; 2] {
-        self.evolution.state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.shift)
+        self.state.tangential.as_ref().map_or([0.0; 2], |tangential| tangential.shift)
     }
 
     /// The shift after an increment, given or found.
-    pub fn shift_at(&self, station: Station, rigid_slip: &[f64]) -> [f64; 2] {
+    pub(super) fn shift_at(&self, station: Station, rigid_slip: &[f64]) -> [f64; 2] {
         let (before, mut rigid_slip) = (self.shift(), rigid_slip.iter());
         [0, 1].map(|axis| match station.guides[axis] {
             Drive::Slip(shift) => shift,
@@ -284,7 +229,7 @@ impl Shifted {
     }
 
     /// Finds the friction under the present pressures, whose own tangential displacement is given.
-    pub fn solve_friction(
+    pub(super) fn solve_friction(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
@@ -295,19 +240,19 @@ impl Shifted {
     ) -> Result<Solved, Error> {
         let problem = &simulation.problem;
         let frame = &problem.frame;
-        let (rigid, prescribed) = self.rigid_slip(problem, station, Some(pressed));
+        let (rigid, prescribed) = self.slip_of_shift(problem, station, Some(pressed));
         let Some(law) = &problem.friction else {
             let traction = [vec![0.0; frame.len()], vec![0.0; frame.len()]];
             self.elastic_displacement = [pressed.t1.clone(), pressed.t2.clone()];
-            self.approached = self.evolution.state.approach;
+            self.approached = self.state.approach;
             let shift = self.shift_at(station, &[]);
             let creepage = [0.0; 2];
-            self.evolution.state.tangential =
+            self.state.tangential =
                 Some(Tangential { traction, slip: rigid, creepage, shift, grip: Grip::default() });
             return Ok(Solved::default());
         };
-        let grip = problem.grip_of_shift(&**law, &self.evolution.state);
-        let limit = Limits::new(&**law, &grip).all(&self.evolution.state.pressure);
+        let grip = problem.grip_of_shift(&**law, &self.state);
+        let limit = Limits::new(&**law, &grip).all(&self.state.pressure);
         let shifting = problem.compliance.shifting(frame);
         let step = tangential::Step {
             map: &*shifting,
@@ -317,7 +262,7 @@ impl Shifted {
             rigid: [&rigid[0], &rigid[1]],
             prescribed: &prescribed,
         };
-        let now = self.evolution.state.tangential.as_ref();
+        let now = self.state.tangential.as_ref();
         let rigid_slip = vec![0.0; prescribed.len()];
         let start = match known.and_then(|known| Some((known.state.tangential.as_ref()?, known))) {
             Some((tangential, known)) => {
@@ -335,12 +280,12 @@ impl Shifted {
         let shift = self.shift_at(station, &rigid_slip);
         effort.applications += 1;
         let strain = self.displacement_under(problem, Some(&traction));
-        self.take(problem, (traction, grip), shift, strain);
+        self.take_tractions(problem, (traction, grip), shift, strain);
         Ok(Solved { limit, rigid_slip, monolithic: None })
     }
 
     /// Takes tractions over that were found with a grip, with the slip since the last state.
-    pub fn take(
+    pub(super) fn take_tractions(
         &mut self,
         problem: &ContactProblem,
         (traction, grip): ([Vec<f64>; 2], Grip),
@@ -349,7 +294,7 @@ impl Shifted {
     ) {
         let before = self.shift();
         let [x, y] = [0, 1].map(|axis| shift[axis] - before[axis]);
-        let approach = self.evolution.state.approach;
+        let approach = self.state.approach;
         let moved = problem.frame.moved([x, y, self.approached - approach]);
         let elastic_displacement = [strain.t1, strain.t2];
         let slip = [0, 1].map(|axis| {
@@ -361,7 +306,7 @@ impl Shifted {
         });
         self.elastic_displacement = elastic_displacement;
         self.approached = approach;
-        self.evolution.state.tangential =
+        self.state.tangential =
             Some(Tangential { traction, slip, creepage: [0.0; 2], shift, grip });
     }
 }

@@ -7,11 +7,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::shifted::{Shifted, Solved};
-use super::touch::{Before, Course};
+use super::shifted::Solved;
 use crate::motion::{Control, Station};
 use crate::problem::ContactState;
-use crate::simulation::evolution::Increment;
+use crate::simulation::memory::{History, Increment};
+use crate::simulation::touch::{Before, Course};
 use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::monolithic;
 
@@ -52,9 +52,9 @@ impl WarmStart {
     }
 }
 
-impl Shifted {
+impl History {
     /// The same without rubbing.
-    pub fn solve_increment(
+    pub(super) fn solve_increment(
         &mut self,
         simulation: &Simulation,
         (station, progress): (Station, f64),
@@ -65,8 +65,8 @@ impl Shifted {
         if station.control == Control::Load(0.0) {
             let shift = self.shift_at(station, &[]);
             self.release(&simulation.problem);
-            self.evolution.state.progress = progress;
-            if let Some(tangential) = &mut self.evolution.state.tangential {
+            self.state.progress = progress;
+            if let Some(tangential) = &mut self.state.tangential {
                 tangential.shift = shift;
             }
             return Ok(self.warm_start(Solved::default()));
@@ -75,7 +75,7 @@ impl Shifted {
         let ends = problem.motion.increments().is_some_and(|shift| shift.end_pressure);
         if problem.friction.is_none() || ends {
             let rigid_slip = self.solve(simulation, increment, station, known, effort)?;
-            self.evolution.imprint(problem);
+            self.imprint(problem);
             return Ok(self.warm_start(rigid_slip));
         }
         self.settle_from_touch(simulation, (increment, station), known, effort)
@@ -90,9 +90,9 @@ impl Shifted {
         effort: &mut Effort,
     ) -> Result<WarmStart, Error> {
         let frame = &simulation.problem.frame;
-        let before = Before::of(&self.evolution.state);
+        let before = Before::of(&self.state);
         let (tangential, elastic_displacement) =
-            (self.evolution.state.tangential.clone(), self.elastic_displacement.clone());
+            (self.state.tangential.clone(), self.elastic_displacement.clone());
         let approached = self.approached;
         if let Some(course) = known.and_then(|known| known.course.clone()) {
             self.course = Some(course);
@@ -105,7 +105,7 @@ impl Shifted {
             let rigid_slip =
                 self.solve(simulation, increment, station, latest.as_ref().or(known), effort)?;
             let warm_start = self.warm_start(rigid_slip);
-            let state = &self.evolution.state;
+            let state = &self.state;
             let Some(course) = before.course(state, frame) else { return Ok(warm_start) };
             let apart = before.apart(state, [self.course.as_deref(), Some(&course)]);
             let enough = if pass == 1 { AT_FIRST } else { LATER };
@@ -123,7 +123,7 @@ impl Shifted {
                 }
             };
             self.course = Some(Arc::new(next));
-            self.evolution.state.tangential.clone_from(&tangential);
+            self.state.tangential.clone_from(&tangential);
             self.elastic_displacement.clone_from(&elastic_displacement);
             self.approached = approached;
             latest = Some(warm_start);
@@ -146,17 +146,17 @@ impl Shifted {
         }
         self.start_from(increment, known);
         let gap_by_friction = self.opened_by_shift(problem, station);
-        self.press(simulation, increment, &gap_by_friction, effort)?;
-        if self.evolution.state.tangential.is_none() {
+        self.press_under(simulation, increment, &gap_by_friction, effort)?;
+        if self.state.tangential.is_none() {
             return Ok(Solved::default());
         }
         let pressed = self.displacement_under(problem, None);
         self.solve_friction(simulation, increment, station, &pressed, known, effort)
     }
 
-    pub fn warm_start(&self, rigid_slip: Solved) -> WarmStart {
+    pub(super) fn warm_start(&self, rigid_slip: Solved) -> WarmStart {
         let Solved { limit, rigid_slip, monolithic } = rigid_slip;
-        let displacement = self.evolution.displacement.clone();
+        let displacement = self.displacement.clone();
         let (state, course) = (self.clone_contact(), self.course.clone());
         WarmStart { state, displacement, limit, rigid_slip, monolithic, foreseen: None, course }
     }
@@ -164,13 +164,13 @@ impl Shifted {
     /// Takes the pressures of a known solution to start from, where the load differs from the present one.
     fn start_from(&mut self, increment: Increment, known: Option<&WarmStart>) {
         let same = match increment.control {
-            Control::Load(load) => (load - self.evolution.state.load).abs() <= 1e-9 * load,
-            Control::Approach(approach) => approach == self.evolution.state.approach,
+            Control::Load(load) => (load - self.state.load).abs() <= 1e-9 * load,
+            Control::Approach(approach) => approach == self.state.approach,
         };
         if let Some(known) = known.filter(|_| !same) {
             let ContactState { pressure, approach, load, .. } = &known.state;
-            self.evolution.displacement.clone_from(&known.displacement);
-            let state = &mut self.evolution.state;
+            self.displacement.clone_from(&known.displacement);
+            let state = &mut self.state;
             (state.approach, state.load) = (*approach, *load);
             state.pressure.clone_from(pressure);
         }

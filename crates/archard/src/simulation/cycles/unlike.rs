@@ -1,19 +1,19 @@
 //! Pressures and friction of unlike bodies, which act on one another.
 
-use super::shifted::{Shifted, Solved};
+use super::shifted::Solved;
 use super::solve::WarmStart;
 use crate::frame::VectorField;
 use crate::friction::Limits;
 use crate::motion::Station;
 use crate::numerics::vector::map;
-use crate::simulation::evolution::Increment;
 use crate::simulation::friction::{alternate, not_converged};
+use crate::simulation::memory::{History, Increment};
 use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::{Status, monolithic};
 
-impl Shifted {
+impl History {
     /// Pressures and friction at once, where the solver can and it converges; otherwise in turn.
-    pub fn solve_jointly(
+    pub(super) fn solve_jointly(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
@@ -24,13 +24,13 @@ impl Shifted {
         let problem = &simulation.problem;
         let Some(friction) = &problem.friction else { return Ok(Solved::default()) };
         let frame = &problem.frame;
-        let (rigid, prescribed) = self.rigid_slip(problem, station, None);
+        let (rigid, prescribed) = self.slip_of_shift(problem, station, None);
         let gap_by_friction = self.opened_by_shift(problem, station);
-        let gap = map(
-            [&self.evolution.undeformed_gap(problem), &gap_by_friction],
-            |[gap, gap_by_friction]| gap + gap_by_friction,
-        );
-        let grip = problem.grip_of_shift(&**friction, &self.evolution.state);
+        let gap =
+            map([&self.undeformed_gap(problem), &gap_by_friction], |[gap, gap_by_friction]| {
+                gap + gap_by_friction
+            });
+        let grip = problem.grip_of_shift(&**friction, &self.state);
         let limits = Limits::new(&**friction, &grip);
         let step = monolithic::Step {
             compliance: &*problem.compliance,
@@ -77,7 +77,7 @@ impl Shifted {
             }
         }
         let solution = outcome.solution;
-        let state = &mut self.evolution.state;
+        let state = &mut self.state;
         state.pressure = solution.traction.n.iter().map(|n| -n + 0.0).collect();
         state.load = -frame.force(&solution.traction)[2];
         state.approach = solution.approach;
@@ -86,7 +86,12 @@ impl Shifted {
         let limit = limits.all(&state.pressure);
         let shift = self.shift_at(station, &solution.rigid_slip);
         let traction = [solution.traction.t1.clone(), solution.traction.t2.clone()];
-        self.take(problem, (traction, grip.clone()), shift, solution.displacement.clone());
+        self.take_tractions(
+            problem,
+            (traction, grip.clone()),
+            shift,
+            solution.displacement.clone(),
+        );
         Ok(Solved { limit, rigid_slip: solution.rigid_slip.clone(), monolithic: Some(solution) })
     }
 
@@ -100,15 +105,15 @@ impl Shifted {
     ) -> Result<monolithic::Solution, Error> {
         let problem = &simulation.problem;
         let pairs = problem.frame.len();
-        if self.evolution.state.load == 0.0 {
+        if self.state.load == 0.0 {
             let apart = self.clone_contact();
             let gap_by_friction = self.opened_by_shift(problem, station);
-            self.press(simulation, increment, &gap_by_friction, effort)?;
-            let state = &mut self.evolution.state;
+            self.press_under(simulation, increment, &gap_by_friction, effort)?;
+            let state = &mut self.state;
             (state.gap, state.tangential) = (apart.gap, apart.tangential);
         }
-        let n: Vec<f64> = self.evolution.state.pressure.iter().map(|pressure| -pressure).collect();
-        let tangential = self.evolution.state.tangential.as_ref();
+        let n: Vec<f64> = self.state.pressure.iter().map(|pressure| -pressure).collect();
+        let tangential = self.state.tangential.as_ref();
         let [t1, t2] = tangential.map_or_else(
             || [vec![0.0; pairs], vec![0.0; pairs]],
             |tangential| tangential.traction.clone(),
@@ -116,7 +121,7 @@ impl Shifted {
         let traction = VectorField { t1, t2, n };
         effort.applications += 1;
         let displacement = problem.compliance.apply(&traction);
-        let approach = self.evolution.state.approach;
+        let approach = self.state.approach;
         Ok(monolithic::Solution {
             traction,
             displacement,
@@ -137,20 +142,20 @@ impl Shifted {
     ) -> Result<Solved, Error> {
         let problem = &simulation.problem;
         let (before, elastic_displacement) =
-            (self.evolution.state.tangential.clone(), self.elastic_displacement.clone());
+            (self.state.tangential.clone(), self.elastic_displacement.clone());
         let mut gap_by_friction = vec![0.0; problem.frame.len()];
-        self.evolution.find_displacement(problem, effort);
+        self.find_displacement(problem, effort);
         if before.is_some() {
             effort.applications += 1;
-            gap_by_friction = self.evolution.opened_by_friction(problem);
+            gap_by_friction = self.opened_by_friction(problem);
         }
         let (mut latest, mut solved) = (known.cloned(), None);
         alternate(simulation, increment, gap_by_friction, |gap_by_friction| {
             if let Some(solved) = solved.take() {
                 latest = Some(self.warm_start(solved));
             }
-            self.press(simulation, increment, gap_by_friction, effort)?;
-            self.evolution.state.tangential.clone_from(&before);
+            self.press_under(simulation, increment, gap_by_friction, effort)?;
+            self.state.tangential.clone_from(&before);
             self.elastic_displacement.clone_from(&elastic_displacement);
             effort.applications += 1;
             let pressed = self.displacement_under(problem, None);
@@ -159,7 +164,7 @@ impl Shifted {
                 self.solve_friction(simulation, increment, station, &pressed, latest, effort)?;
             solved = Some(found);
             effort.applications += 1;
-            Ok((self.evolution.opened_by_friction(problem), self.evolution.state.approach))
+            Ok((self.opened_by_friction(problem), self.state.approach))
         })?;
         Ok(solved.unwrap_or_default())
     }

@@ -1,8 +1,11 @@
-//! Wear in time: one history of wear, carried from step to step by one contact solve a step.
+//! What goes on from step to step: the contact, the worn surfaces, and where friction is sought what it remembers.
+
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
 use super::swing::Swing;
+use super::touch::Course;
 use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::frame::Part;
@@ -10,23 +13,61 @@ use crate::motion::{Control, Passing};
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap, Grid, Surface, Tangential};
 use crate::solve::{self, Outcome, Start, Status, Step};
+use crate::wear::Rubbing;
 
 /// Where a history has arrived.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct Evolution {
+pub(super) struct History {
     /// The contact and the worn depths.
     pub state: ContactState,
     /// Displacement the compliance makes of the pressure (m).
     pub displacement: Vec<f64>,
     /// Where in the frame it is known; everywhere if `None`.
     pub known: Option<Part>,
+    /// Tangential displacement (m) that the compliance makes of all tractions, and the approach (m) that goes with it; empty where
+    /// nothing sticks to remember it.
+    pub elastic_displacement: [Vec<f64>; 2],
+    pub approached: f64,
+    /// How pairs that close slide meanwhile, as the increments so far show, and what open pairs slide (m) until
+    /// they touch in the present one.
+    pub course: Option<Arc<Course>>,
+    pub until_touch: Option<[Vec<f64>; 2]>,
+    /// What rubbing did since the present cycle began.
+    pub rubbed: Rubbed,
     /// Integral of the load over the distance slid (N m); see [`Effort::load_distance`].
     pub load_distance: f64,
+    /// Energy (J) that friction dissipated in whole cycles.
+    pub dissipated: f64,
     /// Of surfaces that swing: whether the last pass went forward.
     pub forward: bool,
 }
 
-/// The part of a step that is the same for every evolution.
+/// What rubbing did since a cycle began.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Rubbed {
+    /// Depth worn off body 1 and body 2 (m), one value a pair.
+    pub depths: [Vec<f64>; 2],
+    /// The same by the slope of the laws: pressure times the derivative of the depth (m).
+    pub slopes: [Vec<f64>; 2],
+    /// Distance slid in contact (m), and its integral with the pressure (Pa m), one value a pair.
+    pub slip: Vec<f64>,
+    pub work: Vec<f64>,
+    /// Energy dissipated (J).
+    pub dissipated: f64,
+    /// All that pairs went through, where a law takes a whole cycle.
+    pub whole: Vec<Option<Rubbing>>,
+}
+
+impl Rubbed {
+    /// Nothing, at so many pairs.
+    pub fn none(pairs: usize) -> Self {
+        let zeros = || vec![0.0; pairs];
+        let [depths, slopes] = [[zeros(), zeros()], [zeros(), zeros()]];
+        Self { depths, slopes, slip: zeros(), work: zeros(), dissipated: 0.0, whole: vec![] }
+    }
+}
+
+/// The part of a step that is the same for every history.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Increment {
     /// Length (the motion's unit).
@@ -55,13 +96,30 @@ pub(super) fn unworn(problem: &ContactProblem) -> [Surface; 2] {
     bodies.map(|(grid, yields)| Surface::unworn(grid, problem.counts_distance(), yields))
 }
 
-impl Evolution {
+impl History {
     /// Unworn bodies, just touching.
     pub fn new(problem: &ContactProblem) -> Self {
         let untouched = ContactState::untouched(&problem.frame);
         let state = ContactState { surfaces: unworn(problem), ..untouched };
         let displacement = vec![0.0; problem.frame.len()];
-        Self { state, displacement, known: None, load_distance: 0.0, forward: false }
+        Self::at(state, displacement)
+    }
+
+    /// In a state whose pressures displace the surfaces by that much (m).
+    pub fn at(state: ContactState, displacement: Vec<f64>) -> Self {
+        Self {
+            state,
+            displacement,
+            known: None,
+            elastic_displacement: [vec![], vec![]],
+            approached: 0.0,
+            course: None,
+            until_touch: None,
+            rubbed: Rubbed::default(),
+            load_distance: 0.0,
+            dissipated: 0.0,
+            forward: false,
+        }
     }
 
     /// Solves the contact with the wear as it is.
