@@ -57,6 +57,8 @@ pub enum Passage {
     Passes(Option<Track>),
     /// Points are moved to and fro under the contact by an amplitude (m); on a track by half of its stroke.
     Swings(f64, Option<Track>),
+    /// Points slide past those of the other surface for ever: both repeat themselves with the frame.
+    Recurs,
 }
 
 /// How far pairs in contact slip.
@@ -127,7 +129,7 @@ impl Passage {
     pub fn track(&self) -> Option<Track> {
         match *self {
             Self::Passes(track) | Self::Swings(_, track) => track,
-            Self::Stays => None,
+            Self::Stays | Self::Recurs => None,
         }
     }
 
@@ -181,6 +183,11 @@ impl Motion {
         self.surfaces.iter().find_map(Passage::amplitude)
     }
 
+    /// Whether a step sees the surfaces in one position after the other.
+    pub fn has_positions(&self) -> bool {
+        self.amplitude().is_some() || self.surfaces.contains(&Passage::Recurs)
+    }
+
     /// Whether the surfaces stay opposite each other.
     pub fn stays(&self) -> bool {
         self.surfaces == [Passage::Stays; 2]
@@ -195,7 +202,11 @@ impl Motion {
                 let aside = drives.lateral != Drive::Slip(0.0) || drives.spin != 0.0;
                 [0, 1].map(|axis| axis == self.direction.axis || aside)
             }
-            (_, Slip::Given(..)) => [0, 1].map(|axis| along == Some(axis)),
+            (_, Slip::Given(..)) => {
+                let recurs = self.surfaces.contains(&Passage::Recurs);
+                let along = along.or(recurs.then_some(self.direction.axis));
+                [0, 1].map(|axis| along == Some(axis))
+            }
         }
     }
 

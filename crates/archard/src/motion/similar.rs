@@ -15,7 +15,7 @@ impl Motion {
     /// Whether what is worn follows from the product of wear coefficient and progress, where the law is linear in the
     /// coefficient and asks for nothing else: surfaces slide or roll steadily.
     pub fn is_steady(&self) -> bool {
-        self.sequence == Sequence::Steady && self.amplitude().is_none()
+        self.sequence == Sequence::Steady && !self.has_positions()
     }
 }
 

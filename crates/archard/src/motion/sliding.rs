@@ -33,8 +33,8 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         ),
         Parameter::optional(
             "surfaces",
-            Quantity::Word(&["stay"]),
-            "says that both surfaces stay opposite each other, as they do without a track",
+            Quantity::Word(&["stay", "pass"]),
+            "whether both surfaces stay opposite each other, as they do without a track (stay), or slide past each other, both repeating themselves with the frame (pass)",
         ),
         Parameter::optional(
             "direction",
@@ -76,7 +76,12 @@ pub(super) const CHOICE: Choice<Planned> = Choice {
         let axis = usize::from(values.word("direction") == Some("y"));
         let direction = Direction { axis, reversed: false };
         let ends = ends(values, track.as_ref(), explicit)?;
-        Sliding { direction, track, speed, ends }.over(distance, control(values)?, stepping)
+        let endless = values.word("surfaces") == Some("pass");
+        Sliding { direction, track, speed, ends, endless }.over(
+            distance,
+            control(values)?,
+            stepping,
+        )
     },
 };
 
@@ -104,6 +109,8 @@ pub struct Sliding {
     speed: Option<f64>,
     /// Whether the ends of a stroke are resolved: its surface swings then.
     ends: bool,
+    /// Whether surfaces that repeat themselves slide past each other.
+    endless: bool,
 }
 
 /// A track.
@@ -166,6 +173,12 @@ impl Sliding {
         Self { track: Some(track), ..self }
     }
 
+    /// The same, surfaces that repeat themselves with the frame sliding past each other.
+    #[must_use]
+    pub fn endless(self) -> Self {
+        Self { endless: true, ..self }
+    }
+
     /// The same at that mean speed (m/s).
     #[must_use]
     pub fn at_speed(self, speed: f64) -> Self {
@@ -190,12 +203,17 @@ impl Sliding {
             let message = "`step` is longer than `distance`";
             return Err(Invalid::new("step", message).beside("distance"));
         }
+        if self.endless && matches!(stepping, Stepping::Explicit(_)) {
+            let message = "surfaces that slide past each other take implicit steps";
+            return Err(Invalid::new("scheme", message).beside("surfaces"));
+        }
         let stepping = few_steps(stepping, STEP, distance)?;
         Ok((self.motion(), Schedule::steady(pressing(control)?, distance, stepping)))
     }
 
     fn motion(self) -> Motion {
         let passage = |body: usize| match self.track.filter(|track| track.body == body) {
+            None if self.endless && body == 1 => Passage::Recurs,
             None => Passage::Stays,
             Some(track) if self.ends => Passage::Swings(0.5 * track.length, Some(track)),
             track => Passage::Passes(track),

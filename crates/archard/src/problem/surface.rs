@@ -1,7 +1,8 @@
 //! The worn surface of a body, in its own coordinates.
 //!
 //! A surface that stays has an element under each pair of the frame. One that passes along an axis has one for all the pairs
-//! of a row along it, since they wear alike. One that swings is longer than the frame, and is moved over it.
+//! of a row along it, since they wear alike. One that swings is longer than the frame, and is moved over it. One that repeats itself
+//! is moved round.
 
 use std::borrow::Cow;
 
@@ -41,6 +42,8 @@ enum Along {
     Passes,
     /// One a pair, and so many more at each end.
     Swings(usize),
+    /// One a pair, the last one beside the first.
+    Recurs,
 }
 
 impl Grid {
@@ -57,6 +60,11 @@ impl Grid {
     /// As many more elements than pairs at both ends of an axis.
     pub fn swinging(frame: [usize; 2], axis: usize, margin: usize) -> Self {
         Self::of_pairs(frame).lying(axis, Along::Swings(margin))
+    }
+
+    /// As many elements as pairs, which repeat themselves along an axis.
+    pub fn recurring(frame: [usize; 2], axis: usize) -> Self {
+        Self::of_pairs(frame).lying(axis, Along::Recurs)
     }
 
     fn lying(mut self, axis: usize, along: Along) -> Self {
@@ -77,20 +85,23 @@ impl Grid {
     /// Its elements along x and y.
     pub fn elements(self) -> [usize; 2] {
         [0, 1].map(|axis| match self.along[axis] {
-            Along::Stays => self.frame[axis],
+            Along::Stays | Along::Recurs => self.frame[axis],
             Along::Passes => 1,
             Along::Swings(margin) => self.frame[axis] + 2 * margin,
         })
     }
 
     /// The element that lies at a pair of the frame when the surface is moved by so many elements along the axis on which it
-    /// swings, not more than its margin.
+    /// swings, not more than its margin, or repeats itself.
     pub fn at(self, pair: usize, offset: isize) -> usize {
         let place = [pair % self.frame[0], pair / self.frame[0]];
         let [x, y] = [0, 1].map(|axis| match self.along[axis] {
             Along::Stays => place[axis],
             Along::Passes => 0,
             Along::Swings(margin) => (place[axis] + margin).saturating_add_signed(-offset),
+            Along::Recurs => {
+                (place[axis] as isize - offset).rem_euclid(self.frame[axis] as isize) as usize
+            }
         });
         x + self.elements()[0] * y
     }
@@ -232,6 +243,19 @@ mod tests {
         surface.depth[13] = 2.0;
         assert_eq!(surface.worn()[..], [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
         assert_eq!(surface.along(0)[3], [1.0, 2.0]);
+    }
+
+    #[test]
+    fn what_repeats_itself_comes_round() {
+        let grid = Grid::recurring([4, 2], 0);
+        assert_eq!(grid.elements(), [4, 2]);
+        assert_eq!([0, 1, -1, 4, -9].map(|offset| grid.at(0, offset)), [0, 3, 1, 0, 1]);
+        assert_eq!(grid.at(6, 3), 7);
+        let mut surface = Surface::unworn(grid, true, false);
+        let depths: Vec<f64> = (1..9).map(f64::from).collect();
+        (0..4).for_each(|offset| surface.wear((&depths, &depths), offset, 0.25));
+        assert_eq!(surface.depth, [2.5, 2.5, 2.5, 2.5, 6.5, 6.5, 6.5, 6.5]);
+        assert_eq!(surface.slid, surface.depth);
     }
 
     #[test]

@@ -121,7 +121,7 @@ impl Adaptive {
             let trend = trend.clamp(TREND.0, TREND.1);
             let mut change = (trend * (AIM / excess).sqrt()).clamp(CHANGE.0, CHANGE.1);
             let inherited = trial.lag > INHERITED * lag_of_longer;
-            if simulation.problem.motion.amplitude().is_some() || inherited {
+            if simulation.problem.motion.has_positions() || inherited {
                 // How the surfaces fit after the last position of a swing, or where each history met the last ring, stays
                 // in the pressures, however short the step.
                 excess = trial.excess_of_depth(tolerance);
@@ -152,7 +152,7 @@ impl Adaptive {
     pub fn centre_lag(&self, problem: &ContactProblem) -> f64 {
         let pressures = [&self.coarse, &self.fine].map(|one| &one.state.pressure);
         let [coarse, fine] = pressures.map(|pressure| problem.frame.at_centre(pressure));
-        let safe = problem.motion.amplitude().is_none() && relative_change(coarse, fine) < EDGE;
+        let safe = !problem.motion.has_positions() && relative_change(coarse, fine) < EDGE;
         if safe { coarse - fine } else { 0.0 }
     }
 

@@ -1,7 +1,7 @@
 //! Whether surfaces can repeat themselves without end with a frame.
 
 use crate::frame::ContactFrame;
-use crate::motion::{Lever, Motion};
+use crate::motion::{Lever, Motion, Passage};
 use crate::parameters::Invalid;
 
 /// From the last element to the first the gap changes by at most so many times what it changes by elsewhere. That is one change
@@ -16,9 +16,9 @@ pub fn repeats(motion: &Motion, frame: &ContactFrame) -> Result<(), Invalid> {
             "bodies that roll have one contact: `frame.periodic` is for surfaces that stay",
         );
     }
-    if !motion.stays() {
+    if !motion.stays() && !motion.surfaces.contains(&Passage::Recurs) {
         return wrong(
-            "surfaces that pass or swing do not stay opposite each other: `frame.periodic` is for those that do",
+            "surfaces on a track or that swing do not repeat themselves: `frame.periodic` is for those that stay, or slide with `surfaces = \"pass\"`",
         );
     }
     if motion.lever_arm() == Some(Lever::Radius) {

@@ -251,6 +251,11 @@ pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> 
 /// A motion that the pairs do not allow.
 fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
+    if motion.surfaces.contains(&Passage::Recurs) && !(frame.is_uniform() && frame.measure().closed)
+    {
+        let what = "surfaces slide past each other for ever only where they repeat themselves";
+        return refusal(what, "set `frame.periodic = true`, or leave out `surfaces = \"pass\"`");
+    }
     if motion.amplitude().is_some() && !frame.is_uniform() {
         return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
     }

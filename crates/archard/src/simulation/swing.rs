@@ -1,4 +1,5 @@
-//! Surfaces that swing past each other, as in fretting with gross slip.
+//! Surfaces that are seen in one position after the other within a step: that swing past each other, as in fretting with gross
+//! slip, or that repeat themselves and slide past each other for ever.
 //!
 //! Bodies that slide to and fro by lengths comparable with the contact do not keep the same points opposite each other. The
 //! rounder body keeps its place in the frame, and the worn surface of the other is moved over it. A step of N cycles goes
@@ -10,13 +11,16 @@
 //! down at the position itself: spread over the elements between, it would leave teeth that no position sees. Where few do, it
 //! is spread: the ends of the contact would stay as stairs.
 //!
+//! Of surfaces that repeat themselves a step goes through all positions of a period, an element apart, and slides the same distance in
+//! each: what a point of one surface goes through in a period it meets at all points of the other on its line.
+//!
 //! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
 use super::Error;
 use super::memory::History;
 use crate::friction::Limits;
-use crate::motion::{Lever, Motion};
+use crate::motion::{Lever, Motion, Passage};
 use crate::numerics::vector::Values;
 use crate::problem::{ContactProblem, ContactState, Grid};
 
@@ -36,8 +40,8 @@ const DENSE: usize = 12;
 /// How surfaces swing past each other.
 pub(super) struct Swing<'a> {
     problem: &'a ContactProblem,
-    /// The way to either side (m).
-    amplitude: f64,
+    /// The way to either side (m); `None` of surfaces that repeat themselves.
+    amplitude: Option<f64>,
     /// The body that keeps its place, and the one that is moved over it.
     bodies: [usize; 2],
     /// The elements of the one that is moved.
@@ -146,8 +150,16 @@ fn places(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Place> {
     (-most..=most).map(place).filter(|one| one.length > 0.0).collect()
 }
 
-/// Contact solves of a step of a problem: one, or one a position of surfaces that swing, with a contact of that length (m).
-pub fn solves_of_a_step(motion: &Motion, element: f64, contact: Option<f64>) -> Option<u64> {
+/// Contact solves of a step on elements of a length (m), so many along the motion: one a position of the surfaces, with a contact of
+/// that length (m); `None` where there is one position.
+pub fn solves_of_a_step(
+    motion: &Motion,
+    (element, elements): (f64, usize),
+    contact: Option<f64>,
+) -> Option<u64> {
+    if motion.surfaces.contains(&Passage::Recurs) {
+        return Some(elements as u64 + 1);
+    }
     let amplitude = motion.amplitude()?;
     let length = contact.map_or(1, |contact| (contact / element) as usize);
     let side = stride(motion, element, length) as f64 * element;
@@ -165,10 +177,15 @@ fn stride(motion: &Motion, element: f64, contact: usize) -> usize {
 }
 
 impl<'a> Swing<'a> {
-    /// Of a problem; `None` where no surface swings.
+    /// Of a problem; `None` where a step sees the surfaces in one position.
     pub fn of(problem: &'a ContactProblem) -> Option<Self> {
         let motion = &problem.motion;
-        let (amplitude, axis) = (motion.amplitude()?, motion.direction.axis);
+        let axis = motion.direction.axis;
+        if let Some(moves) = motion.surfaces.iter().position(|one| *one == Passage::Recurs) {
+            let grid = Grid::recurring(problem.frame.elements(), axis);
+            return Some(Self { problem, amplitude: None, bodies: [1 - moves, moves], grid });
+        }
+        let amplitude = motion.amplitude()?;
         let curvature = |body: usize| {
             problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
         };
@@ -181,6 +198,7 @@ impl<'a> Swing<'a> {
         let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
         let longest = stride(motion, element, frame[axis]);
         let margin = (amplitude / element).ceil() as usize + longest;
+        let amplitude = Some(amplitude);
         Some(Self { problem, amplitude, bodies, grid: Grid::swinging(frame, axis, margin) })
     }
 
@@ -194,7 +212,8 @@ impl<'a> Swing<'a> {
     /// # Errors
     /// If elasticity takes up the amplitude somewhere.
     pub fn way(&self, history: &History, advance: f64) -> Result<Way, Error> {
-        let (state, amplitude) = (&history.state, self.amplitude);
+        let state = &history.state;
+        let Some(amplitude) = self.amplitude else { return Ok(self.round(advance)) };
         let elastic = self.elastic(state);
         let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
         let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
@@ -227,6 +246,20 @@ impl<'a> Swing<'a> {
         Ok(Way { positions: both.map(position).collect(), reach })
     }
 
+    /// All positions of a period, an element apart.
+    fn round(&self, advance: f64) -> Way {
+        let count = self.problem.frame.elements()[self.axis()];
+        let distance = self.problem.motion.slip(advance) / count as f64;
+        let position = |offset: usize| Position {
+            offset: offset as isize,
+            mean: Some(distance),
+            slips: vec![],
+            ways: vec![(0, 1.0)],
+        };
+        // The last one is where the next step begins.
+        Way { positions: (1..=count).map(position).collect(), reach: 0.0 }
+    }
+
     /// Energy (J) that the contact in the middle dissipates in a cycle of a way.
     pub fn dissipated(&self, state: &ContactState, way: &Way) -> f64 {
         self.coefficient(state) * state.load * 4.0 * way.reach
@@ -251,6 +284,9 @@ impl<'a> Swing<'a> {
 
     /// Whether pairs at an end of the frame along the motion are pressed.
     pub fn touches_an_end(&self, pressure: &[f64]) -> bool {
+        if self.amplitude.is_none() {
+            return false;
+        }
         let (elements, axis) = (self.problem.frame.elements(), self.axis());
         let end = |pair: usize| {
             let along = [pair % elements[0], pair / elements[0]][axis];
@@ -268,7 +304,10 @@ impl<'a> Swing<'a> {
         let at = |pair: usize| {
             let place = frame.place(pair);
             let mut moved = place;
-            moved[self.axis()] -= shift;
+            match self.amplitude {
+                Some(_) => moved[self.axis()] -= shift,
+                None => moved = frame.place(self.grid.at(pair, offset)),
+            }
             let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
             let [stays, moves] = [stays, moves].map(|body| {
                 let surface = &state.surfaces[body];

@@ -163,7 +163,7 @@ impl Trial {
 
 /// Whether all of the contact slides, and its edge moves on smoothly.
 pub(super) fn slides(problem: &ContactProblem) -> bool {
-    problem.motion.lever_arm().is_some() && problem.motion.amplitude().is_none()
+    problem.motion.lever_arm().is_some() && !problem.motion.has_positions()
 }
 
 /// What extrapolation removes from the coarse history's wear (m): the root of the sum of its squares over all pairs.

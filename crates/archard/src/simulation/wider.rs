@@ -71,7 +71,7 @@ impl Simulation {
 
 /// Whether a motion can go on in a wider frame: bodies that slide, whose surfaces stay where they are or pass along it.
 pub fn can_widen(motion: &Motion) -> bool {
-    motion.lever_arm().is_some() && motion.amplitude().is_none()
+    motion.lever_arm().is_some() && !motion.has_positions()
 }
 
 fn is_double(own: &ContactFrame, other: &ContactFrame) -> bool {

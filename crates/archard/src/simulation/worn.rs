@@ -36,7 +36,7 @@ fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f
     match problem.motion.surfaces[body] {
         Passage::Passes(Some(track)) => Some(track.length * section(report, body, of)?),
         Passage::Passes(None) => None,
-        Passage::Stays | Passage::Swings(..) => {
+        Passage::Stays | Passage::Swings(..) | Passage::Recurs => {
             let surface = &state.surfaces[body];
             let of_all = each(&surface.depth, of);
             Some(match surface.grid.swings() {

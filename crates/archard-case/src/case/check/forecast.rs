@@ -176,7 +176,7 @@ fn of_a_step(parts: &Parts<'_>) -> u64 {
     let element = parts.case.frame.spacing()[axis];
     let contact = parts.subject().contact(parts.schedule.control);
     let length = contact.map(|contact| 2.0 * contact.semi_axes[axis]);
-    solves_of_a_step(&parts.motion, element, length).unwrap_or(1)
+    solves_of_a_step(&parts.motion, (element, parts.case.frame.elements[axis]), length).unwrap_or(1)
 }
 
 impl fmt::Display for Solves {
