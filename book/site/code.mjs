@@ -5,9 +5,10 @@ import { join } from "node:path";
 
 import { chapter } from "./chapter.mjs";
 
-/** The page on the architecture. */
-export function architectureChapter(root, parent) {
-  return [chapter(readFileSync(join(root, "ARCHITECTURE.md"), "utf8"), "architecture.md", parent)];
+/** The pages on the architecture and on how single parts work. */
+export function architectureChapters(root, parent) {
+  const page = (name) => chapter(readFileSync(join(root, `${name.toUpperCase()}.md`), "utf8"), `${name}.md`, parent);
+  return ["architecture", "parts"].map(page);
 }
 
 /** The example of a wear law from outside. */

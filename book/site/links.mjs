@@ -12,6 +12,7 @@ const PAGES = [
   [/^python\/notebooks\/(\w+)\.ipynb$/, "notebooks/$1.md"],
   [/^crates\/archard\/examples\/(\w+)\.rs$/, "examples/$1.md"],
   [/^ARCHITECTURE\.md$/, "architecture.md"],
+  [/^PARTS\.md$/, "parts.md"],
   [/^python\/archard\/__init__\.py$/, "api/python/archard.html"],
   [/^crates\/([\w-]+)\/src\/lib\.rs$/, "api/rust/$1/index.html"],
   [/^crates\/([\w-]+)\/src\/(.*\.rs)$/, "api/rust/src/$1/$2.html"],
@@ -19,7 +20,7 @@ const PAGES = [
 
 /** Where a page stands in the repository: one that was added where it was taken from, the others in the book's folder. */
 function source(path) {
-  if (path === "architecture.md") return "ARCHITECTURE.md";
+  if (["architecture.md", "parts.md"].includes(path)) return path.replace(/^\w+/, (name) => name.toUpperCase());
   return path.startsWith("cases/") ? path.replace(".md", "/README.md") : `book/src/${path}`;
 }
 

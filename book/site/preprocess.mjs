@@ -7,7 +7,7 @@ import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { caseChapters } from "./cases.mjs";
-import { architectureChapter, exampleChapter } from "./code.mjs";
+import { architectureChapters, exampleChapter } from "./code.mjs";
 import { drawFigures } from "./figures.mjs";
 import { leadLinks } from "./links.mjs";
 import { drawMath } from "./math.mjs";
@@ -25,7 +25,7 @@ const added = {
   "gallery.md": caseChapters,
   "python.md": notebookChapters,
   "extending.md": exampleChapter,
-  "api.md": architectureChapter,
+  "api.md": architectureChapters,
 };
 
 /** Draws a chapter and those below it. */
