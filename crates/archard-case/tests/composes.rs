@@ -1,0 +1,214 @@
+//! What composes: every elasticity with every motion and what goes on top of them runs, or is refused with a reason.
+//!
+//! `ARCHARD_COMPOSES=1 cargo test --workspace --test composes` writes the page of the book anew.
+
+use std::fmt::Write;
+use std::fs;
+use std::path::Path;
+
+use archard_case::{CaseFile, Severity};
+
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../book/src/composes.md");
+
+const STEEL: &str = "material = { young = \"210 GPa\", poisson = 0.3 }";
+const RUBBER: &str = "material = { young = \"10 MPa\", poisson = 0.45 }";
+const THERMAL: &str = "thermal = { conductivity = \"50 W/(m K)\", diffusivity = \"13 mm^2/s\", temperature = \"20 degC\" }";
+
+/// Bodies and a frame: what the upper and the lower body have beside what is laid on them, and the frame.
+struct Elasticity {
+    name: &'static str,
+    upper: &'static str,
+    lower: &'static str,
+    frame: &'static str,
+    /// Whether the upper body is steel as the lower one.
+    like: bool,
+}
+
+const GRID: &str = "frame = { size = [\"0.6 mm\", \"0.6 mm\"], elements = [16, 16] }";
+
+const ELASTICITIES: [Elasticity; 6] = [
+    Elasticity {
+        name: "like half-spaces",
+        upper: "profile.sphere.radius = \"10 mm\"",
+        lower: "profile.flat = {}",
+        frame: GRID,
+        like: true,
+    },
+    Elasticity {
+        name: "unlike half-spaces",
+        upper: "profile.sphere.radius = \"10 mm\"",
+        lower: "profile.flat = {}",
+        frame: GRID,
+        like: false,
+    },
+    Elasticity {
+        name: "layers",
+        upper: "profile.sphere.radius = \"10 mm\"",
+        lower: "profile.flat = {}\nlayers = [{ thickness = \"5 um\", young = \"300 GPa\", poisson = 0.2 }]",
+        frame: GRID,
+        like: true,
+    },
+    Elasticity {
+        name: "a line of contact",
+        upper: "profile.cylinder = { radius = \"10 mm\", axis = \"y\" }",
+        lower: "profile.flat = {}",
+        frame: "frame = { size = \"0.6 mm\", elements = 64, length = \"1 mm\" }",
+        like: true,
+    },
+    Elasticity {
+        name: "surfaces that repeat themselves",
+        upper: "profile.wave = { amplitude = \"0.1 um\", length_x = \"0.6 mm\", length_y = \"0.6 mm\" }",
+        lower: "profile.flat = {}",
+        frame: "frame = { size = [\"0.6 mm\", \"0.6 mm\"], elements = [16, 16], periodic = true }",
+        like: true,
+    },
+    Elasticity {
+        name: "a meshed body",
+        upper: "profile.sphere.radius = \"10 mm\"",
+        lower: "mesh.box = { size = [\"4 mm\", \"4 mm\", \"4 mm\"], contact = { face = \"top\", size = [\"0.6 mm\", \"0.6 mm\"], elements = [8, 8] } }\nsupports = { bottom = \"clamped\" }",
+        frame: "",
+        like: true,
+    },
+];
+
+/// Motions: name, and the table.
+const MOTIONS: [(&str, &str); 11] = [
+    ("indentation", "indentation = { load = \"1 N\", increments = 4 }"),
+    (
+        "fretting, surfaces stay",
+        "fretting = { load = \"1 N\", amplitude = [\"0.1 um\", \"0 um\"], increments = 8, surfaces = \"stay\" }",
+    ),
+    (
+        "fretting, surfaces swing",
+        "fretting = { load = \"1 N\", amplitude = [\"50 um\", \"0 um\"], cycles = 10, surfaces = \"swing\" }",
+    ),
+    (
+        "sliding, surfaces stay",
+        "sliding = { load = \"1 N\", distance = \"1 m\", surfaces = \"stay\", speed = \"1 m/s\", tolerance = 0.01 }",
+    ),
+    (
+        "sliding, surfaces pass",
+        "sliding = { load = \"1 N\", distance = \"1 m\", surfaces = \"pass\", speed = \"1 m/s\", tolerance = 0.01 }",
+    ),
+    (
+        "sliding on a track",
+        "sliding = { load = \"1 N\", distance = \"1 m\", track_radius = \"5 mm\", passes = \"lower\", speed = \"1 m/s\", tolerance = 0.01 }",
+    ),
+    (
+        "a stroke with its ends",
+        "sliding = { load = \"1 N\", distance = \"1 m\", stroke = \"5 mm\", ends = true, passes = \"lower\", tolerance = 0.01 }",
+    ),
+    ("rotation", "rotation = { load = \"1 N\", revolutions = 10, tolerance = 0.01 }"),
+    (
+        "rolling",
+        "rolling = { load = \"1 N\", creepage = 0.001, revolutions = 10, speed = \"1 m/s\", tolerance = 0.01 }",
+    ),
+    (
+        "a sweep of creepages",
+        "creepage_sweep = { load = \"1 N\", creepage = 0.01, speed = \"1 m/s\", increments = 4 }",
+    ),
+    ("a path", "path = { file = \"path.csv\" }"),
+];
+
+/// What goes on top: name, and what it adds to the lower body, to friction and to the case.
+const EXTRAS: [(&str, &str, &str, &str); 5] = [
+    ("alone", "", "friction.coulomb.coefficient = 0.3", ""),
+    ("yield", "hardness = \"1 GPa\"", "", ""),
+    ("friction of two axes", "", "friction.orthotropic = { coefficients = [0.3, 0.2] }", ""),
+    ("heat", THERMAL, "friction.coulomb.coefficient = 0.3", ""),
+    ("`accuracy`", "", "friction.coulomb.coefficient = 0.3", "accuracy = 0.05"),
+];
+
+/// The case of a cell.
+fn text(elasticity: &Elasticity, motion: &str, extra: (&str, &str, &str, &str)) -> String {
+    let (_, lower, friction, top) = extra;
+    let upper_material = if elasticity.like { STEEL } else { RUBBER };
+    // The error of an accuracy chooses the elements.
+    let frame = if top.is_empty() || elasticity.frame.contains("periodic") {
+        elasticity.frame.to_owned()
+    } else {
+        elasticity.frame.replace(", elements = [16, 16]", "").replace(", elements = 64", "")
+    };
+    let motion =
+        if top.is_empty() { motion.to_owned() } else { motion.replace(", tolerance = 0.01", "") };
+    let wear = "wear.archard.coefficient = \"1e-7 mm^3/(N m)\"";
+    // A share of the heat where one body passes, both bodies' data where they roll.
+    let rolls = motion.starts_with("roll") || motion.starts_with("creepage");
+    let (upper_heat, lower) = match lower == THERMAL {
+        true if rolls => (THERMAL, THERMAL.to_owned()),
+        true => ("", THERMAL.replace("thermal = {", "thermal = { share = 1,")),
+        false => ("", lower.to_owned()),
+    };
+    format!(
+        "{top}\n{frame}\n{friction}\nmotion.{motion}\n[body.upper]\n{upper_material}\n{}\n{wear}\n{upper_heat}\n\
+         [body.lower]\n{STEEL}\n{}\n{wear}\n{lower}\n",
+        elasticity.upper, elasticity.lower
+    )
+}
+
+/// Why a cell does not run; `None` where it does.
+fn refused(text: &str) -> Option<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = "time_s,load_N,shift_x_um\n0,1,0\n1,1,0.1\n2,1,0\n";
+    fs::write(folder.path().join("path.csv"), path).expect("a path");
+    let file = CaseFile::from_text("case.toml", text, folder.path().to_owned());
+    match file.resolve() {
+        Ok(resolved) => {
+            let built = resolved.case.build();
+            built.err().map(|error| error.to_string())
+        }
+        Err(problems) => {
+            let first = problems.iter().find(|problem| problem.severity == Severity::Error);
+            Some(first.map_or_else(String::new, |problem| problem.message.clone()))
+        }
+    }
+}
+
+fn page() -> String {
+    let mut page = "# What composes\n\nEach elasticity with each motion, alone and with more on top. A dot runs; a number is the reason below for \
+         which the case is refused. A test makes this page.\n"
+        .to_owned();
+    let mut reasons: Vec<String> = vec![];
+    for elasticity in &ELASTICITIES {
+        let names = EXTRAS.map(|extra| extra.0).join(" | ");
+        let name = elasticity.name;
+        let title = name[..1].to_uppercase() + &name[1..];
+        let rule = "|---".repeat(EXTRAS.len() + 1);
+        let _ = write!(page, "\n## {title}\n\n| motion | {names} |\n{rule}|\n");
+        for (motion, table) in MOTIONS {
+            let _ = write!(page, "| {motion} |");
+            for extra in EXTRAS {
+                let cell = match refused(&text(elasticity, table, extra)) {
+                    None => "\u{2022}".to_owned(),
+                    Some(reason) => {
+                        let known = reasons.iter().position(|one| *one == reason);
+                        let index = known.unwrap_or_else(|| {
+                            reasons.push(reason);
+                            reasons.len() - 1
+                        });
+                        (index + 1).to_string()
+                    }
+                };
+                let _ = write!(page, " {cell} |");
+            }
+            page.push('\n');
+        }
+    }
+    page.push_str("\n## Reasons\n\n");
+    for (index, reason) in reasons.iter().enumerate() {
+        let _ = writeln!(page, "{}. {reason}", index + 1);
+    }
+    page
+}
+
+/// The page says what the program does today.
+#[test]
+fn the_page_says_what_composes() {
+    let made = page();
+    assert!(made.matches('\u{2022}').count() > 100, "{made}");
+    if std::env::var_os("ARCHARD_COMPOSES").is_some() {
+        fs::write(PAGE, &made).expect("the page");
+    }
+    let known = fs::read_to_string(Path::new(PAGE)).unwrap_or_default();
+    assert_eq!(known, made, "write it anew with ARCHARD_COMPOSES=1");
+}
