@@ -20,6 +20,7 @@ use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
 use super::surfaces;
+use super::untold::Untold;
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
 use archard::simulation::{self, Observer};
 use archard_case::measured::Table;
@@ -37,6 +38,8 @@ pub struct Request<'a> {
     pub parameter: Option<&'a str>,
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
+    /// Keys of wear that are taken from the case though no reading tells them.
+    pub assumed: &'a [String],
     /// Where profiles and height maps are that the table names.
     pub files: Files<'a>,
     /// Where runs go.
@@ -59,6 +62,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let mut measured = Measurement::of(table, &resolved.case, (request.parameter, request.files))?;
     let load = load_key(&resolved.case, &measured)?;
     // Before anything runs.
+    all_told(&resolved.case, (table, &measured), request.assumed)?;
     for (key, relative) in request.uncertain {
         surfaces::refuse_shape(&measured.surfaces, key)?;
         changed(&resolved.case, (measured.progress.0, load.as_deref()), (key, *relative))?;
@@ -99,9 +103,9 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     };
     let (first, unsettled) = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
+    remarks.extend(search.assumed());
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
-    let found: Vec<Estimate> = coefficients.iter().map(|own| own.estimate.clone()).collect();
     kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
@@ -115,7 +119,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         coefficients,
         surfaces,
         remarks,
-        doubts: search.doubts(&found),
+        doubts: search.doubts(),
         by_k_s,
         unsettled,
     })
@@ -171,6 +175,27 @@ fn load_key(case: &Case, measured: &Measurement) -> Result<Option<String>, Error
             "tests have loads (N), and the case has no such `{key}`: leave the column `load` out, or fit load by load"
         ))),
     }
+}
+
+/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body of which there are no readings.
+fn all_told(
+    case: &Case,
+    (table, measured): (&Table, &Measurement),
+    assumed: &[String],
+) -> Result<(), Error> {
+    let read = measured.quantities.iter().map(|own| &case.bodies[own.body].name);
+    let told = read.map(|name| format!("body.{name}.wear")).chain(assumed.iter().cloned());
+    let missing = Untold::of(case, &told.collect::<Vec<_>>());
+    if missing.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Mismatch(format!(
+        "{}: has no reading that tells {}: the fitted coefficient would go by a number which no test has told; add {} to take it \
+         from the case, put another one there by --set, or give readings of both bodies",
+        table.source(),
+        Untold::values(&missing),
+        Untold::options(&missing)
+    )))
 }
 
 /// Coefficients of bodies that wear and are not fitted: keys, values and units.
