@@ -20,7 +20,7 @@ use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
 use super::surfaces;
-use super::untold::Untold;
+use super::untold::{self, Untold};
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
 use archard::simulation::{self, Observer};
 use archard_case::measured::Table;
@@ -183,9 +183,7 @@ fn all_told(
     (table, measured): (&Table, &Measurement),
     assumed: &[String],
 ) -> Result<(), Error> {
-    let read = measured.quantities.iter().map(|own| &case.bodies[own.body].name);
-    let told = read.map(|name| format!("body.{name}.wear")).chain(assumed.iter().cloned());
-    let missing = Untold::of(case, &told.collect::<Vec<_>>());
+    let missing = Untold::of(case, &[told(case, measured), assumed.to_vec()].concat());
     if missing.is_empty() {
         return Ok(());
     }
@@ -198,16 +196,26 @@ fn all_told(
     )))
 }
 
-/// Coefficients of bodies that wear and are not fitted: keys, values and units.
+/// What the readings tell: the tables of wear of the fitted coefficients; where another value is fitted, all wear of the bodies that
+/// were measured, which its user knows.
+fn told(case: &Case, measured: &Measurement) -> Vec<String> {
+    let wear =
+        |target: &Target| target.key.split_once(".wear.").map(|(owner, _)| format!("{owner}.wear"));
+    let tables: Vec<String> = measured.targets.iter().filter_map(wear).collect();
+    let bodies =
+        measured.quantities.iter().map(|own| format!("body.{}", case.bodies[own.body].name));
+    if tables.is_empty() { bodies.collect() } else { tables }
+}
+
+/// Coefficients of wear that are not fitted: keys, values and units.
 fn others(case: &Case, targets: &[Target]) -> Vec<(String, f64, String)> {
-    let own = |body: &archard_case::BodyCase| {
-        let key =
-            format!("body.{}.wear.{}.coefficient", body.name, body.wear.as_ref()?.choice.name);
+    let own = |(table, law): (String, &str)| {
+        let key = format!("{table}.{law}.coefficient");
         let (value, unit) = case.number_at(&key)?;
-        (value > 0.0 && targets.iter().all(|target| target.key != key))
+        (value > 0.0 && targets.iter().all(|target| untold::dotted(&target.key) != key))
             .then_some((key, value, unit))
     };
-    case.bodies.iter().filter_map(own).collect()
+    untold::laws(case).into_iter().filter_map(own).collect()
 }
 
 /// How the runs differ from those of the fit, to see what that does to k.

@@ -309,6 +309,16 @@ fn a_coefficient_that_no_test_tells_is_named() {
             assert!(error.contains(&said), "{case}: {error}");
         }
     }
+    // A coating and what is below it are two of them, whichever is fitted.
+    let coated = published("coated_disc", &[]);
+    let [below, layer] = ["body.disc.wear", "body.disc.layers.0.wear"]
+        .map(|table| format!("{table}.archard.coefficient"));
+    for (parameter, named) in [(&below, &layer), (&layer, &below)] {
+        let text = "test,distance_m,depth_disc_um\nA,10,0.1\nA,20,0.2\n";
+        let error = fitted(&coated, text, Some(parameter)).unwrap_err().to_string();
+        assert!(error.contains(&format!("no reading that tells `{named}`")), "{error}");
+        assert!(!error.contains(&format!("tells `{parameter}`")), "{error}");
+    }
     let coarse = ["frame.elements=[24, 24]", "motion.sliding.step=50 mm"];
     let file = published("pin_on_disc_both", &coarse);
     let text = "test,distance_m,volume_pin_mm3\nA,0.2,1.4e-4\nA,0.4,2.7e-4\n";
