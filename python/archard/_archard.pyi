@@ -111,7 +111,7 @@ def fit(
     table: tuple[str, bytes, str | PathLike[str]],
     columns: Sequence[tuple[str, str]],
     parameter: str | None,
-    uncertain: Sequence[tuple[str, float]],
+    told: tuple[Sequence[tuple[str, float]], Sequence[str]],
     dir: str | PathLike[str],
 ) -> tuple[str, str, str]: ...
 def next_tests(

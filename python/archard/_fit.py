@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -14,6 +15,7 @@ import numpy as np
 from archard import _archard, _html, _measured
 from archard._log import log
 from archard.case import Case
+from archard.result import Verdict
 
 
 class Exponent(NamedTuple):
@@ -71,6 +73,8 @@ class Fit:
         """What was taken from profiles and height maps, with their tilt and offset (SI)."""
         self.remarks: list[str] = self.json["remarks"]
         """What has to be said of the data and the runs."""
+        self.verdict = Verdict(self.json["verdict"]["word"], self.json["verdict"]["lines"])
+        """Whether the fit can be believed, as ``archard fit`` says it."""
 
     def __getitem__(self, key: str) -> Coefficient:
         """Return the coefficient of that key."""
@@ -100,8 +104,8 @@ class Fit:
             ]
             for one in self.coefficients
         ]
-        rejected = [f"{one.key}: {one.rejected}" for one in self.coefficients if one.rejected]
-        said = _html.lines([*rejected, *self.remarks])
+        judged = [f"{word}: {said}" for word in ("wrong", "doubtful") if (said := getattr(self.verdict, word))]
+        said = _html.lines([*judged, *self.remarks])
         whole = _html.folded("in words", _html.words(repr(self)))
         return _html.block(_html.table(heads, rows), said, whole)
 
@@ -146,6 +150,7 @@ def fit(
     parameter: str | None = None,
     columns: Mapping[str, str] | None = None,
     uncertain: Mapping[str, float] | None = None,
+    assume: Iterable[str] | str = (),
     out: str | os.PathLike[str] | None = None,
 ) -> Fit:
     """Find the wear coefficients of a case from measured tests.
@@ -164,12 +169,13 @@ def fit(
             profiles and height maps.
         uncertain: relative standard uncertainties that all tests have in common, as
             ``{"motion.sliding.load": 0.01, "distance": 0.005}``.
+        assume: keys of wear coefficients that are taken from the case though there are no readings of that body.
         out: folder for ``fit.json``, ``fit.csv`` and the runs of the case; nothing is kept if not given.
 
     Raises:
         CaseError: all that is wrong with the case.
-        ValueError: a reading or a column that cannot be used, with its line, or data that do not tell the
-            coefficient.
+        ValueError: a reading or a column that cannot be used, with its line, data that do not tell the
+            coefficient, or a body that wears without readings and is not in ``assume``.
         NotConverged: a run failed, or the coefficients did not settle.
 
     """
@@ -178,10 +184,17 @@ def fit(
     table = _measured.table(data)
     named = list((columns or {}).items())
     common = [(key, float(value)) for key, value in (uncertain or {}).items()]
+    assumed = [assume] if isinstance(assume, str) else list(assume)
 
     def run(folder: str | os.PathLike[str]) -> Fit:
         log.info("%r is fitted to %s", one, table[0])
-        found = Fit(*_archard.fit(one._in(Path(folder))._compiled(), table, named, parameter, common, folder))
+        file = one._in(Path(folder))._compiled()
+        try:
+            found = Fit(*_archard.fit(file, table, named, parameter, (common, assumed), folder))
+        except ValueError as error:
+            # What is an option of the command is an argument here.
+            said = re.sub(r"--assume (\S+)", r'assume="\1"', str(error))
+            raise ValueError(said.replace("put another one there by --set, ", "")) from None
         for known in found.coefficients:
             log.info("%s: median %.4g %s of %d tests", known.key, known.median, known.unit, len(known.tests))
         return found

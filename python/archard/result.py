@@ -63,7 +63,7 @@ class Verdict(NamedTuple):
     word: str
     """``"good"``, ``"doubtful"`` or ``"wrong"``: the worst of all lines."""
     lines: list[dict[str, Any]]
-    """What was judged: ``subject``, ``value``, ``word``, its bounds, and ``text``."""
+    """What was judged: ``subject``, ``value``, ``word``, its bounds, ``text``, and all of it in ``words``."""
 
     @property
     def wrong(self) -> str:
@@ -77,7 +77,7 @@ class Verdict(NamedTuple):
 
     def _said(self, word: str) -> str:
         lines = (line for line in self.lines if line["word"] == word)
-        return "; ".join(f"{line['subject']}: {line['value']:.3g} {line['text']}" for line in lines)
+        return "; ".join(f"{line['subject']}: {line.get('words', line['text'])}" for line in lines)
 
 
 class Profile(NamedTuple):

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 use std::time::Instant;
 
-use archard_case::Task;
 use archard_case::output::{self, Claim, Totals};
+use archard_case::{Problem, Task};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -43,7 +43,7 @@ pub fn solve_elastic(
         let totals = Totals {
             seconds: begun.elapsed().as_secs_f64(),
             threads,
-            warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
+            warnings: resolved.warnings.iter().map(Problem::warning_of).collect(),
             failure: None,
             command: None,
         };

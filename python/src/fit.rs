@@ -37,7 +37,7 @@ impl Following for Waited {
     }
 }
 
-/// A fit as JSON, in words and as CSV; runs go into the folder.
+/// A fit as JSON, in words and as CSV, by what is uncertain and what is assumed; runs go into the folder.
 #[pyfunction]
 pub fn fit(
     py: Python<'_>,
@@ -45,10 +45,10 @@ pub fn fit(
     table: (String, Vec<u8>, PathBuf),
     columns: Vec<(String, String)>,
     parameter: Option<String>,
-    uncertain: Vec<(String, f64)>,
+    told: (Vec<(String, f64)>, Vec<String>),
     dir: PathBuf,
 ) -> PyResult<(String, String, String)> {
-    let (file, (name, data, folder)) = (case.0.clone(), table);
+    let (file, (name, data, folder), (uncertain, assumed)) = (case.0.clone(), table, told);
     let left = Arc::new(AtomicBool::new(false));
     let mut following = Waited(left.clone());
     let work = move || {
@@ -62,6 +62,7 @@ pub fn fit(
         let request = Request {
             parameter: parameter.as_deref(),
             uncertain: &uncertain,
+            assumed: &assumed,
             files: Files { folder: &folder, columns: &of_files },
             dir: &dir,
             store: store.as_ref(),

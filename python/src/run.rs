@@ -7,8 +7,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use archard::simulation::{self, NotResumed, Observer, Report, Simulation, row};
-use archard_case::Task;
 use archard_case::output::{self, Claim, Inside, InsideError, ResultFolder, Store, Totals};
+use archard_case::verdict::Warning;
+use archard_case::{Problem, Task};
 use pyo3::exceptions::{PyFileExistsError, PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::ThreadPool;
@@ -31,7 +32,7 @@ pub struct Run {
     /// Until they are finished. A step that was left alone finds them gone.
     results: Results,
     failed: Failed,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
     doubts: Vec<String>,
     begun: Instant,
 }
@@ -124,14 +125,14 @@ impl Run {
         } else {
             (claim.begin(&case_toml).map_err(unwritten)?, Stage::Built(simulation))
         };
-        let warnings = resolved.warnings.iter().map(|warning| warning.title());
+        let warnings = resolved.warnings.iter().map(Problem::warning_of);
         Ok(Self {
             pool,
             stage,
             inside: Some(inside.keeping(kept)),
             results: Arc::new(Mutex::new(Some(results))),
             failed,
-            warnings: warnings.chain(doubts.iter().cloned()).collect(),
+            warnings: warnings.chain(doubts.iter().cloned().map(Warning::from)).collect(),
             doubts,
             begun,
         })

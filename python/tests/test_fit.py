@@ -82,6 +82,21 @@ def test_what_is_wrong_is_told(case):
         archard.fit(case, data(case, [1.33e-13]))["body.disc.wear.archard.coefficient"]
 
 
+def test_wear_that_no_test_tells_is_assumed_by_its_key():
+    case = archard.Case("pin_on_disc_both")
+    del case["accuracy"]
+    case["frame.size"], case["frame.elements"] = ["0.8 mm", "0.8 mm"], [16, 16]
+    case["motion.sliding.step"] = "50 mm"
+    columns = {"test": ["A", "A"], "distance_m": [0.2, 0.4], "volume_pin_mm3": [1.4e-4, 2.7e-4]}
+    disc = "body.disc.wear.archard.coefficient"
+    with pytest.raises(ValueError, match=f'no reading that tells `{disc}`.*add assume="{disc}" to'):
+        archard.fit(case, columns)
+    found = archard.fit(case, columns, assume=disc)
+    assert any(disc in remark for remark in found.remarks)
+    assert found.verdict.word in repr(found)
+    assert found.verdict.word == found.json["verdict"]["word"] == "doubtful"
+
+
 def two_bodies(**changes):
     """A fit of two bodies as the library hands it over."""
     own = {
@@ -106,6 +121,7 @@ def two_bodies(**changes):
             {
                 "coefficients": coefficients,
                 "remarks": [],
+                "verdict": {"word": "good", "lines": []},
                 "surfaces": [],
                 "correlation_of_coefficients": together,
             }

@@ -3,8 +3,10 @@
 use std::fs;
 use std::ops::ControlFlow;
 
-use archard_case::output::AtPoint;
+use archard_case::output::{AtPoint, Claim, Totals, write_rail};
+use archard_case::verdict::Word;
 use archard_case::{CaseFile, ResolvedWheelRail, Task};
+use archard_rail::contact::Quantities;
 use tempfile::tempdir;
 
 const MANCHESTER: &str = include_str!("../../../cases/manchester/case.toml");
@@ -29,6 +31,38 @@ fn solved(options: &[&str]) -> Vec<f64> {
     assert!(contact.off() < 1e-5, "{}", contact.off());
     let [patch] = &contact.patches[..] else { panic!("{} patches", contact.patches.len()) };
     patch.values.values()
+}
+
+/// Every error that is stated of a wheel belongs to the verdict, creepages beside all slip of the patch.
+#[test]
+fn errors_of_creepages_are_judged() {
+    let resolved = resolve(MANCHESTER, &[]).expect("a case");
+    let results = resolved.case.solve(|_, _| ControlFlow::Continue(())).expect("a contact");
+    // What is made of the errors of a patch with so much slip.
+    type Change<'a> = &'a dyn Fn(&mut Quantities, f64);
+    let judged = |change: Change<'_>| {
+        let mut results = results.clone();
+        let patch = &mut results.contacts[0].patches[0];
+        let Quantities { creepage, lateral_creepage, spin, contact_area, .. } = patch.values;
+        let radius = (contact_area / std::f64::consts::PI).sqrt();
+        let slip = creepage.hypot(lateral_creepage).hypot(radius * spin);
+        change(&mut patch.errors, slip);
+        let dir = tempdir().unwrap();
+        let mut claim = Claim::take(dir.path()).unwrap();
+        write_rail(&mut claim, "", &results, &Totals::default()).unwrap()
+    };
+    assert_eq!(judged(&|_, _| {}).word(), Word::Good);
+    let changes: [(&str, Change<'_>); 3] = [
+        ("`creepage`", &|errors, slip| errors.creepage = 0.2 * slip),
+        ("`lateral_creepage`", &|errors, slip| errors.lateral_creepage = 0.2 * slip),
+        ("`spin_1_per_m`", &|errors, slip| errors.spin = 100.0 * slip),
+    ];
+    for (column, change) in changes {
+        let verdict = judged(change);
+        assert_eq!(verdict.word(), Word::Doubtful, "{column}");
+        let line = verdict.complaints().next().unwrap().to_string();
+        assert!(line.contains(column), "{line}");
+    }
 }
 
 /// A case prints as one that reads back to the same.

@@ -479,6 +479,9 @@ pub struct Fit {
     /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps
     #[arg(long, value_name = "NAME=HEADER")]
     pub column: Vec<String>,
+    /// Take the wear coefficient at a key from the case though there are no readings of that body
+    #[arg(long, value_name = "KEY")]
+    pub assume: Vec<String>,
     /// A standard uncertainty that all tests have in common, e.g. motion.sliding.load=1% or distance=0.5%
     #[arg(long, value_name = "KEY=PERCENT")]
     pub uncertain: Vec<String>,

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::time::Instant;
 
 use archard::elastic::{Deformed, ElasticBody, von_mises};
-use archard_case::ResolvedElastic;
 use archard_case::output::{Totals, write_elastic};
+use archard_case::{Problem, ResolvedElastic};
 
 use crate::failure::Failure;
 use crate::interrupt::Watch;
@@ -28,7 +28,7 @@ pub fn run(
     let totals = Totals {
         seconds: start.elapsed().as_secs_f64(),
         threads: rayon::current_num_threads(),
-        warnings: warnings.iter().map(|warning| warning.title()).collect(),
+        warnings: warnings.iter().map(Problem::warning_of).collect(),
         failure: None,
         command: Some(command()),
     };

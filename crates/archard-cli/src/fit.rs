@@ -20,6 +20,7 @@ use crate::plot;
 use crate::progress::Follower;
 use crate::say::{on_terminal, say, tell};
 use crate::table;
+use crate::verdict;
 
 /// Fits a case to a table.
 pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
@@ -64,6 +65,8 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let request = Request {
         parameter: arguments.parameter.as_deref(),
         uncertain: &uncertain,
+        // What was put into the case on the command line was told, too.
+        assumed: &[arguments.assume.clone(), arguments.case.settings()].concat(),
         files: Files { folder, columns: &of_files },
         dir: &dir,
         store: store.as_ref(),
@@ -84,6 +87,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         say(&format!("runs              {}", found.runs))?;
         say(&format!("results           {}", dir.display()))?;
     }
+    verdict::doubts(&found.verdict(), arguments.quiet);
     match found.rejected() {
         Some(why) => Err(Failure::NotConverged(why)),
         None => Ok(()),

@@ -6,8 +6,8 @@ use std::time::Instant;
 
 use archard::simulation::{Companions, Effort, Error, Observer};
 use archard_case::output::{self, Inside, Totals};
-use archard_case::verdict::Verdict;
-use archard_case::{Resolved, Task};
+use archard_case::verdict::{Verdict, Warning};
+use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Report, Run};
@@ -102,7 +102,8 @@ fn contact(
             tell(&format!("The surfaces {surfaces} (`motion.fretting.surfaces`).\n"));
         }
     }
-    let warnings = warnings.iter().map(|warning| warning.title()).chain(doubts).collect();
+    let doubts = doubts.into_iter().map(Warning::from);
+    let warnings = warnings.iter().map(Problem::warning_of).chain(doubts).collect();
     let mut kept = None;
     let begin = |claim: output::Claim| {
         let (folder, command) = match arguments.resume {

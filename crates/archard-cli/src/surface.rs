@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use archard_case::{CaseFile, PreparedSurface};
+use archard_case::verdict::Verdict;
+use archard_case::{CaseFile, Preparation, PreparedSurface};
 use archard_surface::{Form, HeightMap, Nominal, Spectrum, Texture, Window};
 
 use crate::diagnose::show;
@@ -10,6 +11,7 @@ use crate::failure::Failure;
 use crate::number::four;
 use crate::plot;
 use crate::say::say;
+use crate::verdict;
 
 /// Distances of points, in pixels, of which is told what they do not resolve.
 const COARSER: [f64; 3] = [2.0, 4.0, 8.0];
@@ -22,10 +24,14 @@ pub fn surface(file: &Path, options: &[String], picture: Option<&Path>) -> Resul
     }
     size(&map)?;
     texture(&map)?;
-    line("sphere", &sphere(&map), "")?;
+    let nominal = Nominal::of(&map, Form::Sphere, None);
+    line("sphere", &sphere(&nominal), "")?;
     let spectrum = Spectrum::of(&map, Window::Hann);
     let spectrum = spectrum.map_err(|error| Failure::wrong(error.to_string()))?;
     resolved(&map, &spectrum)?;
+    let verdict = judged(&map, &steps, nominal.as_ref().ok());
+    line("verdict", &verdict::headline(&verdict), "")?;
+    verdict::say_lines(&verdict, false)?;
     let Some(picture) = picture else { return Ok(()) };
     let files = plot::surface::draw(picture, &map, &spectrum);
     let files = files.map_err(|error| Failure::because(&error))?;
@@ -84,10 +90,27 @@ fn texture(map: &HeightMap) -> Result<(), Failure> {
     line("curvature", &known(1e-3 * of.rms_curvature, " 1/mm"), "rms mean curvature")
 }
 
+/// Whether what is said can be believed: by points without a height, those that were filled, and the error of the radius.
+fn judged(map: &HeightMap, steps: &[Preparation], sphere: Option<&Nominal>) -> Verdict {
+    let points = map.heights().len() as f64;
+    let filled: usize = steps.iter().map(|step| step.filled).sum();
+    let error = sphere.filter(|found| is_round(found)).map(|found| {
+        let [radius, deviation] = found.radius();
+        archard_case::verdict::measured(deviation / radius, "radius of the sphere")
+    });
+    let lines = [archard_case::verdict::missing((map.missing() + filled) as f64 / points)];
+    lines.into_iter().chain(error).collect()
+}
+
+/// Whether the curvature stands out from its error.
+fn is_round(found: &Nominal) -> bool {
+    found.curvature.abs() > 2.0 * found.deviation
+}
+
 /// The sphere that fits what is left.
-fn sphere(map: &HeightMap) -> String {
-    match Nominal::of(map, Form::Sphere, None) {
-        Ok(found) if found.curvature.abs() > 2.0 * found.deviation => {
+fn sphere<E: std::fmt::Display>(nominal: &Result<Nominal, E>) -> String {
+    match nominal {
+        Ok(found) if is_round(found) => {
             let side = if found.curvature > 0.0 { "convex" } else { "concave" };
             let [radius, deviation] = found.radius().map(|length| four(1e3 * length));
             format!("{side}, radius {radius} mm, standard deviation {deviation} mm")

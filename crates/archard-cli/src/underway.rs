@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use archard_case::files::{self, Contents};
 use archard_case::output::{Error, ResultFolder, Totals};
-use archard_case::verdict::Verdict;
+use archard_case::verdict::{Verdict, Warning};
 use indicatif::ProgressBar;
 use serde_json::Value;
 
@@ -50,7 +50,7 @@ pub struct Underway {
     /// What asked for them.
     pub command: String,
     /// What the user was warned of.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// The bar on the terminal, if there is one.
     pub bar: Option<ProgressBar>,
 }

@@ -29,10 +29,15 @@ fn painted(text: &str, word: Word, colour: bool) -> String {
     if colour { format!("\u{1b}[{code}m{text}\u{1b}[0m") } else { text.to_owned() }
 }
 
-/// Fails where the verdict is that the result is wrong. What is doubtful is told where nothing else was.
-pub fn judge(verdict: &Verdict, dir: &std::path::Path, quiet: bool) -> Result<(), Failure> {
+/// Says what is doubtful where nothing else was said.
+pub fn doubts(verdict: &Verdict, quiet: bool) {
     let doubtful = verdict.lines.iter().filter(|line| quiet && line.word() == Word::Doubtful);
     doubtful.for_each(|line| tell(&format!("doubtful: {line}")));
+}
+
+/// Fails where the verdict is that the result is wrong. What is doubtful is told where nothing else was.
+pub fn judge(verdict: &Verdict, dir: &std::path::Path, quiet: bool) -> Result<(), Failure> {
+    doubts(verdict, quiet);
     let wrong = verdict.lines.iter().filter(|line| line.word() == Word::Wrong);
     let wrong: Vec<String> = wrong.map(ToString::to_string).collect();
     if wrong.is_empty() {

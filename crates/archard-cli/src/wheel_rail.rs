@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 use std::time::Instant;
 
-use archard_case::ResolvedWheelRail;
 use archard_case::output::{RailContact, RailWear, Totals, write_rail};
+use archard_case::{Problem, ResolvedWheelRail};
 use archard_rail::wear::{COLUMNS, Pass, Step};
 
 use crate::failure::Failure;
@@ -30,7 +30,7 @@ pub fn run(
     let totals = Totals {
         seconds: start.elapsed().as_secs_f64(),
         threads: rayon::current_num_threads(),
-        warnings: warnings.iter().map(|warning| warning.title()).collect(),
+        warnings: warnings.iter().map(Problem::warning_of).collect(),
         failure: None,
         command: Some(command()),
     };

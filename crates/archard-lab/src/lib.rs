@@ -17,6 +17,7 @@ mod runs;
 mod search;
 mod shape;
 mod surfaces;
+mod untold;
 mod within;
 
 pub use effects::Effects;
@@ -28,6 +29,7 @@ pub use runs::Following;
 pub use search::{Request, fit};
 pub use shape::{Exponent, NEGLIGIBLE, REJECTED};
 pub use surfaces::{Files, Measured};
+pub use untold::Untold;
 pub use within::{Expected, Fitted, Reading, Test, Unfitted};
 
 #[cfg(test)]

@@ -44,7 +44,7 @@ pub struct Fit {
     pub surfaces: Vec<Measured>,
     /// What has to be said.
     pub remarks: Vec<String>,
-    /// What is doubtful about the runs, and about what came out.
+    /// What is doubtful about the runs.
     pub doubts: Vec<String>,
     /// Number of runs.
     pub runs: usize,

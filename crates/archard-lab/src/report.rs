@@ -6,7 +6,11 @@ use serde_json::{Value, json};
 
 use super::outcome::{Coefficient, Fit};
 use super::{Estimate, Exponent, Measured};
-use archard_case::verdict::four;
+use archard_case::output::verdict_json;
+use archard_case::verdict::{self, Line, Verdict, Warning, Word, four};
+
+/// What readings say of the law that tell no exponent.
+const UNTOLD: &str = "the readings cannot tell whether the law's shape fits";
 
 impl Coefficient {
     /// The factor from SI to the unit that people read, and that unit.
@@ -39,6 +43,28 @@ impl Coefficient {
                 two(found.value)
             )
         })
+    }
+
+    /// What a verdict says of it.
+    fn lines(&self) -> Vec<Line> {
+        let Estimate { distance, loads, next, .. } = &self.estimate;
+        let rejected = self.rejected().unwrap_or_default();
+        let word = |own: &Exponent| match (own.rejects(), own.is_doubtful()) {
+            (true, _) => Word::Wrong,
+            (false, true) => Word::Doubtful,
+            (false, false) => Word::Good,
+        };
+        let why = |own: &Exponent, of: &str| {
+            let why = if own.rejects() { format!("; {rejected}") } else { String::new() };
+            format!("{}: exponent of the {of} {}{why}", self.key, own.in_words())
+        };
+        let shape = match distance {
+            Some(own) => verdict::shape(word(own), &why(own, "distance")),
+            None => verdict::shape(Word::Doubtful, &format!("{}: {UNTOLD}", self.key)),
+        };
+        let constant = loads.as_ref().map(|own| verdict::constant(word(own), &why(own, "load")));
+        let next = verdict::next_test(next.is_some(), &self.key);
+        [shape].into_iter().chain(constant).chain([next]).collect()
     }
 
     fn json(&self, quantities: &[(String, f64, &'static str)]) -> Value {
@@ -84,6 +110,16 @@ impl Fit {
         self.not_settled().or_else(|| self.coefficients.iter().find_map(Coefficient::rejected))
     }
 
+    /// Whether the fit can be believed: coefficients that settled, exponents, the next test, and all that is doubtful about the runs.
+    pub fn verdict(&self) -> Verdict {
+        let not_settled = self.not_settled();
+        let word = if not_settled.is_some() { Word::Wrong } else { Word::Good };
+        let settled = verdict::settled(word, &not_settled.unwrap_or_default());
+        let coefficients = self.coefficients.iter().flat_map(Coefficient::lines);
+        let doubts: Vec<Warning> = self.doubts.iter().cloned().map(Warning::from).collect();
+        [settled].into_iter().chain(coefficients).collect::<Verdict>().warned_of(&doubts)
+    }
+
     fn not_settled(&self) -> Option<String> {
         let percent = percent(self.unsettled?.exp_m1().abs());
         Some(format!(
@@ -103,8 +139,8 @@ impl Fit {
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
             "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
-            "remarks": self.remarks.iter().chain(&self.doubts).collect::<Vec<_>>(),
-            "doubtful": self.doubts,
+            "remarks": self.remarks,
+            "verdict": verdict_json(&self.verdict()),
             "unsettled": self.not_settled(),
         })
     }
@@ -153,10 +189,12 @@ impl fmt::Display for Fit {
         for surface in &self.surfaces {
             writeln!(f, "surface           {surface}")?;
         }
-        for remark in self.not_settled().iter().chain(&self.remarks).chain(&self.doubts) {
+        for remark in &self.remarks {
             writeln!(f, "note              {remark}")?;
         }
-        Ok(())
+        let verdict = self.verdict();
+        writeln!(f, "verdict           {}", verdict.in_words())?;
+        verdict.complaints().try_for_each(|line| writeln!(f, "  {}", line.in_words()))
     }
 }
 
@@ -263,10 +301,7 @@ fn explain(
             "  law's shape     exponent of the distance, 1 by the law: {}",
             found.in_words()
         )?,
-        None => writeln!(
-            text,
-            "  law's shape     the readings cannot tell whether the law's shape fits"
-        )?,
+        None => writeln!(text, "  law's shape     {UNTOLD}")?,
     }
     if let Some(found) = loads {
         writeln!(

@@ -13,7 +13,7 @@ use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, Simulation, history};
 use archard_case::output::{Claim, ResultFolder, Store, Totals};
 use archard_case::verdict::{Verdict, Word};
-use archard_case::{CaseFile, Resolved, Severity};
+use archard_case::{CaseFile, Problem, Resolved, Severity};
 
 /// What follows the runs of a fit.
 pub trait Following {
@@ -133,7 +133,7 @@ impl Runner<'_> {
         let totals = Totals {
             seconds: begun.elapsed().as_secs_f64(),
             threads: rayon::current_num_threads(),
-            warnings: resolved.warnings.iter().map(|warning| warning.title()).collect(),
+            warnings: resolved.warnings.iter().map(Problem::warning_of).collect(),
             failure: ran.as_ref().err().map(ToString::to_string),
             ..Totals::default()
         };

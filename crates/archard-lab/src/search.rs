@@ -20,6 +20,7 @@ use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
 use super::runs::{Changes, Following, Run, Runner};
 use super::surfaces;
+use super::untold::{self, Untold};
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
 use archard::simulation::{self, Observer};
 use archard_case::measured::Table;
@@ -37,6 +38,8 @@ pub struct Request<'a> {
     pub parameter: Option<&'a str>,
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
+    /// Keys of wear that are taken from the case though no reading tells them.
+    pub assumed: &'a [String],
     /// Where profiles and height maps are that the table names.
     pub files: Files<'a>,
     /// Where runs go.
@@ -59,6 +62,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     let mut measured = Measurement::of(table, &resolved.case, (request.parameter, request.files))?;
     let load = load_key(&resolved.case, &measured)?;
     // Before anything runs.
+    all_told(&resolved.case, (table, &measured), request.assumed)?;
     for (key, relative) in request.uncertain {
         surfaces::refuse_shape(&measured.surfaces, key)?;
         changed(&resolved.case, (measured.progress.0, load.as_deref()), (key, *relative))?;
@@ -99,9 +103,9 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     };
     let (first, unsettled) = search.settle()?;
     let mut remarks = std::mem::take(&mut measured.remarks);
+    remarks.extend(search.assumed());
     let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
     let coefficients = search.conclude(&commons)?;
-    let found: Vec<Estimate> = coefficients.iter().map(|own| own.estimate.clone()).collect();
     kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
@@ -115,7 +119,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         coefficients,
         surfaces,
         remarks,
-        doubts: search.doubts(&found),
+        doubts: search.doubts(),
         by_k_s,
         unsettled,
     })
@@ -173,16 +177,45 @@ fn load_key(case: &Case, measured: &Measurement) -> Result<Option<String>, Error
     }
 }
 
-/// Coefficients of bodies that wear and are not fitted: keys, values and units.
+/// Refuses a fit by coefficients that nobody has told: the case may have any number for a body of which there are no readings.
+fn all_told(
+    case: &Case,
+    (table, measured): (&Table, &Measurement),
+    assumed: &[String],
+) -> Result<(), Error> {
+    let missing = Untold::of(case, &[told(case, measured), assumed.to_vec()].concat());
+    if missing.is_empty() {
+        return Ok(());
+    }
+    Err(Error::Mismatch(format!(
+        "{}: has no reading that tells {}: the fitted coefficient would go by a number which no test has told; add {} to take it \
+         from the case, put another one there by --set, or give readings of both bodies",
+        table.source(),
+        Untold::values(&missing),
+        Untold::options(&missing)
+    )))
+}
+
+/// What the readings tell: the tables of wear of the fitted coefficients; where another value is fitted, all wear of the bodies that
+/// were measured, which its user knows.
+fn told(case: &Case, measured: &Measurement) -> Vec<String> {
+    let wear =
+        |target: &Target| target.key.split_once(".wear.").map(|(owner, _)| format!("{owner}.wear"));
+    let tables: Vec<String> = measured.targets.iter().filter_map(wear).collect();
+    let bodies =
+        measured.quantities.iter().map(|own| format!("body.{}", case.bodies[own.body].name));
+    if tables.is_empty() { bodies.collect() } else { tables }
+}
+
+/// Coefficients of wear that are not fitted: keys, values and units.
 fn others(case: &Case, targets: &[Target]) -> Vec<(String, f64, String)> {
-    let own = |body: &archard_case::BodyCase| {
-        let key =
-            format!("body.{}.wear.{}.coefficient", body.name, body.wear.as_ref()?.choice.name);
+    let own = |(table, law): (String, &str)| {
+        let key = format!("{table}.{law}.coefficient");
         let (value, unit) = case.number_at(&key)?;
-        (value > 0.0 && targets.iter().all(|target| target.key != key))
+        (value > 0.0 && targets.iter().all(|target| untold::dotted(&target.key) != key))
             .then_some((key, value, unit))
     };
-    case.bodies.iter().filter_map(own).collect()
+    untold::laws(case).into_iter().filter_map(own).collect()
 }
 
 /// How the runs differ from those of the fit, to see what that does to k.

@@ -12,7 +12,8 @@ use archard::simulation::{Observer, Report, worn_extent};
 use archard_case::CaseFile;
 use archard_case::measured::Table;
 use archard_case::output::Claim;
-use archard_lab::{Coefficient, Error, Files, Fit, Following, Request, fit};
+use archard_case::verdict::Word;
+use archard_lab::{Coefficient, Error, Exponent, Files, Fit, Following, Request, fit};
 
 /// Numbers of a normal distribution, by Box and Muller.
 struct Normal(fastrand::Rng);
@@ -113,6 +114,23 @@ fn fitted(file: &CaseFile, text: &str, parameter: Option<&str>) -> Result<Fit, E
     fitted_in(dir.path(), file, (text, parameter), &mut Until(None, vec![]))
 }
 
+/// A fit that takes the wear at some keys from the case.
+fn assuming(file: &CaseFile, text: &str, keys: &[&str]) -> Result<Fit, Error> {
+    let dir = tempfile::tempdir().unwrap();
+    let assumed: Vec<String> = keys.iter().map(|key| (*key).to_owned()).collect();
+    let table = Table::read("tests.csv", text.as_bytes()).unwrap();
+    let request = Request {
+        parameter: None,
+        uncertain: &[],
+        assumed: &assumed,
+        files: Files { folder: dir.path(), columns: &[] },
+        dir: dir.path(),
+        store: None,
+        following: &mut Until(None, vec![]),
+    };
+    fit(file, &table, request)
+}
+
 fn fitted_in(
     dir: &Path,
     file: &CaseFile,
@@ -121,7 +139,8 @@ fn fitted_in(
 ) -> Result<Fit, Error> {
     let table = Table::read("tests.csv", text.as_bytes()).unwrap();
     let files = Files { folder: dir, columns: &[] };
-    let request = Request { parameter, uncertain: &[], files, dir, store: None, following };
+    let request =
+        Request { parameter, uncertain: &[], assumed: &[], files, dir, store: None, following };
     fit(file, &table, request)
 }
 
@@ -171,7 +190,15 @@ fn an_accuracy_is_settled_for_what_can_be_fitted() {
         let files = Files { folder: dir.path(), columns: &[] };
         let following = &mut Until(Some(0), vec![]);
         let dir = dir.path();
-        let request = Request { parameter: None, uncertain, files, dir, store: None, following };
+        let request = Request {
+            parameter: None,
+            uncertain,
+            assumed: &[],
+            files,
+            dir,
+            store: None,
+            following,
+        };
         fit(&asked, &table, request).unwrap_err()
     };
     let text = "test,distance_mm,depth_pin_um\nA,500,2.0\nB,500,2.3\n";
@@ -252,10 +279,97 @@ fn a_ball_on_a_track_that_wears_is_fitted_by_its_scar() {
     let true_k = 3e-16;
     let diameter = 1e6 * scar(&of(true_k), 0);
     let text = format!("test,distance_m,diameter_ball_um\nA,100,{diameter}\nB,100,{diameter}\n");
-    let found = fitted(&of(2.5 * true_k), &text, None).unwrap();
+    let found =
+        assuming(&of(2.5 * true_k), &text, &["body.disc.wear.archard.coefficient"]).unwrap();
+    let said = found.to_string();
+    assert!(said.contains("as in the case: no reading determines it"), "{said}");
     let k = found.coefficients[0].estimate.median;
     assert!((k / true_k - 1.0).abs() < 0.03, "{k:e}");
     assert!(!found.by_k_s && found.runs <= 24, "{}", found.runs);
+}
+
+/// Wear of a body without readings is taken from the case where that is said, whatever its law and what is measured.
+#[test]
+fn a_coefficient_that_no_test_tells_is_named() {
+    let pin = "depth_pin_um";
+    let power = "body.disc.wear.archard=";
+    let law = "body.disc.wear.power={coefficient = \"1e-16 m^2/N\", pressure_exponent = 1.5, reference_pressure = \"1 MPa\"}";
+    for (case, options, column, key) in [
+        ("pin_on_disc_both", &[][..], pin, "body.disc.wear.archard.coefficient"),
+        ("pin_on_disc_both", &[][..], "volume_disc_mm3", "body.pin.wear.archard.coefficient"),
+        ("pin_on_disc_track", &[][..], "diameter_ball_um", "body.disc.wear.archard.coefficient"),
+        ("twin_disc", &[][..], "section_disc1_mm2", "body.disc2.wear.archard.coefficient"),
+        ("pin_on_disc_both", &[power, law][..], pin, "body.disc.wear.power.coefficient"),
+    ] {
+        let far = if case == "twin_disc" { "revolutions" } else { "distance_m" };
+        let file = published(case, options);
+        let text = format!("test,{far},{column}\nA,0.2,1\nA,0.4,1.5\n");
+        let error = fitted(&file, &text, None).unwrap_err().to_string();
+        for said in [format!("no reading that tells `{key}`"), format!("add --assume {key} to")] {
+            assert!(error.contains(&said), "{case}: {error}");
+        }
+    }
+    // A coating and what is below it are two of them, whichever is fitted.
+    let coated = published("coated_disc", &[]);
+    let [below, layer] = ["body.disc.wear", "body.disc.layers.0.wear"]
+        .map(|table| format!("{table}.archard.coefficient"));
+    for (parameter, named) in [(&below, &layer), (&layer, &below)] {
+        let text = "test,distance_m,depth_disc_um\nA,10,0.1\nA,20,0.2\n";
+        let error = fitted(&coated, text, Some(parameter)).unwrap_err().to_string();
+        assert!(error.contains(&format!("no reading that tells `{named}`")), "{error}");
+        assert!(!error.contains(&format!("tells `{parameter}`")), "{error}");
+    }
+    let coarse = ["frame.elements=[24, 24]", "motion.sliding.step=50 mm"];
+    let file = published("pin_on_disc_both", &coarse);
+    let text = "test,distance_m,volume_pin_mm3\nA,0.2,1.4e-4\nA,0.4,2.7e-4\n";
+    let disc = "body.disc.wear.archard.coefficient";
+    // Said on the command line, a value is told.
+    for told in [disc.to_owned(), format!("{disc}=1e-13 1/Pa")] {
+        let found = assuming(&file, text, &[&told]).unwrap();
+        let k = found.coefficients[0].estimate.median;
+        assert!((k / 6.7e-14 - 1.0).abs() < 0.05, "{k:e}");
+    }
+}
+
+/// A fit has one verdict: the worst of what its exponents, its rounds and its runs say, wherever it is read.
+#[test]
+fn a_fit_has_one_verdict() {
+    let file = published("pin_on_disc", &["motion.sliding.step=\"25 mm\""]);
+    let text = "test,distance_m,volume_mm3\nA,0.2,2.6e-4\nA,0.4,5.6e-4\nB,0.2,3.3e-4\nB,0.4,6.4e-4\nC,0.2,3e-4\nC,0.4,6e-4\n";
+    let mut found = fitted(&file, text, None).unwrap();
+    found.doubts.clear();
+    let exponent = |law: f64, value: f64, half: f64, p: f64| {
+        Some(Exponent { value, law, interval: [value - half, value + half], p })
+    };
+    // Within the interval, beyond it by chance, and beyond all chance.
+    let judged = |law: f64| {
+        [
+            (exponent(law, law + 0.02, 0.1, 0.6), Word::Good),
+            (exponent(law, law - 0.57, 0.32, 0.01), Word::Doubtful),
+            (exponent(law, law - 0.57, 0.1, 1e-4), Word::Wrong),
+        ]
+    };
+    let none = [(None, Word::Doubtful)];
+    for (distance, by_distance) in judged(1.0).into_iter().chain(none) {
+        for (loads, by_load) in judged(0.0).into_iter().chain([(None, Word::Good)]) {
+            for (doubts, by_doubts) in
+                [(vec![], Word::Good), (vec!["few".to_owned()], Word::Doubtful)]
+            {
+                let estimate = &mut found.coefficients[0].estimate;
+                (estimate.distance, estimate.loads) = (distance, loads);
+                found.doubts = doubts;
+                let word = by_distance.max(by_load).max(by_doubts);
+                assert_eq!(found.verdict().word(), word, "{found}");
+                assert_eq!(found.json()["verdict"]["word"], word.text());
+                assert_eq!(found.rejected().is_some(), word == Word::Wrong);
+                let said = found.to_string();
+                assert!(said.contains(&format!("verdict           {} (", word.text())), "{said}");
+                for line in said.lines().filter(|line| line.contains("accepted")) {
+                    assert!(!line.contains("doubtful"), "{line}");
+                }
+            }
+        }
+    }
 }
 
 /// Volumes follow k F s of each body, whatever the other does.
@@ -303,7 +417,9 @@ fn fretting_is_fitted_by_runs_of_its_own() {
     let made = Made { file: file.clone(), bodies: &bodies, columns: &columns, tests: 4, seed: 3 };
     let key = "body.cylinder.wear.archard.coefficient";
     let from = file.set(format!("{key}=\"3e-8 1/MPa\""));
-    let found = fitted(&from, &made.table("cycles"), Some(key)).unwrap();
+    let found = assuming(&from, &made.table("cycles"), &["body.flat.wear.archard.coefficient"]);
+    let found = found.unwrap();
+    assert_eq!(found.coefficients[0].key, key);
     assert!(!found.by_k_s);
     assert!(found.runs > 8, "{}", found.runs);
     assert_found(&found.coefficients[0], 1.9e-14);
@@ -500,6 +616,7 @@ fn uncertainties_are_checked_before_anything_runs() {
         let request = Request {
             parameter: None,
             uncertain: &uncertain,
+            assumed: &[],
             files: Files { folder: dir.path(), columns: &[] },
             dir: dir.path(),
             store: None,

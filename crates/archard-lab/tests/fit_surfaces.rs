@@ -108,8 +108,16 @@ fn fitted_with(
     let table = Table::read("tests.csv", text.as_bytes()).unwrap();
     // A column that only maps have may be named too.
     let files = Files { folder: dir, columns: &[("z", "Tiefe [um]"), ("y", "Breite")] };
-    let request =
-        Request { parameter: None, uncertain, files, dir, store: None, following: &mut Nobody };
+    let request = Request {
+        parameter: None,
+        uncertain,
+        // The ball on the track is not measured.
+        assumed: &["body.ball.wear.archard.coefficient".to_owned()],
+        files,
+        dir,
+        store: None,
+        following: &mut Nobody,
+    };
     fit(file, &table, request)
 }
 

@@ -10,6 +10,7 @@ use toml::de::DeTable;
 
 use super::accuracy::{self, Chose};
 use super::check::pace::Pace;
+use super::check::runtime::Runtime;
 use super::check::{self, Forecast};
 use super::chosen::Chosen;
 use super::definition::Case;
@@ -105,7 +106,9 @@ impl Resolved {
             self.case.beside_half_spaces().iter().map(ToString::to_string).collect();
         let pace = Pace::of(self.forecast.operations);
         let pace = pace.map_or_else(String::new, |pace| pace.to_string());
-        let mut text = format!("# What to expect\n\n{}{pace}{beside}", self.forecast);
+        let time = Runtime::of(&self.case, &self.forecast);
+        let time = time.map_or_else(String::new, |time| time.to_string());
+        let mut text = format!("# What to expect\n\n{}{pace}{time}{beside}", self.forecast);
         if self.chose.size || self.chose.elements {
             text += "\nThe frame was chosen; runs on coarser grids may ask for more elements.\n";
         }

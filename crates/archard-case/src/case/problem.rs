@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use super::Key;
 use super::told::told;
+use crate::verdict::{self, Warning};
 
 /// How much a problem matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -60,6 +61,8 @@ pub struct Problem {
     pub(super) within: Option<Box<Range<usize>>>,
     /// What the location should show.
     pub(super) target: Target,
+    /// The place among all subjects of that of the line of a verdict that judges the same in results.
+    pub(super) judged: Option<u8>,
 }
 
 /// What a problem points at once its key is looked up.
@@ -83,6 +86,7 @@ impl Problem {
             location: None,
             within: None,
             target: Target::Value,
+            judged: None,
         }
     }
 
@@ -100,6 +104,16 @@ impl Problem {
 
     pub(super) fn at_name(self) -> Self {
         Self { target: Target::Name, ..self }
+    }
+
+    /// The same as that of a line in the verdict on results.
+    pub(super) fn judged(self, subject: &str) -> Self {
+        Self { judged: verdict::place_of(subject), ..self }
+    }
+
+    /// What a verdict is told of it.
+    pub fn warning_of(&self) -> Warning {
+        Warning { text: self.title(), judged: self.judged.and_then(verdict::subject_at) }
     }
 
     /// The key and what is wrong: "frame.size: ...".

@@ -1,5 +1,7 @@
 //! The results of a wheel on a rail: a row for each patch of contact.
 
+use std::f64::consts::PI;
+
 use serde_json::{Value, json};
 
 use super::rail_wear::{RailWear, rail_wear_files, rail_wear_json, write_rail_wear};
@@ -131,7 +133,8 @@ pub fn write_rail(
     if let Some(wear) = &results.wear {
         write_rail_wear(manifest, wear)?;
     }
-    let verdict = rail_verdict(results).ended(totals.failure.as_deref(), &totals.warnings);
+    let verdict = rail_verdict(results).warned_of(&totals.warnings);
+    let verdict = verdict.ended(totals.failure.as_deref());
     let summary = format!("{:#}\n", summary(results, &verdict, totals));
     manifest.write(SUMMARY, summary.as_bytes())?;
     manifest.settle()?;
@@ -180,7 +183,7 @@ fn rail_verdict(results: &RailResults) -> Verdict {
 }
 
 /// The largest stated error of all patches, relative: of pressures and areas to themselves, of forces to the force on their
-/// contact, of places to the width of the patch.
+/// contact, of places to the width of the patch, of creepages to all slip in it, that of the spin at the radius of a circle as large.
 fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
     let relative = |(contact, patch): (&RailContact, &Patch)| {
         let (values, errors) = (&patch.values, &patch.errors);
@@ -195,7 +198,19 @@ fn stated(contacts: &[RailContact]) -> Option<verdict::Line> {
             ("y_wheel_m", errors.y_wheel / width),
         ]
     };
-    let all = patches(contacts).flat_map(relative);
+    let slipping = |(_, patch): (&RailContact, &Patch)| {
+        let (values, errors) = (&patch.values, &patch.errors);
+        let radius = (values.contact_area / PI).sqrt();
+        let slip = values.creepage.hypot(values.lateral_creepage).hypot(radius * values.spin);
+        let creepages = [
+            ("creepage", errors.creepage / slip),
+            ("lateral_creepage", errors.lateral_creepage / slip),
+            ("spin_1_per_m", radius * errors.spin / slip),
+        ];
+        // A wheel that stands has no creepages.
+        creepages.into_iter().filter(move |_| slip > 0.0)
+    };
+    let all = patches(contacts).flat_map(relative).chain(patches(contacts).flat_map(slipping));
     let worst = all.max_by(|one, other| one.1.total_cmp(&other.1));
     worst.map(|(column, error)| verdict::stated(error, column))
 }
@@ -236,7 +251,7 @@ fn summary(results: &RailResults, verdict: &Verdict, totals: &Totals) -> Value {
         "verdict": json_of(verdict),
         "seconds": totals.seconds,
         "threads": totals.threads,
-        "warnings": totals.warnings,
+        "warnings": totals.warnings.iter().map(|warning| &warning.text).collect::<Vec<_>>(),
         "command": totals.command,
     })
 }

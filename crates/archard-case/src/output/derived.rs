@@ -15,10 +15,8 @@ use crate::verdict::Verdict;
 pub struct Derived<'a> {
     /// The rows of its history.
     pub rows: &'a [Vec<(String, f64)>],
-    /// Whether the other run could be believed as far as this one goes.
+    /// Whether the other run could be believed as far as this one goes, with what the user was warned of here.
     pub verdict: &'a Verdict,
-    /// What the user was warned of.
-    pub warnings: &'a [String],
     /// The folder of the other run.
     pub from: &'a str,
     /// Why the other run stopped before the end of this one, if it did.
@@ -52,7 +50,7 @@ impl Derived<'_> {
             "version": env!("CARGO_PKG_VERSION"),
             "complete": self.failure.is_none(),
             "failure": self.failure,
-            "verdict": json_of(&self.verdict.clone().ended(self.failure, self.warnings)),
+            "verdict": json_of(&self.verdict.clone().ended(self.failure)),
             "last": last,
             "derived_from": self.from,
         });

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 use super::summary;
 use super::table::{Table, number};
 use super::{CASE, Claim, Error, Field, Manifest, SUMMARY, Sheet, Surface, Totals};
-use crate::verdict::{self, Verdict};
+use crate::verdict::{self, Verdict, Warning};
 use archard::compliance::Balance;
 use archard::elastic::{Deformed, ElasticBody, Point, Response, Sampled, Section, row};
 
@@ -32,20 +32,20 @@ pub fn write_elastic(
         table.sync()?;
     }
     write_sections(manifest, "", deformed, false)?;
-    let verdict = elastic_verdict(body, deformed);
-    let verdict = verdict.ended(totals.failure.as_deref(), &totals.warnings);
+    let verdict = elastic_verdict(body, deformed, &totals.warnings);
+    let verdict = verdict.ended(totals.failure.as_deref());
     let summary = format!("{:#}\n", summary((body, deformed), &verdict, totals));
     manifest.write(SUMMARY, summary.as_bytes())?;
     manifest.settle()?;
     Ok(verdict)
 }
 
-/// What can be believed of a result, whatever the user was warned of before.
-pub fn elastic_verdict(body: &ElasticBody, deformed: &Deformed) -> Verdict {
+/// What can be believed of a result, with what the user was warned of.
+pub fn elastic_verdict(body: &ElasticBody, deformed: &Deformed, warnings: &[Warning]) -> Verdict {
     let Balance { force, moment } = deformed.balance;
     let mut lines = verdict::balance(force, moment).to_vec();
     lines.extend(body.slenderness.map(verdict::slenderness));
-    Verdict { lines }
+    Verdict { lines }.warned_of(warnings)
 }
 
 /// The files that [`write_elastic`] adds to the case and the summary, by their names in the folder.
@@ -124,7 +124,7 @@ fn summary(
         "verdict": summary::json_of(verdict),
         "seconds": totals.seconds,
         "threads": totals.threads,
-        "warnings": totals.warnings,
+        "warnings": totals.warnings.iter().map(|warning| &warning.text).collect::<Vec<_>>(),
     })
 }
 

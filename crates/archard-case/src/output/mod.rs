@@ -82,7 +82,7 @@ pub use sheet::Sheet;
 pub use standards::Standard;
 pub use store::Store;
 pub use summary::Totals;
-pub(crate) use summary::json_of as verdict_json;
+pub use summary::json_of as verdict_json;
 pub use surface::Surface;
 pub use vtk::Collection;
 pub use worn_surface::{RELIEF, WornSurface, bodies};

@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::evidence::worn_over_coefficient;
 use super::{Standard, closed_forms};
-use crate::verdict::{Bound, Line, Verdict};
+use crate::verdict::{Bound, Line, Verdict, Warning};
 use archard::estimate::{Estimator, Subject};
 use archard::motion::Passage;
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, number, of_body};
@@ -18,7 +18,7 @@ pub struct Totals {
     /// Number of threads it was given.
     pub threads: usize,
     /// What the user was warned of, before the run and at its end.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
     /// Why the run stopped before its end, if it did.
     pub failure: Option<String>,
     /// The command that asked for the run, if one did.
@@ -57,7 +57,7 @@ impl Standing {
 pub(super) fn text(
     standing: Option<&Standing>,
     (iterations, verdict): (usize, &Verdict),
-    totals: &Totals,
+    (totals, told): (&Totals, &[String]),
 ) -> String {
     let effort = standing.map(|standing| standing.effort).unwrap_or_default();
     let cycles = standing.is_some_and(|standing| standing.cycles);
@@ -81,13 +81,13 @@ pub(super) fn text(
         "solves": effort.solves,
         "iterations": iterations,
         "applications": effort.applications,
-        "warnings": totals.warnings,
+        "warnings": told,
     });
     format!("{summary:#}\n")
 }
 
 /// A verdict: its word, and each line with its number, its bounds and its word.
-pub(crate) fn json_of(verdict: &Verdict) -> Value {
+pub fn json_of(verdict: &Verdict) -> Value {
     let line = |line: &Line| {
         let (side, [doubtful, wrong]) = match line.bound {
             Bound::AtMost(bounds) => ("above", bounds),

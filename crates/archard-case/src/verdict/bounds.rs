@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::words::share;
-use super::{Bound, Line};
+use super::{Bound, Line, Word};
 
 /// The load, or approach, against the one prescribed: how far off it is, relative to it.
 ///
@@ -12,6 +12,9 @@ pub fn load(off: f64) -> Line {
     let text = "off what was prescribed; a tighter `solver.tolerance` brings it nearer";
     Line::new("load", off, Bound::AtMost([1e-5, 1e-3]), text)
 }
+
+/// The subject of what lies at the edge of the frame.
+pub const EDGES: &str = "edges";
 
 /// The share of the load on the edge of the frame, and how many pairs bear it.
 ///
@@ -25,7 +28,7 @@ pub fn edges(share: f64, pairs: usize) -> Line {
             "of the load at the edge of the frame, on {pairs} elements: enlarge `frame.size`, or the zone of the mesh"
         ),
     };
-    Line::new("edges", share, Bound::AtMost([0.0, 0.03]), text)
+    Line::new(EDGES, share, Bound::AtMost([0.0, 0.03]), text)
 }
 
 /// Elements across the contact when it first bears a load: coarse ones spoil the first outputs, and fade.
@@ -311,7 +314,54 @@ pub fn stated(error: f64, column: &str) -> Line {
     let text = format!(
         "is the error of `{column}`: smoother profiles (`smoothing`) or more `frame.elements` make it smaller"
     );
-    Line::new("stated", error, Bound::AtMost([0.05, 1.0]), text)
+    Line::new("stated", error, STATED, text)
+}
+
+/// How large a stated error may be.
+const STATED: Bound = Bound::AtMost([0.05, 1.0]);
+
+/// The largest stated error of what was measured or is compared, relative, and what it is of.
+pub fn measured(error: f64, what: &str) -> Line {
+    Line::new("stated", error, STATED, format!("is the stated error of the {what}"))
+}
+
+/// How far a run can be believed that something is compared with, and why.
+pub fn of_run(word: Word, why: &str) -> Line {
+    judged("run", word, why)
+}
+
+/// Whether the runs of a fit and the readings brought its coefficients together, and what is off if not.
+pub fn settled(word: Word, why: &str) -> Line {
+    judged("settled", word, why)
+}
+
+/// Whether tests wear as the law says, and what they show.
+pub fn shape(word: Word, why: &str) -> Line {
+    judged("law's shape", word, why)
+}
+
+/// Whether a coefficient holds for tests of all loads, and what they show.
+pub fn constant(word: Word, why: &str) -> Line {
+    judged("constant k", word, why)
+}
+
+/// Whether the tests say where the next one will lie.
+pub fn next_test(known: bool, key: &str) -> Line {
+    let word = if known { Word::Good } else { Word::Doubtful };
+    judged("next test", word, &format!("{key}: too few tests to foresee the next"))
+}
+
+/// What another judgement has decided.
+fn judged(subject: &'static str, word: Word, why: &str) -> Line {
+    let worse = [Word::Good, Word::Doubtful, Word::Wrong].iter().position(|one| *one == word);
+    Line::new(subject, worse.unwrap_or_default() as f64, Bound::AtMost([0.0, 1.0]), why)
+}
+
+/// The share of the points of a measured surface that have no height. Of half of them and less no surface is made.
+pub fn missing(share: f64) -> Line {
+    let text =
+        "of the points have no height: `holes = \"fill\"` puts what lies between the others there";
+    Line::new("missing", share, Bound::AtMost([0.0, 0.5]), text)
 }
 
 /// Hardness (Pa) of the hardest rail steel, R400HT of EN 13674-1: 440 HBW.

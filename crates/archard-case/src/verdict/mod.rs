@@ -6,15 +6,19 @@
 
 mod bounds;
 mod line;
+mod warning;
 mod words;
 
 pub use bounds::{
-    Accuracy, BY_HALF, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, balance, climbs, complete,
-    conformity, contact, creepage, edges, energy, first_contact, form, friction, hardness, heat,
-    layers, length, load, modulus, radius, roughness, slenderness, slope, stated, stick_zone,
-    temperature, time, touch, volume, warned, worn,
+    Accuracy, BY_HALF, EDGES, ELASTOMERS, HALF_SPACE, RAIL_STEEL, accuracy, balance, climbs,
+    complete, conformity, constant, contact, creepage, edges, energy, first_contact, form,
+    friction, hardness, heat, layers, length, load, measured, missing, modulus, next_test, of_run,
+    radius, roughness, settled, shape, slenderness, slope, stated, stick_zone, temperature, time,
+    touch, volume, warned, worn,
 };
 pub use line::{Bound, Line, Word, four};
+pub use warning::Warning;
+pub(crate) use words::{place_of, subject_at};
 
 /// The lines of a run, in the order in which they are read.
 #[non_exhaustive]
@@ -30,13 +34,26 @@ impl Verdict {
         self.lines.iter().map(Line::word).max().unwrap_or(Word::Good)
     }
 
-    /// The verdict on what ended, or failed for a reason, with all that the user was warned of: what failed is not what was asked
-    /// for, and what has a warning is doubtful.
+    /// The verdict on what ended, or failed for a reason: what failed is not what was asked for.
     #[must_use]
-    pub fn ended(mut self, failure: Option<&str>, warnings: &[String]) -> Self {
-        self.lines.extend(warnings.iter().map(|warning| warned(warning)));
+    pub fn ended(mut self, failure: Option<&str>) -> Self {
         self.lines.extend(failure.map(complete));
         self
+    }
+
+    /// The same with all that the user was warned of, each of which is doubtful. What a line judges that is not good anyhow counts
+    /// once.
+    #[must_use]
+    pub fn warned_of(mut self, warnings: &[Warning]) -> Self {
+        let told: Vec<Line> = self.besides(warnings).map(|one| warned(&one.text)).collect();
+        self.lines.extend(told);
+        self
+    }
+
+    /// The warnings of what no line says that is not good.
+    pub fn besides<'a>(&self, warnings: &'a [Warning]) -> impl Iterator<Item = &'a Warning> {
+        let said: Vec<&str> = self.complaints().map(|line| line.subject).collect();
+        warnings.iter().filter(move |one| one.judged.is_none_or(|subject| !said.contains(&subject)))
     }
 
     /// The word and how many checks it stands on: "good (7 checks)", "doubtful (1 of 7 checks)".
@@ -55,9 +72,15 @@ impl Verdict {
     }
 }
 
+impl FromIterator<Line> for Verdict {
+    fn from_iter<I: IntoIterator<Item = Line>>(lines: I) -> Self {
+        Self { lines: lines.into_iter().collect() }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Bound, Line, Verdict, Word};
+    use super::{Bound, Line, Verdict, Warning, Word};
 
     fn line(value: f64) -> Line {
         Line::new("load", value, Bound::AtMost([0.1, 0.2]), "carried")
@@ -79,16 +102,19 @@ mod tests {
         let complaints = verdict(&[0.15, 0.05, 0.25]);
         let complaints: Vec<f64> = complaints.complaints().map(|line| line.value).collect();
         assert_eq!(complaints, [0.15, 0.25]);
-        let failed = verdict(&[0.0]).ended(Some("no luck\nat all"), &[]);
-        assert_eq!(
-            (failed.word(), verdict(&[]).ended(None, &[]).word()),
-            (Word::Wrong, Word::Good)
-        );
+        let failed = verdict(&[0.0]).ended(Some("no luck\nat all"));
+        assert_eq!((failed.word(), verdict(&[]).ended(None).word()), (Word::Wrong, Word::Good));
         assert_eq!(failed.complaints().count(), 1);
-        let warned = verdict(&[0.0]).ended(None, &["upside down".to_owned()]);
+        let warned = verdict(&[0.0]).warned_of(&["upside down".to_owned().into()]);
         assert_eq!(warned.word(), Word::Doubtful);
         assert_eq!(warned.in_words(), "doubtful (1 of 2 checks)");
         assert_eq!(warned.lines[1].to_string(), "warning: upside down");
+        let foreseen = Warning { judged: Some("load"), ..Warning::from("light".to_owned()) };
+        let count = |value| verdict(&[value]).warned_of(std::slice::from_ref(&foreseen)).in_words();
+        assert_eq!(
+            [count(0.15), count(0.0)],
+            ["doubtful (1 of 1 checks)", "doubtful (1 of 2 checks)"]
+        );
         let least = |value| Line::new("elements", value, Bound::AtLeast([8.0, 2.0]), "across");
         assert_eq!(
             [9.0, 5.0, 1.0].map(|value| least(value).word()),

@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 30] = [
+const GOOD: [(&str, &str, Number); 36] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -46,8 +46,24 @@ const GOOD: [(&str, &str, Number); 30] = [
     ("complete", "the run came to its end", Number::Unsaid),
     ("warning", "no warning", Number::Unsaid),
     ("stated", "largest stated error {}", Number::Share),
+    ("run", "the run can be believed", Number::Unsaid),
+    ("settled", "runs and readings agree on the coefficients", Number::Unsaid),
+    ("law's shape", "{text}", Number::Unsaid),
+    ("constant k", "{text}", Number::Unsaid),
+    ("next test", "the tests say where the next will lie", Number::Unsaid),
+    ("missing", "{} of the points without a height", Number::Share),
     ("flange", "no contact above the steepest place of the flange", Number::Unsaid),
 ];
+
+/// The place of a subject among all.
+pub(crate) fn place_of(subject: &str) -> Option<u8> {
+    GOOD.iter().position(|(own, ..)| *own == subject)?.try_into().ok()
+}
+
+/// The subject at a place.
+pub(crate) fn subject_at(place: u8) -> Option<&'static str> {
+    GOOD.get(usize::from(place)).map(|(subject, ..)| *subject)
+}
 
 /// A residual that is nothing but rounding.
 const ROUNDING: f64 = 1e-12;
@@ -136,7 +152,7 @@ impl std::fmt::Display for Line {
 
 #[cfg(test)]
 mod tests {
-    use crate::verdict::{self, Accuracy, Bound, Line};
+    use crate::verdict::{self, Accuracy, Bound, Line, Word};
 
     const ACCURACY: Accuracy =
         Accuracy { error: 0.003356, largest: 0.004, asked: 0.01, worst: None, other: None };
@@ -229,6 +245,13 @@ mod tests {
             verdict::friction(0.3),
             verdict::stated(0.01, "peak_pressure_Pa"),
             verdict::climbs(0),
+            verdict::measured(0.01, "depth"),
+            verdict::of_run(Word::Good, ""),
+            verdict::missing(0.0),
+            verdict::settled(Word::Good, ""),
+            verdict::shape(Word::Good, "exponent 1.01"),
+            verdict::constant(Word::Good, "exponent 0.01"),
+            verdict::next_test(true, "k"),
         ];
         for line in all {
             assert!(!line.finding().contains("good"), "{line}");

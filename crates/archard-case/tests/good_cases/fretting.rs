@@ -110,6 +110,11 @@ fn the_forecast_counts_cycles_and_their_solves() {
     // Measured with ten outputs: 33 cycles.
     let by_error = ["motion.fretting.cycles=200000", "motion.fretting.tolerance=0.01"];
     assert_eq!(counted(&by_error).0, Solves::About(32));
+    // Where every cycle is computed there is nothing to jump over, whatever the tolerance.
+    let all = [ten[0], ten[1], "motion.fretting.tolerance=0.01"];
+    let forecast = resolve(&all.iter().fold(file(FRETTING), |file, key| file.set(*key))).forecast;
+    assert_eq!(forecast.cycles.unwrap().computed, Solves::About(10));
+    assert_eq!(forecast.solves, Solves::About(81));
     // Lines without load are not solved.
     assert_eq!(counted(&[PATH]), (Solves::Exactly(1), Solves::Exactly(3)));
 }

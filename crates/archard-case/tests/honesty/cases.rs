@@ -4,11 +4,12 @@ use std::fmt::Write;
 
 use archard::closed_form::carter;
 
-use crate::contact::{Contact, Truth, any, law, smooth};
+use crate::contact::{Contact, Truth, any, law, layered, smooth};
 use crate::random::Random;
+use crate::waves::Waves;
 
 /// The motions that cases are drawn of; case `i` has motion `i` of them, again and again.
-pub const MOTIONS: [Draw; 14] = [
+pub const MOTIONS: [Draw; 19] = [
     ("indentation", indentation),
     ("indentation with friction", indentation_with_friction),
     ("sliding under a load", sliding_under_a_load),
@@ -23,6 +24,11 @@ pub const MOTIONS: [Draw; 14] = [
     ("fretting of lines", fretting_of_lines),
     ("fretting with wear", fretting_with_wear),
     ("gross slip", gross_slip),
+    ("layered rolling", layered_rolling),
+    ("layered rolling with wear", layered_rolling_with_wear),
+    ("waves", pressed_waves),
+    ("waves that wear", worn_waves),
+    ("yielding", yielding),
 ];
 
 /// A motion and what draws a case of it.
@@ -215,6 +221,73 @@ fn rolling_of_lines(random: &mut Random) -> Case {
         case.truths.extend(truths.map(|(column, value)| (column, Truth::Steady(value))));
     }
     case
+}
+
+/// A layer on one of two bodies that are alike below it, lines as a rule.
+fn layered_rolling(random: &mut Random) -> Case {
+    let line = random.chance(0.7);
+    let contact = layered(random, line);
+    let (law, friction) = friction(random);
+    let driven = match random.chance(0.5) {
+        true => {
+            format!("creepage = {:e}\n", saturation(&contact, friction) * random.decade(0.1, 2.0))
+        }
+        false => {
+            format!("force = \"{:e} N\"\n", friction * contact.load * random.between(0.05, 0.9))
+        }
+    };
+    steady(random, &contact, (&law, &driven))
+}
+
+/// The same of lines that wear, by no more than half of the layer.
+fn layered_rolling_with_wear(random: &mut Random) -> Case {
+    const REVOLUTIONS: f64 = 1000.0;
+    let contact = layered(random, true);
+    let (friction, coefficient) = friction(random);
+    let creepage = saturation(&contact, coefficient) * random.decade(0.3, 5.0);
+    let depth = contact.approach.min(contact.thickness()) * random.decade(0.05, 0.5);
+    let (law, _) = law(random, &contact, depth, REVOLUTIONS * 2.0 * contact.half * creepage);
+    let motion = format!(
+        "[motion.rolling]\nload = \"{:e} N\"\ncreepage = {creepage:e}\nrevolutions = {REVOLUTIONS}\n\n",
+        contact.load
+    );
+    let bodies = ACCURACY.to_owned() + &contact.bodies([&law, ""]);
+    Case { text: bodies + &friction + &motion + &outputs(REVOLUTIONS), truths: vec![] }
+}
+
+/// Waves that repeat themselves, pressed together; they yield at times.
+fn pressed_waves(random: &mut Random) -> Case {
+    let across = random.chance(0.4);
+    let waves = Waves::new(random, across);
+    let hardness = random.chance(0.4).then(|| waves.peak * random.between(0.4, 0.95));
+    let motion = format!("[motion.indentation]\nload = \"{:e} Pa\"\nincrements = 4\n", waves.mean);
+    let text = ACCURACY.to_owned() + &waves.bodies("", hardness) + &motion;
+    Case { text, truths: if hardness.is_some() { vec![] } else { waves.truths() } }
+}
+
+/// Waves whose crests wear by less than their height.
+fn worn_waves(random: &mut Random) -> Case {
+    let waves = Waves::new(random, false);
+    let depth = waves.amplitude * random.decade(0.05, 1.0);
+    let coefficient = depth / (waves.mean * DISTANCE);
+    let law = format!("wear.archard.coefficient = \"{coefficient:e} 1/Pa\"\n");
+    let motion = format!(
+        "[motion.sliding]\nload = \"{:e} Pa\"\ndistance = \"{DISTANCE} m\"\n\n",
+        waves.mean
+    );
+    let outputs = "[output]\nat = [\"0.05 m\", \"0.2 m\", \"0.5 m\", \"1 m\"]\n";
+    let text = ACCURACY.to_owned() + &waves.bodies(&law, None) + &motion + outputs;
+    Case { text, truths: vec![] }
+}
+
+/// Bodies of which one yields below the pressure that elastic ones have.
+fn yielding(random: &mut Random) -> Case {
+    let contact = smooth(random, 0.0, false);
+    let hardness = contact.peak() * random.between(0.3, 0.95);
+    let hardness = format!("hardness = \"{hardness:e} Pa\"\n");
+    let bodies = contact.bodies(["", &hardness]);
+    let motion = format!("[motion.indentation]\nload = \"{:e} N\"\nincrements = 4\n", contact.load);
+    Case { text: ACCURACY.to_owned() + &bodies + &motion, truths: vec![] }
 }
 
 /// The shift (m) at which all slips, about: cylinders are held at the depth of their radius.

@@ -158,7 +158,27 @@ pub fn smooth(random: &mut Random, unlike: f64, line: bool) -> Contact {
     coated(random, contact)
 }
 
+/// Bodies that are alike below a layer on the second, nearly incompressible at times.
+pub fn layered(random: &mut Random, line: bool) -> Contact {
+    let contact = smooth(random, 0.0, line);
+    let Some(below) = contact.materials[1] else { return contact };
+    let young = below.young * random.decade(0.3, 3.0);
+    let material = Material { young, poisson: random.between(0.2, 0.48) };
+    let layer = Layer { material, thickness: 2.0 * contact.half * random.decade(0.03, 3.0) };
+    Contact { layer: Some(layer), known: false, ..contact }
+}
+
 impl Contact {
+    /// The largest pressure (Pa) of elastic bodies without layers.
+    pub fn peak(&self) -> f64 {
+        self.peak
+    }
+
+    /// That of the layer (m); endless without one.
+    pub fn thickness(&self) -> f64 {
+        self.layer.map_or(f64::INFINITY, |layer| layer.thickness)
+    }
+
     pub fn alike(&self) -> bool {
         self.materials[0] == self.materials[1]
     }

@@ -61,7 +61,7 @@ fn bars_bend_as_finite_elements_do_and_what_holds_them_bears_the_load() {
             assert_relative_eq!(tip(&found.1), expected, max_relative = tolerance);
             assert_relative_eq!(force(&found, "left"), -500.0, max_relative = 1e-9);
             assert_eq!(
-                elastic_verdict(&found.0, &found.1).word(),
+                elastic_verdict(&found.0, &found.1, &[]).word(),
                 Word::Good,
                 "{length} {divisions}"
             );
@@ -78,11 +78,11 @@ fn coarse_bars_are_told_from_right_ones() {
     for divisions in ["[2, 2, 2]", "[4, 4, 4]", "[5, 2, 2]"] {
         let (body, deformed) = bar(10.0, &format!(", divisions = {divisions}"));
         assert!((tip(&deformed) / 4.003 - 1.0).abs() > 0.3);
-        assert_eq!(elastic_verdict(&body, &deformed).word(), Word::Wrong, "{divisions}");
+        assert_eq!(elastic_verdict(&body, &deformed, &[]).word(), Word::Wrong, "{divisions}");
     }
     for divisions in ["[8, 4, 4]", "[10, 4, 4]"] {
         let (body, deformed) = bar(10.0, &format!(", divisions = {divisions}"));
-        assert_eq!(elastic_verdict(&body, &deformed).word(), Word::Doubtful, "{divisions}");
+        assert_eq!(elastic_verdict(&body, &deformed, &[]).word(), Word::Doubtful, "{divisions}");
     }
 }
 
@@ -112,7 +112,7 @@ fn tubes_bend_as_finite_elements_do() {
             expected,
             max_relative = if divisions.is_empty() { 0.008 } else { 0.014 }
         );
-        assert_eq!(elastic_verdict(&body, &deformed).word(), Word::Good, "{length} {bore}");
+        assert_eq!(elastic_verdict(&body, &deformed, &[]).word(), Word::Good, "{length} {bore}");
         // Plane elements have the area of the round end.
         let load = force(&(body.clone(), deformed.clone()), "back");
         let area = 0.5 * PI * (0.25 - bore * bore);
@@ -163,7 +163,7 @@ fn an_l_shape_from_a_file_bends_as_finite_elements_do() {
     );
     assert_relative_eq!(tip(&found.1), 0.6542, max_relative = 0.013);
     assert_relative_eq!(force(&found, "clamp"), -1000.0, max_relative = 1e-9);
-    assert!(elastic_verdict(&found.0, &found.1).word() < Word::Wrong);
+    assert!(elastic_verdict(&found.0, &found.1, &[]).word() < Word::Wrong);
 }
 
 /// However fast elements grow away from the zone, the cantilever below a ball bends alike: with growth 3 and 2 and

@@ -5,6 +5,7 @@ use archard::motion::Progress;
 use archard::simulation::history::{BODY_DEPTH, MASS_LOSS, WORN_SECTION, WORN_VOLUME, of_body};
 use archard::units::Measure;
 use archard_case::measured::Table;
+use archard_case::verdict::Verdict;
 
 use super::{Comparison, percent, unused};
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
@@ -62,6 +63,7 @@ pub(super) fn compare(results: &Results, table: &Table, body: usize) -> Result<C
         title: format!("{name} over the {course} compared with `{}`", table.source()),
         lines: vec![],
         remarks: vec![],
+        verdict: Verdict::default(),
         panels: vec![],
     };
     let mut used = vec![course];
@@ -71,7 +73,7 @@ pub(super) fn compare(results: &Results, table: &Table, body: usize) -> Result<C
         let Ok(computed) = results.history.column(&column) else {
             let why =
                 if called == "mass" { "give the body its density" } else { "this run has none" };
-            comparison.remarks.push(format!("not compared: {called} of {name}; {why}"));
+            comparison.doubt(&format!("not compared: {called} of {name}; {why}"));
             continue;
         };
         used.push(called);
@@ -126,7 +128,7 @@ fn add(
         Unit::of_column(results.progress().0, end).show(end)
     );
     if within.len() < taken.len() {
-        comparison.remarks.push(format!(
+        comparison.doubt(&format!(
             "readings of the {called} beyond the end of the run, left out: {}",
             taken.len() - within.len()
         ));

@@ -4,6 +4,7 @@ use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{WORN_VOLUME, of_body};
 use archard_case::measured::surface::{Scar, Surface, Unworn};
 use archard_case::output::Image;
+use archard_case::verdict::Verdict;
 
 use super::level::Reading;
 use super::{Comparison, percent, profile};
@@ -45,8 +46,10 @@ pub(super) fn compare(
         None => bowl(results, (surface, &scar, &depths), body)?,
     };
     comparison.lines.splice(1..1, level);
+    let depth = (scar.plane.scatter / scar.deepest, "depth".to_owned());
+    comparison.state([depth, (scar.uncertainty / scar.worn, "worn volume".to_owned())]);
     if scar.gaps > 0 {
-        comparison.remarks.push(format!(
+        comparison.doubt(&format!(
             "places in the scar without a reading, or with one far off those around it: {}",
             scar.gaps
         ));
@@ -156,7 +159,8 @@ fn bowl(
         .map(|axis| panel((name, body, axis), depths, (image, worn), scar))
         .collect();
     let title = format!("{name} compared with the map `{}`", surface.source());
-    Ok(Comparison { title, lines, remarks: vec![], panels })
+    let verdict = Verdict::default();
+    Ok(Comparison { title, lines, remarks: vec![], verdict, panels })
 }
 
 /// A field at a place, from the centres of the elements around it; `None` beyond the frame.

@@ -13,6 +13,7 @@ use anyhow::{Context, Error, Result, ensure};
 use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
 use archard_case::measured::surface::Surface;
+use archard_case::verdict::{self, Verdict, Word};
 
 use crate::plot::draw::Paper;
 use crate::plot::figure::Panel;
@@ -28,8 +29,10 @@ pub(crate) struct Comparison {
     pub(crate) title: String,
     /// What came out: names and values in words.
     pub(crate) lines: Vec<[String; 2]>,
-    /// What was left out or has to be known.
+    /// What has to be known.
     pub(crate) remarks: Vec<String>,
+    /// Whether it can be believed: by the runs, by what was left out, and by the stated errors of what is compared.
+    pub(crate) verdict: Verdict,
     pub(crate) panels: Vec<Panel>,
 }
 
@@ -41,11 +44,47 @@ impl Comparison {
             let legends = panel.marks.iter_mut().filter_map(|mark| mark.legend.as_mut());
             legends.chain([&mut panel.title])
         });
-        let words = self.lines.iter_mut().flatten().chain(&mut self.remarks);
+        let judged = self.verdict.lines.iter_mut().map(|line| &mut line.text);
+        let words = self.lines.iter_mut().flatten().chain(&mut self.remarks).chain(judged);
         for text in panels.chain(words).chain([&mut self.title]) {
             *text = text.replace(&place, "");
         }
         self
+    }
+
+    /// Adds what is doubtful.
+    fn doubt(&mut self, what: &str) {
+        self.verdict.lines.push(verdict::warned(what));
+    }
+
+    /// Adds the largest of some errors that are stated, relative, each with what it is of.
+    fn state(&mut self, errors: impl IntoIterator<Item = (f64, String)>) {
+        let worst = errors.into_iter().max_by(|one, other| one.0.total_cmp(&other.0));
+        self.verdict.lines.extend(worst.map(|(error, what)| verdict::measured(error, &what)));
+    }
+
+    /// Adds how far a run can be believed.
+    fn of_run(&mut self, dir: &Path, run: &Results) {
+        let word = match (run.summary["verdict"]["word"].as_str(), &run.mark) {
+            (Some("wrong"), _) => Word::Wrong,
+            (Some("good"), None) => Word::Good,
+            _ => Word::Doubtful,
+        };
+        let why = run.mark.as_deref().unwrap_or_default();
+        let line = verdict::of_run(word, &format!("`{}`: {why}", dir.display()));
+        self.verdict.lines.insert(0, line);
+    }
+
+    /// Names and values, with the verdict as the last of them.
+    pub(crate) fn told(&self) -> Vec<[String; 2]> {
+        let verdict = ["verdict".to_owned(), self.verdict.in_words()];
+        self.lines.iter().cloned().chain([verdict]).collect()
+    }
+
+    /// What has to be known, and what is not good.
+    pub(crate) fn remarks(&self) -> Vec<String> {
+        let complaints = self.verdict.complaints().map(ToString::to_string);
+        self.remarks.iter().cloned().chain(complaints).collect()
     }
 }
 
@@ -92,12 +131,11 @@ pub(crate) fn picture(
 ) -> Result<(Vec<String>, Picture, Option<String>)> {
     let results = Results::read(dir)?;
     let mut words = Vec::new();
-    words.extend(results.mark.as_ref().map(|mark| format!("`{}`: {mark}", dir.display())));
     let mut panels = Vec::new();
     for comparison in of(dir, &results, others, options)? {
-        words.push(comparison.title);
-        words.extend(comparison.lines.iter().map(|[name, value]| format!("  {name:<34}{value}")));
-        words.extend(comparison.remarks.iter().map(|remark| format!("  {remark}")));
+        words.push(comparison.title.clone());
+        words.extend(comparison.told().iter().map(|[name, value]| format!("  {name:<34}{value}")));
+        words.extend(comparison.remarks().iter().map(|remark| format!("  {remark}")));
         panels.extend(comparison.panels);
     }
     Ok((words, Picture::new("compare", panels), results.mark))
@@ -120,8 +158,11 @@ pub(crate) fn of(
         all.push(runs::compare(dir, results, &folders)?);
     }
     for path in tables {
-        all.push(measured(results, &path, options)?);
+        let mut one = measured(results, &path, options)?;
+        one.state(runs::errors(results, &runs::columns(results)));
+        all.push(one);
     }
+    all.iter_mut().for_each(|one| one.of_run(dir, results));
     Ok(match &options.place {
         Some(place) => all.into_iter().map(|one| one.without(place)).collect(),
         None => all,

@@ -4,6 +4,7 @@ use anyhow::{Context, Result, ensure};
 use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, of_body};
 use archard_case::measured::plane::{FEWEST, Plane};
 use archard_case::measured::surface::Surface;
+use archard_case::verdict::Verdict;
 
 use super::level::{Level, Reading, least};
 use super::{Comparison, percent};
@@ -155,7 +156,11 @@ pub(super) fn compare(
     let panels =
         vec![panel(results, (name, body, axis), &depths, (&along_all(&section), zone, profile))];
     let title = format!("{name} along {} compared with `{source}`", axis.name());
-    Ok(Comparison { title, lines, remarks, panels })
+    let mut comparison = Comparison { title, lines, remarks, verdict: Verdict::default(), panels };
+    if !levelled {
+        comparison.state([(level.plane.scatter / deepest.max(computed), "depth".to_owned())]);
+    }
+    Ok(comparison)
 }
 
 /// Places along an axis and heights of a profile.

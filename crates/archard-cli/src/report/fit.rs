@@ -8,9 +8,9 @@ use serde_json::Value;
 
 use super::figures::Figure;
 use super::html::Html;
-use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
 use super::words::{facts, plain, quantity, range, title_of};
+use super::{name_of, tables};
 use crate::number::percent;
 
 /// What was found, and its picture.
@@ -45,15 +45,15 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
         coefficients.iter().map(|own| own.tests().html() + own.budget().html()).collect();
     all.add("tests", "Test by test", &tests);
     let remarks = found["remarks"].as_array().into_iter().flatten();
-    let remarks = [&found["unsettled"]].into_iter().chain(remarks);
     let remarks: Vec<String> = remarks.filter_map(|one| one.as_str().map(str::to_owned)).collect();
     all.add("remarks", "Remarks", &list(&remarks));
+    all.add("verdict", "Verdict", &tables::verdict(&found).html());
     let header = Header {
         about: "a fit",
         version: found["version"].as_str().unwrap_or(env!("CARGO_PKG_VERSION")),
         title: &title,
         facts: facts(case),
-        verdict: verdict(&found, &coefficients),
+        verdict: verdict(&found),
         mark: None,
         lead: coefficients.iter().flat_map(Coefficient::lead).collect(),
         tiles: coefficients.iter().map(Coefficient::tile).collect(),
@@ -70,24 +70,18 @@ fn picture(dir: &Path) -> Option<Figure> {
     Figure::in_folder(dir, &PICTURES, [title, words])
 }
 
-/// The colour of the verdict and its words.
-fn verdict(found: &Value, coefficients: &[Coefficient<'_>]) -> (&'static str, String) {
-    if found["unsettled"].is_string() {
-        return ("wrong", "the coefficients did not settle".to_owned());
-    }
-    if coefficients.iter().any(|own| own.rejected().is_some()) {
-        return ("wrong", "the tests are not those of one coefficient".to_owned());
-    }
-    let any = |lacks: &dyn Fn(&Coefficient<'_>) -> bool| coefficients.iter().any(lacks);
-    let doubts = [
-        (any(&|own| own.range("next_test_95").is_none()), "too few tests to foresee the next"),
-        (any(&|own| own.0["distance"].is_null()), UNTOLD),
-        (found["doubtful"].get(0).is_some(), "what came out is doubtful: see the remarks"),
-    ];
-    let doubts: Vec<&str> = doubts.into_iter().filter(|one| one.0).map(|one| one.1).collect();
-    match doubts.is_empty() {
-        true => ("good", "the tests agree with the law".to_owned()),
-        false => ("doubtful", doubts.join("; ")),
+/// The colour of the verdict and its words: those of what is worst.
+fn verdict(found: &Value) -> (&'static str, String) {
+    let lines = found["verdict"]["lines"].as_array().map_or(&[][..], Vec::as_slice);
+    let of = |word: &str| -> Vec<&str> {
+        let these = lines.iter().filter(|line| line["word"] == word);
+        these.filter_map(|line| line["words"].as_str()).collect()
+    };
+    match found["verdict"]["word"].as_str() {
+        Some("good") => ("good", "the tests agree with the law".to_owned()),
+        Some("doubtful") => ("doubtful", format!("doubtful: {}", of("doubtful").join("; "))),
+        Some("wrong") => ("wrong", format!("wrong: {}", of("wrong").join("; "))),
+        _ => ("doubtful", "not judged: fit again".to_owned()),
     }
 }
 
@@ -211,36 +205,5 @@ impl Coefficient<'_> {
         let rows = self.0["budget"].as_array().into_iter().flatten().map(row).collect();
         let caption = format!("What {} is uncertain by", self.key());
         Table { caption, heads: vec!["Source", "Relative"], rows }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use serde_json::{Value, json};
-
-    use super::{Coefficient, verdict};
-
-    #[test]
-    fn the_page_says_what_the_terminal_says() {
-        let whole = json!({
-            "next_test_95": [1.0, 2.0], "distance": { "exponent": 1.0, "rejected": false },
-        });
-        let told = |found: Value, change: &[(&str, Value)]| {
-            let mut own = whole.clone();
-            change.iter().for_each(|(key, value)| own[key] = value.clone());
-            let (sign, words) = verdict(&found, &[Coefficient(&own)]);
-            format!("{sign}: {words}")
-        };
-        assert_eq!(told(json!({}), &[]), "good: the tests agree with the law");
-        let doubtful = json!({ "doubtful": ["the run of the model is doubtful: elements"] });
-        for (said, words) in [
-            (told(doubtful, &[]), "doubtful: what came out is doubtful"),
-            (told(json!({}), &[("distance", Value::Null)]), "doubtful: the readings cannot tell"),
-            (told(json!({}), &[("next_test_95", Value::Null)]), "doubtful: too few tests"),
-            (told(json!({ "unsettled": "why" }), &[]), "wrong: the coefficients did not settle"),
-            (told(json!({}), &[("rejected", json!("why"))]), "wrong: the tests are not those"),
-        ] {
-            assert!(said.starts_with(words), "{said}");
-        }
     }
 }

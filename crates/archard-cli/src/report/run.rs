@@ -132,10 +132,11 @@ impl Run<'_> {
         }
         let theory = tables::closed_forms(results).html();
         all.add("theory", "Compared with theory", &theory);
-        let one = |(Comparison { title, lines, remarks, .. }, figures): &(Comparison, Vec<_>)| {
-            let rows = lines.iter().map(|line| line.to_vec()).collect();
-            let table = Table { caption: title.clone(), heads: vec!["Quantity", "Result"], rows };
-            table.html() + list(remarks) + put(figures)
+        let one = |(one, figures): &(Comparison, Vec<_>)| {
+            let rows = one.told().iter().map(|line| line.to_vec()).collect();
+            let caption = one.title.clone();
+            let table = Table { caption, heads: vec!["Quantity", "Result"], rows };
+            table.html() + list(&one.remarks()) + put(figures)
         };
         let compared: Html = self.compared.iter().map(one).collect();
         all.add("compared", "Compared with measurements and other runs", &compared);

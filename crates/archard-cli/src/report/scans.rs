@@ -8,9 +8,9 @@ use serde_json::Value;
 
 use super::figures::Figure;
 use super::html::Html;
-use super::name_of;
 use super::page::{Header, Page, Sections, Table, list};
 use super::words::{quantity, range};
+use super::{name_of, tables};
 
 /// What was found.
 pub(crate) const SCANS: &str = "difference.json";
@@ -54,9 +54,12 @@ pub(super) fn page(dir: &Path) -> Result<Page> {
     let remarks = found["remarks"].as_array().into_iter().flatten();
     let remarks: Vec<String> = remarks.filter_map(|one| one.as_str().map(str::to_owned)).collect();
     all.add("remarks", "Remarks", &list(&remarks));
-    let verdict = match remarks.is_empty() {
-        true => ("good", "the later scan was laid on the earlier one".to_owned()),
-        false => ("doubtful", "see the remarks".to_owned()),
+    all.add("verdict", "Verdict", &tables::verdict(&found).html());
+    let verdict = match found["verdict"]["word"].as_str() {
+        Some("good") => ("good", "good".to_owned()),
+        Some("wrong") => ("wrong", "wrong".to_owned()),
+        Some("doubtful") => ("doubtful", "doubtful".to_owned()),
+        _ => ("doubtful", "not judged".to_owned()),
     };
     let header = Header {
         about: "two scans",

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use archard_case::Case;
 use archard_case::files::{self, Contents};
+use archard_lab::Untold;
 use serde_json::Value;
 
 use crate::arguments::Sweep;
@@ -39,38 +39,17 @@ fn all_known(arguments: &Sweep, fit: &Value) -> Result<(), Failure> {
     let given = [&arguments.set, &arguments.over, &arguments.sample, &arguments.assume];
     let given = given.into_iter().flatten().map(String::as_str);
     let told: Vec<&str> = fitted.chain(given).collect();
-    let missing = untold(&resolved.case, &told);
+    let missing = Untold::of(&resolved.case, &told);
     if missing.is_empty() {
         return Ok(());
     }
-    let values: Vec<String> =
-        missing.iter().map(|(key, value)| format!("`{key}`{value}")).collect();
-    let options: Vec<String> = missing.iter().map(|(key, _)| format!("--assume {key}")).collect();
     Err(Failure::wrong(format!(
         "`{}` has no {}: wear of that body, and what is worn off both together, would be that of a number which no test has \
          told; add {} to take it from the case, put another one there by --set, --over or --sample, or fit both bodies",
         arguments.from.as_deref().unwrap_or(Path::new("fit.json")).display(),
-        values.join(" and no "),
-        options.join(" ")
+        Untold::values(&missing),
+        Untold::options(&missing)
     )))
-}
-
-/// The wear laws of a case of which none of these keys tells anything: their keys, and what the case has there, in words.
-fn untold(case: &Case, told: &[&str]) -> Vec<(String, String)> {
-    let own = |body: &archard_case::BodyCase| {
-        let wear = format!("body.{}.wear", body.name);
-        if told.iter().any(|key| key.starts_with(&wear)) {
-            return None;
-        }
-        let law = format!("{wear}.{}", body.wear.as_ref()?.choice.name);
-        let key = format!("{law}.coefficient");
-        Some(match case.number_at(&key) {
-            Some((0.0, _)) => return None,
-            Some((value, unit)) => (key, format!(", which is {value:.3e} {unit} in the case")),
-            None => (law, String::new()),
-        })
-    };
-    case.bodies.iter().filter_map(own).collect()
 }
 
 fn read(path: &Path) -> Result<Value, String> {

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use archard::simulation::{Observer, Report, Simulation};
-use archard_case::Resolved;
 use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, Inside, ResultFolder, Store};
+use archard_case::{Problem, Resolved};
 
 use crate::interrupt::{Interrupted, Requests};
 use crate::underway::{self, Underway};
@@ -151,7 +151,7 @@ pub fn finish(
     begun: Instant,
     failure: Option<String>,
 ) -> Result<(), Error> {
-    let warnings = resolved.warnings.iter().map(|warning| warning.title()).collect();
+    let warnings = resolved.warnings.iter().map(Problem::warning_of).collect();
     let command = underway::command();
     Underway { folder, begun, command, warnings, bar: None }.finish(failure).map(|_| ())
 }

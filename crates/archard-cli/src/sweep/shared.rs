@@ -10,8 +10,9 @@ use std::time::Instant;
 
 use archard::simulation::history::{self, WEAR_DEPTH, rescaled};
 use archard::simulation::{Observer, Report};
+use archard_case::Problem;
 use archard_case::output::{Claim, Derived, Error, Store};
-use archard_case::verdict::Verdict;
+use archard_case::verdict::{Verdict, Warning};
 
 use super::course::Course;
 use super::design::Row;
@@ -108,7 +109,13 @@ fn attempt(
     let resolved = &rows[shared.runs()].resolved;
     let dir = row::folder(study, shared.runs());
     let folder = Claim::take(&dir)?.begin(&resolved.case.to_string())?;
+    let told = |index: &usize| {
+        let warnings = &rows[*index].resolved.warnings;
+        warnings.iter().map(Problem::warning_of).collect()
+    };
+    let warnings: Vec<Vec<Warning>> = shared.rows.iter().map(told).collect();
     let mut passing = Passing {
+        warnings: &warnings,
         results: Following { folder, requests },
         outputs: vec![],
         places: vec![],
@@ -131,7 +138,8 @@ fn attempt(
         failure = Some("the run did not pass the end of every row".to_owned());
     }
     let Passing { results, history, course, passed, .. } = passing;
-    let all = results.folder.verdict();
+    let all = |position: usize| results.folder.verdict(&warnings[position]);
+    let all: Vec<Verdict> = (0..shared.rows.len()).map(all).collect();
     row::finish(results.folder, resolved, begun, failure.clone())?;
     let from = format!("../{:04}", shared.runs() + 1);
     let write = |(position, &index): (usize, &usize)| {
@@ -149,7 +157,7 @@ fn attempt(
             return Ok((index, outcome));
         }
         let (steps, verdict) =
-            known.map_or((history.len(), &all), |(steps, known)| (*steps, known));
+            known.map_or((history.len(), &all[position]), |(steps, known)| (*steps, known));
         let share = shared.shares[position];
         let kept = match steps.checked_sub(1) {
             Some(last) => {
@@ -164,10 +172,7 @@ fn attempt(
         }
         let failure = failure.as_deref().filter(|_| known.is_none());
         let case_toml = rows[index].resolved.case.to_string();
-        let warnings = &rows[index].resolved.warnings;
-        let warnings: Vec<String> = warnings.iter().map(|warning| warning.title()).collect();
-        Derived { rows: &told, verdict, warnings: &warnings, from: &from, failure }
-            .write(&dir, &case_toml)?;
+        Derived { rows: &told, verdict, from: &from, failure }.write(&dir, &case_toml)?;
         Ok((index, outcome))
     };
     shared.rows.iter().enumerate().map(write).collect()
@@ -176,6 +181,8 @@ fn attempt(
 /// Follows the run: its results, and how far it was where each row ends.
 struct Passing<'a> {
     results: Following<'a>,
+    /// What the user was warned of, by rows.
+    warnings: &'a [Vec<Warning>],
     /// Where fields are put out (the motion's unit): at the outputs of the case.
     outputs: Vec<f64>,
     /// Where the rows end, rising.
@@ -198,8 +205,10 @@ impl Observer for Passing<'_> {
         self.history.push(row);
         self.results.observe(&Report { output, ..*report })?;
         let ended = self.places.iter().filter(|place| reached(place)).count();
-        let verdict = self.results.folder.verdict();
-        self.passed.resize_with(ended, || (self.history.len(), verdict.clone()));
+        for row in self.passed.len()..ended {
+            let verdict = self.results.folder.verdict(&self.warnings[row]);
+            self.passed.push((self.history.len(), verdict));
+        }
         Ok(())
     }
 }

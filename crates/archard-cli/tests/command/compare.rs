@@ -140,6 +140,25 @@ fn runs_are_compared_at_their_ends() {
     ["pin_on_disc", "pin_on_disc_both"].iter().for_each(|name| run(&dir, name));
     let said = printed(&archard(&dir, &["compare", "pin_on_disc", "pin_on_disc_both"]).success());
     assert!(said.contains("wear depth") && said.contains("in `pin_on_disc_both`"), "{said}");
+    let verdict = |said: &str| {
+        let line = said.lines().find(|line| line.trim().starts_with("verdict")).unwrap();
+        line.split_whitespace().skip(1).collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(verdict(&said), "good (2 checks)");
+    // What is doubtful in one of the runs is doubtful in what they are compared by, and so is another end.
+    let case = case("pin_on_disc");
+    let run = ["run", case.to_str().unwrap(), "-o", "coarse", "--quiet"];
+    let short = ["motion.sliding.distance=250 mm", "frame.elements=[8, 8]"];
+    let short = [&run[..], &["--set", short[0], "--set", short[1]]].concat();
+    archard(&dir, &short).success();
+    for pair in [["pin_on_disc", "coarse"], ["coarse", "pin_on_disc"]] {
+        let said = printed(&archard(&dir, &["compare", pair[0], pair[1]]).success());
+        assert!(verdict(&said).starts_with("doubtful (2 of "), "{said}");
+        assert!(said.contains("`coarse`: doubtful: ") && said.contains("ends at"), "{said}");
+    }
+    archard(&dir, &["report", "pin_on_disc", "--measured", "coarse"]).success();
+    let page = fs::read_to_string(dir.path().join("pin_on_disc/report.html")).unwrap();
+    assert!(page.contains("doubtful (2 of "));
 }
 
 #[test]

@@ -51,6 +51,20 @@ fn what_is_worn_between_two_scans_is_said_and_written() {
     let by = worn["standard_uncertainty"].as_f64().unwrap();
     assert!((worn["value"].as_f64().unwrap() - volume).abs() < 3.0 * by, "{worn} {volume}");
     assert!(by < 0.02 * volume, "{worn}");
+    // One verdict: in words, in the file and on the page.
+    let judged = found["verdict"]["word"].as_str().unwrap();
+    assert!(words.contains(&format!("verdict           {judged} (")), "{words}");
+    assert!(read("report.html").contains(&format!("Verdict: <strong>{judged}</strong>")));
+    let lines = found["verdict"]["lines"].as_array().unwrap();
+    let stated = lines.iter().find(|line| line["subject"] == "stated").unwrap();
+    let value = |key: &str| found[key]["value"].as_f64().unwrap();
+    let half = |key: &str| found[key]["interval_95"][1].as_f64().unwrap() - value(key);
+    let largest = (half("worn_volume_m3") / value("worn_volume_m3"))
+        .max(half("net_volume_m3") / value("worn_volume_m3"))
+        .max(half("depth_m") / value("depth_m"));
+    assert!(stated["value"].as_f64().unwrap() >= largest * (1.0 - 1e-9), "{stated} {largest}");
+    let remarks = found["remarks"].as_array().unwrap().len();
+    assert_eq!(lines.iter().filter(|line| line["subject"] == "warning").count(), remarks);
     let tests = read("tests.csv");
     assert!(tests.starts_with("test,distance_m,volume_mm3,u_volume_mm3\nT,250,"), "{tests}");
     assert!(

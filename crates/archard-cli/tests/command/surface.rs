@@ -21,6 +21,16 @@ fn a_measured_ball_is_prepared_said_and_drawn() {
     let scale = ["surface", "ball.txt", "--set", "unit=um", "--set", "pixel=5 um"];
     let whole = printed(&archard(&dir, &scale).success());
     assert!(whole.contains("convex, radius 20.0"), "{whole}");
+    assert!(whole.contains("verdict   good (2 checks)"), "{whole}");
+    // A hole is one whether it is filled or not.
+    let holes = rows.join("\n").replacen(&rows[9][..rows[9].find(' ').unwrap()], "nan", 1);
+    fs::write(dir.path().join("holes.txt"), holes).unwrap();
+    for filled in [&[][..], &["--set", "holes=fill"]] {
+        let holed = [&["surface", "holes.txt"], &scale[2..], filled].concat();
+        let holed = printed(&archard(&dir, &holed).success());
+        assert!(holed.contains("verdict   doubtful (1 of 2 checks)"), "{holed}");
+        assert!(holed.contains("of the points have no height"), "{holed}");
+    }
     let prepared = [&scale[..], &["--set", "form=sphere", "-o", "ball.png"]].concat();
     let rough = printed(&archard(&dir, &prepared).success());
     assert!(rough.contains("form      convex sphere off, radius 20.0"), "{rough}");

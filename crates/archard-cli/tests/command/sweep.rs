@@ -219,6 +219,17 @@ fn only_k_s_counts() {
     let least = (0..8).min_by(|&i, &j| k(&one[i]).total_cmp(&k(&one[j]))).unwrap();
     for (index, (one, other)) in one.iter().zip(&all).enumerate() {
         assert_eq!(k(one), k(other));
+        // What is told of a row is judged as its own run is, warnings included.
+        assert_eq!([&one["verdict"], &one["reason"]], [&other["verdict"], &other["reason"]]);
+        let lines = |study: &str| {
+            let path = format!("{study}/rows/{:04}/summary.json", index + 1);
+            let summary = fs::read_to_string(dir.path().join(path)).unwrap();
+            let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+            let lines = summary["verdict"]["lines"].as_array().unwrap().iter();
+            let lines = lines.filter(|line| line["word"] != "good");
+            lines.map(|line| (line["subject"].clone(), line["word"].clone())).collect::<Vec<_>>()
+        };
+        assert_eq!(lines("study"), lines("separate"), "row {index}");
         for column in [
             "distance_m",
             "load_N",

@@ -24,7 +24,7 @@ fn a_contact_of_few_elements_is_doubtful() {
     let options = ["run", hertz.to_str().unwrap(), "--set", coarse, "-o", "coarse"];
     let ran = printed(&archard(&dir, &options).success());
     let ran = squeezed(&ran);
-    assert!(ran.contains("verdict doubtful (2 of 8 checks)"), "{ran}");
+    assert!(ran.contains("verdict doubtful (1 of 7 checks)"), "{ran}");
     assert!(ran.contains("elements doubtful: ") && ran.contains("(good from 8"), "{ran}");
     assert!(!ran.contains("load met to"), "{ran}");
     assert_eq!(word(&dir, "coarse", "elements"), "doubtful");
@@ -32,6 +32,52 @@ fn a_contact_of_few_elements_is_doubtful() {
     archard(&dir, &["plot", "coarse"]).success();
     let picture = fs::read_to_string(dir.path().join("coarse/plots/overview.svg")).unwrap();
     assert!(picture.contains("doubtful: elements"));
+}
+
+/// What was foreseen and is found counts once, whichever line finds it; a warning that no line repeats counts by itself.
+#[test]
+fn what_is_foreseen_counts_once() {
+    let dir = TempDir::new().unwrap();
+    let wear = "body.ball.wear.archard.coefficient=1e-13 1/Pa";
+    let soft = "body.ball.material.hardness=100 MPa";
+    let wide = [
+        "frame.size=[\"2.7 mm\",\"2.7 mm\"]",
+        "frame.elements=[48, 48]",
+        "body.ball.profile.sphere.radius=2 mm",
+        "body.ball.material.young=50 MPa",
+        "body.flat.material.young=50 MPa",
+    ];
+    let narrow = ["frame.size=[\"0.3 mm\",\"0.3 mm\"]", "frame.elements=[30, 30]"];
+    for (number, (options, subjects)) in [
+        (&["frame.elements=[8, 8]"][..], &["elements"][..]),
+        (&["frame.elements=[48, 48]", soft], &["hardness"]),
+        (&["frame.elements=[8, 8]", soft], &["elements", "hardness"]),
+        (&["frame.elements=[48, 48]", wear], &["warning"]),
+        (&["frame.elements=[8, 8]", wear], &["elements", "warning"]),
+        (&wide, &["half-space"]),
+        (&[narrow[0], narrow[1]], &[]),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let hertz = case("hertz");
+        let folder = format!("{number}");
+        let set = options.iter().flat_map(|option| ["--set", option]);
+        let run = ["run", hertz.to_str().unwrap(), "-o", &folder].into_iter().chain(set);
+        let ran = squeezed(&printed(&archard(&dir, &run.collect::<Vec<_>>())));
+        let summary = fs::read_to_string(dir.path().join(&folder).join("summary.json")).unwrap();
+        let summary: serde_json::Value = serde_json::from_str(&summary).unwrap();
+        let lines = summary["verdict"]["lines"].as_array().unwrap();
+        let bad = lines.iter().filter(|line| line["word"] != "good");
+        let mut bad: Vec<&str> = bad.map(|line| line["subject"].as_str().unwrap()).collect();
+        bad.sort_unstable();
+        assert_eq!(bad, subjects, "{options:?}");
+        assert_eq!(summary["warnings"].as_array().unwrap().len(), bad.len(), "{options:?}");
+        if !bad.is_empty() {
+            let count = format!("({} of {} checks)", bad.len(), lines.len());
+            assert!(ran.contains(&count), "{options:?}: {ran}");
+        }
+    }
 }
 
 /// One line where all is good; every check in words where that is asked for.

@@ -147,8 +147,18 @@ impl Search<'_> {
         Ok(quantities.map(shown).collect())
     }
 
-    /// What is doubtful about the runs, and about what came out.
-    pub(super) fn doubts(&self, found: &[Estimate]) -> Vec<String> {
+    /// What is taken from the case though no reading tells it.
+    pub(super) fn assumed(&self) -> impl Iterator<Item = String> {
+        self.others.iter().map(|(key, value, unit)| {
+            format!(
+                "`{key}` is {value:.3e} {unit}, as in the case: no reading determines it, and the fitted coefficient may depend on \
+                 it; `--uncertain {key}=PERCENT` counts what it is uncertain by"
+            )
+        })
+    }
+
+    /// What is doubtful about the runs.
+    pub(super) fn doubts(&self) -> Vec<String> {
         let mut doubts: Vec<String> = vec![];
         for run in self.known.values() {
             for doubt in &run.doubts {
@@ -156,20 +166,6 @@ impl Search<'_> {
                 if !doubts.contains(&text) {
                     doubts.push(text);
                 }
-            }
-        }
-        for (key, value, unit) in &self.others {
-            doubts.push(format!(
-                "`{key}` is {value:.3e} {unit} in the case: no reading determines it, and the fitted coefficient depends on it; \
-                 give readings of that body, or remove its wear where it does not wear"
-            ));
-        }
-        for own in self.targets.iter().zip(found) {
-            let (target, Estimate { distance, loads, .. }) = own;
-            let doubtful = [(distance, "distance"), (loads, "load")];
-            let doubtful = doubtful.into_iter().filter_map(|(own, of)| Some((own.as_ref()?, of)));
-            for (own, of) in doubtful.filter(|(own, _)| own.is_doubtful()) {
-                doubts.push(format!("{}: exponent of the {of} {}", target.key, own.in_words()));
             }
         }
         for (target, reference) in self.targets.iter().zip(&self.reference) {

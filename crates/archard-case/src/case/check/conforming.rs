@@ -4,7 +4,7 @@
 use super::Parts;
 use super::words::{both, three};
 use crate::case::problem::Problem;
-use crate::verdict;
+use crate::verdict::{self, EDGES};
 use archard::body::Elasticity;
 use archard::compliance::bem::contact::Meeting;
 use archard::estimate::{Contact, Estimate};
@@ -51,7 +51,7 @@ fn worn_through(parts: &Parts<'_>, volume: f64) -> Option<Problem> {
             "the wear will reach the edge of the zone along {} by the end of the motion, by the gaps of the mesh",
             both(&cut)
         );
-        Problem::warning(parts.frame_key("size"), message).help("make the zone larger, where the body goes on")
+        Problem::warning(parts.frame_key("size"), message).judged(EDGES).help("make the zone larger, where the body goes on")
     })
 }
 

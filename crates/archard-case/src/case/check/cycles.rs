@@ -58,7 +58,9 @@ impl Cycles {
                 Solves::AtLeast(lead + cycles * cycle + (cycles - 1) * SOLVES_A_JUMP)
             }
             (Solves::About(cycles), _) => {
-                Solves::About(lead + cycles * (cycle + SOLVES_A_JUMP_BY_ERROR))
+                // Each jump leaves out a cycle at least.
+                let jumps = cycles.min(self.total - cycles);
+                Solves::About(lead + cycles * cycle + jumps * SOLVES_A_JUMP_BY_ERROR)
             }
             (Solves::Exactly(cycles) | Solves::AtLeast(cycles), _) => {
                 let solves = lead + cycles * cycle;

@@ -5,6 +5,7 @@ use super::words::{self, size_list};
 use crate::case::definition::FrameCase;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::verdict::EDGES;
 use archard::body::{Body, Profile};
 use archard::frame::ContactFrame;
 use archard::numerics::SAME;
@@ -169,6 +170,6 @@ fn touch(parts: &Parts<'_>, gap: &[f64]) -> Option<Problem> {
             "the bodies touch first at the edge of the {}: the contact is cut off there",
             parts.frame_word()
         );
-        Problem::warning(parts.frame_key("size"), message)
+        Problem::warning(parts.frame_key("size"), message).judged(EDGES)
     })
 }

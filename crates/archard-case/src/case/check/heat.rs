@@ -4,6 +4,7 @@ use super::words::three;
 use super::{Forecast, Parts};
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::verdict;
 use archard::closed_form::flash_temperature::FAST;
 use archard::friction::{Circumstance, Friction};
 use archard::problem::{Heating, NoTemperature};
@@ -113,6 +114,6 @@ fn slow(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
     Some(if asked(parts) {
         Problem::error(key, message).help("laws that go by the temperature need a faster motion")
     } else {
-        Problem::warning(key, message)
+        Problem::warning(key, message).judged(verdict::heat(peclet).subject)
     })
 }

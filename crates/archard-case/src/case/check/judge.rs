@@ -7,7 +7,7 @@ use super::{
 };
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use crate::verdict::{self, Word};
+use crate::verdict::{self, EDGES, Line, Word};
 use archard::body::Elasticity;
 use archard::estimate::Contact;
 use archard::motion::Stepping;
@@ -206,7 +206,7 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             "the bodies touch along a line that runs through both edges of the {word} along {}: they are computed as if cut off there",
             ["x", "y"][axis]
         );
-        let problem = Problem::warning(key, message);
+        let problem = Problem::warning(key, message).judged(EDGES);
         let help = "`frame.plane_strain = true` computes a line of contact that does not end";
         return Some(if parts.case.is_meshed() || axis == 0 {
             problem
@@ -231,6 +231,7 @@ fn reaches_the_edge(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
         );
         let needed = reach.map(|axis| ROOM * axis);
         Problem::warning(key, message)
+            .judged(EDGES)
             .help(format!("the worn contact needs about {}", wanted(parts, needed)))
     })
 }
@@ -262,7 +263,8 @@ fn few_cells(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
             true => "take more elements there: `contact = { near = [x, y, z], size = .., elements = .. }` divides them, or mesh it finer in Gmsh (`Mesh.MeshSizeMax`, a `Field` of kind Box)".to_owned(),
             false => format!("take more elements or a smaller {}", parts.frame_word()),
         };
-        Problem::warning(parts.frame_key("elements"), message).help(help)
+        let line = verdict::first_contact(fewest);
+        Problem::warning(parts.frame_key("elements"), message).judged(line.subject).help(help)
     })
 }
 
@@ -284,7 +286,9 @@ fn wide(parts: &Parts<'_>, forecast: &Forecast) -> Option<Problem> {
                     three(share)
                 );
                 let shape = if finite.is_some() { "mesh" } else { "profile" };
-                return Some(Problem::warning(Key::of(["body", &body.name, shape]), message));
+                let line = verdict::radius(share, &body.name);
+                let key = Key::of(["body", &body.name, shape]);
+                return Some(Problem::warning(key, message).judged(line.subject));
             }
         }
     }
@@ -299,7 +303,8 @@ fn neglected(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let key = Key::of(["body", &parts.case.bodies[hollow.unwrap_or(1)].name, "profile"]);
     let lines = forecast.estimate.reach().map(|reach| foreseen::neglected(parts, reach));
     let doubts = lines.into_iter().flatten().filter(|line| line.word() != Word::Good);
-    doubts.map(|line| Problem::warning(key.clone(), line.finding())).collect()
+    let problem = |line: Line| Problem::warning(key.clone(), line.finding()).judged(line.subject);
+    doubts.map(problem).collect()
 }
 
 /// A pressure that no elastic body of that hardness bears.
@@ -314,13 +319,14 @@ fn too_soft(parts: &Parts<'_>, contact: &Contact) -> Vec<Problem> {
         let own = || Some((body.indentation_hardness()?, part.child("hardness")));
         let (hardness, key) = by_law.or_else(own)?;
         let over = contact.peak_pressure / hardness;
-        (verdict::hardness(over, &body.name).word() != Word::Good).then(|| {
+        let line = verdict::hardness(over, &body.name);
+        (line.word() != Word::Good).then(|| {
             let message = format!(
                 "the peak pressure {} is {} times the hardness: the body would yield, here it stays elastic",
                 pressure(contact.peak_pressure),
                 three(over)
             );
-            Problem::warning(key, message)
+            Problem::warning(key, message).judged(line.subject)
         })
     });
     hard.collect()

@@ -20,6 +20,7 @@ pub(super) mod memory;
 pub(super) mod pace;
 mod periodic;
 mod rolling;
+pub(super) mod runtime;
 mod shift;
 pub(super) mod slender;
 mod surfaces;

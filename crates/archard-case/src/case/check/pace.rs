@@ -39,7 +39,7 @@ impl fmt::Display for Pace {
 }
 
 /// A time (s) in words.
-fn duration(seconds: f64) -> String {
+pub(super) fn duration(seconds: f64) -> String {
     match seconds {
         short if short < 100.0 => format!("{short:.0} s"),
         middle if middle < 6000.0 => format!("{:.0} min", middle / 60.0),

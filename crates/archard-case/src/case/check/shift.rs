@@ -8,6 +8,7 @@ use super::{Parts, Solves};
 use crate::case::definition::Output;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
+use crate::verdict::EDGES;
 use archard::body::Elasticity;
 use archard::estimate::Contact;
 use archard::motion::{Control, Drive, Shift, Station, Stepping};
@@ -266,6 +267,7 @@ fn scar_beyond_the_frame(parts: &Parts<'_>, forecast: &Forecast) -> Option<Probl
             length(width)
         );
         Problem::warning(parts.frame_key("size"), message)
+            .judged(EDGES)
             .help(format!("it needs about `size = {}`", size_list_up([ROOM * radius; 2])))
     })
 }

@@ -25,6 +25,7 @@ pub(in crate::case) fn problem(body: &BodyCase, longest: f64) -> Option<Problem>
             "an element is {longest:.2} times as long as the body is thick, where it can bend: such elements lose the balance of moments"
         );
         Problem::warning(key, message)
+            .judged(line.subject)
             .help("take elements of two thirds of the thickness at most along the body, and two across")
     })
 }

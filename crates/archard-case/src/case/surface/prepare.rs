@@ -64,6 +64,8 @@ pub struct Preparation {
     pub key: &'static str,
     /// What it took off, in words and numbers.
     pub said: String,
+    /// How many points it gave a height that nobody measured.
+    pub filled: usize,
 }
 
 /// A surface under way.
@@ -178,7 +180,9 @@ impl Preparing {
         said: impl FnOnce(&HeightMap, &HeightMap) -> String,
     ) {
         if let Some(steps) = &mut self.steps {
-            steps.push(Preparation { key, said: said(&self.map, &map) });
+            let filled = self.map.missing().saturating_sub(map.missing());
+            let filled = if key == HOLES.name { filled } else { 0 };
+            steps.push(Preparation { key, said: said(&self.map, &map), filled });
         }
         self.map = map;
     }

@@ -29,7 +29,7 @@ use super::{
     CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals,
     sections,
 };
-use crate::verdict::Verdict;
+use crate::verdict::{Verdict, Warning};
 use archard::estimate::Estimator;
 use archard::simulation::history::TIME_ERROR;
 use archard::simulation::{Observer, Report, row};
@@ -187,9 +187,9 @@ impl ResultFolder {
         &self.dir
     }
 
-    /// Whether what was shown so far can be believed, whatever the user was warned of before.
-    pub fn verdict(&self) -> Verdict {
-        self.evidence.verdict()
+    /// Whether what was shown so far can be believed, with what the user was warned of.
+    pub fn verdict(&self, warnings: &[Warning]) -> Verdict {
+        self.evidence.verdict().warned_of(warnings)
     }
 
     /// Brings all tables to the disk and writes `summary.json`, after a run that reached its end and after one that
@@ -200,12 +200,13 @@ impl ResultFolder {
     pub fn finish(mut self, totals: &Totals) -> Result<Verdict, Error> {
         self.behind.wait()?;
         self.tables.values().try_for_each(Table::sync)?;
-        let own = self.verdict();
+        let own = self.evidence.verdict();
         let doubts = own.complaints().map(|line| format!("{line} ({})", line.word().text()));
-        let told = totals.warnings.iter().cloned().chain(doubts).collect();
-        let verdict = own.ended(totals.failure.as_deref(), &totals.warnings);
-        let totals = Totals { warnings: told, ..totals.clone() };
-        let text = summary::text(self.standing.as_ref(), (self.iterations, &verdict), &totals);
+        let besides = own.besides(&totals.warnings).map(|warning| warning.text.clone());
+        let told: Vec<String> = besides.chain(doubts).collect();
+        let verdict = self.verdict(&totals.warnings).ended(totals.failure.as_deref());
+        let judged = (self.iterations, &verdict);
+        let text = summary::text(self.standing.as_ref(), judged, (totals, &told));
         self.manifest.write(SUMMARY, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(verdict),

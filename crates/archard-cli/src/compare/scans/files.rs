@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use archard_case::files::Inputs;
-use archard_case::output::{Error, Field, Image, Manifest};
+use archard_case::output::{Error, Field, Image, Manifest, verdict_json};
 use archard_surface::difference::{Placement, Uncertain};
 use serde_json::{Value, json};
 
@@ -53,6 +53,7 @@ impl Compared<'_> {
             "regions": { "worn": found.count[0], "piled_up": found.count[1] },
             "missing": found.missing,
             "remarks": self.remarks(),
+            "verdict": verdict_json(&self.verdict()),
         })
     }
 

@@ -1,5 +1,6 @@
 //! What is worn between two scans, in words.
 
+use archard_case::verdict::{self, Verdict, Warning};
 use archard_surface::difference::Uncertain;
 
 use super::Compared;
@@ -39,7 +40,9 @@ impl Compared<'_> {
         let turned = format!("turned by {turned:.0} degrees from x");
         lines.push(line("scar", format!("{long} x {wide} mm, {turned}")));
         lines.push(line("worn area", format!("{} mm2", four(1e6 * found.area))));
-        lines.extend(self.remarks().iter().map(|remark| line("remark", remark.clone())));
+        let verdict = self.verdict();
+        lines.push(line("verdict", verdict.in_words()));
+        lines.extend(verdict.complaints().map(|one| format!("  {}", one.in_words())));
         lines
     }
 
@@ -48,6 +51,25 @@ impl Compared<'_> {
         let [value, by, half] = [own.value, own.standard, own.expanded].map(|own| 1e9 * own);
         let [low, high] = [four(value - half), four(value + half)];
         format!("{}, 95 %: {low} to {high} mm3", with(value, by, "mm3"))
+    }
+
+    /// Whether the result can be believed: what has to be known of it, and the errors of its values, those of volumes relative to the
+    /// worn one.
+    pub(super) fn verdict(&self) -> Verdict {
+        let found = &self.found;
+        let of = |own: &Uncertain, whole: &Uncertain, what| {
+            verdict::measured(own.expanded / whole.value.abs(), what)
+        };
+        let errors = [
+            Some(of(&found.worn, &found.worn, "worn volume")),
+            found.piled.as_ref().map(|piled| of(piled, &found.worn, "volume that is piled up")),
+            Some(of(&found.net, &found.worn, "net volume")),
+            Some(of(&found.depth, &found.depth, "depth")),
+        ];
+        let errors = errors.into_iter().flatten();
+        let worst = errors.max_by(|one, other| one.value.total_cmp(&other.value));
+        let remarks = self.remarks().into_iter().map(Warning::from).collect::<Vec<_>>();
+        Verdict::from_iter(worst).warned_of(&remarks)
     }
 
     /// What has to be known of the result.
