@@ -1,14 +1,14 @@
 //! Simulations of cases, with what Python puts into them.
 
-use std::error::Error as StdError;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use archard::accuracy::Unsettled;
 use archard::problem::ContactProblem;
-use archard::simulation::{Companions, Observer, Report, Simulation};
+use archard::simulation::Simulation;
 use archard::wear::try_out;
 use archard_case::output::Store;
-use archard_case::{Case, Following, Resolved, Unsettled};
+use archard_case::{Case, Resolved};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::ThreadPool;
@@ -84,76 +84,42 @@ impl Laws {
     }
 }
 
-/// Nobody follows the runs on fewer elements.
-impl Observer for Laws {
-    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        Ok(())
-    }
-}
-
-impl Following for Laws {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-
-    fn prepare(
-        &mut self,
-        simulation: &mut Simulation,
-    ) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        Ok(self.put(simulation)?)
-    }
-}
-
-/// The case on the elements that its accuracy takes, what says how far off they are, and the laws again.
-pub fn companions(
+/// The simulation of a case with its laws, and the case on the elements that its accuracy takes; also what is doubtful about kept
+/// compliances.
+pub fn settled(
     py: Python<'_>,
     pool: &ThreadPool,
     resolved: Resolved,
     cache: Option<PathBuf>,
-    mut laws: Laws,
-) -> PyResult<(Resolved, Option<Companions>, Laws)> {
+    laws: Laws,
+) -> PyResult<(Resolved, Simulation, Vec<String>)> {
     let failed = laws.failed.clone();
     let work = move || {
         let store = cache.map(Store::new).or_else(Store::of_user);
-        let settled = guarded(|| Ok(resolved.with_companions(store.as_ref(), &mut laws)));
-        (settled, laws)
+        let mut refused = None;
+        let mut build = |case: &Case| {
+            let built =
+                store.as_ref().map_or_else(|| case.build(), |store| case.build_keeping(store));
+            let mut simulation = built?;
+            match laws.put(&mut simulation) {
+                Ok(()) => Ok(simulation),
+                Err(error) => Err(refused.insert(error).to_string().into()),
+            }
+        };
+        let settled = guarded(|| Ok(resolved.settle(&mut build, &mut |_| Ok(()))));
+        let doubts = store.map(|store| store.doubts()).unwrap_or_default();
+        (settled, refused, doubts)
     };
-    let (settled, laws) = away(py, pool, work).unless_interrupted()?;
+    let (settled, refused, doubts) = away(py, pool, work).unless_interrupted()?;
     let settled = settled.map_err(|_: Broken| raised(&failed))?;
-    let (resolved, companions) = settled.map_err(|error| match error {
+    if let Some(refused) = refused {
+        return Err(refused);
+    }
+    let (resolved, simulation) = settled.map_err(|error| match error {
         Unsettled::Run { cause, .. } if cause.is_of_convergence() => {
             NotConverged::new_err(cause.to_string())
         }
-        Unsettled::Unprepared(error) => match error.downcast::<PyErr>() {
-            Ok(raised) => *raised,
-            Err(error) => RunError::new_err(error.to_string()),
-        },
         error => RunError::new_err(error.to_string()),
     })?;
-    Ok((resolved, companions, laws))
-}
-
-/// Builds a simulation with its laws; also what is doubtful about kept compliances.
-pub fn build(
-    py: Python<'_>,
-    pool: &ThreadPool,
-    case: &Case,
-    cache: Option<PathBuf>,
-    laws: Laws,
-) -> PyResult<(Simulation, Vec<String>)> {
-    let case = case.clone();
-    let work = move || {
-        let store = cache.map(Store::new).or_else(Store::of_user);
-        let built = match &store {
-            Some(store) => case.build_keeping(store),
-            None => case.build(),
-        };
-        let doubts = store.map(|store| store.doubts()).unwrap_or_default();
-        let mut simulation = built.map_err(|error| RunError::new_err(error.to_string()))?;
-        laws.put(&mut simulation)?;
-        Ok((simulation, doubts))
-    };
-    away(py, pool, work).unless_interrupted()?
+    Ok((resolved, simulation, doubts))
 }

@@ -15,7 +15,7 @@ use pyo3::prelude::*;
 use rayon::ThreadPool;
 
 use crate::away::{Outcome, away, pool};
-use crate::build::{Laws, Samples, build, companions};
+use crate::build::{Laws, Samples, settled};
 use crate::case::{CaseFile, refused, resolve};
 use crate::fields::{Fields, Snapshot};
 use crate::law::{Failed, Given, Stopped};
@@ -92,28 +92,27 @@ impl Run {
         let failed = Failed::default();
         let laws = Laws { wear: laws, friction, failed: failed.clone() };
         laws.fit(&resolved.case)?;
-        let (resolved, companions, laws) = companions(py, &wide, *resolved, cache.clone(), laws)?;
-        let case = resolved.case;
-        let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
-        let case_toml = format!("{remark}{case}");
+        let case = &resolved.case;
         let inside = Inside::at(case.points.clone()).on(case.sections.clone());
         let files = inside.files(case.bodies.each_ref().map(|body| body.name.as_str()));
         let claim = Claim::take(&folder).map_err(unwritten)?.adding(files);
         let claim = if force { claim.adopting() } else { claim };
-        if !resume && !force && claim.holds_another(|known| known == case_toml) {
+        let is_its = |known: &str| {
+            known.strip_prefix(remark).is_some_and(|known| resolved.is_printed(known))
+        };
+        if !resume && !force && claim.holds_another(is_its) {
             return Err(taken(&folder));
         }
         let kept = cache.clone().map(Store::new).or_else(Store::of_user);
-        let (simulation, doubts) = match build(py, &pool, &case, cache, laws) {
-            Ok((mut simulation, doubts)) => {
-                simulation.companions = companions;
-                (simulation, doubts)
-            }
+        let (resolved, simulation, doubts) = match settled(py, &wide, *resolved, cache, laws) {
+            Ok(settled) => settled,
             Err(error) => {
                 claim.give_up();
                 return Err(error);
             }
         };
+        let case = &resolved.case;
+        let pool = if threads.is_none() && case.is_small() { pool(Some(1))? } else { wide };
         let (results, stage) = if resume {
             let (results, kept) = claim.resume(&simulation).map_err(|error| match error {
                 archard_case::output::Error::NotResumed { .. } => {
@@ -123,7 +122,7 @@ impl Run {
             })?;
             (results, Stage::Kept(simulation, kept))
         } else {
-            (claim.begin(&case_toml).map_err(unwritten)?, Stage::Built(simulation))
+            (claim.begin(&format!("{remark}{case}")).map_err(unwritten)?, Stage::Built(simulation))
         };
         let warnings = resolved.warnings.iter().map(Problem::warning_of);
         Ok(Self {

@@ -65,3 +65,19 @@ def test_studies_have_a_grid_a_row(tmp_path: Path) -> None:
     written = (tmp_path / "rows" / "0001" / "summary.json").stat().st_mtime_ns
     archard.sweep(PIN, over, out=tmp_path)
     assert (tmp_path / "rows" / "0001" / "summary.json").stat().st_mtime_ns == written
+
+
+def test_a_folder_is_refused_before_the_runs_that_judge_elements(tmp_path: Path) -> None:
+    """Those may take long, and are for nothing where results of another law are there."""
+    archard.Case(PIN).run(out=tmp_path)
+    asked = []
+
+    def law(p: Any, s: Any) -> Any:
+        asked.append(len(p))
+        return 1e-13 * p * s
+
+    with pytest.raises(FileExistsError, match="another case"):
+        archard.Case(PIN).run(out=tmp_path, laws={"pin": law})
+    assert not asked
+    assert archard.Case(PIN).run(out=tmp_path, laws={"pin": law}, force=True).complete
+    assert asked

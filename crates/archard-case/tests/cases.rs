@@ -166,12 +166,9 @@ fn run(folder: &Path, options: &[String], store: &Store) -> Result<Results, Stri
             return Ok(Results { points: vec![], rows: Rows(rows) });
         }
     };
-    let settled = resolved.with_companions(Some(store), &mut Rows::default());
-    let (resolved, companions) = settled.map_err(|error| error.to_string())?;
     // Cases of the same body share its compliance.
-    let built = resolved.case.build_keeping(store);
-    let mut simulation = built.map_err(|error| error.to_string())?;
-    simulation.companions = companions;
+    let settled = resolved.settle(&mut |case| Ok(case.build_keeping(store)?), &mut |_| Ok(()));
+    let (_, simulation) = settled.map_err(|error| error.to_string())?;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(Results { points: vec![], rows })

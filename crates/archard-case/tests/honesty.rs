@@ -22,9 +22,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::Instant;
 
+use archard::accuracy::Event;
 use archard::simulation::history::{CONTACT_AREA, LOAD, Row, number, stated as stated_of};
 use archard::simulation::{Observer, Report, row};
-use archard_case::{CaseFile, Following, Resolved};
+use archard_case::{CaseFile, Resolved};
 
 use cases::{Case, MOTIONS};
 use contact::Truth;
@@ -62,18 +63,6 @@ impl Observer for Outputs {
     }
 }
 
-impl Following for Outputs {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn goes_on(&mut self) -> bool {
-        self.1 < WORK
-    }
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-}
-
 /// The case of a number.
 fn case(case: u64) -> (&'static str, Case) {
     let fold = |seed: u64, letter: u8| seed.wrapping_mul(31).wrapping_add(u64::from(letter));
@@ -104,11 +93,14 @@ fn finer(own: &Resolved) -> Vec<String> {
 
 /// The rows of a case, as a command makes them.
 fn rows(resolved: Resolved) -> Result<Vec<Row>, String> {
-    let (resolved, companions) = resolved
-        .with_companions(None, &mut Outputs::default())
-        .map_err(|error| format!("no grid: {error}"))?;
-    let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
-    simulation.companions = companions;
+    let mut done = Outputs::default();
+    let mut watch = |event: Event<'_>| match event {
+        Event::Shows(report) => done.observe(report),
+        Event::Judged if done.1 >= WORK => Err("enough was tried".into()),
+        _ => Ok(()),
+    };
+    let settled = resolved.settle(&mut |case| Ok(case.build()?), &mut watch);
+    let (_, simulation) = settled.map_err(|error| format!("no grid: {error}"))?;
     let mut rows = Outputs::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok(rows.0)

@@ -1,85 +1,99 @@
 //! The runs on coarser grids that come before one with an `accuracy`.
 
-use std::error::Error as StdError;
 use std::time::{Duration, Instant};
 
-use archard::simulation::{Companions, Error, Observer, Report};
+use archard::accuracy::{Event, Failed, Unsettled};
+use archard::simulation::{Error, Observer, Simulation};
 use archard::units::{self, Measure};
-use archard_case::{Following, Resolved, Task, Unsettled};
+use archard_case::{Case, Resolved, Task};
 
 use crate::arguments::Run;
+use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::interrupt::{Interrupted, Watch};
 use crate::progress::Follower;
 use crate::run::one_thread;
 
-/// Shows them, and ends where that is asked for.
-struct Follow<'a> {
-    watch: Watch,
-    follower: &'a mut Follower,
-    begun: Instant,
-    budget: Option<Duration>,
+/// How long a grid is sought; `None` for as long as it takes.
+///
+/// # Errors
+/// If the argument says no time, or the task asks for no accuracy.
+pub fn budget(task: &Task, arguments: &Run) -> Result<Option<Duration>, Failure> {
+    let budget = arguments.budget.as_deref().map(time).transpose()?;
+    let seeks = matches!(task, Task::Contact(resolved) if resolved.case.accuracy.is_some());
+    if budget.is_some() && !seeks {
+        let message = "--budget: no `accuracy` is asked for that a grid is sought for";
+        return Err(Failure::Wrong(message.to_owned()));
+    }
+    Ok(budget)
 }
 
-impl Following for Follow<'_> {
-    fn plans(&mut self, elements: &[[usize; 2]]) {
-        self.follower.plan(elements);
-    }
-
-    fn begins(&mut self, [nx, ny]: [usize; 2]) {
-        let what = format!("estimating the discretisation error: {nx} x {ny} elements");
-        self.follower.begin_before(what);
-    }
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-
-    fn goes_on(&mut self) -> bool {
-        self.budget.is_none_or(|budget| self.begun.elapsed() < budget)
-    }
-
-    fn falls_short(&mut self, why: &Unsettled) {
-        self.follower.tell(&format!("{why}; the run goes on with that"));
-    }
+/// A case on the elements that its accuracy takes.
+pub struct Settled {
+    /// The case.
+    pub resolved: Resolved,
+    /// Its simulation.
+    pub simulation: Simulation,
+    /// What is doubtful about kept compliances.
+    pub doubts: Vec<String>,
+    /// When it began; runs on coarser grids are none of its time.
+    pub begun: Instant,
 }
 
-impl Observer for Follow<'_> {
-    fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        self.follower.observe(report)?;
-        self.watch.observe(report)
-    }
-}
-
-/// The task on the elements that its accuracy takes, and what says how far off they are.
+/// A case on the elements that its accuracy takes, which are sought as long as a budget lasts.
 pub fn settle(
-    task: Task,
-    (watch, follower): (&Watch, &mut Follower),
+    resolved: Resolved,
+    watch: &Watch,
+    follower: &mut Follower,
     arguments: &Run,
-) -> Result<(Task, Option<Companions>), Failure> {
-    let budget = arguments.budget.as_deref().map(budget).transpose()?;
-    let resolved = match task {
-        Task::Contact(resolved) if resolved.case.accuracy.is_some() => resolved,
-        task if budget.is_none() => return Ok((task, None)),
-        _ => {
-            let message = "--budget: no `accuracy` is asked for that a grid is sought for";
-            return Err(Failure::Wrong(message.to_owned()));
+    budget: Option<Duration>,
+) -> Result<Settled, Failure> {
+    let (begun, mut watching, store) = (Instant::now(), watch.clone(), arguments.store());
+    let (small, sought) = (resolved.case.is_small(), resolved.case.accuracy.is_some());
+    let equations = Equations::new(follower.bar(), arguments.quiet);
+    let mut watched = |event: Event<'_>| -> Result<(), Failed> {
+        match event {
+            Event::Plans(elements) => follower.plan(elements),
+            Event::Begins([nx, ny]) => {
+                let what = format!("estimating the discretisation error: {nx} x {ny} elements");
+                follower.begin_before(what);
+            }
+            Event::Shows(report) => {
+                follower.observe(report)?;
+                watching.observe(report)?;
+            }
+            Event::Judged if budget.is_some_and(|budget| begun.elapsed() >= budget) => {
+                return Err("the budget is spent".into());
+            }
+            Event::Judged => {}
+            Event::FallsShort(why) => {
+                follower.tell(&format!("{why}; the run goes on with that"));
+            }
         }
+        Ok(())
     };
-    let store = arguments.store();
-    let small = arguments.threads.is_none() && resolved.case.is_small();
-    let mut follow = Follow { watch: watch.clone(), follower, begun: Instant::now(), budget };
-    let settle = || resolved.with_companions(store.as_ref(), &mut follow);
-    let settled = if small { one_thread()?.install(settle) } else { settle() };
-    let (resolved, companions) = settled.map_err(failure)?;
-    if companions.is_some() {
+    let settle = || {
+        let mut build = |case: &_| {
+            Ok(Case::build_telling(case, store.as_ref(), &|making| equations.are(making))?)
+        };
+        resolved.settle(&mut build, &mut watched)
+    };
+    let settled = match arguments.threads.is_none() && small {
+        true => one_thread()?.install(settle),
+        false => settle(),
+    };
+    equations.done();
+    let (resolved, simulation) = settled.map_err(failure)?;
+    if sought {
         follower.tell(&grid(&resolved));
     }
-    Ok((Task::Contact(Box::new(resolved)), companions))
+    let doubts = store.map(|store| store.doubts()).unwrap_or_default();
+    let begun = if sought { Instant::now() } else { begun };
+    Ok(Settled { resolved, simulation, doubts, begun })
 }
 
 /// A time that is given for the search.
-fn budget(text: &str) -> Result<Duration, Failure> {
+fn time(text: &str) -> Result<Duration, Failure> {
     let wrong = |why: String| Failure::Wrong(format!("--budget {text}: {why}"));
     let seconds = units::read(text, &Measure::TIME).map_err(|error| wrong(error.to_string()))?;
     let budget = Duration::try_from_secs_f64(seconds).map_err(|error| wrong(error.to_string()))?;

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use archard::frame::Direction;
 use archard::motion::{Control, Shift};
 use archard::simulation::history::{
-    self, BODY_DEPTH, CREEPAGE, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, IMPRINT, IMPRINT_VOLUME,
-    LAYER_VOLUME, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE, WORN_SECTION,
-    WORN_VOLUME, of_body, stated,
+    self, BODY_DEPTH, CREEPAGE, ERROR, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, IMPRINT,
+    IMPRINT_VOLUME, LAYER_VOLUME, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE,
+    WORN_SECTION, WORN_VOLUME, of_body, stated,
 };
 use archard::simulation::{Effort, Simulation};
 use archard_case::Forecast;
@@ -240,7 +240,7 @@ impl Outcome<'_> {
         let size = |components: Vec<f64>| components.into_iter().fold(0.0, f64::hypot);
         let of = |column: &&str| stated(column, |name| self.follower.number(name));
         let Some(errors) = columns.iter().map(of).collect::<Option<Vec<_>>>() else {
-            let estimates = self.simulation.companions.is_some();
+            let estimates = self.follower.number(ERROR).is_some();
             return if estimates { "error not known".to_owned() } else { String::new() };
         };
         let value = size(columns.iter().map(|column| self.last(column)).collect());

@@ -2,19 +2,17 @@
 
 use std::num::NonZero;
 use std::path::Path;
-use std::time::Instant;
 
-use archard::simulation::{Companions, Effort, Error, Observer};
+use archard::simulation::{Effort, Error, Observer};
 use archard_case::output::{self, Inside, Totals};
 use archard_case::verdict::{Verdict, Warning};
 use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use crate::arguments::{Report, Run};
-use crate::companions;
+use crate::companions::{self, Settled};
 use crate::diagnose;
 use crate::elastic;
-use crate::equations::Equations;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
@@ -51,12 +49,14 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 /// Runs a case in the folder that is held.
 fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
-    let (task, companions) = companions::settle(task, (watch, &mut follower), arguments)?;
+    let budget = companions::budget(&task, arguments)?;
     match &task {
         Task::Contact(resolved) => {
-            let (companions, case_toml) = ((companions, follower), task.case_toml());
-            let contact = || contact(resolved, companions, &case_toml, watch, (arguments, dir));
-            match arguments.threads.is_none() && resolved.case.is_small() {
+            let resolved = Resolved::clone(resolved);
+            let settled = companions::settle(resolved, watch, &mut follower, arguments, budget)?;
+            let small = settled.resolved.case.is_small();
+            let contact = || contact(settled, watch, follower, (arguments, dir));
+            match arguments.threads.is_none() && small {
                 true => one_thread()?.install(contact),
                 false => contact(),
             }
@@ -81,21 +81,14 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
 
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
-    Resolved { case, forecast, warnings, .. }: &Resolved,
-    (companions, mut follower): (Option<Companions>, Follower),
-    case_toml: &str,
+    settled: Settled,
     watch: &Watch,
+    mut follower: Follower,
     (arguments, dir): (&Run, &Path),
 ) -> Result<(), Failure> {
-    let begun = Instant::now();
+    let Settled { resolved, simulation, doubts, begun } = settled;
+    let Resolved { case, forecast, warnings, .. } = &resolved;
     follower.begin();
-    let store = arguments.store();
-    let equations = Equations::new(follower.bar(), arguments.quiet);
-    let built = case.build_telling(store.as_ref(), &|making| equations.are(making));
-    equations.done();
-    let mut simulation = built.map_err(|error| Failure::wrong(error.to_string()))?;
-    simulation.companions = companions;
-    let doubts = store.map(|store| store.doubts()).unwrap_or_default();
     if !arguments.quiet {
         doubts.iter().for_each(|doubt| tell(&format!("warning: {doubt}\n")));
         if let Some(surfaces) = forecast.surfaces {
@@ -107,7 +100,7 @@ fn contact(
     let mut kept = None;
     let begin = |claim: output::Claim| {
         let (folder, command) = match arguments.resume {
-            None => (claim.begin(case_toml)?, underway::command()),
+            None => (claim.begin(&case.to_string())?, underway::command()),
             Some(_) => {
                 // Going on removes the summary.
                 let commands = underway::commands(dir);

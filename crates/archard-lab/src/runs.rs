@@ -13,7 +13,7 @@ use archard::numerics::WRITTEN;
 use archard::simulation::{self, Observer, Report, Simulation, history};
 use archard_case::output::{Claim, ResultFolder, Store, Totals};
 use archard_case::verdict::{Verdict, Word};
-use archard_case::{CaseFile, Problem, Resolved, Severity};
+use archard_case::{BuildError, Case, CaseFile, Problem, Resolved, Severity};
 
 /// What follows the runs of a fit.
 pub trait Following {
@@ -39,6 +39,11 @@ pub(super) struct Runner<'a> {
     /// Number of runs so far, and the files they are kept in.
     pub count: usize,
     pub kept: Vec<PathBuf>,
+}
+
+/// The simulation of a case.
+pub(super) fn built(case: &Case, store: Option<&Store>) -> Result<Simulation, BuildError> {
+    store.map_or_else(|| case.build(), |store| case.build_keeping(store))
 }
 
 /// How a run differs from what the case says.
@@ -81,11 +86,8 @@ impl Runner<'_> {
             resolved.case.frame.elements = resolved.case.frame.elements.map(|n| n.div_ceil(2));
         }
         let failed = |why: String| Error::Run { settings: settings.clone(), why };
-        let built = match self.store {
-            Some(store) => resolved.case.build_keeping(store),
-            None => resolved.case.build(),
-        };
-        let mut simulation = built.map_err(|error| failed(error.to_string()))?;
+        let mut simulation =
+            built(&resolved.case, self.store).map_err(|error| failed(error.to_string()))?;
         if changes.coarse_steps {
             simulation.schedule.stepping = match simulation.schedule.stepping {
                 Stepping::Implicit(step) => Stepping::Implicit(2.0 * step),

@@ -18,14 +18,15 @@ use conclude::changed;
 use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
-use super::runs::{Changes, Following, Run, Runner};
+use super::runs::{Changes, Following, Run, Runner, built};
 use super::surfaces;
 use super::untold::{self, Untold};
 use super::{Common, Error, Estimate, Expected, Files, Study, Test};
-use archard::simulation::{self, Observer};
+use archard::accuracy::{Event, Unsettled};
+use archard::simulation;
 use archard_case::measured::Table;
 use archard_case::output::Store;
-use archard_case::{Case, CaseFile, Resolved, Source, Unsettled};
+use archard_case::{Case, CaseFile, Resolved, Source};
 
 /// The factor by which a coefficient is changed to find a slope by a difference: small, and far above the error of the steps.
 const TRIED: f64 = 1.1;
@@ -136,7 +137,12 @@ fn settled(
     if resolved.case.accuracy.is_none() {
         return Ok((file.clone(), resolved.case));
     }
-    let settled = resolved.with_companions(store, &mut Companions(following));
+    let observer = following.observer();
+    let mut watch = |event: Event<'_>| match event {
+        Event::Shows(report) => observer.observe(report),
+        _ => Ok(()),
+    };
+    let settled = resolved.settle(&mut |case| Ok(built(case, store)?), &mut watch);
     let (settled, _) = settled.map_err(|error| match error {
         Unsettled::Run { elements, cause } => match *cause {
             simulation::Error::Observer(cause) => Error::Stopped { cause, runs: 0 },
@@ -148,17 +154,6 @@ fn settled(
     })?;
     let case = Case { accuracy: None, ..settled.case };
     Ok((CaseFile::from_text(file.name(Source::File), case.to_string(), ""), case))
-}
-
-/// Follows the runs that judge elements.
-struct Companions<'a>(&'a mut dyn Following);
-
-impl archard_case::Following for Companions<'_> {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self.0.observer()
-    }
 }
 
 /// The key of the load, where tests have loads of their own.

@@ -58,6 +58,9 @@
 //! [`Path`](motion::Path); the [`Builder`](simulation::Builder) also takes friction, solvers and outputs.
 //! The folder `examples` has a program for each motion.
 //!
+//! [`Builder::settle`](simulation::Builder::settle) takes a relative error in place of elements and steps that are known to be
+//! enough: see [`accuracy`].
+//!
 //! Results go to the [observers](simulation::Observer) handed to `run`.
 //!
 //! Case files, files of results and what can be believed of them are in the crate `archard-case`, fits in `archard-lab`.
@@ -74,6 +77,7 @@
 //! SI units everywhere. Signs and axes are
 //! stated in [`frame`].
 
+pub mod accuracy;
 pub mod body;
 pub mod closed_form;
 pub mod compliance;

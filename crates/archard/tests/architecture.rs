@@ -17,6 +17,7 @@ const LAYERS: &[&[&str]] = &[
     &["elastic", "problem"],
     &["solve"],
     &["simulation", "estimate"],
+    &["accuracy"],
     &["verdict", "measured"],
     &["files"],
     &["output"],

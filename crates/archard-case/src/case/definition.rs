@@ -6,6 +6,7 @@ use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use super::material::MaterialCase;
 use crate::output::Store;
+pub(in crate::case) use archard::accuracy::MOST;
 use archard::body::mesh::{MeshError, Meshed, Shape, Supported};
 use archard::body::{Body, Elasticity, Finite, Interpolation, Layer, Profile, Support, Thermal};
 use archard::compliance::bem::contact::{self, Condense, Job, condense};
@@ -21,8 +22,6 @@ use archard::solve::Solver;
 use archard::solve::tangential::FrictionSolver;
 use archard::wear::{Layered, WearLaw};
 
-/// Most elements along an axis: so many by so many take some 4 GB.
-pub(in crate::case) const MOST: usize = 1 << 12;
 /// Elements up to which one thread is the default: `twin_disc`, with 41 x 81, hardly gains from a second one, which
 /// takes far more of the processors' time.
 const FEW_ELEMENTS: usize = 60 * 60;

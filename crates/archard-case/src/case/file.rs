@@ -109,8 +109,10 @@ impl Resolved {
         let time = Runtime::of(&self.case, &self.forecast);
         let time = time.map_or_else(String::new, |time| time.to_string());
         let mut text = format!("# What to expect\n\n{}{pace}{time}{beside}", self.forecast);
-        if self.chose.size || self.chose.elements {
-            text += "\nThe frame was chosen; runs on coarser grids may ask for more elements.\n";
+        match self.refined() {
+            Some(refined) => text += &refined.to_string(),
+            None if self.chose.size => text += "\nThe size of the frame was chosen.\n",
+            None => {}
         }
         let lines = &self.forecast.verdict.lines;
         if !lines.is_empty() {

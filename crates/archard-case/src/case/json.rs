@@ -2,9 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
-use super::check::{Forecast, Solves};
+use super::accuracy::Refined;
+use super::check::Solves;
 use super::elastic::ElasticForecast;
-use super::file::{CaseFile, Task};
+use super::file::{CaseFile, Resolved, Task};
 use super::problem::{Location, Problem};
 use super::wheel_rail::WheelRailForecast;
 use crate::output::{estimate_json, verdict_json};
@@ -26,7 +27,7 @@ impl CaseFile {
                     "case": task.case_toml(),
                 });
                 let expected = match &task {
-                    Task::Contact(resolved) => contact(&resolved.forecast),
+                    Task::Contact(resolved) => contact(resolved),
                     Task::Elastic(resolved) => elastic(&resolved.forecast),
                     Task::WheelRail(resolved) => wheel_rail(&resolved.forecast),
                 };
@@ -66,12 +67,26 @@ impl CaseFile {
     }
 }
 
-fn contact(forecast: &Forecast) -> Value {
-    let (known, solves) = match forecast.solves {
+fn solves_json(solves: Solves) -> Value {
+    let (known, solves) = match solves {
         Solves::Exactly(solves) => ("exactly", solves),
         Solves::AtLeast(solves) => ("at least", solves),
         Solves::About(solves) => ("about", solves),
     };
+    json!({ "known": known, "count": solves })
+}
+
+fn refined(Refined { begins, elements, solves, memory }: Refined) -> Value {
+    json!({
+        "begins": begins,
+        "elements": elements,
+        "contact_solves": solves_json(solves),
+        "memory_bytes": memory,
+    })
+}
+
+fn contact(resolved: &Resolved) -> Value {
+    let forecast = &resolved.forecast;
     let unknowns: Map<String, Value> =
         forecast.unknowns.iter().map(|(body, count)| (body.clone(), json!(count))).collect();
     let surfaces: Map<String, Value> =
@@ -79,11 +94,12 @@ fn contact(forecast: &Forecast) -> Value {
     json!({
         "closed_form": estimate_json(&forecast.estimate),
         "elements_across": forecast.cells_across,
-        "contact_solves": { "known": known, "count": solves },
+        "contact_solves": solves_json(forecast.solves),
         "pairs": forecast.pairs,
         "unknowns": unknowns,
         "surfaces": surfaces,
         "memory_bytes": forecast.memory,
+        "refined": resolved.refined().map(refined),
         "verdict_foreseen": verdict_json(&forecast.verdict),
     })
 }

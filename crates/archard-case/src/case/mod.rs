@@ -52,7 +52,7 @@ mod tree;
 mod unclosed;
 mod wheel_rail;
 
-pub use accuracy::{Chose, Following, Unsettled};
+pub use accuracy::{Chose, Refined};
 pub use check::{
     BesideHalfSpace, Cycles, Equivalent, Finiteness, Forecast, Solves, Surfaces, free_memory,
 };

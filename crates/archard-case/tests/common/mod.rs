@@ -16,7 +16,7 @@ use archard::simulation::history::number;
 use archard::simulation::{Effort, Error, Observer, Report, Simulation, row};
 use archard::solve::{ConjugateGradient, SOLVERS, Settings, Solver, Step};
 use archard::wear::Archard;
-use archard_case::{CaseFile, Following};
+use archard_case::CaseFile;
 
 /// The steel of the reference problems.
 pub const STEEL: Material = Material { young: 210e9, poisson: 0.3 };
@@ -208,14 +208,6 @@ pub fn peak(field: &[f64]) -> f64 {
 /// Keeps the rows of a run.
 #[derive(Debug, Default)]
 pub struct Rows(pub Vec<Vec<(String, f64)>>);
-
-impl Following for Rows {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
-}
 
 impl Observer for Rows {
     fn observe(

@@ -94,10 +94,8 @@ fn answer(folder: &Path, accuracy: &str) -> Result<(Vec<Row>, [usize; 2], f64), 
         problems.iter().map(|problem| file.describe(problem)).collect::<Vec<_>>().join(" ")
     };
     let resolved = file.resolve().map_err(wrong)?;
-    let companions = resolved.with_companions(None, &mut Rows::default());
-    let (resolved, companions) = companions.map_err(|error| error.to_string())?;
-    let mut simulation = resolved.case.build().map_err(|error| error.to_string())?;
-    simulation.companions = companions;
+    let settled = resolved.settle(&mut |case| Ok(case.build()?), &mut |_| Ok(()));
+    let (resolved, simulation) = settled.map_err(|error| error.to_string())?;
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).map_err(|error| error.to_string())?;
     Ok((rows.0, resolved.case.frame.elements, worked() - start))

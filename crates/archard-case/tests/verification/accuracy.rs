@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use approx::assert_relative_eq;
+use archard::accuracy::Unsettled;
 use archard::closed_form::Hertz;
-use archard::simulation::Companions;
 use archard::simulation::history::{ERROR, Row, number, stated};
+use archard::simulation::{Run, Simulation};
 use archard_case::{CaseFile, Resolved};
 
 use crate::common::Rows;
@@ -34,18 +35,15 @@ pub(super) fn run(resolved: Resolved) -> Row {
 
 /// The rows of a case.
 fn run_through(resolved: Resolved) -> Vec<Row> {
-    let (resolved, companions) =
-        resolved.with_companions(None, &mut Rows::default()).expect("a grid");
-    on_its_elements(resolved, companions)
-}
-
-/// The rows of a case on its elements.
-fn on_its_elements(resolved: Resolved, companions: Option<Companions>) -> Vec<Row> {
-    let mut simulation = resolved.case.build().expect("a simulation");
-    simulation.companions = companions;
+    let (_, simulation) = settled(resolved).expect("a grid");
     let mut rows = Rows::default();
     simulation.run(&mut [&mut rows]).expect("a run");
     rows.0
+}
+
+/// A case on the grid that its accuracy takes.
+pub(super) fn settled(resolved: Resolved) -> Result<(Resolved, Simulation), Unsettled> {
+    resolved.settle(&mut |case| Ok(case.build()?), &mut |_| Ok(()))
 }
 
 /// The value in a column and the error stated.
@@ -185,10 +183,10 @@ fn what_is_computed_has_an_error() {
 #[test]
 fn shifted_spheres_take_what_they_need() {
     let own = resolved(CATTANEO, &["frame=", "motion.fretting.increments=", "accuracy=0.01"]);
-    let (own, companions) =
-        own.expect("a case").with_companions(None, &mut Rows::default()).expect("a grid");
+    let (own, simulation) = settled(own.expect("a case")).expect("a grid");
     assert!(own.case.frame.elements.iter().all(|&elements| elements <= 72), "{:?}", own.case.frame);
-    assert!(companions.expect("companions").worst_foreseen(2.0) <= 0.01);
+    let run = Run::begin(simulation).expect("a contact");
+    assert!(run.report().companions.expect("companions").worst_foreseen(2.0) <= 0.01);
 }
 
 /// Hertz's pressure and approach lie within the errors stated.
@@ -290,7 +288,7 @@ fn what_is_given_is_kept() {
     let coarse = answer(PIN, &given("frame.elements=[42, 42]"));
     assert!(number(&coarse, ERROR).unwrap() > 1e-3);
     let coarser = resolved(PIN, &given("frame.elements=[14, 14]")).unwrap();
-    let refused = coarser.with_companions(None, &mut Rows::default()).map(|_| ()).unwrap_err();
+    let refused = settled(coarser).map(|_| ()).unwrap_err();
     assert!(refused.to_string().starts_with("3.5 elements"), "{refused}");
     let chosen = resolved(PIN, &["accuracy=0.02", "motion.sliding.step=", "frame="]).unwrap();
     let again = resolved(&chosen.case.to_string(), &[]).unwrap();

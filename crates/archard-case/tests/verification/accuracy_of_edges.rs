@@ -2,14 +2,13 @@
 
 use std::f64::consts::PI;
 
-use archard::simulation::Observer;
+use archard::accuracy::Event;
+use archard::simulation::Run;
 use archard::simulation::history::{Row, number, stated};
-use archard_case::{Following, Unsettled};
 
 use super::accuracy::{
-    answer, assert_near, assert_within, over_half_a_turn, resolved, rows, with_error,
+    answer, assert_near, assert_within, over_half_a_turn, resolved, rows, settled, with_error,
 };
-use crate::common::Rows;
 
 const CARTER: &str = include_str!("../../../../cases/carter/case.toml");
 const PIN: &str = include_str!("../../../../cases/pin_on_disc/case.toml");
@@ -258,28 +257,9 @@ fn pressures_beside_a_tip_are_stated_as_they_converge() {
 fn an_element_lies_about_a_tip() {
     for (options, odd) in [(vec![tip("1", "")], 1), (vec![tip("1.5", "mm^-0.5")], 1), (vec![], 0)] {
         let options: Vec<_> = options.iter().map(String::as_str).chain(["accuracy=0.1"]).collect();
-        let (settled, _) = resolved(PIN, &options)
-            .expect("a case")
-            .with_companions(None, &mut Rows::default())
-            .expect("elements");
+        let (settled, _) = settled(resolved(PIN, &options).expect("a case")).expect("elements");
         let elements = settled.case.frame.elements;
         assert_eq!(elements.map(|elements| elements % 2), [odd; 2], "{elements:?}");
-    }
-}
-
-/// Keeps why a search ends short of what is asked.
-#[derive(Default)]
-struct Short(Rows, Vec<String>);
-
-impl Following for Short {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn falls_short(&mut self, why: &Unsettled) {
-        self.1.push(why.to_string());
-    }
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        &mut self.0
     }
 }
 
@@ -288,12 +268,20 @@ impl Following for Short {
 fn a_cone_that_stays_sharp_falls_short_at_once() {
     let tip = tip("1", "");
     let resolved = resolved(PIN, &hardly_wearing_on_a_track(&tip, "accuracy=0.1")).expect("a case");
-    let mut short = Short::default();
-    let (settled, companions) = resolved.with_companions(None, &mut short).expect("some elements");
-    let [said] = &short.1[..] else { panic!("{:?}", short.1) };
+    let mut short = vec![];
+    let mut watch = |event: Event<'_>| {
+        if let Event::FallsShort(why) = event {
+            short.push(why.to_string());
+        }
+        Ok(())
+    };
+    let settled = resolved.settle(&mut |case| Ok(case.build()?), &mut watch);
+    let (settled, simulation) = settled.expect("some elements");
+    let [said] = &short[..] else { panic!("{short:?}") };
     // What hardly wears does so in proportion, with one relative error at all ten outputs: rounding says which is named.
     assert!(said.contains("at distance 0.") && said.contains("once the tip is worn"), "{said}");
-    assert!(companions.expect("companions").worst_foreseen(0.01) > 0.1);
+    let run = Run::begin(simulation).expect("a contact");
+    assert!(run.report().companions.expect("companions").worst_foreseen(0.01) > 0.1);
     assert!(settled.case.frame.elements[0] < 200, "{:?}", settled.case.frame.elements);
 }
 

@@ -7,7 +7,9 @@ use archard::simulation::{Report, Run};
 use archard_case::output::Image;
 use archard_case::{CaseFile, Resolved};
 
-use super::accuracy::{DISCS, PIN, TRACK, answer, assert_within, resolved, run, with_error};
+use super::accuracy::{
+    DISCS, PIN, TRACK, answer, assert_within, resolved, run, settled, with_error,
+};
 use crate::common::{Rows, states};
 
 /// A case of a tabulated paraboloid of 50 mm, its apex off the middle by tilting the table, on a flat.
@@ -203,16 +205,13 @@ fn scars_that_outgrow_the_first_contact_take_wider_frames() {
             accuracy,
         ];
         let resolved = resolved(PIN, &options).expect("a case");
-        let (resolved, companions) =
-            resolved.with_companions(None, &mut Rows::default()).expect("a grid");
+        let (resolved, simulation) = settled(resolved).expect("a grid");
         let case = resolved.case;
         assert_eq!(case.doubles.len(), 3, "{:?}", case.doubles);
         // One frame as wide as the last would take eight times as many.
         assert!(case.frame.elements[0] < 400, "{:?}", case.frame);
         let printed = CaseFile::from_text("case.toml", case.to_string(), "").resolve().unwrap();
         assert_eq!(printed.case, case);
-        let mut simulation = case.build().expect("a simulation");
-        simulation.companions = companions;
         let mut rows = Rows::default();
         simulation.run(&mut [&mut rows]).expect("a run");
         rows.0

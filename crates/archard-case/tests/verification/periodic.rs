@@ -11,10 +11,12 @@ use archard::compliance::{Compliance, HalfSpace, Periodic};
 use archard::frame::{ContactFrame, VectorField};
 use archard::motion::{Control, Indentation};
 use archard::problem::ContactState;
+use archard::simulation::Run;
 use archard::{Body, Material, Simulation};
 use archard_case::CaseFile;
 
-use crate::common::{Rows, case, states};
+use super::accuracy::settled;
+use crate::common::{case, states};
 
 const LENGTH: f64 = 1e-3;
 const AMPLITUDE: f64 = 0.5e-6;
@@ -180,8 +182,8 @@ fn measured_surfaces_bring_their_frame() {
     let options = ["accuracy=0.2", "motion.sliding.tolerance="];
     let file = CaseFile::from_text("case.toml", text, dir.path());
     let file = options.into_iter().fold(file, |file, option| file.set(option));
-    let settled = file.resolve().expect("a case").with_companions(None, &mut Rows::default());
-    assert!(settled.expect("coarser runs").1.is_some());
+    let (_, simulation) = settled(file.resolve().expect("a case")).expect("coarser runs");
+    assert!(Run::begin(simulation).expect("a contact").report().companions.is_some());
 }
 
 /// Pairs that are given do not repeat themselves.

@@ -4,10 +4,11 @@ use std::error::Error as StdError;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use archard::accuracy::Event;
 use archard::simulation::{Observer, Report, Simulation};
 use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, Inside, ResultFolder, Store};
-use archard_case::{Problem, Resolved};
+use archard_case::{BuildError, Case, Problem, Resolved};
 
 use crate::interrupt::{Interrupted, Requests};
 use crate::underway::{self, Underway};
@@ -74,21 +75,17 @@ fn attempt(
 ) -> Result<Outcome, Error> {
     let begun = Instant::now();
     let claim = Claim::take(dir)?.adopting();
-    let settled = resolved.clone().with_companions(store, &mut Stop(requests));
+    let mut stop = |_: Event<'_>| if requests.any() { Err(Interrupted.into()) } else { Ok(()) };
+    let built = resolved.clone().settle(&mut |case| Ok(build(case, store)?), &mut stop);
     if requests.any() {
         claim.give_up();
         return Ok(Outcome::Interrupted);
     }
-    let (resolved, settled) = match settled {
-        Ok((settled, companions)) => (settled, Ok(companions)),
+    let (resolved, built) = match built {
+        Ok((settled, simulation)) => (settled, Ok(simulation)),
         Err(error) => (resolved.clone(), Err(error.to_string())),
     };
     let resolved = &resolved;
-    let built = settled.and_then(|companions| {
-        let mut simulation = build(resolved, store)?;
-        simulation.companions = companions;
-        Ok(simulation)
-    });
     let (folder, kept) = begin(claim, resolved, built.as_ref().ok())?;
     let mut results = Following { folder, requests };
     let beside = store.map(|store| Store::new(store.folder()));
@@ -135,13 +132,9 @@ fn begin(
     }
 }
 
-/// The simulation of a row.
-pub fn build(resolved: &Resolved, store: Option<&Store>) -> Result<Simulation, String> {
-    let built = match store {
-        Some(store) => resolved.case.build_keeping(store),
-        None => resolved.case.build(),
-    };
-    built.map_err(|error| error.to_string())
+/// The simulation of a case.
+pub fn build(case: &Case, store: Option<&Store>) -> Result<Simulation, BuildError> {
+    store.map_or_else(|| case.build(), |store| case.build_keeping(store))
 }
 
 /// Writes the summary of results.
@@ -154,23 +147,6 @@ pub fn finish(
     let warnings = resolved.warnings.iter().map(Problem::warning_of).collect();
     let command = underway::command();
     Underway { folder, begun, command, warnings, bar: None }.finish(failure).map(|_| ())
-}
-
-/// Ends the runs on coarser grids where a stop is asked for.
-struct Stop<'a>(&'a Requests);
-
-impl Observer for Stop<'_> {
-    fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
-        if self.0.any() { Err(Interrupted.into()) } else { Ok(()) }
-    }
-}
-
-impl archard_case::Following for Stop<'_> {
-    fn begins(&mut self, _: [usize; 2]) {}
-
-    fn observer(&mut self) -> &mut dyn Observer {
-        self
-    }
 }
 
 /// Results that end where a stop is asked for.

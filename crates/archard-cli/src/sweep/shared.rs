@@ -124,14 +124,16 @@ fn attempt(
         passed: vec![],
     };
     let mut outputs = vec![];
-    let ran = row::build(resolved, store).and_then(|mut simulation| {
-        let schedule = &simulation.schedule;
-        passing.outputs.clone_from(&schedule.outputs);
-        outputs.clone_from(&schedule.outputs);
-        passing.places = shared.shares.iter().map(|share| share * schedule.extent).collect();
-        simulation.schedule = schedule.through(&shared.shares);
-        simulation.run(&mut [&mut passing]).map_err(|error| error.to_string())
-    });
+    let ran = row::build(&resolved.case, store).map_err(|error| error.to_string()).and_then(
+        |mut simulation| {
+            let schedule = &simulation.schedule;
+            passing.outputs.clone_from(&schedule.outputs);
+            outputs.clone_from(&schedule.outputs);
+            passing.places = shared.shares.iter().map(|share| share * schedule.extent).collect();
+            simulation.schedule = schedule.through(&shared.shares);
+            simulation.run(&mut [&mut passing]).map_err(|error| error.to_string())
+        },
+    );
     let extent = passing.places.last().copied().unwrap_or_default();
     let mut failure = ran.err();
     if failure.is_none() && passing.passed.len() < shared.rows.len() {

@@ -232,6 +232,32 @@ fn check_takes_an_accuracy() {
     let flat = ["check", "hertz", "--accuracy", "1%", "--set", "body.ball.profile={ flat = {} }"];
     let refused = archard(&dir, &flat).code(2);
     assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
+    // The grid is the one that a run begins with, and the next is said with what it takes.
+    for (case, accuracy) in [("hertz", "2%"), ("pin_on_disc", "1%"), ("carter", "1%")] {
+        let of = |json: &[&str]| {
+            let options = [&["check", case, "--accuracy", accuracy], json].concat();
+            printed(&archard(&dir, &options).success())
+        };
+        let checked: serde_json::Value = serde_json::from_str(&of(&["--json"])).unwrap();
+        let [begins, next] = ["begins", "elements"].map(|key| {
+            let axis = |axis: usize| checked["refined"][key][axis].as_u64().unwrap();
+            [axis(0), axis(1)]
+        });
+        let pairs = |[x, y]: [u64; 2]| x * y;
+        assert_eq!(Some(pairs(begins)), checked["pairs"].as_u64());
+        assert_eq!(next[0], 2 * begins[0]);
+        let (said, [x, y]) = (of(&[]), begins);
+        assert!(said.contains(&format!("begins with {x} x {y} elements")), "{said}");
+    }
+    let given = [
+        "check",
+        "hertz",
+        "--set",
+        "frame.size=['0.4 mm', '0.4 mm']",
+        "--set",
+        "frame.elements=[48, 48]",
+    ];
+    assert!(!printed(&archard(&dir, &given).success()).contains("begins with"));
     let refused = archard(&dir, &["fit", "hertz", "--data", "none", "--accuracy", "1"]).code(2);
     assert!(said(&refused).contains("--> --accuracy:1:10"), "{}", said(&refused));
 }

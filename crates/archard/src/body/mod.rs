@@ -158,6 +158,17 @@ impl Body {
         known.fold(f64::INFINITY, f64::min)
     }
 
+    /// The power of the distance by which the sharper of two bodies recedes from where it is sharpest.
+    pub fn sharpest(bodies: &[Self; 2]) -> f64 {
+        bodies.iter().map(|body| body.profile.sharpest()).fold(2.0, f64::min)
+    }
+
+    /// Where the surfaces of two bodies are known: the least and the largest place along x and y (m).
+    pub fn known(bodies: &[Self; 2]) -> [[f64; 2]; 2] {
+        let [one, two] = bodies.each_ref().map(|body| body.profile.extent());
+        [0, 1].map(|axis| [one[axis][0].max(two[axis][0]), one[axis][1].min(two[axis][1])])
+    }
+
     /// The depths (m) of bodies that touch along a line within that width (m): where none is given the radius of the
     /// rounder one along x, and at least the width.
     pub fn depths(bodies: [&Self; 2], width: f64) -> [f64; 2] {

@@ -21,3 +21,10 @@ pub const SAME: f64 = 1.0 / (1 << 26) as f64;
 /// Numbers from files that differ by less, relative to their scale, are the same: files carry seven digits, as single precision
 /// does, and the last one is rounded.
 pub const WRITTEN: f64 = 1e-6;
+
+/// The number of elements from some number on that is even or odd as another is; beyond what can be counted there are as many as
+/// there can be.
+pub fn counted(elements: f64, as_another: usize) -> usize {
+    let odd = as_another % 2;
+    ((0.5 * (elements - odd as f64)).ceil() as usize).saturating_mul(2).saturating_add(odd)
+}

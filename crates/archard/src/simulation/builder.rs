@@ -34,10 +34,10 @@ use crate::solve::{ConjugateGradient, Solver};
 /// # assert_eq!(simulation.problem.frame.len(), 900);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Builder {
-    bodies: [Body; 2],
-    planned: Planned,
+    pub(crate) bodies: [Body; 2],
+    pub(crate) planned: Planned,
     /// How much friction the pairs bear, if any.
     pub friction: Option<Arc<dyn Friction>>,
     /// What finds the pressures.
@@ -49,7 +49,7 @@ pub struct Builder {
 }
 
 /// Where the bodies may touch, and how they deform there.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 enum Touch {
     /// At the nodes of a mesh.
     Meshed,
@@ -107,6 +107,29 @@ impl Builder {
     #[must_use]
     pub fn periodic(self) -> Self {
         Self { periodic: true, ..self }
+    }
+
+    /// The elements of the frame or the line; `None` where the pairs are given or those of a mesh.
+    pub(crate) fn elements(&self) -> Option<[usize; 2]> {
+        match self.contact {
+            Touch::Frame(_, elements) => Some(elements),
+            Touch::Line(_, elements) => Some([elements, 1]),
+            Touch::Meshed | Touch::Given(..) => None,
+        }
+    }
+
+    /// The same on so many elements, its frame or line moved along x and y (m).
+    pub(crate) fn on(self, elements: [usize; 2], by: [f64; 2]) -> Self {
+        let moved = |Rectangle { centre, size }| Rectangle {
+            centre: [0, 1].map(|axis| centre[axis] + by[axis]),
+            size,
+        };
+        let contact = match self.contact {
+            Touch::Frame(rectangle, _) => Touch::Frame(moved(rectangle), elements),
+            Touch::Line(rectangle, _) => Touch::Line(moved(rectangle), elements[0]),
+            given => given,
+        };
+        Self { contact, ..self }
     }
 
     /// The bodies may touch at these pairs, and deform there by that compliance.

@@ -70,7 +70,7 @@ pub struct Simulation {
     /// What the problem is put through.
     pub schedule: Schedule,
     /// The same run on coarser grids, where an accuracy is asked for.
-    pub companions: Option<Companions>,
+    pub(crate) companions: Option<Companions>,
     /// Lowest gap (m) of pairs beside the frame, which no solve may come closer to; none but in a
     /// [window](placed::Placed::windowed).
     pub(crate) beside: f64,

@@ -49,7 +49,7 @@ impl Simulation {
     }
 
     /// What a run begins with, and in order all that it goes on with.
-    pub(super) fn frames(&self) -> impl Iterator<Item = &Self> {
+    pub(crate) fn frames(&self) -> impl Iterator<Item = &Self> {
         successors(Some(self), |one| one.wider.as_ref().map(|wider| &wider.simulation))
     }
 

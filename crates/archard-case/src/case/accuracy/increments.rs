@@ -1,14 +1,11 @@
-//! The increments of a cycle in which bodies rub: they err as elements do, are chosen with them, and companions take fewer.
+//! The increments of a cycle in which bodies rub, as many as there are elements across the contact.
 
 use crate::case::check::Parts;
 use crate::case::definition::Case;
+use archard::accuracy::{DIVISOR, MOST_INCREMENTS};
 use archard::parameters::Value;
 
 const INCREMENTS: &str = "increments";
-/// The most that are chosen.
-const MOST: usize = 400;
-/// Those of fretting are a multiple of this.
-const DIVISOR: f64 = 4.0;
 
 /// Whether bodies rub in increments whose number can be chosen.
 fn rubs(case: &Case) -> bool {
@@ -24,7 +21,7 @@ pub(super) fn choose(case: &mut Case, across: impl FnOnce(&Parts<'_>) -> f64) ->
     let chosen = rubs(case) && of(case).is_none();
     let wanted = Parts::of(case).map(|parts| across(&parts));
     if let Some(wanted) = wanted.ok().filter(|_| chosen) {
-        set(case, (((wanted / DIVISOR).ceil() * DIVISOR) as usize).min(MOST));
+        set(case, (((wanted / DIVISOR).ceil() * DIVISOR) as usize).min(MOST_INCREMENTS));
     }
     chosen
 }
@@ -38,23 +35,7 @@ pub(super) fn set(case: &mut Case, count: usize) {
     case.motion.values.insert(INCREMENTS, Value::Number(count as f64));
 }
 
-/// The fewest whose error is told by fewer: companions then take eight and four.
-pub(super) const FEWEST: usize = 16;
-
 /// Those of a case whose bodies rub in increments.
 pub(super) fn of_rubbing(case: &Case) -> Option<usize> {
     of(case).filter(|_| rubs(case))
-}
-
-/// That many times fewer.
-pub(super) fn fewer(count: usize, ratio: f64) -> usize {
-    ((count as f64 / ratio / DIVISOR).floor().max(1.0) * DIVISOR) as usize
-}
-
-/// Takes that many times as many, as far as that is allowed.
-pub(super) fn refine(case: &mut Case, finer: f64) {
-    if let Some(own) = of(case) {
-        let more = (finer * own as f64 / DIVISOR).ceil() * DIVISOR;
-        set(case, (more as usize).min(MOST.max(own)));
-    }
 }

@@ -3,6 +3,7 @@
 
 use crate::case::check::Parts;
 use crate::case::definition::{Case, FrameCase};
+use archard::body::Body;
 use archard::frame::{Rectangle, extent};
 use archard::motion::Control;
 use archard::numerics::SAME;
@@ -33,12 +34,6 @@ pub(super) enum Lost {
     Nowhere,
 }
 
-/// Where both surfaces are known.
-pub(super) fn known(parts: &Parts<'_>) -> Known {
-    let [one, two] = parts.bodies.each_ref().map(|body| body.profile.extent());
-    [0, 1].map(|axis| [one[axis][0].max(two[axis][0]), one[axis][1].min(two[axis][1])])
-}
-
 /// The part of a rectangle in which the surfaces are known; one that lies in the middle but for rounding lies there.
 pub(super) fn within(rectangle: Rectangle, known: Known) -> Rectangle {
     let corner = rectangle.corner();
@@ -56,7 +51,7 @@ pub(super) fn within(rectangle: Rectangle, known: Known) -> Rectangle {
 /// The smallest box around the unworn contact that is centred where its load acts; of a line of contact, with its length
 /// along y.
 pub(super) fn locate(case: &Case, parts: &Parts<'_>) -> Result<Rectangle, Lost> {
-    let known = known(parts);
+    let known = Body::known(&parts.bodies);
     let axes = if case.frame.line { 1 } else { 2 };
     let mut window = first(case, parts, known);
     for _ in 0..WINDOWS {

@@ -1,17 +1,15 @@
 //! One number in: from the accuracy that a case asks for, the frame, its elements and the tolerance of the steps.
 //!
-//! Elements, tolerance and increments are one resolution: finer by a ratio r, the tolerance is smaller by the power of r that is
-//! the order of the error, one at an edge and two elsewhere. That order also says how many elements the first output needs. This is a
-//! first guess; [`companions`] measures what came of it, and refines it.
+//! The order of the error says how many elements the first output needs. This is a first guess; [`archard::accuracy`] measures what
+//! came of it, and refines it.
 
 mod companions;
-mod grids;
 mod increments;
 mod locate;
-mod regularity;
+mod refined;
 mod wider;
 
-pub use companions::{Following, Unsettled};
+pub use refined::Refined;
 
 use super::check::Parts;
 use super::definition::{Case, FrameCase, MOST};
@@ -19,22 +17,17 @@ use super::file::Resolved;
 use super::key::Key;
 use super::problem::Problem;
 use super::tree::{Entry, Item, Node, Table};
+use archard::accuracy::{COARSEST, FEWEST, TOLERANCE, UNWORN, admitted, has_tip, order};
+use archard::body::Body;
 use archard::estimate::{Estimate, Estimator};
-use archard::motion::MOTIONS;
+use archard::motion::{MOTIONS, Slip};
+use archard::numerics::counted;
 use locate::Lost;
-use regularity::{has_tip, order, slips_partly};
 
-/// The least accuracy that can be asked for.
-const COARSEST: f64 = 0.2;
-/// Tolerance of the steps, relative to the accuracy: with four times as much, a companion differs by three times their error.
-const TOLERANCE: f64 = 1.0 / 3.0;
 /// Extent of the frame beside the contact that is foreseen.
 const BESIDE: f64 = 1.15;
 /// Elements at each side that stay open.
 const OPEN: f64 = 4.0;
-/// Elements across the unworn contact, at least: of those of the coarsest companion more than three are left.
-const UNWORN: f64 = 10.0;
-
 /// What of a case was chosen for its accuracy.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Chose {
@@ -75,16 +68,6 @@ impl Resolved {
         };
         given(toml) == given(&self.case.to_string())
     }
-}
-
-/// The accuracy, if the value is one.
-pub(super) fn admitted(value: f64) -> bool {
-    value > 0.0 && value <= COARSEST
-}
-
-/// Why a value is none.
-pub(super) fn refusal() -> String {
-    format!("must be greater than 0 and at most {COARSEST}, a relative error")
 }
 
 /// Puts the tolerance of the steps into the table of the motion where it takes one and says nothing of its steps; whether it did.
@@ -151,17 +134,17 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
             format!("the error of a fixed {name} is not known, and an `accuracy` is requested");
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
     }
-    if let Some(loose) = given(grids::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
-        let key = Key::of(["motion", case.motion.choice.name, grids::TOLERANCE]);
+    if let Some(loose) = given(companions::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
+        let key = Key::of(["motion", case.motion.choice.name, companions::TOLERANCE]);
         let message =
             format!("coarser runs take 8 times {loose}, which is too much to estimate its error");
         let help = format!("give {:.3} at most, or leave it out", TOLERANCE * COARSEST);
         return Err(Problem::error(key, message).help(help));
     }
-    if let Some(count) = increments::of_rubbing(&case).filter(|count| *count < increments::FEWEST) {
+    if let Some(count) = increments::of_rubbing(&case).filter(|count| *count < FEWEST) {
         let key = Key::of(["motion", case.motion.choice.name, "increments"]);
         let message = format!("the error of {count} increments cannot be estimated from fewer");
-        let help = format!("take {} at least, or leave it out", increments::FEWEST);
+        let help = format!("take {} at least, or leave it out", FEWEST);
         return Err(Problem::error(key, message).help(help));
     }
     if !(chose.size || chose.elements) {
@@ -218,11 +201,11 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
         2.0 * (first[axis] / across).min(unworn / UNWORN)
     });
     let axes = if frame.line { 1 } else { 2 };
-    let odd = usize::from(has_tip(&parts));
+    let odd = usize::from(has_tip(&parts.bodies));
     for axis in 0..axes {
         if chose.size {
             frame.size[axis] = around(BESIDE * reach[axis], element[axis]);
-            let held = locate::within(frame.rectangle(), locate::known(&parts));
+            let held = locate::within(frame.rectangle(), Body::known(&parts.bodies));
             (frame.centre[axis], frame.size[axis]) = (held.centre[axis], held.size[axis]);
         }
         if chose.elements {
@@ -242,7 +225,7 @@ fn chosen(case: &Case, accuracy: f64, chose: Chose) -> Result<Frame, Problem> {
     for axis in 0..axes {
         let elements = chosen.frame.elements[axis] as f64;
         if elements > MOST as f64 {
-            let allows = accuracy * (elements / MOST as f64).powf(order(&parts));
+            let allows = accuracy * (elements / MOST as f64).powf(order(&parts.bodies));
             let message = format!(
                 "{accuracy} would take {elements} elements along {}, and {MOST} are the most: they allow about {allows:.1e}",
                 ["x", "y"][axis]
@@ -273,13 +256,6 @@ fn lost(why: Lost) -> Problem {
     }
 }
 
-/// The number of elements from some number on that is even or odd as another is; beyond what can be counted there are as many as
-/// there can be.
-fn counted(elements: f64, as_another: usize) -> usize {
-    let odd = as_another % 2;
-    ((0.5 * (elements - odd as f64)).ceil() as usize).saturating_mul(2).saturating_add(odd)
-}
-
 /// The side (m) of a frame that holds so much (m) to either side of its middle, and open elements of that length (m).
 fn around(half: f64, element: f64) -> f64 {
     2.0 * (half + OPEN * element)
@@ -287,7 +263,9 @@ fn around(half: f64, element: f64) -> f64 {
 
 /// Elements across the contact of the first output.
 fn across(accuracy: f64, parts: &Parts<'_>) -> f64 {
-    let least = if slips_partly(parts) { 24.0 } else { UNWORN };
-    let asked = if order(parts) == 2.0 { 2.4 / accuracy.sqrt() } else { 0.8 / accuracy };
+    // Friction decides what slips.
+    let partly = matches!(parts.motion.slip, Slip::Sought(_)) && parts.friction.is_some();
+    let least = if partly { 24.0 } else { UNWORN };
+    let asked = if order(&parts.bodies) == 2.0 { 2.4 / accuracy.sqrt() } else { 0.8 / accuracy };
     asked.max(least)
 }

@@ -1,11 +1,12 @@
 //! Where a frame becomes wider on the way, because elements for the first contact would be too many for the last scar.
 
-use super::{BESIDE, Frame, around, counted, locate};
+use super::{BESIDE, Frame, around, locate};
 use crate::case::check::Parts;
 use crate::case::definition::FrameCase;
+use archard::body::Body;
 use archard::estimate::Estimator;
 use archard::frame::Rectangle;
-use archard::numerics::SAME;
+use archard::numerics::{SAME, counted};
 use archard::simulation::can_widen;
 
 /// How many times fewer elements make it worth while. A choice of cost.
@@ -60,7 +61,7 @@ pub(super) fn widening(
     let widest = frame.size.map(|side| 0.5 * factor * side);
     let widest = Rectangle { centre: frame.centre, size: widest };
     let pairs = |elements: [usize; 2]| elements[0] as f64 * elements[1] as f64;
-    let fits = locate::within(widest, locate::known(parts)) == widest;
+    let fits = locate::within(widest, Body::known(&parts.bodies)) == widest;
     let worth = WORTH * pairs(frame.elements) <= pairs(one.frame.elements);
     (fits && worth).then_some(Frame { frame, doubles, found: one.found })
 }

@@ -113,7 +113,7 @@ fn files(parts: &Parts<'_>) -> Vec<(String, Vec<Listed>)> {
 
 impl Solves {
     /// One for the contact before a motion that starts under load, and one a step.
-    fn of(parts: &Parts<'_>) -> Self {
+    pub(in crate::case) fn of(parts: &Parts<'_>) -> Self {
         if let (Some(shift), Some(cycles)) = (parts.motion.increments(), Cycles::of(parts)) {
             return cycles.solves(parts, shift);
         }

@@ -8,13 +8,13 @@ mod material;
 mod output;
 mod wheel_rail;
 
-use super::accuracy;
 use super::chosen::Chosen;
 use super::definition::{Case, FrameCase};
 use super::problem::Problem;
 use super::reader::{Reader, Section};
 use super::surface::{MAPS, PreparedSurface};
 use super::tree::Item;
+use archard::accuracy;
 use archard::friction::{FRICTION, Friction};
 use archard::motion::{MOTIONS, Planned};
 use archard::parameters::{Choice, Quantity, Values};
