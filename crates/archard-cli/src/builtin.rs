@@ -112,6 +112,7 @@ pub const CASES: &[Builtin] = &[
     },
     without_files("ground_pin", include_str!("../cases/ground_pin/case.toml")),
     without_files("rough_on_flat", include_str!("../cases/rough_on_flat/case.toml")),
+    without_files("rough_on_rough", include_str!("../cases/rough_on_rough/case.toml")),
     Builtin {
         name: "rough_surface",
         text: include_str!("../cases/rough_surface/case.toml"),
