@@ -20,7 +20,8 @@ Array = NDArray[np.float64]
 class Contact:
     """A contact that was solved; all in SI.
 
-    Fields have a value for each pair: in rows along x, the first of the lowest y, on a grid; one after the other on a mesh.
+    Fields have a value for each pair: on a grid in rows along x, the first of the lowest y; on a mesh one after
+    the other.
     """
 
     x: Array
@@ -62,8 +63,8 @@ def contact(
 ) -> Contact:
     """Solve the contact of a case before any wear.
 
-    Bodies that roll, or fret from the beginning, do so with their friction; all others are pressed together by the load or approach
-    of their motion.
+    Bodies that roll, or fret from the beginning, do so with their friction; all others are pressed together by
+    the load or approach of their motion.
 
     Args:
         case: what :class:`Case` takes. With a load or an approach it needs no ``motion``.
@@ -99,7 +100,14 @@ def contact(
     if elements is not None:
         found = {name: field.reshape(elements[1], elements[0]) for name, field in found.items()}
     traction = (found["traction_x"], found["traction_y"]) if "traction_x" in found else None
-    shown = {name: found[name] for name in ("x", "y", "pressure", "gap")}
-    force = (known["force_x"], known["force_y"])
-    single = {name: known[name] for name in ("approach", "load", "area")}
-    return Contact(**shown, **single, traction=traction, force=force)
+    return Contact(
+        x=found["x"],
+        y=found["y"],
+        pressure=found["pressure"],
+        gap=found["gap"],
+        traction=traction,
+        approach=known["approach"],
+        load=known["load"],
+        area=known["area"],
+        force=(known["force_x"], known["force_y"]),
+    )

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import archard
 import numpy as np
 import pytest
+
+import archard
 
 STEEL = {"material": {"young": "210 GPa", "poisson": 0.3}}
 FLAT = {**STEEL, "profile": {"flat": {}}}
@@ -43,12 +44,14 @@ def test_heights_are_pressed():
     frame = {"size": ["1 mm", "1 mm"], "elements": [count, count], "periodic": True}
     most = np.pi * MODULUS * amplitude / length
     mean = 2 * most
-    solved = archard.contact({"body": {"rough": rough, "flat": FLAT}, "frame": frame}, load=f"{mean * length**2!r} N")
+    solved = archard.contact(
+        {"body": {"rough": rough, "flat": FLAT}, "frame": frame}, load=f"{mean * length**2!r} N"
+    )
     assert solved.pressure == pytest.approx(mean + most * np.cos(2 * np.pi * solved.x / length), rel=1e-3)
 
 
 def test_motions_say_how_bodies_are_driven():
-    """Rolling with friction below its limit; fretting at its first station; a pin before it slides; a mesh as it is."""
+    """Rolling has friction below its limit; a pin is pressed before it slides; a mesh goes in as it is."""
     rolls = archard.contact("carter")
     assert rolls.traction is not None
     assert 0 < abs(rolls.force[0]) < 0.3 * rolls.load
@@ -68,7 +71,11 @@ def test_what_cannot_be_is_said():
         archard.contact(case)
     with pytest.raises(archard.CaseError, match="load"):
         archard.contact(case, load="-1 N")
-    rubs = {**case, "motion": {"indentation": {"load": "1 N", "increments": 4}}, "friction": {"coulomb": {"coefficient": 0.3}}}
+    rubs = {
+        **case,
+        "motion": {"indentation": {"load": "1 N", "increments": 4}},
+        "friction": {"coulomb": {"coefficient": 0.3}},
+    }
     with pytest.raises(ValueError, match="depends on the way"):
         archard.contact(rubs)
     with pytest.raises(ValueError, match="two bodies"):

@@ -152,16 +152,9 @@ fn refused(text: &str) -> Option<String> {
     let path = "time_s,load_N,shift_x_um\n0,1,0\n1,1,0.1\n2,1,0\n";
     fs::write(folder.path().join("path.csv"), path).expect("a path");
     let file = CaseFile::from_text("case.toml", text, folder.path().to_owned());
-    match file.resolve() {
-        Ok(resolved) => {
-            let built = resolved.case.build();
-            built.err().map(|error| error.to_string())
-        }
-        Err(problems) => {
-            let first = problems.iter().find(|problem| problem.severity == Severity::Error);
-            Some(first.map_or_else(String::new, |problem| problem.message.clone()))
-        }
-    }
+    let problems = file.resolve().err()?;
+    let first = problems.iter().find(|problem| problem.severity == Severity::Error);
+    Some(first.map_or_else(String::new, |problem| problem.message.clone()))
 }
 
 fn page() -> String {

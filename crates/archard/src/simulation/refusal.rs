@@ -251,16 +251,12 @@ pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> 
 /// A motion that the pairs do not allow.
 fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
-    if motion.surfaces.contains(&Passage::Recurs) && !(frame.is_uniform() && frame.measure().closed)
-    {
-        let what = "surfaces slide past each other for ever only where they repeat themselves";
-        return refusal(what, "set `frame.periodic = true`, or leave out `surfaces = \"pass\"`");
+    let uniform = frame.is_uniform();
+    if let Some(refused) = of_frame(motion, uniform, uniform && frame.measure().closed) {
+        return Some(refused);
     }
-    if motion.amplitude().is_some() && !frame.is_uniform() {
-        return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
-    }
-    if motion.lever_arm() == Some(Lever::Radius) && (!frame.is_uniform() || frame.is_line()) {
-        return refusal("bodies turn on a uniform frame only, not on a mesh", "");
+    if motion.lever_arm() == Some(Lever::Radius) && frame.is_line() {
+        return refusal("bodies turn about a point, and a line of contact has none", "");
     }
     if !motion.surfaces.iter().any(Passage::passes) {
         return None;
@@ -279,6 +275,22 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
         }
         Ok(_) => None,
     }
+}
+
+/// A motion that a frame does not allow which may be uniform, no mesh, and may repeat itself.
+pub fn of_frame(motion: &Motion, uniform: bool, periodic: bool) -> Option<Refusal> {
+    let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
+    if motion.surfaces.contains(&Passage::Recurs) && !periodic {
+        let what = "surfaces slide past each other for ever only where they repeat themselves";
+        return refusal(what, "set `frame.periodic = true`, or leave out `surfaces = \"pass\"`");
+    }
+    if motion.amplitude().is_some() && !uniform {
+        return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
+    }
+    if motion.lever_arm() == Some(Lever::Radius) && !uniform {
+        return refusal("bodies turn on a uniform frame only, not on a mesh", "");
+    }
+    None
 }
 
 /// Rolling, or a track, on a curved frame.

@@ -48,7 +48,7 @@ use archard::estimate::{Course, Estimate, Estimator, Subject};
 use archard::friction::Friction;
 use archard::motion::{Control, Lever, Motion, Schedule};
 use archard::parameters::Values;
-use archard::simulation::refusal::{Part, Refusal};
+use archard::simulation::refusal::{self, Part, Refusal};
 
 /// The parts of a case, built.
 pub(super) struct Parts<'a> {
@@ -247,6 +247,9 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
         problems.extend(slender::problems(parts));
     }
     problems.extend(surfaces::too_long(parts));
+    let (uniform, periodic) = (!parts.case.is_meshed(), parts.case.frame.periodic);
+    let of_frame = refusal::of_frame(&parts.motion, uniform, periodic);
+    problems.extend(of_frame.and_then(|refusal| parts.refused(refusal)));
     // The gaps of a frame that does not fit are not made.
     if !sound(&problems) {
         return problems;
