@@ -20,7 +20,7 @@ use super::tree::{Entry, Item, Node, Table};
 use archard::accuracy::{COARSEST, FEWEST, TOLERANCE, UNWORN, admitted, has_tip, order};
 use archard::body::Body;
 use archard::estimate::{Estimate, Estimator};
-use archard::motion::{MOTIONS, Slip};
+use archard::motion::{Lever, MOTIONS, Slip};
 use archard::numerics::counted;
 use locate::Lost;
 
@@ -86,7 +86,8 @@ pub(super) fn imply(table: &mut Table) -> bool {
     let Some(choice) = MOTIONS.iter().find(|choice| choice.name == *name) else { return false };
     let takes = |name: &str| choice.parameters.iter().any(|parameter| parameter.name == name);
     let says = |name: &str| motion.get(name).is_some();
-    let jumps = !takes("cycles") || says("cycles");
+    // Increments are gone through once unless cycles are asked for.
+    let jumps = !takes("increments") || says("cycles");
     if !takes("tolerance") || !jumps {
         return false;
     }
@@ -133,6 +134,12 @@ pub(super) fn choose(mut case: Case, tolerance: bool) -> Result<(Case, Chose), P
         let message =
             format!("the error of a fixed {name} is not known, and an `accuracy` is requested");
         return Err(Problem::error(key, message).help("leave it out, or give a `tolerance`"));
+    }
+    let turns = |parts: &Parts<'_>| parts.motion.lever_arm() == Some(Lever::Radius);
+    if Parts::of(&case).is_ok_and(|parts| turns(&parts) && parts.wears()) {
+        let message = "bodies that turn do not wear on their axis, where the pressure grows without limit as elements become smaller: no error of it can be stated";
+        let help = "leave it out, and give the frame its `elements` and the motion a `tolerance`";
+        return Err(Problem::error(Key::of(["accuracy"]), message).help(help));
     }
     if let Some(loose) = given(companions::TOLERANCE).filter(|one| *one > TOLERANCE * COARSEST) {
         let key = Key::of(["motion", case.motion.choice.name, companions::TOLERANCE]);
