@@ -61,7 +61,7 @@ pub struct Problem {
     pub(super) within: Option<Box<Range<usize>>>,
     /// What the location should show.
     pub(super) target: Target,
-    /// The place among all subjects of that of the line of a verdict that judges the same in results.
+    /// The subject of the line of a verdict that judges the same in results: its place among all, which keeps problems small.
     pub(super) judged: Option<u8>,
 }
 

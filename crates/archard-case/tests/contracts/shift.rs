@@ -53,8 +53,8 @@ fn motions_in_increments_come_back() {
         assert_relative_eq!(schedule.extent, cycles * shift.period());
         assert_eq!(motion.slip(0.1), 0.0);
         assert!(motion.progress.column.contains(char::is_alphabetic));
-        let guided = |guide: &Drive| !matches!(guide, Drive::Slip(0.0) | Drive::Force(0.0));
-        let moves = shift.cycle.iter().any(|station| station.guides.iter().any(guided));
+        let guided = |guide: Drive| !guide.is_still();
+        let moves = shift.cycle.iter().any(|station| station.guides.into_iter().any(guided));
         assert_eq!(shift.moves(), moves);
         if !shift.released {
             assert_eq!(shift.lead.last(), shift.cycle.last());

@@ -62,10 +62,8 @@ pub struct Pressed {
 /// What guides bodies that are moved to and fro along one axis, at its extreme, and the axis.
 fn swing(shift: &Shift) -> Option<(usize, Drive)> {
     let stations = || shift.cycle.iter();
-    let value = |guide: Drive| match guide {
-        Drive::Slip(value) | Drive::Force(value) => value,
-    };
-    let still = |axis: usize| stations().all(|station| value(station.guides[axis]) == 0.0);
+    let value = Drive::value;
+    let still = |axis: usize| stations().all(|station| station.guides[axis].is_still());
     let axis = [0, 1].into_iter().find(|&axis| !still(axis) && still(1 - axis))?;
     let along = || stations().map(|station| station.guides[axis]);
     let most = along().max_by(|one, other| value(*one).total_cmp(&value(*other)))?;

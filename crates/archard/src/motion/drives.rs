@@ -26,10 +26,15 @@ impl Drive {
         if let Self::Slip(slip) = self { slip } else { 0.0 }
     }
 
-    /// Whether it is one that neither slips nor pushes.
-    pub(super) fn is_still(self) -> bool {
+    /// The slip or the force.
+    pub fn value(self) -> f64 {
         let (Self::Slip(value) | Self::Force(value)) = self;
-        value == 0.0
+        value
+    }
+
+    /// Whether it neither slips nor pushes.
+    pub fn is_still(self) -> bool {
+        self.value() == 0.0
     }
 }
 

@@ -183,7 +183,7 @@ impl Fretting {
         let station = |index| self.station(control, index);
         let (extent, stepping) = self.cycles.divided(1.0 / count as f64)?;
         let shift = Shift {
-            lead: lead(station(0), count),
+            lead: station(0).lead(count),
             cycle: (1..=count).map(station).collect(),
             places: (1..=count).map(|index| index as f64 / count as f64).collect(),
             released: false,
@@ -238,17 +238,6 @@ impl Fretting {
         let guides = [guide(self.amplitude[0], 0.0), guide(self.amplitude[1], self.phase)];
         Station { control, guides }
     }
-}
-
-/// From rest to the beginning of the first cycle, in that many increments: first pressed together, then shifted.
-pub(super) fn lead(start: Station, count: usize) -> Vec<Station> {
-    let unmoved = Station { guides: start.share(0.0).guides, ..start };
-    let share = |index: usize| index as f64 / count as f64;
-    let press = (1..=count).map(|index| unmoved.share(share(index)));
-    let moved = if start.guides == unmoved.guides { 0 } else { count };
-    let shift =
-        (1..=moved).map(|index| Station { guides: start.share(share(index)).guides, ..start });
-    press.chain(shift).collect()
 }
 
 #[cfg(test)]

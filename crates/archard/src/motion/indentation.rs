@@ -1,6 +1,5 @@
 //! Two bodies pressed together, once or again and again.
 
-use super::fretting::lead;
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station};
 use super::{
     APPROACH, Control, INCREMENTS, LOAD, Lever, Motion, Passage, Planned, Progress, Schedule,
@@ -73,7 +72,7 @@ impl Motion {
         }
         let control = pressing(station.control)?;
         let shift = Shift {
-            lead: lead(station, counted(COUNT, increments)?),
+            lead: station.lead(counted(COUNT, increments)?),
             cycle: vec![station],
             places: vec![1.0],
             released: false,

@@ -133,10 +133,13 @@ impl Path {
         }
         let first = self.stations[0];
         let rests = first == first.share(0.0);
-        let lead = if rests { vec![] } else { lead(first) };
+        let lead = if rests { vec![] } else { first.lead(LEAD) };
         Shift { lead, cycle, places, released: false, end_pressure: false }
     }
 }
+
+/// Increments of each part of the way from rest to a first line that is not at rest.
+const LEAD: usize = 20;
 
 /// The path of the columns of a file.
 fn read(columns: &[(String, Vec<f64>)]) -> Result<Path, Invalid> {
@@ -175,17 +178,6 @@ fn read(columns: &[(String, Vec<f64>)]) -> Result<Path, Invalid> {
 
 fn wrong(message: impl Into<String>) -> Invalid {
     Invalid::new("file", message)
-}
-
-/// From rest to the first line.
-fn lead(first: Station) -> Vec<Station> {
-    const INCREMENTS: usize = 20;
-    let share = |index: usize| index as f64 / INCREMENTS as f64;
-    let unmoved = Station { guides: first.share(0.0).guides, ..first };
-    let press = (1..=INCREMENTS).map(|index| unmoved.share(share(index)));
-    let shift =
-        (1..=INCREMENTS).map(|index| Station { guides: first.share(share(index)).guides, ..first });
-    if unmoved == first { press.collect() } else { press.chain(shift).collect() }
 }
 
 /// A station between two of the same kind.

@@ -30,7 +30,7 @@ impl Station {
     /// Whether all its values are finite.
     pub(super) fn is_finite(&self) -> bool {
         let (Control::Load(pressed) | Control::Approach(pressed)) = self.control;
-        let [x, y] = self.guides.map(|(Drive::Slip(value) | Drive::Force(value))| value);
+        let [x, y] = self.guides.map(Drive::value);
         [pressed, x, y].into_iter().all(f64::is_finite)
     }
 
@@ -43,6 +43,16 @@ impl Station {
     pub(super) fn is_like(&self, other: &Self) -> bool {
         discriminant(&self.control) == discriminant(&other.control)
             && self.guides.each_ref().map(discriminant) == other.guides.each_ref().map(discriminant)
+    }
+
+    /// The way here from rest, in that many increments each: first pressed together, then shifted, where it is.
+    pub(super) fn lead(self, count: usize) -> Vec<Self> {
+        let unmoved = Self { guides: self.share(0.0).guides, ..self };
+        let share = |index: usize| index as f64 / count as f64;
+        let press = (1..=count).map(|index| unmoved.share(share(index)));
+        let moved = if self.guides == unmoved.guides { 0 } else { count };
+        let guided = |index| Self { guides: self.share(share(index)).guides, ..self };
+        press.chain((1..=moved).map(guided)).collect()
     }
 
     /// Pressed and guided by that share of all that another one is.

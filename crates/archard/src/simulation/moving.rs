@@ -125,6 +125,7 @@ impl Move for History {
             displacement: self.displacement.moved(to),
             known: to.known(self.known),
             elastic_displacement: self.elastic_displacement.moved(to),
+            // The pairs that close show their course anew.
             course: None,
             until_touch: None,
             rubbed: self.rubbed.moved(to),

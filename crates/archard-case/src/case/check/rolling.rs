@@ -63,8 +63,7 @@ fn wear(parts: &Parts<'_>, drives: &Drives) -> Vec<Problem> {
 
 /// Whether nothing drives bodies that roll on each other as one.
 fn is_still(parts: &Parts<'_>, drives: &Drives) -> bool {
-    let is_zero = |drive: Drive| matches!(drive, Drive::Slip(0.0) | Drive::Force(0.0));
-    parts.alike() && drives.both().into_iter().all(is_zero) && drives.spin == 0.0
+    parts.alike() && drives.both().into_iter().all(Drive::is_still) && drives.spin == 0.0
 }
 
 /// Friction that is missing, or bears less than it has to.

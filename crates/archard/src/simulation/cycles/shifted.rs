@@ -46,8 +46,7 @@ impl History {
     /// The same in a larger frame, with the displacement of all tractions there.
     pub(super) fn strained(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
         let problem = to.problem();
-        // The pairs that close show their course anew.
-        let mut moved = Self { course: None, until_touch: None, ..self.moved(to) };
+        let mut moved = self.moved(to);
         moved.find_displacement(problem, effort);
         // Beyond the smaller frame too the surfaces were displaced and opened.
         effort.applications += 1;
