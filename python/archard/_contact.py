@@ -71,6 +71,8 @@ def contact(
         load: normal force with its unit, as ``"10 N"``; the bodies are pressed together by it and not moved.
         approach: approach of the bodies from first touch with its unit, instead.
 
+    What is doubtful about the case is a :class:`CaseWarning`, as of a run.
+
     Raises:
         CaseError: all that is wrong with the case.
         RunError: if a solve does not converge, or the contact fills the frame.
@@ -95,6 +97,7 @@ def contact(
             if key in own:
                 del own[key]
         own["motion"] = {"indentation": pressed}
+    own._compiled_check(None, None)
     elements, fields, values = _archard.solve_contact(own._compiled())
     found, known = dict(fields), dict(values)
     if elements is not None:

@@ -73,6 +73,10 @@ fn solve(mut simulation: archard::Simulation) -> Result<Contact, Unsolved> {
         let pressed = Motion::pressed(simulation.schedule.control).map_err(said)?;
         (simulation.problem.motion, simulation.schedule) = pressed;
     }
+    if simulation.problem.motion.increments().is_some() {
+        // The way to the first cycle would rub.
+        simulation.problem.bodies.iter_mut().for_each(|body| body.wear = None);
+    }
     Contact::at_first(simulation).map_err(said)
 }
 

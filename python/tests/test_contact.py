@@ -58,8 +58,22 @@ def test_motions_say_how_bodies_are_driven():
     slides = archard.contact("pin_on_disc")
     assert slides.load == pytest.approx(10.2, rel=1e-6)
     assert slides.force == (0, 0)
-    meshed = archard.contact("punch_indentation_block", load="1 kN")
-    assert meshed.load == pytest.approx(1e3, rel=1e-6)
+    meshed = archard.contact("punch_indentation_block", approach="0.07 mm")
+    assert meshed.approach == pytest.approx(0.07e-3, rel=1e-6)
+    assert meshed.pressure.ndim == 1
+
+
+def test_what_is_doubtful_is_a_warning():
+    """Few elements across the contact are told as of a run; what frets is unworn at its first cycle."""
+    coarse = {"size": ["0.36 mm", "0.36 mm"], "elements": [4, 4]}
+    with pytest.warns(archard.CaseWarning, match="elements"):
+        archard.contact({"body": {"ball": BALL, "flat": FLAT}, "frame": coarse}, load="10.2 N")
+    case = archard.Case("fretting_energy")
+    unworn = archard.contact(case)
+    for body in ("ball", "flat"):
+        if f"body.{body}.wear" in case:
+            del case[f"body.{body}.wear"]
+    assert archard.contact(case).pressure == pytest.approx(unworn.pressure, rel=1e-12)
 
 
 def test_what_cannot_be_is_said():
@@ -71,8 +85,10 @@ def test_what_cannot_be_is_said():
         archard.contact(case)
     with pytest.raises(archard.CaseError, match="load"):
         archard.contact(case, load="-1 N")
+    soft = {**BALL, "material": {"young": "10 GPa", "poisson": 0.3}}
     rubs = {
-        **case,
+        "body": {"ball": soft, "flat": FLAT},
+        "frame": FRAME,
         "motion": {"indentation": {"load": "1 N", "increments": 4}},
         "friction": {"coulomb": {"coefficient": 0.3}},
     }

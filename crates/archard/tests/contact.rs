@@ -9,6 +9,7 @@ use archard::closed_form::cattaneo_mindlin::PartialSlip;
 use archard::friction::Coulomb;
 use archard::motion::{Control, Drive, Station};
 use archard::simulation::Builder;
+use archard::wear::Archard;
 use archard::{Body, Contact, Material};
 
 const RADIUS: f64 = 50e-3;
@@ -94,6 +95,18 @@ fn a_ball_that_is_shifted_is_cattaneo_s() {
         let found = tangential.stick_area(contact.problem(), contact.pressure());
         assert_relative_eq!(found, stick, max_relative = 0.03);
     }
+}
+
+/// What is shifted has rubbed on the way, and is as unworn as what is pressed.
+#[test]
+fn a_contact_does_not_wear() {
+    let wears = |body: Body| body.wear(Archard::new(1e-9).expect("a coefficient"));
+    let station =
+        Station::pressed(Control::Load(LOAD)).guided([Drive::Force(1.0), Drive::Slip(0.0)]);
+    let shifted = Contact::shifted(ball_on_flat().map(wears), station, 4).expect("a station");
+    let contact = solved(shifted.friction(Coulomb::new(0.3).expect("a coefficient")));
+    assert!(contact.force()[0] > 0.99);
+    assert_eq!(contact.state().total_worn().into_iter().fold(0.0, f64::max), 0.0);
 }
 
 #[test]

@@ -57,7 +57,7 @@ impl Contact {
     }
 
     /// Begins with two bodies that are pressed together as at a station and then shifted or pushed there, in so many increments
-    /// each where the way counts.
+    /// each where the way counts. They do not wear on the way.
     ///
     /// # Errors
     /// If a value of the station is not one to compute with, or there are no increments or too many of them.
@@ -66,7 +66,8 @@ impl Contact {
         station: Station,
         increments: usize,
     ) -> Result<Builder, Invalid> {
-        Ok(Simulation::builder(bodies, Motion::shifted(station, increments)?))
+        let unworn = bodies.map(|body| Body { wear: None, ..body });
+        Ok(Simulation::builder(unworn, Motion::shifted(station, increments)?))
     }
 
     /// The contact that a simulation begins with.
