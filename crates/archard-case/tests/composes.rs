@@ -72,7 +72,7 @@ const ELASTICITIES: [Elasticity; 6] = [
 ];
 
 /// Motions: name, and the table.
-const MOTIONS: [(&str, &str); 11] = [
+const MOTIONS: [(&str, &str); 12] = [
     ("indentation", "indentation = { load = \"1 N\", increments = 4 }"),
     (
         "fretting, surfaces stay",
@@ -108,6 +108,7 @@ const MOTIONS: [(&str, &str); 11] = [
         "creepage_sweep = { load = \"1 N\", creepage = 0.01, speed = \"1 m/s\", increments = 4 }",
     ),
     ("a path", "path = { file = \"path.csv\" }"),
+    ("a table of stations", "table = { file = \"stations.csv\", cycles = 10, tolerance = 0.01 }"),
 ];
 
 /// What goes on top: name, and what it adds to the lower body, to friction and to the case.
@@ -151,6 +152,8 @@ fn refused(text: &str) -> Option<String> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = "time_s,load_N,shift_x_um\n0,1,0\n1,1,0.1\n2,1,0\n";
     fs::write(folder.path().join("path.csv"), path).expect("a path");
+    let stations = "duration_s,load_N,offset_two_x_mm\n0.5,1,0\n0.5,1,0.1\n";
+    fs::write(folder.path().join("stations.csv"), stations).expect("stations");
     let file = CaseFile::from_text("case.toml", text, folder.path().to_owned());
     let problems = file.resolve().err()?;
     let first = problems.iter().find(|problem| problem.severity == Severity::Error);

@@ -136,8 +136,8 @@ const MOTION_EXAMPLES: Examples = &[
     ("creepage_sweep", &[("load", 300.0), ("spin", 0.2), ("increments", 5.0)]),
 ];
 
-/// Motions that need more than numbers: see `contracts/shift.rs`.
-const OTHER_MOTIONS: &[&str] = &["fretting", "path"];
+/// Motions that need more than numbers: see `contracts/shift.rs` and `crates/archard/tests/stations.rs`.
+const OTHER_MOTIONS: &[&str] = &["fretting", "path", "table"];
 
 fn all_have_examples<T>(list: &[Choice<T>], examples: Examples, others: &[&str]) {
     for choice in list {

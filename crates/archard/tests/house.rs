@@ -17,7 +17,7 @@ const COLUMNS: [&str; 6] = ["lines", "constants", "questions", "types", "tuples"
 
 /// How code outside `motion` asks a motion for its kind: by the names of what its answers can be, and by whether there is one.
 const KINDS: [&str; 4] = ["Slip::", "Sequence::", "Passage::", "Lever::"];
-const ANSWERS: [&str; 8] = [
+const ANSWERS: [&str; 9] = [
     "driven",
     "increments",
     "lever_arm",
@@ -26,6 +26,7 @@ const ANSWERS: [&str; 8] = [
     "track",
     "passing",
     "stream",
+    "table",
 ];
 
 /// A source file of one folder, without comments, empty lines and unit tests.

@@ -12,6 +12,7 @@ mod rotation;
 mod shift;
 mod similar;
 mod sliding;
+mod table;
 
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +24,7 @@ pub use rolling::Rolling;
 pub use rotation::Rotation;
 pub use shift::{Cycles, Shift, Station};
 pub use sliding::{Sliding, Track};
+pub use table::{Row, Table};
 
 use crate::frame::Direction;
 use crate::parameters::{Bound, Choice, Invalid, Parameter, Quantity, Values};
@@ -59,6 +61,8 @@ pub enum Passage {
     Swings(f64, Option<Track>),
     /// Points slide past those of the other surface for ever: both repeat themselves with the frame.
     Recurs,
+    /// Points come under the contact where the stations of a [table](Table) say, in two directions.
+    Roams,
 }
 
 /// How far pairs in contact slip.
@@ -88,6 +92,8 @@ pub enum Sequence {
     Raised,
     /// Increments from station to station.
     Cycle(Shift),
+    /// Stations on both surfaces, all pairs in contact sliding from one to the next.
+    Table(Table),
 }
 
 /// Surfaces that pass: their points come through the contact along a line, and all of that line wear by the same depth.
@@ -129,7 +135,7 @@ impl Passage {
     pub fn track(&self) -> Option<Track> {
         match *self {
             Self::Passes(track) | Self::Swings(_, track) => track,
-            Self::Stays | Self::Recurs => None,
+            Self::Stays | Self::Recurs | Self::Roams => None,
         }
     }
 
@@ -185,7 +191,8 @@ impl Motion {
 
     /// Whether a step sees the surfaces in one position after the other.
     pub fn has_positions(&self) -> bool {
-        self.amplitude().is_some() || self.surfaces.contains(&Passage::Recurs)
+        self.amplitude().is_some()
+            || [Passage::Recurs, Passage::Roams].iter().any(|one| self.surfaces.contains(one))
     }
 
     /// Whether the surfaces stay opposite each other.
@@ -198,6 +205,9 @@ impl Motion {
         let along = self.passing().map(|_| self.direction.axis);
         match (&self.sequence, &self.slip) {
             (Sequence::Cycle(shift), _) => shift.moves_along(),
+            (Sequence::Table(table), _) => [0, 1].map(|axis| {
+                (0..2).any(|body| table.reach(body, axis)[0] < table.reach(body, axis)[1])
+            }),
             (_, Slip::Sought(drives)) => {
                 let aside = drives.lateral != Drive::Slip(0.0) || drives.spin != 0.0;
                 [0, 1].map(|axis| axis == self.direction.axis || aside)
@@ -255,6 +265,16 @@ impl Motion {
             (Slip::Sought(drives), Sequence::Raised) => Some(drives.raised(progress)),
             _ => None,
         }
+    }
+
+    /// The stations of a table.
+    pub fn table(&self) -> Option<&Table> {
+        if let Sequence::Table(table) = &self.sequence { Some(table) } else { None }
+    }
+
+    /// Whether the surface of a body moves under the contact from station to station of a table.
+    pub fn roams(&self, body: usize) -> bool {
+        self.surfaces[body] == Passage::Roams
     }
 
     /// The increments of a motion in cycles.
@@ -379,6 +399,7 @@ pub const MOTIONS: &[Choice<Planned>] = &[
     indentation::CHOICE,
     fretting::CHOICE,
     path::CHOICE,
+    table::CHOICE,
     sliding::CHOICE,
     rotation::CHOICE,
     rolling::CHOICE,

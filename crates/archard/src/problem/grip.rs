@@ -117,7 +117,7 @@ impl ContactProblem {
         further: f64,
         pair: usize,
     ) -> Circumstances {
-        let slid = state.surfaces.each_ref().map(|one| one.before(one.grid.at(pair, 0))[0]);
+        let slid = state.surfaces.each_ref().map(|one| one.before(one.grid.at(pair, [0; 2]))[0]);
         let warm = |flash: &Flash| Some(flash.bulk? + flash.rise[pair]);
         let temperature = flash.as_ref().and_then(warm).or_else(|| self.bulk()).unwrap_or_default();
         Circumstances { speed: 0.0, distance: slid[0].max(slid[1]) + further, temperature }

@@ -323,7 +323,7 @@ impl ContactState {
 
     /// Depth worn off both bodies (m) at a pair.
     pub fn worn_at(&self, pair: usize) -> f64 {
-        let [one, two] = self.surfaces.each_ref().map(|one| one.depth[one.grid.at(pair, 0)]);
+        let [one, two] = self.surfaces.each_ref().map(|one| one.depth[one.grid.at(pair, [0; 2])]);
         one + two
     }
 

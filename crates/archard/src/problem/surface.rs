@@ -40,8 +40,8 @@ enum Along {
     Stays,
     /// One for all pairs.
     Passes,
-    /// One a pair, and so many more at each end.
-    Swings(usize),
+    /// One a pair, and so many more before the first and after the last.
+    Swings([usize; 2]),
     /// One a pair, the last one beside the first.
     Recurs,
 }
@@ -59,7 +59,14 @@ impl Grid {
 
     /// As many more elements than pairs at both ends of an axis.
     pub fn swinging(frame: [usize; 2], axis: usize, margin: usize) -> Self {
-        Self::of_pairs(frame).lying(axis, Along::Swings(margin))
+        Self::of_pairs(frame).lying(axis, Along::Swings([margin; 2]))
+    }
+
+    /// So many more elements than pairs before the first and after the last one of each axis; as many as pairs where there are none.
+    pub fn roaming(frame: [usize; 2], margins: [[usize; 2]; 2]) -> Self {
+        let along =
+            margins.map(|more| if more == [0; 2] { Along::Stays } else { Along::Swings(more) });
+        Self { frame, along }
     }
 
     /// As many elements as pairs, which repeat themselves along an axis.
@@ -87,20 +94,27 @@ impl Grid {
         [0, 1].map(|axis| match self.along[axis] {
             Along::Stays | Along::Recurs => self.frame[axis],
             Along::Passes => 1,
-            Along::Swings(margin) => self.frame[axis] + 2 * margin,
+            Along::Swings([before, after]) => self.frame[axis] + before + after,
         })
     }
 
-    /// The element that lies at a pair of the frame when the surface is moved by so many elements along the axis on which it
-    /// swings, not more than its margin, or repeats itself.
-    pub fn at(self, pair: usize, offset: isize) -> usize {
+    /// How many elements it has before the first pair of the frame along x and y, in the middle of a swing.
+    pub fn before(self) -> [usize; 2] {
+        self.along.map(|along| if let Along::Swings([before, _]) = along { before } else { 0 })
+    }
+
+    /// The element that lies at a pair of the frame when the surface is moved by so many elements along the axes on which it
+    /// swings, not more than its margins, or repeats itself.
+    pub fn at(self, pair: usize, offset: [isize; 2]) -> usize {
         let place = [pair % self.frame[0], pair / self.frame[0]];
         let [x, y] = [0, 1].map(|axis| match self.along[axis] {
             Along::Stays => place[axis],
             Along::Passes => 0,
-            Along::Swings(margin) => (place[axis] + margin).saturating_add_signed(-offset),
+            Along::Swings([before, _]) => {
+                (place[axis] + before).saturating_add_signed(-offset[axis])
+            }
             Along::Recurs => {
-                (place[axis] as isize - offset).rem_euclid(self.frame[axis] as isize) as usize
+                (place[axis] as isize - offset[axis]).rem_euclid(self.frame[axis] as isize) as usize
             }
         });
         x + self.elements()[0] * y
@@ -110,7 +124,7 @@ impl Grid {
     fn first_in(self, other: Self, first: [isize; 2]) -> [isize; 2] {
         [0, 1].map(|axis| match (self.along[axis], other.along[axis]) {
             (Along::Passes, Along::Passes) => 0,
-            (Along::Swings(own), Along::Swings(other)) => {
+            (Along::Swings([own, _]), Along::Swings([other, _])) => {
                 first[axis] + other as isize - own as isize
             }
             _ => first[axis],
@@ -161,7 +175,7 @@ impl Surface {
                 field.iter().flat_map(|value| std::iter::repeat_n(*value, nx)).collect()
             }
             [_, Along::Passes] => Cow::Owned(field.repeat(ny)),
-            _ => (0..nx * ny).map(|pair| field[self.grid.at(pair, 0)]).collect(),
+            _ => (0..nx * ny).map(|pair| field[self.grid.at(pair, [0; 2])]).collect(),
         }
     }
 
@@ -172,7 +186,7 @@ impl Surface {
 
     /// Wears the surface, moved by so many elements, by a share of depths (m) at the pairs of the frame and distances (m) slid
     /// there.
-    pub fn wear(&mut self, (depths, slip): (&[f64], &[f64]), offset: isize, share: f64) {
+    pub fn wear(&mut self, (depths, slip): (&[f64], &[f64]), offset: [isize; 2], share: f64) {
         let grid = self.grid;
         let lay = |field: &mut Vec<f64>, values: &[f64]| {
             if grid.along == [Along::Stays; 2] {
@@ -191,7 +205,10 @@ impl Surface {
     /// The sum of a field of the frame over the pairs at each element, in the middle of a swing.
     pub fn gathered(&self, field: &[f64]) -> Vec<f64> {
         let mut sums = vec![0.0; self.depth.len()];
-        field.iter().enumerate().for_each(|(pair, value)| sums[self.grid.at(pair, 0)] += value);
+        field
+            .iter()
+            .enumerate()
+            .for_each(|(pair, value)| sums[self.grid.at(pair, [0; 2])] += value);
         sums
     }
 
@@ -235,10 +252,12 @@ mod tests {
     fn a_pair_meets_what_was_moved_to_it() {
         let grid = Grid::swinging([4, 2], 0, 3);
         assert_eq!(grid.elements(), [10, 2]);
-        assert_eq!([grid.at(0, 0), grid.at(0, 3), grid.at(7, -3)], [3, 0, 19]);
+        let at = |pair, offset| grid.at(pair, [offset, 0]);
+        assert_eq!([at(0, 0), at(0, 3), at(7, -3)], [3, 0, 19]);
         let along_y = Grid::swinging([4, 2], 1, 3);
         assert_eq!(along_y.elements(), [4, 8]);
-        assert_eq!([along_y.at(0, 0), along_y.at(0, 3), along_y.at(7, -3)], [12, 0, 31]);
+        let at = |pair, offset| along_y.at(pair, [0, offset]);
+        assert_eq!([at(0, 0), at(0, 3), at(7, -3)], [12, 0, 31]);
         let mut surface = Surface::unworn(grid, false, false);
         surface.depth[13] = 2.0;
         assert_eq!(surface.worn()[..], [0.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0]);
@@ -249,11 +268,11 @@ mod tests {
     fn what_repeats_itself_comes_round() {
         let grid = Grid::recurring([4, 2], 0);
         assert_eq!(grid.elements(), [4, 2]);
-        assert_eq!([0, 1, -1, 4, -9].map(|offset| grid.at(0, offset)), [0, 3, 1, 0, 1]);
-        assert_eq!(grid.at(6, 3), 7);
+        assert_eq!([0, 1, -1, 4, -9].map(|offset| grid.at(0, [offset, 0])), [0, 3, 1, 0, 1]);
+        assert_eq!(grid.at(6, [3, 0]), 7);
         let mut surface = Surface::unworn(grid, true, false);
         let depths: Vec<f64> = (1..9).map(f64::from).collect();
-        (0..4).for_each(|offset| surface.wear((&depths, &depths), offset, 0.25));
+        (0..4).for_each(|offset| surface.wear((&depths, &depths), [offset, 0], 0.25));
         assert_eq!(surface.depth, [2.5, 2.5, 2.5, 2.5, 6.5, 6.5, 6.5, 6.5]);
         assert_eq!(surface.slid, surface.depth);
     }
@@ -273,9 +292,9 @@ mod tests {
     fn what_is_worn_stays_where_it_was_worn() {
         let mut surface = Surface::unworn(Grid::swinging([4, 2], 0, 3), false, false);
         let depths: Vec<f64> = (1..9).map(f64::from).collect();
-        surface.wear((&depths, &[]), 2, 0.5);
+        surface.wear((&depths, &[]), [2, 0], 0.5);
         for (pair, depth) in depths.iter().enumerate() {
-            assert_eq!(surface.depth[surface.grid.at(pair, 2)], 0.5 * depth);
+            assert_eq!(surface.depth[surface.grid.at(pair, [2, 0])], 0.5 * depth);
         }
         let larger = surface.moved([1, 1], Grid::swinging([6, 4], 0, 5));
         let pair = |x: usize, y: usize| [x + 4 * y, x + 1 + 6 * (y + 1)];

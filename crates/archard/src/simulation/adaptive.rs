@@ -18,10 +18,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::advance::Scheme;
+use super::effort::Effort;
+use super::error::Error;
 use super::memory::{History, Increment};
 use super::moving::{Move, Moving};
+use super::setup::Simulation;
 use super::trial::{STATED, Trial, Way, depths, extrapolate, relative_change, slides};
-use super::{Effort, Error, Simulation};
 use crate::motion::{Control, Schedule};
 use crate::numerics::vector::Values;
 use crate::problem::{ContactProblem, ContactState, Surface};
@@ -181,11 +184,11 @@ impl Adaptive {
         let start = self.fine.state.progress;
         let (half, end) = (start + 0.5 * length, start + length);
         let (mut coarse, mut fine) = (self.coarse.clone(), self.fine.clone());
-        coarse.implicit(simulation, increment(length, end), effort)?;
-        fine.implicit(simulation, increment(0.5 * length, half), effort)?;
+        coarse.advance(simulation, increment(length, end), Scheme::Implicit, effort)?;
+        fine.advance(simulation, increment(0.5 * length, half), Scheme::Implicit, effort)?;
         let middle = fine.state.pressure.clone();
         let worn = depths(&fine.state).map(|worn| worn.into_owned().into());
-        fine.implicit(simulation, increment(0.5 * length, end), effort)?;
+        fine.advance(simulation, increment(0.5 * length, end), Scheme::Implicit, effort)?;
         let way = Way {
             problem: &simulation.problem,
             before: [&self.coarse.state, &self.fine.state],

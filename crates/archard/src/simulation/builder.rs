@@ -2,9 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::Simulation;
 use super::periodic::repeats;
 use super::refusal::Refused;
+use super::setup::Simulation;
 use crate::body::{Body, Elasticity};
 use crate::compliance::bem::contact::{self, Condense, Contact};
 use crate::compliance::{Compliance, HalfSpace, Periodic};

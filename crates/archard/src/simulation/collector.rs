@@ -4,13 +4,14 @@
 //! is under one pair and wears by what that pair goes through. Where it *passes*, its points go through all pairs on a
 //! line along the motion, again and again, and [wear alike](super::passing).
 
-use super::Error;
+use super::error::Error;
 use super::passing::{Lines, OfLines};
-use super::swing::Position;
+use super::position::Position;
 use crate::friction::Circumstance;
 use crate::motion::Passing;
 use crate::numerics::vector::{self, Values};
-use crate::problem::{ContactProblem, ContactState, Flash, Wear};
+use crate::problem::{ContactProblem, ContactState, Wear};
+use crate::wear::Rubbing;
 
 /// Disagreement of the wear that a step foresaw with the wear it made, relative to the deepest: where laws alone are
 /// linearised, and where friction is too, which in rolling changes with the wear.
@@ -18,14 +19,19 @@ const OF_LAWS: f64 = 1e-9;
 const OF_LINES: f64 = 1e-6;
 const OF_FRICTION: f64 = 0.02;
 
+/// Wear coefficients (1/Pa) of the places on a body, one value an element; `None` where they are not needed.
+pub(super) type Coefficients = Option<Vec<f64>>;
+
 /// Collects the wear of both bodies.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug)]
 pub(super) struct Collector<'a> {
     problem: &'a ContactProblem,
     /// Which bodies stay.
     stays: [bool; 2],
     /// The lines of those that pass.
     lines: Option<Lines<'a>>,
+    /// Of bodies whose laws take a whole cycle, where it is gone through in positions.
+    pub coefficients: [Coefficients; 2],
 }
 
 /// What a step wears.
@@ -51,11 +57,12 @@ impl<'a> Collector<'a> {
     /// If surfaces do not pass along the frame.
     pub fn of(problem: &'a ContactProblem) -> Result<Self, Error> {
         let Some(Passing { direction, bodies, passages, .. }) = problem.motion.passing() else {
-            return Ok(Self { problem, stays: [true; 2], lines: None });
+            return Ok(Self { problem, stays: [true; 2], lines: None, coefficients: [None, None] });
         };
         let flow = problem.frame.flow(direction)?;
         let lines = Some(Lines { problem, flow, bodies, passages });
-        Ok(Self { problem, stays: bodies.map(|passes| !passes), lines })
+        let stays = bodies.map(|passes| !passes);
+        Ok(Self { problem, stays, lines, coefficients: [None, None] })
     }
 
     /// The lines of surfaces that pass.
@@ -63,44 +70,80 @@ impl<'a> Collector<'a> {
         self.lines
     }
 
+    /// What a pair goes through in an advance (the motion's unit) under the contact as it is, in a position.
+    pub fn rubbing<'s>(
+        &'s self,
+        state: &'s ContactState,
+        advance: f64,
+        position: &'s Position,
+    ) -> impl Fn(usize) -> Rubbing + 's {
+        let motion = &self.problem.motion;
+        let distance = position.slips();
+        let (direction, speed) = position.heading.unzip();
+        let place = |pair| self.problem.frame.place(pair);
+        let half = 0.5 * motion.slip(advance);
+        let further = |pair| half * motion.lever(place(pair));
+        let grip = self.problem.grip(state, further).unwrap_or_else(|last| last);
+        let flash = self.problem.flash_for_laws(state);
+        let warm = flash.and_then(|flash| Some(flash.temperatures()?.to_vec()));
+        move |pair| {
+            let heading = direction.unwrap_or_else(|| motion.heading(place(pair)));
+            let rubbing = self
+                .problem
+                .rubbing(state.pressure[pair], distance.at(pair), heading)
+                .gripping(grip.at(pair))
+                .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]));
+            speed.flatten().map_or(rubbing, |speed| rubbing.at_speed(speed))
+        }
+    }
+
     /// What an advance (the motion's unit) wears under the contact as it is, in a position.
     pub fn collect(&self, state: &ContactState, advance: f64, position: &Position) -> Collected {
-        let (distance, offset) = (position.slips(), position.offset);
         let pairs = self.any_stays().then(|| {
-            let motion = &self.problem.motion;
-            let heading = |pair| motion.heading(self.problem.frame.place(pair));
-            let flash = self.problem.flash_for_laws(state);
-            let warm = flash.as_ref().and_then(Flash::temperatures);
-            let half = 0.5 * motion.slip(advance);
-            let further = |pair| half * motion.lever(self.problem.frame.place(pair));
-            let grip = self.problem.grip(state, further).unwrap_or_else(|last| last);
-            let rubbing = |&pair: &usize| {
-                self.problem
-                    .rubbing(state.pressure[pair], distance.at(pair), heading(pair))
-                    .gripping(grip.at(pair))
-                    .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]))
-            };
-            let wear = |pairs: &[usize]| {
-                let before = |body: usize, index: usize| {
-                    let surface = &state.surfaces[body];
-                    surface.before(surface.grid.at(pairs[index], offset))
-                };
-                self.problem.wear(pairs.iter().map(rubbing), self.stays, before)
-            };
+            let rubbing = self.rubbing(state, advance, position);
             let pairs = state.pressure.len();
-            let remembers = self.problem.remembers();
-            let even = matches!(distance, Values::All(_)) && warm.is_none() && !remembers;
+            let even = matches!(position.slips(), Values::All(_))
+                && !self.problem.goes_by_temperature()
+                && !self.problem.remembers()
+                && self.coefficients.iter().all(Option::is_none);
             if !even {
-                return wear(&(0..pairs).collect::<Vec<_>>());
+                let all = (0..pairs).collect::<Vec<_>>();
+                return self.wear_at(&all, state, position, rubbing);
             }
             let told = pressed_and_one(&state.pressure);
-            wear(&told).spread(&told, pairs)
+            self.wear_at(&told, state, position, rubbing).spread(&told, pairs)
         });
         let lines = self.lines.map(|lines| {
             let times = advance * lines.passages;
             (OfLines::of(state, lines, times), times)
         });
         Collected { pairs, lines }
+    }
+
+    /// What pairs wear that are rubbed so, in a position.
+    fn wear_at(
+        &self,
+        pairs: &[usize],
+        state: &ContactState,
+        position: &Position,
+        rubbing: impl Fn(usize) -> Rubbing,
+    ) -> Wear {
+        let place =
+            |body: usize, pair: usize| state.surfaces[body].grid.at(pair, position.offsets[body]);
+        let before =
+            |body: usize, index: usize| state.surfaces[body].before(place(body, pairs[index]));
+        let by_law = [0, 1].map(|body| self.stays[body] && self.coefficients[body].is_none());
+        let mut wear = self.problem.wear(pairs.iter().map(|&pair| rubbing(pair)), by_law, before);
+        for (body, coefficients) in self.coefficients.iter().enumerate() {
+            let Some(coefficients) = coefficients else { continue };
+            for (index, &pair) in pairs.iter().enumerate() {
+                let Rubbing { pressure, slip, .. } = rubbing(pair);
+                let slope = coefficients[place(body, pair)] * slip;
+                wear.depths[body][index] += slope * pressure;
+                wear.slopes[index] += slope;
+            }
+        }
+        wear
     }
 
     /// Whether any body stays that wears, or whose distance counts.
@@ -132,8 +175,10 @@ impl<'a> Collector<'a> {
         let stays = state.surfaces.iter_mut().enumerate().filter(|(body, _)| self.stays[*body]);
         for (body, surface) in stays {
             let Some(wear) = &made.pairs else { break };
-            for (way, share) in &position.ways {
-                surface.wear((&wear.depths[body], &wear.slip), position.offset + way, *share);
+            let [x, y] = position.offsets[body];
+            for ([along, across], share) in &position.ways[body] {
+                let offset = [x + along, y + across];
+                surface.wear((&wear.depths[body], &wear.slip), offset, *share);
             }
         }
         let Some((lines, (made, times))) = self.lines.zip(made.lines.as_ref()) else { return };
@@ -144,7 +189,7 @@ impl<'a> Collector<'a> {
                 // All pairs of a row have one element.
                 let met = if rows { 1 } else { line.passages.len() };
                 for one in &line.passages[..met.min(line.passages.len())] {
-                    let element = surface.grid.at(one.pair, 0);
+                    let element = surface.grid.at(one.pair, [0; 2]);
                     surface.depth[element] += times * one.share * made.depths[index][body];
                     if let Some(slid) = surface.slid.get_mut(element) {
                         *slid += times * one.share * made.slips[index];

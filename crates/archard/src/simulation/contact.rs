@@ -1,9 +1,12 @@
 //! One contact: bodies pressed together and, where they are driven, the friction between them, solved once.
 
+use super::builder::Builder;
+use super::effort::Effort;
+use super::error::Error;
 use super::march::Stepper;
 use super::passing::{self, WornLine};
 use super::placed::Placed;
-use super::{Builder, Effort, Error, Simulation};
+use super::setup::Simulation;
 use crate::body::Body;
 use crate::motion::{Control, Motion, Rolling, Station, Stepping};
 use crate::numerics::vector::in_pool;

@@ -1,7 +1,9 @@
 //! Friction under given pressures, and its alternation with the pressures of unlike bodies.
 
+use super::effort::Effort;
+use super::error::Error;
 use super::memory::Increment;
-use super::{Effort, Error, Simulation};
+use super::setup::Simulation;
 use crate::solve::Status;
 use crate::solve::tangential::{self, Admissible, Outcome, Start, Step};
 

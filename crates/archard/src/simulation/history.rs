@@ -3,8 +3,8 @@
 //! [`COLUMNS`] is that table: a column is one entry of it. The names that others read by are constants,
 //! in which `BODY` stands for the name of a body and arrays hold the names along x and y.
 
-use super::Report;
 use super::companion::Companions;
+use super::report::Report;
 use super::scar::{scar, track_width};
 use super::worn::{exposed_area, layer_volume, mass_loss, wear_rate, worn_section, worn_volume};
 use crate::body::Body;

@@ -2,18 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::checkpoint::digest;
 use super::cycles::{Cycles, Setting};
+use super::digest::digest;
+use super::effort::Effort;
+use super::error::Error;
 use super::moving::{Move, Moving};
 use super::placed::Placed;
+use super::report::Report;
+use super::setup::{SAME, Simulation};
 use super::steps::Steps;
 use super::surroundings::More;
-use super::{Effort, Error, Report, Simulation};
-use crate::motion::Sequence;
 use crate::problem::ContactState;
-
-/// Two values of progress closer than this, relative to the extent, are the same.
-pub(super) const SAME: f64 = 1e-9;
 
 /// A run under way: all that its further steps follow from, beside the simulation.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -222,22 +221,18 @@ impl Stepper {
     }
 
     fn within(simulation: &Simulation) -> Result<Self, Error> {
-        Ok(match &simulation.problem.motion.sequence {
-            Sequence::Cycle(shift) => {
-                Self::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?))
-            }
-            Sequence::Steady | Sequence::Raised => Self::Steps(Box::new(Steps::begin(simulation)?)),
+        Ok(match simulation.problem.motion.increments() {
+            Some(shift) => Self::Cycles(Box::new(Cycles::begin(Setting { simulation, shift })?)),
+            None => Self::Steps(Box::new(Steps::begin(simulation)?)),
         })
     }
 
     /// Goes on to the next state, and not beyond a place; whether there was one.
     fn step(&mut self, simulation: &Simulation, next: f64) -> Result<bool, Error> {
-        match (self, &simulation.problem.motion.sequence) {
+        match (self, simulation.problem.motion.increments()) {
             (Self::Steps(steps), _) => steps.step(simulation, next),
-            (Self::Cycles(cycles), Sequence::Cycle(shift)) => {
-                cycles.step(Setting { simulation, shift }, next)
-            }
-            (Self::Cycles(_), _) => Ok(false),
+            (Self::Cycles(cycles), Some(shift)) => cycles.step(Setting { simulation, shift }, next),
+            (Self::Cycles(_), None) => Ok(false),
         }
     }
 

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::swing::Swing;
+use super::effort::Effort;
+use super::error::Error;
+use super::positions::positions;
+use super::setup::Simulation;
 use super::touch::Course;
-use super::{Effort, Error, Simulation};
 use crate::compliance::Compliance;
 use crate::frame::Part;
 use crate::motion::{Control, Passing};
@@ -89,8 +91,8 @@ pub(super) fn unworn(problem: &ContactProblem) -> [Surface; 2] {
             *grid = Grid::passing(frame, direction.axis);
         }
     }
-    if let Some((body, grid)) = Swing::of(problem).map(|swing| swing.moved()) {
-        grids[body] = grid;
+    if let Some(own) = positions(problem).map(|seen| seen.grids()) {
+        grids = [0, 1].map(|body| own[body].unwrap_or(grids[body]));
     }
     let bodies = [0, 1].map(|body| (grids[body], problem.bodies[body].hardness.is_some()));
     bodies.map(|(grid, yields)| Surface::unworn(grid, problem.counts_distance(), yields))

@@ -4,8 +4,8 @@
 //! pressed nor worn is so beyond, but for lines of surfaces that pass, which are worn all along. What was worn off four elements
 //! is worn off the one that takes their place, to the same volume.
 
-use super::Simulation;
 use super::memory::{History, Rubbed, unworn};
+use super::setup::Simulation;
 use crate::frame::Part;
 use crate::numerics::vector::map;
 use crate::problem::{ContactProblem, ContactState, Gap, Surface, Tangential};

@@ -7,8 +7,8 @@
 //! scattered pairs some of the work is lost to the diffusion of the derivative, a few percent; there all of the wear
 //! is scaled by what is missing. Both profiles wear evenly around, so that a line has one depth.
 
-use super::Error;
 use super::collector::Collector;
+use super::error::Error;
 use crate::frame::{Flow, Line, Passage, VectorField};
 use crate::friction::{Friction, Grip, Limits};
 use crate::motion::Slip;
@@ -225,7 +225,7 @@ fn ages(
         let mut sums = [0.0; 3];
         for one in &line.passages {
             let surface = &state.surfaces[body];
-            let [distance, depth] = surface.before(surface.grid.at(one.pair, 0));
+            let [distance, depth] = surface.before(surface.grid.at(one.pair, [0; 2]));
             let parts = [one.share, distance, depth];
             sums.iter_mut().zip(parts).for_each(|(sum, part)| *sum += one.share * part);
         }

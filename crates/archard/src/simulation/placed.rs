@@ -15,10 +15,11 @@ use std::sync::{Arc, OnceLock};
 
 use serde::{Deserialize, Serialize};
 
+use super::error::Error;
 use super::moving::Moving;
+use super::setup::Simulation;
 use super::surroundings::More;
 use super::wider::Wider;
-use super::{Error, Simulation};
 use crate::frame::{ContactFrame, Part, extent};
 use crate::problem::{ContactProblem, Unworn};
 

@@ -114,6 +114,7 @@ impl ContactProblem {
         all.extend(across_symmetry(motion, frame.mirrored()));
         all.extend(friction.as_deref().and_then(|law| inclined(law, frame.mirrored())));
         all.extend(of_pairs(motion, frame));
+        all.extend(roaming(bodies, motion));
         if self.goes_by_temperature()
             && let Err(reason @ NoTemperature::NoRows) = self.tells_temperature()
         {
@@ -133,9 +134,11 @@ pub fn of_laws(
     let of_friction = friction.and_then(|law| {
         let known = Known { bodies, friction: true, motion };
         law.inputs().iter().find_map(|input| match input {
-            Circumstance::Speed => known.speed(Part::Friction),
+            Circumstance::Speed => {
+                known.speed(Part::Friction).or_else(|| known.one_speed(Part::Friction))
+            }
             Circumstance::Temperature => known.temperature(Part::Friction),
-            Circumstance::Distance => None,
+            Circumstance::Distance => known.one_place(Part::Friction),
         })
     });
     let known = Known { bodies, friction: friction.is_some(), motion };
@@ -189,14 +192,27 @@ impl Known<'_> {
             Input::Vectors | Input::CrossShear | Input::Distance | Input::Depth => None,
         };
         law.inputs().iter().find_map(lacks).or_else(|| {
-            let slides = self.motion.lever_arm().is_some() && self.motion.track().is_none();
+            let slides = self.motion.lever_arm().is_some()
+                && self.motion.track().is_none()
+                && self.motion.table().is_none();
             (slides && law.per() == Per::Cycle).then(|| {
                 let what =
                     "takes a whole cycle at once, and bodies that slide on the same spot have none";
-                let help = "give the motion a track or a stroke, or take a law of every increment";
+                let help = "give the motion a track, a stroke or a table, or take a law of every increment";
                 Refusal::new(part, what, help)
             })
         })
+    }
+
+    fn one_speed(self, part: Part) -> Option<Refusal> {
+        let what =
+            "depends on the sliding speed, and friction takes one for all stations of a table";
+        self.motion.table().map(|_| Refusal::new(part, what, "take a law of friction without it"))
+    }
+
+    fn one_place(self, part: Part) -> Option<Refusal> {
+        let what = "depends on the distance slid, and friction does not follow points that roam from station to station";
+        self.motion.table().map(|_| Refusal::new(part, what, "take a law of friction without it"))
     }
 
     fn speed(self, part: Part) -> Option<Refusal> {
@@ -248,6 +264,17 @@ pub fn across_symmetry(motion: &Motion, mirrored: [bool; 2]) -> Option<Refusal> 
     Some(Refusal::new(Part::Motion, what, help))
 }
 
+/// A body that roams from station to station, and whose shape has places of its own: edges, or heights that were measured.
+pub fn roaming(bodies: &[Body; 2], motion: &Motion) -> Option<Refusal> {
+    let roams = |&body: &usize| motion.roams(body);
+    let body = (0..2).filter(roams).find(|&body| bodies[body].curvatures().is_none())?;
+    let what = format!(
+        "moves `{}`, whose shape has edges or heights at places of their own: a table moves what is worn, and shapes stay as the frame sees them",
+        bodies[body].name
+    );
+    Some(Refusal::new(Part::Motion, what, "let the other body roam, or give a smooth shape"))
+}
+
 /// A motion that the pairs do not allow.
 fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     let refusal = |what: &str, help: &str| Some(Refusal::new(Part::Motion, what, help));
@@ -257,6 +284,12 @@ fn of_pairs(motion: &Motion, frame: &ContactFrame) -> Option<Refusal> {
     }
     if motion.lever_arm() == Some(Lever::Radius) && frame.is_line() {
         return refusal("bodies turn about a point, and a line of contact has none", "");
+    }
+    if let Some(table) = motion.table()
+        && frame.is_line()
+        && (0..2).any(|body| table.reach(body, 1)[0] < table.reach(body, 1)[1])
+    {
+        return refusal("the line of contact lies along y: offsets change along x", "");
     }
     if !motion.surfaces.iter().any(Passage::passes) {
         return None;
@@ -286,6 +319,9 @@ pub fn of_frame(motion: &Motion, uniform: bool, periodic: bool) -> Option<Refusa
     }
     if motion.amplitude().is_some() && !uniform {
         return refusal("surfaces swing on a uniform frame only, not on a mesh", "");
+    }
+    if motion.table().is_some() && !uniform {
+        return refusal("surfaces roam on a uniform frame only, not on a mesh", "");
     }
     if motion.lever_arm() == Some(Lever::Radius) && !uniform {
         return refusal("bodies turn on a uniform frame only, not on a mesh", "");

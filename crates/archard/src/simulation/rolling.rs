@@ -2,10 +2,13 @@
 
 use std::ops::Range;
 
+use super::effort::Effort;
+use super::error::Error;
+use super::friction;
 use super::memory::{History, Increment};
 use super::passing::distance_of_work;
 use super::second_order::{self, to_mean_passages, to_own_passages};
-use super::{Effort, Error, Simulation, friction};
+use super::setup::Simulation;
 use crate::compliance::{Compliance, SlipMap};
 use crate::frame::{Flow, VectorField};
 use crate::friction::{Friction, Grip, Limits};

@@ -1,8 +1,11 @@
 //! A run: from the initial contact to the end of the motion, state by state.
 
-use super::checkpoint::NotResumed;
+use super::effort::Effort;
+use super::error::{Error, NotResumed};
 use super::march::March;
-use super::{Effort, Error, Observer, Report, Simulation};
+use super::report::Observer;
+use super::report::{Kept, Report};
+use super::setup::Simulation;
 use crate::numerics::vector::in_pool;
 
 /// A simulation under way. It goes on when it is asked to and shows where it is.

@@ -1,6 +1,6 @@
 //! How far the worn zones of bodies on a track reach: the scar on the body that stays, the track on the one that passes.
 
-use super::Report;
+use super::report::Report;
 use crate::frame::ContactFrame;
 
 /// Wear relative to the deepest below which a place is outside of a scar or a track.

@@ -3,10 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::adaptive::Adaptive;
-use super::march::SAME;
+use super::advance::Scheme;
+use super::effort::Effort;
+use super::error::Error;
 use super::memory::{History, Increment};
 use super::moving::{Move, Moving};
-use super::{Effort, Error, Simulation};
+use super::setup::{SAME, Simulation};
 use crate::motion::Stepping;
 use crate::problem::ContactState;
 
@@ -18,9 +20,6 @@ pub(super) struct Steps {
     adaptive: Option<Adaptive>,
     pub effort: Effort,
 }
-
-/// How a history takes a step.
-type Scheme = fn(&mut History, &Simulation, Increment, &mut Effort) -> Result<(), Error>;
 
 impl Steps {
     /// The initial contact.
@@ -79,14 +78,14 @@ impl Steps {
                 self.history = adaptive.step(simulation, next, &mut self.effort)?;
             }
             (None, Stepping::Explicit(step)) => {
-                self.fixed(simulation, step, History::explicit)?;
+                self.fixed(simulation, step, Scheme::Explicit)?;
             }
             (None, Stepping::Implicit(step) | Stepping::Tolerance(step)) => {
-                self.fixed(simulation, step, History::implicit)?;
+                self.fixed(simulation, step, Scheme::Implicit)?;
             }
-            (None, Stepping::ToOutputs) => self.to(simulation, next, History::implicit)?,
+            (None, Stepping::ToOutputs) => self.to(simulation, next, Scheme::Implicit)?,
             // Cycles are gone through elsewhere.
-            (None, Stepping::Jumps(_)) => self.fixed(simulation, extent, History::implicit)?,
+            (None, Stepping::Jumps(_)) => self.fixed(simulation, extent, Scheme::Implicit)?,
         }
         self.effort.steps += 1;
         self.effort.load_distance = self.history.load_distance;
@@ -101,7 +100,12 @@ impl Steps {
     }
 
     /// One step of a given length, the last one shorter where the extent is not a multiple of it.
-    fn fixed(&mut self, simulation: &Simulation, step: f64, scheme: Scheme) -> Result<(), Error> {
+    fn fixed(
+        &mut self,
+        simulation: &Simulation,
+        step: f64,
+        scheme: Scheme<'_>,
+    ) -> Result<(), Error> {
         let extent = simulation.schedule.extent;
         // From the count of steps, so that rounding does not add up.
         let end = ((self.effort.steps + 1) as f64 * step).min(extent);
@@ -110,10 +114,10 @@ impl Steps {
     }
 
     /// One step to a place.
-    fn to(&mut self, simulation: &Simulation, end: f64, scheme: Scheme) -> Result<(), Error> {
+    fn to(&mut self, simulation: &Simulation, end: f64, scheme: Scheme<'_>) -> Result<(), Error> {
         let advance = end - self.history.state.progress;
         let increment =
             Increment { advance, progress: end, control: simulation.schedule.control_at(end) };
-        scheme(&mut self.history, simulation, increment, &mut self.effort)
+        self.history.advance(simulation, increment, scheme, &mut self.effort).map(|_| ())
     }
 }

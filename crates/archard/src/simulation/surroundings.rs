@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use super::Simulation;
+use super::setup::Simulation;
 use crate::body::Body;
 use crate::frame::extent;
 use crate::problem::{ContactProblem, ContactState, Surface};

@@ -1,5 +1,4 @@
-//! Surfaces that are seen in one position after the other within a step: that swing past each other, as in fretting with gross
-//! slip, or that repeat themselves and slide past each other for ever.
+//! Surfaces that swing past each other, as in fretting with gross slip.
 //!
 //! Bodies that slide to and fro by lengths comparable with the contact do not keep the same points opposite each other. The
 //! rounder body keeps its place in the frame, and the worn surface of the other is moved over it. A step of N cycles goes
@@ -11,17 +10,13 @@
 //! down at the position itself: spread over the elements between, it would leave teeth that no position sees. Where few do, it
 //! is spread: the ends of the contact would stay as stairs.
 //!
-//! Of surfaces that repeat themselves a step goes through all positions of a period, an element apart, and slides the same distance in
-//! each: what a point of one surface goes through in a period it meets at all points of the other on its line.
-//!
 //! A pair slides by the amplitude less what the bodies give way elastically there before it slips: its tangential displacement
 //! under the tractions mu p of the contact in the middle. Pressures are those without friction, exact for bodies of one elasticity.
 
-use super::Error;
-use super::memory::History;
+use super::error::Error;
+use super::position::{Position, Positions, Way, mean};
 use crate::friction::Limits;
-use crate::motion::{Lever, Motion, Passage};
-use crate::numerics::vector::Values;
+use crate::motion::Motion;
 use crate::problem::{ContactProblem, ContactState, Grid};
 
 /// Positions on either side of the middle, at most: beyond, they lie several elements apart.
@@ -40,70 +35,12 @@ const DENSE: usize = 12;
 /// How surfaces swing past each other.
 pub(super) struct Swing<'a> {
     problem: &'a ContactProblem,
-    /// The way to either side (m); `None` of surfaces that repeat themselves.
-    amplitude: Option<f64>,
+    /// The way to either side (m).
+    amplitude: f64,
     /// The body that keeps its place, and the one that is moved over it.
     bodies: [usize; 2],
     /// The elements of the one that is moved.
     grid: Grid,
-}
-
-/// What surfaces go through in a step.
-pub(super) struct Way {
-    pub positions: Vec<Position>,
-    /// How far pairs slide to both sides (m), the mean over the load.
-    reach: f64,
-}
-
-/// A position of the surfaces, and how far pairs slide there in a step.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Position {
-    /// How far (elements) the surface that swings is moved.
-    pub offset: isize,
-    /// Distance (m), the mean over the load; where it is not known that of the pressures.
-    mean: Option<f64>,
-    /// Distance (m) of each pair; the mean for all if empty.
-    slips: Vec<f64>,
-    /// Where (elements from the offset) the surface that swings is meanwhile, and for which share of the distance.
-    pub ways: Vec<(isize, f64)>,
-}
-
-impl From<Position> for Way {
-    fn from(position: Position) -> Self {
-        Self { positions: vec![position], reach: 0.0 }
-    }
-}
-
-impl Position {
-    /// That of surfaces that do not swing, whose pairs slide that far (m) at a unit lever.
-    pub fn middle(problem: &ContactProblem, slip: f64) -> Self {
-        let ways = vec![(0, 1.0)];
-        if problem.motion.lever_arm() != Some(Lever::Radius) {
-            return Self { offset: 0, mean: Some(slip), slips: vec![], ways };
-        }
-        let slip = |pair| slip * problem.motion.lever(problem.frame.place(pair));
-        Self { offset: 0, mean: None, slips: (0..problem.frame.len()).map(slip).collect(), ways }
-    }
-
-    /// Distance (m) that pairs slide.
-    pub fn slips(&self) -> Values<'_> {
-        match self.mean {
-            Some(mean) if self.slips.is_empty() => Values::All(mean),
-            _ => Values::Each(&self.slips),
-        }
-    }
-
-    /// Their mean, weighted by the pressures (Pa).
-    pub fn distance(&self, pressure: &[f64]) -> f64 {
-        self.mean.unwrap_or_else(|| mean(&self.slips, pressure))
-    }
-}
-
-/// The mean of a field, weighted by the pressures (Pa).
-fn mean(field: &[f64], pressure: &[f64]) -> f64 {
-    let load: f64 = pressure.iter().sum();
-    let sum: f64 = field.iter().zip(pressure).map(|(value, pressure)| value * pressure).sum();
-    if load > 0.0 { sum / load } else { 0.0 }
 }
 
 /// A place at which the contact is solved on the way from one end to the other.
@@ -150,21 +87,13 @@ fn places(reach: f64, element: f64, stride: usize, spread: bool) -> Vec<Place> {
     (-most..=most).map(place).filter(|one| one.length > 0.0).collect()
 }
 
-/// Contact solves of a step on elements of a length (m), so many along the motion: one a position of the surfaces, with a contact of
-/// that length (m); `None` where there is one position.
-pub fn solves_of_a_step(
-    motion: &Motion,
-    (element, elements): (f64, usize),
-    contact: Option<f64>,
-) -> Option<u64> {
-    if motion.surfaces.contains(&Passage::Recurs) {
-        return Some(elements as u64 + 1);
-    }
+/// Positions of a step on elements of a length (m), with a contact of that length (m); `None` where surfaces do not swing.
+pub(super) fn count(motion: &Motion, element: f64, contact: Option<f64>) -> Option<u64> {
     let amplitude = motion.amplitude()?;
     let length = contact.map_or(1, |contact| (contact / element) as usize);
     let side = stride(motion, element, length) as f64 * element;
     let positions = 2 * (amplitude / side).ceil() as u64 + 1;
-    Some(if motion.track().is_some() { positions } else { 2 * positions } + 1)
+    Some(if motion.track().is_some() { positions } else { 2 * positions })
 }
 
 /// Elements from one position to the next, of a contact of so many elements.
@@ -177,14 +106,10 @@ fn stride(motion: &Motion, element: f64, contact: usize) -> usize {
 }
 
 impl<'a> Swing<'a> {
-    /// Of a problem; `None` where a step sees the surfaces in one position.
+    /// Of a problem; `None` where surfaces do not swing.
     pub fn of(problem: &'a ContactProblem) -> Option<Self> {
         let motion = &problem.motion;
         let axis = motion.direction.axis;
-        if let Some(moves) = motion.surfaces.iter().position(|one| *one == Passage::Recurs) {
-            let grid = Grid::recurring(problem.frame.elements(), axis);
-            return Some(Self { problem, amplitude: None, bodies: [1 - moves, moves], grid });
-        }
         let amplitude = motion.amplitude()?;
         let curvature = |body: usize| {
             problem.bodies[body].curvatures().map_or(0.0, |curvatures| curvatures[axis].abs())
@@ -198,71 +123,7 @@ impl<'a> Swing<'a> {
         let (frame, element) = (problem.frame.elements(), problem.frame.spacing()[axis]);
         let longest = stride(motion, element, frame[axis]);
         let margin = (amplitude / element).ceil() as usize + longest;
-        let amplitude = Some(amplitude);
         Some(Self { problem, amplitude, bodies, grid: Grid::swinging(frame, axis, margin) })
-    }
-
-    /// The body whose surface is moved, and its elements.
-    pub fn moved(&self) -> (usize, Grid) {
-        (self.bodies[1], self.grid)
-    }
-
-    /// The way of a step, from one end to the other and, with a share of the cycles, back.
-    ///
-    /// # Errors
-    /// If elasticity takes up the amplitude somewhere.
-    pub fn way(&self, history: &History, advance: f64) -> Result<Way, Error> {
-        let state = &history.state;
-        let Some(amplitude) = self.amplitude else { return Ok(self.round(advance)) };
-        let elastic = self.elastic(state);
-        let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
-        let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
-        if most >= amplitude {
-            return Err(Error::NoGrossSlip { amplitude, elastic: most });
-        }
-        let reach = amplitude - mean(&elastic, &state.pressure);
-        // Of the mean way, those of the pairs.
-        let shares: Vec<f64> =
-            elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
-        let element = self.problem.frame.spacing()[self.axis()];
-        let contact = self.contact_length(&state.pressure);
-        let stride = stride(&self.problem.motion, element, contact);
-        let mut places = places(reach, element, stride, stride > 1 && contact < DENSE * stride);
-        if !history.forward {
-            places.reverse();
-        }
-        // Each half cycle goes through all places.
-        let passes = self.problem.motion.slip(advance) / (2.0 * amplitude);
-        let back = self.back();
-        let position = |(place, part): (&Place, f64)| {
-            let distance = part * passes * place.length;
-            let slips = shares.iter().map(|share| share * distance).collect();
-            let (offset, ways) = (place.offset, place.ways.clone());
-            Position { offset, mean: Some(distance), slips, ways }
-        };
-        let there = places.iter().map(|one| (one, 1.0 - back));
-        let and_back = places.iter().rev().map(|one| (one, back));
-        let both = there.chain(and_back).filter(|(_, part)| *part > 0.0);
-        Ok(Way { positions: both.map(position).collect(), reach })
-    }
-
-    /// All positions of a period, an element apart.
-    fn round(&self, advance: f64) -> Way {
-        let count = self.problem.frame.elements()[self.axis()];
-        let distance = self.problem.motion.slip(advance) / count as f64;
-        let position = |offset: usize| Position {
-            offset: offset as isize,
-            mean: Some(distance),
-            slips: vec![],
-            ways: vec![(0, 1.0)],
-        };
-        // The last one is where the next step begins.
-        Way { positions: (1..=count).map(position).collect(), reach: 0.0 }
-    }
-
-    /// Energy (J) that the contact in the middle dissipates in a cycle of a way.
-    pub fn dissipated(&self, state: &ContactState, way: &Way) -> f64 {
-        self.coefficient(state) * state.load * 4.0 * way.reach
     }
 
     fn axis(&self) -> usize {
@@ -280,43 +141,6 @@ impl<'a> Swing<'a> {
         let along = |pair: usize| [pair % frame.elements()[0], pair / frame.elements()[0]][axis];
         let pressed = || (0..pressure.len()).filter(|&pair| pressure[pair] > 0.0).map(along);
         pressed().max().zip(pressed().min()).map_or(1, |(most, least)| most - least)
-    }
-
-    /// Whether pairs at an end of the frame along the motion are pressed.
-    pub fn touches_an_end(&self, pressure: &[f64]) -> bool {
-        if self.amplitude.is_none() {
-            return false;
-        }
-        let (elements, axis) = (self.problem.frame.elements(), self.axis());
-        let end = |pair: usize| {
-            let along = [pair % elements[0], pair / elements[0]][axis];
-            along == 0 || along + 1 == elements[axis]
-        };
-        (0..pressure.len()).any(|pair| pressure[pair] > 0.0 && end(pair))
-    }
-
-    /// Gap (m) of the worn, undeformed surfaces at zero approach; `None` where the moved one does not reach over the frame.
-    pub fn gap(&self, state: &ContactState, offset: isize) -> Option<Vec<f64>> {
-        let frame = &self.problem.frame;
-        let [stays, moves] = self.bodies;
-        let profile = &self.problem.bodies[moves].profile;
-        let shift = offset as f64 * frame.spacing()[self.axis()];
-        let at = |pair: usize| {
-            let place = frame.place(pair);
-            let mut moved = place;
-            match self.amplitude {
-                Some(_) => moved[self.axis()] -= shift,
-                None => moved = frame.place(self.grid.at(pair, offset)),
-            }
-            let rises = profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1]);
-            let [stays, moves] = [stays, moves].map(|body| {
-                let surface = &state.surfaces[body];
-                surface.depth[surface.grid.at(pair, offset)]
-            });
-            let gap = frame.gap()[pair] + rises + stays + moves;
-            gap.is_finite().then_some(gap)
-        };
-        (0..frame.len()).map(at).collect()
     }
 
     /// What resists slip along the motion (Pa), one value a pair.
@@ -352,11 +176,86 @@ impl<'a> Swing<'a> {
     }
 }
 
+impl Positions for Swing<'_> {
+    fn grids(&self) -> [Option<Grid>; 2] {
+        [0, 1].map(|body| (body == self.bodies[1]).then_some(self.grid))
+    }
+
+    /// From one end to the other and, with a share of the cycles, back.
+    fn way(&self, state: &ContactState, forward: bool, advance: f64) -> Result<Way, Error> {
+        let amplitude = self.amplitude;
+        let elastic = self.elastic(state);
+        let pressed = elastic.iter().zip(&state.pressure).filter(|(_, p)| **p > 0.0);
+        let most = pressed.map(|(elastic, _)| *elastic).fold(0.0, f64::max);
+        if most >= amplitude {
+            return Err(Error::NoGrossSlip { amplitude, elastic: most });
+        }
+        let reach = amplitude - mean(&elastic, &state.pressure);
+        // Of the mean way, those of the pairs.
+        let shares: Vec<f64> =
+            elastic.iter().map(|elastic| (amplitude - elastic).max(0.0) / reach).collect();
+        let (axis, moves) = (self.axis(), self.bodies[1]);
+        let element = self.problem.frame.spacing()[axis];
+        let contact = self.contact_length(&state.pressure);
+        let stride = stride(&self.problem.motion, element, contact);
+        let mut places = places(reach, element, stride, stride > 1 && contact < DENSE * stride);
+        if !forward {
+            places.reverse();
+        }
+        // Each half cycle goes through all places.
+        let passes = self.problem.motion.slip(advance) / (2.0 * amplitude);
+        let back = self.back();
+        let along = |elements: isize| if axis == 0 { [elements, 0] } else { [0, elements] };
+        let position = |(place, part): (&Place, f64)| {
+            let distance = part * passes * place.length;
+            let mut offsets = [[0; 2]; 2];
+            offsets[moves] = along(place.offset);
+            let slips = shares.iter().map(|share| share * distance).collect();
+            let ways: Vec<_> =
+                place.ways.iter().map(|(way, share)| (along(*way), *share)).collect();
+            Position { slips, ways: [ways.clone(), ways], ..Position::at(offsets, distance) }
+        };
+        let there = places.iter().map(|one| (one, 1.0 - back));
+        let and_back = places.iter().rev().map(|one| (one, back));
+        let both = there.chain(and_back).filter(|(_, part)| *part > 0.0);
+        Ok(Way { positions: both.map(position).collect(), reach })
+    }
+
+    fn opening(&self, pair: usize, position: &Position) -> f64 {
+        let (frame, moves) = (&self.problem.frame, self.bodies[1]);
+        let profile = &self.problem.bodies[moves].profile;
+        let axis = self.axis();
+        let shift = position.offsets[moves][axis] as f64 * frame.spacing()[axis];
+        let place = frame.place(pair);
+        let mut moved = place;
+        moved[axis] -= shift;
+        profile.recess(moved[0], moved[1]) - profile.recess(place[0], place[1])
+    }
+
+    fn bodies(&self) -> [usize; 2] {
+        self.bodies
+    }
+
+    fn reaches_an_end(&self, pressure: &[f64]) -> bool {
+        let (elements, axis) = (self.problem.frame.elements(), self.axis());
+        let end = |pair: usize| {
+            let along = [pair % elements[0], pair / elements[0]][axis];
+            along == 0 || along + 1 == elements[axis]
+        };
+        (0..pressure.len()).any(|pair| pressure[pair] > 0.0 && end(pair))
+    }
+
+    fn dissipated(&self, state: &ContactState, way: &Way) -> f64 {
+        self.coefficient(state) * state.load * 4.0 * way.reach
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::{Swing, places};
+    use super::super::position::gap;
+    use super::{Position, Swing, places};
     use crate::body::profile::Cylinder;
     use crate::body::{Body, Material};
     use crate::frame::Direction;
@@ -393,14 +292,15 @@ mod tests {
         let swing = Swing::of(&simulation.problem).unwrap();
         assert_eq!(swing.bodies, [0, 1]);
         let mut state = History::new(&simulation.problem).state;
-        let place = swing.grid.at(40, 0);
+        let place = swing.grid.at(40, [0; 2]);
         state.surfaces[1].depth[place] = 1e-6;
-        let gaps = swing.gap(&state, 10).unwrap();
+        let position = Position::at([[0; 2], [10, 0]], 0.0);
+        let gaps = gap(&swing, (&simulation.problem, &state), &position).unwrap();
         state.surfaces[1].depth[place] = 0.0;
-        let smooth = swing.gap(&state, 10).unwrap();
+        let smooth = gap(&swing, (&simulation.problem, &state), &position).unwrap();
         let opened: Vec<usize> = (0..100).filter(|&pair| gaps[pair] != smooth[pair]).collect();
         assert_eq!(opened, [50]);
-        assert_eq!(swing.grid.at(50, 10), place);
+        assert_eq!(swing.grid.at(50, [10, 0]), place);
         // Two parabolas of curvatures c and c', one moved by d, are nearest at d c' / (c + c').
         let nearest = (0..100).min_by(|&one, &two| smooth[one].total_cmp(&smooth[two])).unwrap();
         let place = simulation.problem.frame.place(nearest)[0];

@@ -6,7 +6,7 @@
 
 use std::iter::successors;
 
-use super::Simulation;
+use super::setup::Simulation;
 use crate::frame::ContactFrame;
 use crate::motion::Motion;
 use crate::parameters::Invalid;

@@ -1,6 +1,6 @@
 //! What is worn off bodies in all: volumes, sections, masses.
 
-use super::Report;
+use super::report::Report;
 use crate::body::Body;
 use crate::frame::Line;
 use crate::motion::Passage;
@@ -36,7 +36,7 @@ fn volume(report: &Report<'_>, body: usize, of: impl Fn(f64) -> f64) -> Option<f
     match problem.motion.surfaces[body] {
         Passage::Passes(Some(track)) => Some(track.length * section(report, body, of)?),
         Passage::Passes(None) => None,
-        Passage::Stays | Passage::Swings(..) | Passage::Recurs => {
+        _ => {
             let surface = &state.surfaces[body];
             let of_all = each(&surface.depth, of);
             Some(match surface.grid.swings() {

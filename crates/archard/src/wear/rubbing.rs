@@ -81,6 +81,19 @@ impl Rubbing {
         Self { distance, depth, ..self }
     }
 
+    /// A share of it: of the slip, under the same pressure.
+    #[must_use]
+    pub fn share(self, share: f64) -> Self {
+        Self {
+            slip: share * self.slip,
+            work: share * self.work,
+            slip_vector: self.slip_vector.map(|part| share * part),
+            directions: self.directions.map(|part| share * part),
+            rolled: share * self.rolled,
+            ..self
+        }
+    }
+
     /// Friction over pressure; zero without pressure or slip.
     pub fn coefficient(&self) -> f64 {
         let rubbed = self.pressure * self.slip;

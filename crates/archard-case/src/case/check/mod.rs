@@ -250,6 +250,8 @@ fn problems(parts: &Parts<'_>, forecast: &Forecast) -> Vec<Problem> {
     let (uniform, periodic) = (!parts.case.is_meshed(), parts.case.frame.periodic);
     let of_frame = refusal::of_frame(&parts.motion, uniform, periodic);
     problems.extend(of_frame.and_then(|refusal| parts.refused(refusal)));
+    let roaming = refusal::roaming(&parts.bodies, &parts.motion);
+    problems.extend(roaming.and_then(|refusal| parts.refused(refusal)));
     // The gaps of a frame that does not fit are not made.
     if !sound(&problems) {
         return problems;

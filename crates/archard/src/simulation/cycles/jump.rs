@@ -10,9 +10,11 @@ use serde::{Deserialize, Serialize};
 use crate::motion::Control;
 use crate::numerics::vector::{map, sum, sum_with, update};
 use crate::problem::{ContactProblem, Surface};
+use crate::simulation::effort::Effort;
+use crate::simulation::error::Error;
 use crate::simulation::memory::{History, Increment};
+use crate::simulation::setup::Simulation;
 use crate::simulation::spread::spread;
-use crate::simulation::{Effort, Error, Simulation};
 
 /// A part of a jump that an implicit solve stands for (cycles).
 #[derive(Clone, Copy)]

@@ -3,27 +3,25 @@
 mod jump;
 mod jump_control;
 mod over;
-mod rubbing;
-mod shifted;
-mod solve;
-mod unlike;
 
 use std::collections::VecDeque;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use super::march::SAME;
+use super::advance::Scheme;
+use super::effort::Effort;
+use super::error::Error;
 use super::moving::{Move, Moving};
-use super::{Effort, Error, Simulation};
+use super::setup::{SAME, Simulation};
+use super::shift::WarmStart;
 use crate::motion::{Control, Drive, Shift, Station, Stepping};
 use crate::problem::ContactState;
-use crate::simulation::memory::History;
+use crate::simulation::memory::{History, Increment};
 use crate::solve::monolithic;
 
 use jump::{Rate, Wear};
 use jump_control::JumpControl;
-use solve::WarmStart;
 
 /// A motion in increments.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -143,8 +141,10 @@ impl Cycles {
         let pressing_rubs = problem.friction.is_some()
             && (problem.compliance.couples() || !problem.frame.is_plane());
         for station in shift.lead(pressing_rubs) {
-            let at = (setting.symmetric(*station), 0.0);
-            position.history.increment(simulation, at, None, &mut effort)?;
+            let station = setting.symmetric(*station);
+            let increment = Increment { advance: 0.0, progress: 0.0, control: station.control };
+            let scheme = Scheme::Between(station, None);
+            position.history.advance(simulation, increment, scheme, &mut effort)?;
         }
         let control = shift.lead.last().map_or(Control::Load(0.0), |station| station.control);
         let tolerance = match simulation.schedule.stepping {
@@ -254,10 +254,11 @@ impl Cycles {
         if let (Some(known), Some(change)) = (&mut known, &open.change) {
             Arc::make_mut(known).foresee(change);
         }
-        let at = (station, progress);
-        let warm_start = history.increment(simulation, at, known.as_deref(), &mut self.effort)?;
-        open.change = known.and_then(|known| known.change_to(&warm_start));
-        memory[index] = Some(Arc::new(warm_start));
+        let increment = Increment { advance: 0.0, progress, control: station.control };
+        let scheme = Scheme::Between(station, known.as_deref());
+        let found = history.advance(simulation, increment, scheme, &mut self.effort)?;
+        open.change = known.zip(found.as_ref()).and_then(|(known, found)| known.change_to(found));
+        memory[index] = found.map(Arc::new);
         let jumps = !matches!(simulation.schedule.stepping, Stepping::Implicit(_));
         if jumps && index == shift.peak() {
             open.reference = Some(history.clone());

@@ -5,7 +5,7 @@ use super::jump_control::Tried;
 use super::{Cycles, Setting, Shown};
 use crate::motion::Stepping;
 use crate::numerics::vector::update;
-use crate::simulation::Error;
+use crate::simulation::error::Error;
 
 /// Steps within a jump of fixed length, and the fewest in others.
 const STEPS: usize = 4;

@@ -11,7 +11,11 @@ use crate::wear::{Per, Rubbing};
 
 impl History {
     /// Takes up what was rubbed since a state, and wears both bodies by it.
-    pub(super) fn take_up(&mut self, before: &ContactState, problem: &ContactProblem) {
+    pub(in crate::simulation) fn take_up(
+        &mut self,
+        before: &ContactState,
+        problem: &ContactProblem,
+    ) {
         let stroke = |pair| Some((pair, stroke(pair, [before, &self.state], problem)?));
         let strokes: Vec<_> = (0..before.pressure.len()).filter_map(stroke).collect();
         for &(pair, rubbing) in &strokes {
@@ -37,12 +41,12 @@ impl History {
     }
 
     /// Begins a new cycle.
-    pub(super) fn begin_cycle(&mut self) {
+    pub(in crate::simulation) fn begin_cycle(&mut self) {
         self.rubbed = Rubbed::none(self.displacement.len());
     }
 
     /// Ends it, with the wear of laws that take a whole cycle.
-    pub(super) fn end_cycle(&mut self, problem: &ContactProblem) {
+    pub(in crate::simulation) fn end_cycle(&mut self, problem: &ContactProblem) {
         let rubbed = std::mem::take(&mut self.rubbed.whole);
         let rubbed: Vec<(usize, Rubbing)> =
             rubbed.into_iter().enumerate().filter_map(|(pair, one)| Some((pair, one?))).collect();

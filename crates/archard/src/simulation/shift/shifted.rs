@@ -3,15 +3,18 @@
 //! Slip is referred to the last converged state: what the bodies were shifted by since, less what their
 //! surfaces were displaced elastically by.
 
-use super::solve::WarmStart;
+use super::WarmStart;
 use crate::frame::VectorField;
 use crate::friction::{Grip, Limits};
 use crate::motion::{Drive, Shift, Station};
 use crate::numerics::vector::{map, update};
 use crate::problem::{ContactProblem, ContactState, Tangential};
+use crate::simulation::effort::Effort;
+use crate::simulation::error::Error;
+use crate::simulation::friction;
 use crate::simulation::memory::{History, Increment, Rubbed};
 use crate::simulation::moving::{Move, Moving};
-use crate::simulation::{Effort, Error, Simulation, friction};
+use crate::simulation::setup::Simulation;
 use crate::solve::monolithic;
 use crate::solve::tangential::{self, PrescribedForce};
 
@@ -27,7 +30,7 @@ pub(super) struct Solved {
 
 impl History {
     /// Bodies that just touch, with friction as far as the motion asks for it.
-    pub(super) fn untouched(problem: &ContactProblem) -> Self {
+    pub(in crate::simulation) fn untouched(problem: &ContactProblem) -> Self {
         let pairs = problem.frame.len();
         let zeros = || [vec![0.0; pairs], vec![0.0; pairs]];
         let mut history = Self::new(problem);
@@ -44,7 +47,7 @@ impl History {
     }
 
     /// The same in a larger frame, with the displacement of all tractions there.
-    pub(super) fn strained(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
+    pub(in crate::simulation) fn strained(&self, to: &Moving<'_>, effort: &mut Effort) -> Self {
         let problem = to.problem();
         let mut moved = self.moved(to);
         moved.find_displacement(problem, effort);
@@ -60,7 +63,7 @@ impl History {
     }
 
     /// Takes the bodies apart without rubbing.
-    pub(super) fn release(&mut self, problem: &ContactProblem) {
+    pub(in crate::simulation) fn release(&mut self, problem: &ContactProblem) {
         let apart = Self::untouched(problem);
         let before = std::mem::replace(self, apart);
         let History { state, rubbed, course, load_distance, dissipated, forward, .. } = before;
@@ -72,30 +75,13 @@ impl History {
     }
 
     /// The same without what friction remembers.
-    pub(super) fn pressed_alone(self) -> Self {
+    pub(in crate::simulation) fn pressed_alone(self) -> Self {
         let Self { state, displacement, known, load_distance, dissipated, forward, .. } = self;
         Self { known, load_distance, dissipated, forward, ..Self::at(state, displacement) }
     }
 
-    /// Brings the bodies to a station at some progress (the motion's unit), with all the rubbing on the way.
-    pub(super) fn increment(
-        &mut self,
-        simulation: &Simulation,
-        (station, progress): (Station, f64),
-        known: Option<&WarmStart>,
-        effort: &mut Effort,
-    ) -> Result<WarmStart, Error> {
-        if self.state.tangential.is_none() {
-            return self.solve_increment(simulation, (station, progress), known, effort);
-        }
-        let before = self.clone_contact();
-        let warm_start = self.solve_increment(simulation, (station, progress), known, effort)?;
-        self.take_up(&before, &simulation.problem);
-        Ok(warm_start)
-    }
-
     /// Pressures, tractions and gaps before an increment.
-    pub(super) fn clone_contact(&self) -> ContactState {
+    pub(in crate::simulation) fn clone_contact(&self) -> ContactState {
         let state = &self.state;
         let bare = state.surfaces.each_ref().map(|one| one.map(one.grid, |_| vec![]));
         let tangential = state.tangential.clone();

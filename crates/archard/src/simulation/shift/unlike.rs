@@ -6,9 +6,11 @@ use crate::frame::VectorField;
 use crate::friction::Limits;
 use crate::motion::Station;
 use crate::numerics::vector::map;
+use crate::simulation::effort::Effort;
+use crate::simulation::error::Error;
 use crate::simulation::friction::{alternate, not_converged};
 use crate::simulation::memory::{History, Increment};
-use crate::simulation::{Effort, Error, Simulation};
+use crate::simulation::setup::Simulation;
 use crate::solve::{Status, monolithic};
 
 impl History {

@@ -1,13 +1,15 @@
-//! A step of wear: by the pressures at its end, or by those at its start.
+//! A contact that wears: the pressures at the end of an increment do the wear that they give way by.
 
 use super::collector::{Collected, Collector, Foreseen};
+use super::effort::Effort;
+use super::error::Error;
 use super::memory::{History, Increment};
-use super::swing::{Position, Swing};
-use super::{Effort, Error, Simulation};
+use super::position::Position;
+use super::setup::Simulation;
 use crate::closed_form::flash_temperature::FAST;
 use crate::compliance::WornLines;
 use crate::frame::Part;
-use crate::motion::{Control, Sequence, Slip};
+use crate::motion::Control;
 use crate::numerics::vector;
 use crate::problem::{ContactProblem, ContactState, Gap};
 
@@ -18,59 +20,8 @@ const STEEPER: f64 = 0.5;
 const HALVINGS: usize = 16;
 
 impl History {
-    /// An implicit step: the contact at its end does the wear.
-    ///
-    /// What wears is foreseen as straight lines in the pressures, which adds their slopes to the compliance, and found
-    /// anew where laws or friction are not straight.
-    pub fn implicit(
-        &mut self,
-        simulation: &Simulation,
-        increment: Increment,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
-        let problem = &simulation.problem;
-        let slip = problem.motion.slip(increment.advance);
-        let swing = Swing::of(problem);
-        // What swings dissipates, whether it wears or not.
-        if swing.is_none() && !rubs(problem, increment.advance) {
-            self.press(simulation, increment, effort)?;
-            let position = Position::middle(problem, slip);
-            self.load_distance += self.work(simulation, increment, &position)?;
-            return Ok(());
-        }
-        let collector = Collector::of(problem)?;
-        let way = match &swing {
-            Some(swing) => {
-                self.forward = !self.forward;
-                swing.way(self, increment.advance)?
-            }
-            None => Position::middle(problem, slip).into(),
-        };
-        for position in &way.positions {
-            let gap = match &swing {
-                Some(swing) => swing.gap(&self.state, position.offset),
-                None => Some(self.undeformed_gap(problem)),
-            };
-            let gap = gap.ok_or_else(|| swung_out(problem, increment))?;
-            let made =
-                self.contact_and_wear(simulation, increment, position, (&collector, &gap), effort)?;
-            if swing.as_ref().is_some_and(|swing| swing.touches_an_end(&self.state.pressure)) {
-                return Err(swung_out(problem, increment));
-            }
-            collector.wear(&mut self.state, &made, position);
-            self.imprint(problem);
-            self.load_distance += self.work(simulation, increment, position)?;
-        }
-        if let Some(swing) = swing {
-            // What is shown is the contact in the middle.
-            self.press(simulation, increment, effort)?;
-            effort.dissipated[0] = swing.dissipated(&self.state, &way);
-        }
-        Ok(())
-    }
-
     /// The contact at the end of an increment in a position, from an undeformed gap (m), and the wear it makes.
-    fn contact_and_wear(
+    pub(super) fn contact_and_wear(
         &mut self,
         simulation: &Simulation,
         increment: Increment,
@@ -167,27 +118,8 @@ impl History {
         found
     }
 
-    /// An explicit step: the contact at its start does the wear.
-    pub fn explicit(
-        &mut self,
-        simulation: &Simulation,
-        increment: Increment,
-        effort: &mut Effort,
-    ) -> Result<(), Error> {
-        let problem = &simulation.problem;
-        let collector = Collector::of(problem)?;
-        let before = simulation.schedule.control_at(self.state.progress);
-        self.is_fast(problem)?;
-        let position = Position::middle(problem, problem.motion.slip(increment.advance));
-        let made = collector.collect(&self.state, increment.advance, &position);
-        collector.wear(&mut self.state, &made, &position);
-        let at_start = Increment { control: before, ..increment };
-        self.load_distance += self.work(simulation, at_start, &position)?;
-        self.press(simulation, increment, effort)
-    }
-
     /// Whether heat and friction settle, and the contact is passed fast enough, where laws go by the temperature.
-    fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
+    pub(super) fn is_fast(&self, problem: &ContactProblem) -> Result<(), Error> {
         if problem.grip(&self.state, |_| 0.0).is_err() {
             let passes = PASSES;
             let (measure, progress) = (problem.motion.progress, self.state.progress);
@@ -243,38 +175,4 @@ impl History {
         }
         Ok(())
     }
-
-    /// What a position adds to the [integral of the load over the distance](Effort::load_distance), with the load of an
-    /// increment.
-    fn work(
-        &self,
-        simulation: &Simulation,
-        increment: Increment,
-        position: &Position,
-    ) -> Result<f64, Error> {
-        let problem = &simulation.problem;
-        Ok(match &problem.motion.slip {
-            Slip::Sought(drives) if rubs(problem, increment.advance) => {
-                let flow = problem.frame.flow(problem.motion.direction)?;
-                increment.advance * self.creep_work(problem, drives, flow)
-            }
-            Slip::Sought(_) => 0.0,
-            Slip::Given(..) => {
-                self.prescribed_load(increment) * position.distance(&self.state.pressure)
-            }
-        })
-    }
-}
-
-fn swung_out(problem: &ContactProblem, increment: Increment) -> Error {
-    Error::SwungOut { measure: problem.motion.progress, progress: increment.progress }
-}
-
-/// Whether an advance (the motion's unit) wears anything.
-fn rubs(problem: &ContactProblem, advance: f64) -> bool {
-    problem.wears()
-        && match problem.motion.slip {
-            Slip::Sought(_) => problem.motion.sequence == Sequence::Steady,
-            Slip::Given(..) => problem.motion.slip(advance) != 0.0,
-        }
 }

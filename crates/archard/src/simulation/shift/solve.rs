@@ -10,9 +10,11 @@ use serde::{Deserialize, Serialize};
 use super::shifted::Solved;
 use crate::motion::{Control, Station};
 use crate::problem::ContactState;
+use crate::simulation::effort::Effort;
+use crate::simulation::error::Error;
 use crate::simulation::memory::{History, Increment};
+use crate::simulation::setup::Simulation;
 use crate::simulation::touch::{Before, Course};
-use crate::simulation::{Effort, Error, Simulation};
 use crate::solve::monolithic;
 
 /// Disagreement of what closing pairs slide before they touch with what an increment shows, relative to the largest,
@@ -24,7 +26,7 @@ const TOUCHES: usize = 9;
 
 /// A solution to start the same increment of another cycle from.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-pub(super) struct WarmStart {
+pub(in crate::simulation) struct WarmStart {
     pub state: ContactState,
     pub displacement: Vec<f64>,
     pub limit: Vec<f64>,
@@ -54,7 +56,7 @@ impl WarmStart {
 
 impl History {
     /// The same without rubbing.
-    pub(super) fn solve_increment(
+    pub(in crate::simulation) fn solve_increment(
         &mut self,
         simulation: &Simulation,
         (station, progress): (Station, f64),
