@@ -85,6 +85,8 @@ def field(snapshot, quantity, body):
 def progress(result, snapshot):
     """Return how far the motion of an output has gone, in words."""
     unit, value = next(iter(result.history), ""), snapshot.progress
+    if np.isnan(value):
+        return ""
     if value == 0.0:
         return "at first" if len(result.fields) > 1 else ""
     if unit == "distance_m":
@@ -106,7 +108,7 @@ def opened(result, output):
     """Return an output by its place, or by its file if it is none of a motion."""
     if isinstance(output, str):
         content = (result.folder / output).read_bytes()
-        return archard.Snapshot(0.0, *_archard.read_fields(Path(output).name, content))
+        return archard.Snapshot(np.nan, *_archard.read_fields(Path(output).name, content))
     return result.fields[output]
 
 
@@ -130,7 +132,7 @@ def surface(
     name, unit, _ = QUANTITIES[quantity]
     shown, panels = [], len(outputs)
     for output in outputs:
-        snapshot = result.fields[output]
+        snapshot = opened(result, output)
         x, y, z = finer(*grid(snapshot, field(snapshot, quantity, body), mirror))
         if within:
             x_in, y_in = abs(x) <= within, abs(y) <= within
@@ -197,7 +199,8 @@ def plan(
     for one, (quantity, output) in zip(axes.flat, each, strict=True):
         snapshot = opened(result, output)
         x, y, z = grid(snapshot, field(snapshot, quantity, body), mirror)
-        _, _, pressure = grid(snapshot, snapshot.pressure, mirror)
+        # Whole worn surfaces have no pressures.
+        pressure = grid(snapshot, snapshot.pressure, mirror)[2] if "pressure_Pa" in snapshot.names else z
         name, unit, _ = QUANTITIES[quantity]
         if quantity != "height":
             z = np.ma.masked_where(z <= 0.0 if quantity == "wear" else pressure <= 0.0, z)

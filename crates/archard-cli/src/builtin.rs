@@ -67,6 +67,11 @@ pub const CASES: &[Builtin] = &[
     ),
     without_files("punch_fretting_block", include_str!("../cases/punch_fretting_block/case.toml")),
     without_files("punch_fretting", include_str!("../cases/punch_fretting/case.toml")),
+    Builtin {
+        name: "crossing_ball",
+        text: include_str!("../cases/crossing_ball/case.toml"),
+        files: &[("stations.csv", include_bytes!("../cases/crossing_ball/stations.csv"))],
+    },
     without_files("mccoll_fretting", include_str!("../cases/mccoll_fretting/case.toml")),
     without_files("fretting_sphere", include_str!("../cases/fretting_sphere/case.toml")),
     without_files(

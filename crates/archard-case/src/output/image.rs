@@ -30,6 +30,24 @@ impl Image {
         }
     }
 
+    /// All that is worn off the surface of a body that roams from station to station, in the coordinates of the body; `None` of any
+    /// other.
+    pub fn of_roaming(problem: &ContactProblem, state: &ContactState, body: usize) -> Option<Self> {
+        let table = problem.motion.table().filter(|_| problem.motion.roams(body))?;
+        let (frame, surface) = (&problem.frame, &state.surfaces[body]);
+        let (spacing, corner) = (frame.spacing(), frame.rectangle().corner());
+        let shown = table.rows()[table.shown()].offsets[body];
+        let before = surface.grid.before();
+        let first = |axis: usize| shown[axis] + corner[axis] - before[axis] as f64 * spacing[axis];
+        let name = format!("wear_{}_m", problem.bodies[body].name);
+        Some(Self {
+            origin: [first(0), first(1)],
+            spacing,
+            elements: surface.grid.elements(),
+            fields: vec![Field::new(name, surface.depth.clone())],
+        })
+    }
+
     /// The values of the field of that name, if there is one.
     pub fn field(&self, name: &str) -> Option<&[f64]> {
         let field = self.fields.iter().find(|field| field.name == name)?;

@@ -12,6 +12,7 @@ const GIVEN: &[&str] = &[
     "length_profiles.csv",
     "fretting_loop.csv",
     "distributions.csv",
+    "worn_*.vti",
     "fields.pvd",
     "fields/#.vti",
     "fields/#.vtu",
@@ -47,6 +48,11 @@ const GIVEN: &[&str] = &[
     "sweep.csv",
 ];
 
+/// The name of the file with all that is worn off the surface of a body.
+pub(super) fn worn(body: &str) -> String {
+    format!("worn_{body}.vti")
+}
+
 /// Whether this program gives a file that name in its folder.
 pub(super) fn is_given(name: &str) -> bool {
     GIVEN.iter().any(|pattern| fits(pattern, name))
@@ -76,6 +82,7 @@ mod tests {
             "fields/12345.vtu",
             "sections/pin_middle.vtu",
             "worn_wheel_left.prw",
+            "worn_plate.vti",
             "disc_0003.vtu",
             "pin.pvd",
         ];

@@ -257,7 +257,16 @@ impl ResultFolder {
     /// Writes the fields and sections of a report.
     fn put_out(&mut self, report: &Report<'_>) -> Result<(), Error> {
         self.put_out_fields(report)?;
-        let swings = |body: usize| Some((body, report.state.surfaces[body].grid.swings()?));
+        for body in 0..2 {
+            if let Some(whole) = Image::of_roaming(report.problem, report.state, body) {
+                let name = super::names::worn(&report.problem.bodies[body].name);
+                whole.write(&self.manifest.claim(&name)?)?;
+            }
+        }
+        let swings = |body: usize| {
+            report.problem.motion.amplitude()?;
+            Some((body, report.state.surfaces[body].grid.swings()?))
+        };
         if let Some(swinging) = (0..2).find_map(swings) {
             let table = self.table(LENGTH_PROFILES)?;
             length_profiles::write(table, (report.problem, report.state), swinging)?;
