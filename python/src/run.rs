@@ -122,6 +122,7 @@ impl Run {
             })?;
             (results, Stage::Kept(simulation, kept))
         } else {
+            let claim = claim.until(case.until.clone());
             (claim.begin(&format!("{remark}{case}")).map_err(unwritten)?, Stage::Built(simulation))
         };
         let warnings = resolved.warnings.iter().map(Problem::warning_of);
@@ -285,6 +286,9 @@ fn advance(
         Stage::Kept(simulation, kept) => {
             let run = simulation::Run::resume(simulation, &kept).map_err(Broken::NotResumed)?;
             (Stage::Going(run), Shown::Again)
+        }
+        Stage::Going(run) if lock(results).as_ref().is_some_and(Observer::ends) => {
+            (Stage::Ended(run), Shown::Nothing)
         }
         Stage::Going(mut run) => match run.step().map_err(Broken::Simulation)? {
             true => (Stage::Going(run), Shown::New),

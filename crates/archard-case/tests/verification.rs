@@ -22,6 +22,7 @@ mod verification {
     mod hertz;
     mod laws_that_remember;
     mod layers;
+    mod life;
     mod line_contact;
     mod loading_paths;
     mod meshed_contact;

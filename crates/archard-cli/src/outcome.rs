@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use archard::frame::Direction;
-use archard::motion::{Control, Shift};
+use archard::motion::{Control, Progress, Shift};
 use archard::simulation::history::{
     self, BODY_DEPTH, CREEPAGE, ERROR, EXPOSED_AREA, FORCE, FRICTIONAL_POWER, IMPRINT,
     IMPRINT_VOLUME, LAYER_VOLUME, MASS_LOSS, SCAR, STICK_AREA, TRACK_WIDTH, WEAR_DEPTH, WEAR_RATE,
@@ -11,12 +11,12 @@ use archard::simulation::history::{
 };
 use archard::simulation::{Effort, Simulation};
 use archard_case::Forecast;
-use archard_case::output::Totals;
+use archard_case::output::{Life, Totals};
 use archard_case::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
-use crate::number::{count, energy, four, length, mass, of_a_line, percent};
+use crate::number::{count, energy, four, length, mass, of_a_line, percent, progress};
 use crate::progress::Follower;
 use crate::standards;
 use crate::verdict;
@@ -28,6 +28,8 @@ type Shown = fn(f64) -> String;
 /// What came of a run.
 pub struct Outcome<'a> {
     pub simulation: &'a Simulation,
+    /// Where a limit was reached.
+    pub life: &'a Life,
     pub forecast: &'a Forecast,
     pub follower: &'a Follower,
     pub totals: &'a Totals,
@@ -83,6 +85,7 @@ impl Outcome<'_> {
         if simulation.problem.wears() {
             self.worn(&mut lines);
         }
+        self.lasted(&mut lines);
         let Effort { steps, solves, .. } = self.effort;
         let time = format!("{:.2} s, {steps} steps, {solves} solves", totals.seconds);
         lines.add("time", time, String::new());
@@ -93,6 +96,26 @@ impl Outcome<'_> {
         lines.add("verdict", verdict::headline(verdict), String::new());
         lines.say()?;
         verdict::say_lines(verdict, self.verbose)
+    }
+
+    /// Adds how far it is to the first limit that is reached, or that it is farther than the motion goes.
+    fn lasted(&self, lines: &mut Lines) {
+        let Self { life, simulation, .. } = self;
+        let motion = simulation.problem.motion.progress;
+        let Some(reached) = life.reached() else {
+            if !life.limits().is_empty() {
+                let whole = progress(motion, simulation.schedule.extent);
+                lines.add("life", format!("beyond {whole}: no limit is reached"), String::new());
+            }
+            return;
+        };
+        let error = reached.error.map(|error| format!("+- {}", percent(error / reached.progress)));
+        let mut value = progress(motion, reached.progress);
+        if let Some(time) = reached.time.filter(|_| motion != Progress::TIME) {
+            value += &format!(", {} h", four(time / 3600.0));
+        }
+        value += &format!(", {}", reached.limit);
+        lines.add("life", value, error.unwrap_or_default());
     }
 
     /// A number at the end; zero where there is none.

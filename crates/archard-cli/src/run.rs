@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::Path;
 
 use archard::simulation::{Effort, Error, Observer};
-use archard_case::output::{self, Inside, Totals};
+use archard_case::output::{self, Inside, Life, Totals};
 use archard_case::verdict::{Verdict, Warning};
 use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -100,7 +100,10 @@ fn contact(
     let mut kept = None;
     let begin = |claim: output::Claim| {
         let (folder, command) = match arguments.resume {
-            None => (claim.begin(&case.to_string())?, underway::command()),
+            None => {
+                let claim = claim.until(case.until.clone());
+                (claim.begin(&case.to_string())?, underway::command())
+            }
             Some(_) => {
                 // Going on removes the summary.
                 let commands = underway::commands(dir);
@@ -115,7 +118,9 @@ fn contact(
     let mut inside =
         Inside::at(case.points.clone()).on(case.sections.clone()).keeping(arguments.store());
     let mut watching = watch.clone();
-    let observers: &mut [&mut dyn Observer] = &mut [&mut watching, &mut follower, &mut inside];
+    let mut life = Life::until(case.until.clone());
+    let observers: &mut [&mut dyn Observer] =
+        &mut [&mut watching, &mut follower, &mut inside, &mut life];
     let outcome = match kept {
         None => simulation.run(observers),
         Some(run) => simulation.resume(&run, observers),
@@ -134,6 +139,7 @@ fn contact(
     if !arguments.quiet {
         let outcome = Outcome {
             simulation: &simulation,
+            life: &life,
             forecast,
             follower: &follower,
             totals: &totals,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::check::{Parts, footprint, memory};
 use super::chosen::Chosen;
 use super::material::MaterialCase;
-use crate::output::Store;
+use crate::output::{Limit, Store};
 pub(in crate::case) use archard::accuracy::MOST;
 use archard::body::mesh::{MeshError, Meshed, Shape, Supported};
 use archard::body::{Body, Elasticity, Finite, Interpolation, Layer, Profile, Support, Thermal};
@@ -49,6 +49,8 @@ pub struct Case {
     pub friction_solver: Chosen<Box<dyn FrictionSolver>>,
     /// When fields are put out.
     pub output: Output,
+    /// Limits at which the run ends before the end of the motion, at the first that is reached.
+    pub until: Vec<Limit>,
     /// Points of each body where displacement and stress are put out at the end.
     pub points: [Vec<Point>; 2],
     /// Sections of each body on which they are put out at the end.

@@ -9,6 +9,7 @@ use super::chosen::Chosen;
 use super::definition::{BodyCase, Case, FiniteCase, FrameCase, LayerCase, Output};
 use super::elastic::ElasticCase;
 use super::quantity::measure;
+use crate::output::Limit;
 use archard::body::{Elasticity, Interpolation, Support};
 use archard::elastic::{Point, Section};
 use archard::parameters::{Columns, Parameter, Quantity, Value, Values};
@@ -78,6 +79,12 @@ impl Display for Case {
             print_chosen(f, "friction_solver", &self.friction_solver)?;
         }
         self.print_output(f)?;
+        let columns = Limit::columns(self.bodies.each_ref().map(|body| &*body.name));
+        for Limit { column, value } in &self.until {
+            if let Some((key, _, unit)) = columns.iter().find(|(_, known, _)| known == column) {
+                writeln!(f, "until.{key} = {}", si(*value, unit))?;
+            }
+        }
         for (body, points) in self.bodies.iter().zip(&self.points) {
             print_points(f, &format!("output.points.{}", body.name), points)?;
         }

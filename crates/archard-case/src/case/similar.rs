@@ -24,6 +24,7 @@ impl Case {
         let (motion, schedule) = self.motion.build().ok()?;
         let nothing_inside = self.points.iter().all(Vec::is_empty);
         if self.accuracy.is_some()
+            || !self.until.is_empty()
             || !self.doubles.is_empty()
             || !(motion.is_steady() && schedule.is_steady() && nothing_inside)
         {

@@ -42,6 +42,7 @@ mod fretting_loop;
 mod image;
 mod inside;
 mod length_profiles;
+mod life;
 mod limit;
 mod manifest;
 mod names;
@@ -75,6 +76,7 @@ pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
+pub use life::{Life, Limit, NoColumn, Reached};
 pub use manifest::Manifest;
 pub use place::Place;
 pub use rail_wear::{ProfileWear, RailWear};
@@ -105,6 +107,9 @@ fn extension(path: &Path) -> String {
 #[non_exhaustive]
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// A limit of a quantity that the run does not have.
+    #[error(transparent)]
+    NoColumn(#[from] NoColumn),
     /// The file system refuses to write.
     #[error("cannot write `{}`: {source}", .path.display())]
     Write {

@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::evidence::worn_over_coefficient;
-use super::{Standard, closed_forms};
+use super::{Life, Standard, closed_forms};
 use crate::verdict::{Bound, Line, Verdict, Warning};
 use archard::estimate::{Estimator, Subject};
 use archard::motion::Passage;
@@ -35,6 +35,8 @@ pub(super) struct Standing {
     cycles: bool,
     effort: Effort,
     extent: f64,
+    /// The column of its progress.
+    progress: &'static str,
 }
 
 impl Standing {
@@ -49,6 +51,7 @@ impl Standing {
             cycles: report.problem.motion.increments().is_some(),
             effort: report.effort,
             extent: report.extent,
+            progress: report.problem.motion.progress.column,
         }
     }
 }
@@ -58,6 +61,7 @@ pub(super) fn text(
     standing: Option<&Standing>,
     (iterations, verdict): (usize, &Verdict),
     (totals, told): (&Totals, &[String]),
+    life: &Life,
 ) -> String {
     let effort = standing.map(|standing| standing.effort).unwrap_or_default();
     let cycles = standing.is_some_and(|standing| standing.cycles);
@@ -68,6 +72,7 @@ pub(super) fn text(
         "complete": totals.failure.is_none(),
         "failure": totals.failure,
         "verdict": json_of(verdict),
+        "life": standing.and_then(|standing| life.json(standing.progress)),
         "extent": standing.map(|standing| standing.extent),
         "last": standing.map(|standing| &standing.last),
         "wear": standing.map(|standing| &standing.wear),

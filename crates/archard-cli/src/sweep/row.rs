@@ -117,16 +117,17 @@ fn begin(
     simulation: Option<&Simulation>,
 ) -> Result<(ResultFolder, Option<Vec<u8>>), Error> {
     let (dir, case_toml) = (claim.dir().to_owned(), resolved.case.to_string());
+    let until = || resolved.case.until.clone();
     let goes_on =
         dir.join("checkpoint").is_file() && kept(&dir).is_some_and(|known| known == case_toml);
     let Some(simulation) = simulation.filter(|_| goes_on) else {
-        return Ok((claim.begin(&case_toml)?, None));
+        return Ok((claim.until(until()).begin(&case_toml)?, None));
     };
     match claim.resume(simulation) {
         Ok((folder, run)) => Ok((folder, Some(run))),
         // What cannot be gone on with begins anew.
         Err(Error::NoCheckpoint { .. } | Error::NotResumed { .. }) => {
-            Ok((Claim::take(&dir)?.adopting().begin(&case_toml)?, None))
+            Ok((Claim::take(&dir)?.adopting().until(until()).begin(&case_toml)?, None))
         }
         Err(error) => Err(error),
     }
@@ -165,5 +166,9 @@ impl Observer for Following<'_> {
             return Err(Interrupted.into());
         }
         Ok(())
+    }
+
+    fn ends(&self) -> bool {
+        self.folder.ends()
     }
 }

@@ -50,4 +50,9 @@ pub trait Kept: fmt::Debug + Sync {
 pub trait Observer: Send {
     /// Takes notice of a state. An error stops the run.
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>>;
+
+    /// Whether the run is to end where it was last shown, before the end of the motion.
+    fn ends(&self) -> bool {
+        false
+    }
 }

@@ -79,7 +79,7 @@ impl Run {
 }
 
 impl Simulation {
-    /// Carries the motion through, showing the initial contact and every step to the observers.
+    /// Carries the motion through, or until an observer ends it, showing the initial contact and every step to the observers.
     ///
     /// # Errors
     /// If the frame does not suit the motion, a wear law lacks what it asks for, a contact does not converge or fills
@@ -123,7 +123,8 @@ impl Simulation {
         mut march: March,
         observers: &mut [&mut dyn Observer],
     ) -> Result<Effort, Error> {
-        while march.step(self)? {
+        let ends = |observers: &[&mut dyn Observer]| observers.iter().any(|one| one.ends());
+        while !ends(observers) && march.step(self)? {
             show(&march.report(self), observers)?;
         }
         Ok(march.effort())

@@ -33,6 +33,7 @@ const TABLES: &[&str] = &[
     "solver",
     "friction_solver",
     "output",
+    "until",
 ];
 
 impl Reader<'_> {
@@ -67,6 +68,7 @@ impl Reader<'_> {
         let solver = self.solver(root, "solver", SOLVERS);
         let friction_solver = self.friction_solver(root);
         let output = motion.as_ref().and_then(|(_, motion)| self.output(root, motion));
+        let until = bodies.as_ref().and_then(|bodies| self.until(root, bodies));
         let points = bodies.as_ref().and_then(|bodies| self.points_of_bodies(root, bodies));
         let sections = bodies.as_ref().and_then(|bodies| self.sections_of_bodies(root, bodies));
         Some(Case {
@@ -80,6 +82,7 @@ impl Reader<'_> {
             solver: solver?,
             friction_solver: friction_solver?,
             output: output?,
+            until: until?,
             points: points?,
             sections: sections?,
         })

@@ -6,6 +6,7 @@ use crate::case::problem::Problem;
 use crate::case::quantity::measure;
 use crate::case::reader::{Reader, Section};
 use crate::case::tree::{Entry, Item};
+use crate::output::Limit;
 use archard::body::Elasticity;
 use archard::elastic::{self, Point};
 use archard::motion::{Motion, Planned, Progress, Shift};
@@ -39,6 +40,26 @@ impl Reader<'_> {
                 self.places(key, entry, quantity, schedule.extent).map(Output::At)
             }
         }
+    }
+
+    /// The limits at which the run ends.
+    pub(super) fn until(
+        &mut self,
+        root: &Section<'_>,
+        bodies: &[BodyCase; 2],
+    ) -> Option<Vec<Limit>> {
+        let Some((key, entry)) = root.get("until") else { return Some(vec![]) };
+        let section = self.as_table(key, &entry.node)?;
+        let columns = Limit::columns(bodies.each_ref().map(|body| &*body.name));
+        let names: Vec<&str> = columns.iter().map(|(name, ..)| &**name).collect();
+        self.unknown(&section, "quantity with a limit", &names);
+        let (mut limits, before) = (vec![], self.problems.len());
+        for (name, column, unit) in &columns {
+            let Some((key, entry)) = section.get(name) else { continue };
+            let value = self.number(key, &entry.node, of_unit(unit));
+            limits.extend(value.map(|value| Limit { column: column.clone(), value }));
+        }
+        (self.problems.len() == before).then_some(limits)
     }
 
     /// The points of each body where displacement and stress are put out.
@@ -155,4 +176,14 @@ fn tenth(motion: &Motion, extent: f64) -> f64 {
     let Some(period) = motion.increments().map(Shift::period) else { return tenth };
     let counts = motion.progress == Progress::CYCLES || extent > 1.5 * period;
     if counts { period * (tenth / period - 1e-9).ceil().max(1.0) } else { tenth }
+}
+
+/// What a column of that unit measures.
+fn of_unit(unit: &str) -> Quantity {
+    match unit {
+        "m^2" => Quantity::Measured { name: "an area", unit: "m^2" },
+        "m^3" => Quantity::Measured { name: "a volume", unit: "m^3" },
+        "kg" => Quantity::Measured { name: "a mass", unit: "kg" },
+        _ => Quantity::Length,
+    }
 }

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::super::evidence::Evidence;
 use super::super::fretting_loop::FrettingLoop;
+use super::super::life::Life;
 use super::super::table::Kept as KeptTable;
 use super::super::{Error, Place};
 use super::{Claim, TABLES, claim};
@@ -23,7 +24,7 @@ use archard::simulation::Simulation;
 /// The file.
 pub(super) const NAME: &str = "checkpoint";
 /// The line it begins with: another one with every change of what is kept.
-const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 15\n");
+const FORMAT: &str = concat!("archard ", env!("CARGO_PKG_VERSION"), " checkpoint 16\n");
 /// The longest a run is not kept where it could be.
 const LONGEST: Duration = Duration::from_secs(30);
 /// Time between two times it is kept over the time that takes, at least.
@@ -41,6 +42,7 @@ pub(super) struct Kept {
     pub outputs: Vec<(f64, String)>,
     pub iterations: usize,
     pub evidence: Evidence,
+    pub life: Life,
     /// Time the run has taken (s).
     pub seconds: f64,
 }

@@ -11,7 +11,7 @@ use super::{HISTORY, ResultFolder, TABLES, checkpoint};
 use crate::files::{self, Contents, Inputs};
 use crate::output::elastic::{POINTS, SURFACE};
 use crate::output::inside::SURFACES;
-use crate::output::{CASE, COLLECTION, Collection, Error, FIELDS, Manifest, SUMMARY};
+use crate::output::{CASE, COLLECTION, Collection, Error, FIELDS, Limit, Manifest, SUMMARY};
 use archard::simulation::Simulation;
 
 /// A folder that no other run writes into. What is in it stays as it is until the results begin, so that a case that
@@ -23,6 +23,8 @@ pub struct Claim {
     pub(in crate::output) manifest: Manifest,
     /// Files that a run adds at its end.
     more: Vec<String>,
+    /// The limits at which it ends.
+    pub(super) until: Vec<Limit>,
     /// Whether the folder was made for it.
     made: bool,
 }
@@ -37,7 +39,9 @@ impl Claim {
         fs::create_dir_all(dir).map_err(|source| Error::Write { path: dir.to_owned(), source })?;
         let lock = Lock::take(dir)?;
         match Manifest::read(dir) {
-            Ok(manifest) => Ok(Self { dir: dir.to_owned(), lock, manifest, more: vec![], made }),
+            Ok(manifest) => {
+                Ok(Self { dir: dir.to_owned(), lock, manifest, more: vec![], until: vec![], made })
+            }
             Err(error) => {
                 lock.give_up();
                 Err(error)
@@ -49,6 +53,12 @@ impl Claim {
     #[must_use]
     pub fn adding(self, more: Vec<String>) -> Self {
         Self { more, ..self }
+    }
+
+    /// The same for a run that ends where the first of these limits is reached.
+    #[must_use]
+    pub fn until(self, until: Vec<Limit>) -> Self {
+        Self { until, ..self }
     }
 
     /// The same for a run that reads these files, which stay as they are.

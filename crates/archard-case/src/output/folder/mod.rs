@@ -26,7 +26,7 @@ use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{
-    CASE, COLLECTION, Collection, Error, FIELDS, Image, Manifest, SUMMARY, Surface, Totals,
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Life, Manifest, SUMMARY, Surface, Totals,
     sections,
 };
 use crate::verdict::{Verdict, Warning};
@@ -66,6 +66,7 @@ pub struct ResultFolder {
     estimator: Estimator,
     standing: Option<Standing>,
     evidence: Evidence,
+    life: Life,
     clock: Clock,
     begun: Instant,
     /// Time the run took before it was interrupted (s).
@@ -84,7 +85,7 @@ impl ResultFolder {
     }
 
     fn begin(claim: Claim, case_toml: &str) -> Result<Self, Error> {
-        let Claim { dir, lock, mut manifest, .. } = claim;
+        let Claim { dir, lock, mut manifest, until, .. } = claim;
         manifest.begin([CASE, HISTORY, PROFILES])?;
         manifest.write(CASE, case_toml.as_bytes())?;
         let always =
@@ -99,6 +100,7 @@ impl ResultFolder {
             estimator: Estimator::default(),
             standing: None,
             evidence: Evidence::default(),
+            life: Life::until(until),
             clock: Clock::new(),
             begun: Instant::now(),
             before: 0.0,
@@ -110,7 +112,7 @@ impl ResultFolder {
 
     /// Brings the results of a run back to where it was kept.
     fn go_on(mut claim: Claim, kept: Kept) -> Result<Self, Error> {
-        let Kept { tables, fretting_loop, outputs, iterations, evidence, seconds } = kept;
+        let Kept { tables, fretting_loop, outputs, iterations, evidence, life, seconds } = kept;
         claim.manifest.remove_parts(|_| true);
         claim.manifest.remove(SUMMARY)?;
         claim.remove_fields(outputs.len())?;
@@ -132,6 +134,7 @@ impl ResultFolder {
             estimator: Estimator::default(),
             standing: None,
             evidence,
+            life,
             clock: Clock::new(),
             begun: Instant::now(),
             before: seconds,
@@ -143,7 +146,7 @@ impl ResultFolder {
 
     /// Keeps the run, if anything was solved and it is time to, or in any case.
     fn keep(&mut self, report: &Report<'_>, anyway: bool) -> Result<(), Error> {
-        let ended = report.state.progress >= report.extent;
+        let ended = report.state.progress >= report.extent || self.life.ends();
         let pairs = report.state.pressure.len();
         let is_due = || report.effort.solves > 0 && self.clock.is_due(report.output, pairs);
         if ended || !anyway && !is_due() {
@@ -162,6 +165,7 @@ impl ResultFolder {
             outputs: self.collection.outputs.clone(),
             iterations: self.iterations,
             evidence: self.evidence.clone(),
+            life: self.life.clone(),
             seconds: self.before + self.begun.elapsed().as_secs_f64(),
         };
         checkpoint::write(&self.manifest.claim(checkpoint::NAME)?, &kept, &run)?;
@@ -206,7 +210,7 @@ impl ResultFolder {
         let told: Vec<String> = besides.chain(doubts).collect();
         let verdict = self.verdict(&totals.warnings).ended(totals.failure.as_deref());
         let judged = (self.iterations, &verdict);
-        let text = summary::text(self.standing.as_ref(), judged, (totals, &told));
+        let text = summary::text(self.standing.as_ref(), judged, (totals, &told), &self.life);
         self.manifest.write(SUMMARY, text.as_bytes())?;
         match totals.failure {
             Some(_) => Ok(verdict),
@@ -234,6 +238,9 @@ impl ResultFolder {
             return Ok(());
         }
         finite(report, &row)?;
+        self.life.take(&report.problem.motion, &row)?;
+        // Fields are due at the end, wherever that is.
+        let report = &Report { output: report.output || self.life.ends(), ..*report };
         let cells: Vec<_> =
             row.iter().map(|(column, value)| (column.as_str(), number(*value))).collect();
         let history = self.table(HISTORY)?;
@@ -308,6 +315,10 @@ impl ResultFolder {
 impl Observer for ResultFolder {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {
         Ok(self.take(report)?)
+    }
+
+    fn ends(&self) -> bool {
+        self.life.ends()
     }
 }
 
