@@ -167,7 +167,7 @@ impl Life {
                 "duration_s": one.time,
             })
         });
-        Some(json!({ "until": limits, "reached": reached }))
+        Some(json!({ "until": limits, "progress": progress, "reached": reached }))
     }
 }
 

@@ -40,9 +40,8 @@ fn volumes_last_as_long_as_load_and_coefficient_say() {
 /// Between two steps a depth is read as it grows: the run that goes on by short steps passes the limit there too.
 #[test]
 fn depths_are_read_between_steps() {
-    let place = |step: &str| {
-        lives(&[("wear_depth_pin_m", 1e-6)], &[step]).0.expect("the limit").progress
-    };
+    let place =
+        |step: &str| lives(&[("wear_depth_pin_m", 1e-6)], &[step]).0.expect("the limit").progress;
     let [long, short] =
         ["motion.sliding.step=\"20 mm\"", "motion.sliding.step=\"2 mm\""].map(place);
     // Implicit steps of a tenth of the way err by per cents themselves.

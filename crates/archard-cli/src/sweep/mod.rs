@@ -7,6 +7,7 @@
 mod course;
 mod design;
 mod fitted;
+mod life;
 pub mod points;
 mod regime;
 mod row;

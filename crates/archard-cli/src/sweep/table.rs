@@ -8,8 +8,8 @@ use archard_case::files::{self, Contents};
 use archard_case::output::{Claim, Error, Manifest};
 
 use super::design::Design;
-use super::regime;
 use super::row::{folder, holds_another, is_done, summary};
+use super::{life, regime};
 
 /// The file of all rows.
 pub const SWEEP: &str = "sweep.csv";
@@ -145,6 +145,7 @@ pub fn of(dir: &Path, resolved: &Resolved) -> Known {
     match last_row(&dir.join("history.csv")) {
         Some(mut last) => {
             last.extend(regime::of(dir, &last).into_iter().flatten());
+            last.extend(life::of(&summary));
             Known { verdict, reason: reason(&summary), last, ..nothing("done") }
         }
         None => Known { error: "`history.csv` has no rows".to_owned(), ..nothing("failed") },

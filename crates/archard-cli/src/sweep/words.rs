@@ -7,7 +7,7 @@ use archard_case::Case;
 
 use super::design::{Design, Row};
 use super::table::{Known, Status};
-use super::values;
+use super::{life, values};
 use crate::number::four;
 use crate::plot::quantile;
 
@@ -16,15 +16,15 @@ const SAMPLED: [f64; 2] = [0.05, 0.95];
 const ALL: [f64; 2] = [0.0, 1.0];
 
 /// A number that rows are told by: its name, its column, and the unit that it is shown in with the factor from SI.
-struct Quantity {
+pub struct Quantity {
     name: String,
-    column: String,
+    pub column: String,
     unit: &'static str,
     factor: f64,
 }
 
 impl Quantity {
-    fn new(
+    pub fn new(
         name: impl Into<String>,
         column: impl Into<String>,
         (unit, factor): (&'static str, f64),
@@ -32,8 +32,15 @@ impl Quantity {
         Self { name: name.into(), column: column.into(), unit, factor }
     }
 
-    fn show(&self, value: f64) -> String {
-        four(value * self.factor)
+    /// The same with the unit.
+    pub fn with_unit(&self, value: f64) -> String {
+        let unit = if value.is_finite() { self.unit } else { "" };
+        format!("{} {unit}", self.show(value)).trim_end().to_owned()
+    }
+
+    /// Four digits of a value (SI); of a life that no limit ended, what can be said.
+    pub fn show(&self, value: f64) -> String {
+        if value.is_finite() { four(value * self.factor) } else { "beyond the motion".to_owned() }
     }
 }
 
@@ -56,7 +63,7 @@ fn quantities(case: &Case, known: &Known) -> Vec<Quantity> {
         |quantity: &Quantity| known.number(&quantity.column).is_some_and(|depth| depth > 0.0);
     let names = case.bodies.iter().map(|body| &body.name);
     let depths: Vec<Quantity> = names.map(depth).filter(worn).collect();
-    depths.into_iter().chain([pressure]).collect()
+    depths.into_iter().chain(life::quantity(case)).chain([pressure]).collect()
 }
 
 /// "row 3, load 10 N: wear depth (pin) 1.459 um, peak pressure 25.13 MPa (good)".
@@ -66,8 +73,8 @@ pub fn row(design: &Design, index: usize, known: &Known) -> String {
     let came: Vec<String> = quantities
         .iter()
         .filter_map(|known_by| {
-            let value = known_by.show(known.number(&known_by.column)?);
-            Some(format!("{} {value} {}", known_by.name, known_by.unit))
+            let value = known_by.with_unit(known.number(&known_by.column)?);
+            Some(format!("{} {value}", known_by.name))
         })
         .collect();
     let end = if came.is_empty() {
@@ -131,13 +138,18 @@ fn medians_of(design: &Design, known: &[Known], (rows, over): (&[usize], usize))
         let values = done.iter().filter_map(|&row| known[row].number(&quantity.column));
         let mut values: Vec<f64> = values.collect();
         values.sort_by(f64::total_cmp);
-        let at = |share: f64| quantity.show(quantile(&values, share));
+        let at = |share: f64| quantile(&values, share);
         let (what, [low, high]) = match design.layout {
             Some(_) => (format!("90 % of {} rows", values.len()), SAMPLED.map(at)),
             None => (format!("{} rows", values.len()), ALL.map(at)),
         };
-        let (name, unit, median) = (&quantity.name, quantity.unit, at(0.5));
-        format!("{name:<18}median {median} {unit}, {what} from {low} to {high} {unit}")
+        let (name, median) = (&quantity.name, quantity.with_unit(at(0.5)));
+        let (low, high) = (quantity.show(low), quantity.with_unit(high));
+        let early = match design.layout {
+            Some(_) if life::is(quantity) => life::early(quantity, &values),
+            _ => String::new(),
+        };
+        format!("{name:<18}median {median}, {what} from {low} to {high}{early}")
     };
     let at = Some(varied(design, &design.rows[first], over)).filter(|at| !at.is_empty());
     let case = &design.rows[first].resolved.case;

@@ -262,6 +262,27 @@ fn only_k_s_counts() {
     }
 }
 
+/// Under Archard's law a part lasts as 1 / k, and a row whose limit lies beyond the motion has no end of its life.
+#[test]
+fn lives_go_as_one_over_k() {
+    let dir = TempDir::new().unwrap();
+    let pin = case("pin_on_disc");
+    let k = format!("{K}=1e-13 1/Pa, 2e-13 1/Pa, 1e-15 1/Pa");
+    let limit = ["--set", "until={ worn_volume_pin = \"4e-4 mm^3\" }", "--over", &k];
+    let arguments = [&["sweep", pin.to_str().unwrap(), "-o", "study"], &SMALL[..], &limit].concat();
+    let ran = archard(&dir, &arguments).success();
+    let rows = rows(&dir, "study/sweep.csv");
+    let life = |row: usize| number(&rows[row], "life_distance_m");
+    // k F s, with 10.2 N.
+    for (row, k) in [(0, 1e-13), (1, 2e-13)] {
+        let expected = 4e-13 / (k * 10.2);
+        assert!((life(row) / expected - 1.0).abs() < 1e-6, "{} {expected}", life(row));
+        assert!(number(&rows[row], "distance_m") >= expected);
+    }
+    assert_eq!(life(2), f64::INFINITY);
+    assert!(printed(&ran).contains("to beyond the motion"), "{}", printed(&ran));
+}
+
 /// Lists are values like others, and each row says what varied and what came out, the end the median and the interval.
 #[test]
 fn lists_are_values() {
