@@ -187,6 +187,13 @@ class Result:
         return "; ".join(said).rstrip(": ")
 
     @property
+    def life(self) -> dict[str, Any] | None:
+        """Where the first limit of ``until`` was reached, with its error (SI); ``None`` if none was."""
+        found = self.summary.get("life") or {}
+        reached: dict[str, Any] | None = found.get("reached")
+        return reached
+
+    @property
     def toml(self) -> str:
         """The case in SI, as a case file."""
         return self._files["case.toml"].decode()

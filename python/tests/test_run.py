@@ -24,6 +24,22 @@ def same(one, other):
             np.testing.assert_array_equal(a[field], b[field], strict=True)
 
 
+def test_runs_end_at_their_limits(case):
+    # A volume is k F s.
+    case["until"] = {"worn_volume_pin": f"{1.33e-13 * 10.2 * 0.013 * 1e9} mm^3"}
+    run = case.steps()
+    places = [state.progress for state in run]
+    result = run.result()
+    assert result.complete
+    assert result.life is not None
+    assert result.life["distance_m"] == pytest.approx(0.013, rel=1e-5)
+    assert places[-1] == pytest.approx(0.014)
+    assert len(result.fields) == 4
+    same(result, case.run())
+    case["until"] = {"worn_volume_pin": "1 mm^3"}
+    assert case.run().life is None
+
+
 def test_steps_are_the_rows_of_the_history(case):
     run = case.steps()
     states = list(run)
