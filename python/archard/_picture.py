@@ -87,8 +87,11 @@ def _panel(axes: Any, panel: dict[str, Any], points: float, letter: str) -> None
         axes.set_aspect("equal")
     if not panel["named"]:
         axes.set_yticklabels([])
+    for axis, names in zip((axes.xaxis, axes.yaxis), panel["steps"], strict=True):
+        if names:
+            axis.set_ticks(range(1, len(names) + 1), labels=names)
     for words, (at, height), colour in panel["notes"]:
-        axes.text(at, height, _plain(words), color=colour)
+        axes.text(at, height, _plain(words), color=colour, ha="center")
     if any(mark["legend"] for mark in panel["marks"]):
         inside = panel["legend"] != "outside"
         place = {"loc": panel["legend"]} if inside else {"loc": "upper left", "bbox_to_anchor": (1.0, 1.0)}

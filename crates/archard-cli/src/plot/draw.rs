@@ -289,6 +289,15 @@ fn framed(layout: Layout, view: &View) -> Layout {
     if !view.named {
         layout = layout.with_y_tick_format(TickFormat::Custom(Arc::new(|_| String::new())));
     }
+    let [x, y] = &view.steps;
+    if !x.is_empty() {
+        layout = layout.with_x_tick_format(names(x));
+        layout.x_tick_step = Some(1.0);
+    }
+    if !y.is_empty() {
+        layout = layout.with_y_tick_format(names(y));
+        layout.y_tick_step = Some(1.0);
+    }
     if view.log {
         layout =
             layout.with_log_scale().with_tick_format(TickFormat::Custom(Arc::new(tick_of_decades)));
@@ -296,6 +305,16 @@ fn framed(layout: Layout, view: &View) -> Layout {
     view.notes.iter().fold(layout, |layout, (words, [x, y], _)| {
         layout.with_annotation(TextAnnotation::new(&**words, *x, *y).with_font_size(NOTE))
     })
+}
+
+/// Names at the places 1, 2, 3, and nothing between them.
+fn names(names: &[String]) -> TickFormat {
+    let names = names.to_vec();
+    TickFormat::Custom(Arc::new(move |place: f64| {
+        let whole = (place - place.round()).abs() < 1e-6 && place > 0.5;
+        let name = whole.then(|| names.get(place.round() as usize - 1)).flatten();
+        name.cloned().unwrap_or_default()
+    }))
 }
 
 fn plot(Mark { shape, legend }: &Mark) -> Plot {

@@ -97,6 +97,8 @@ pub(crate) struct View {
     pub(crate) to_scale: bool,
     /// Whether values along y are named.
     pub(crate) named: bool,
+    /// What stands at the places 1, 2, 3 along x and along y in the place of numbers, if anything does.
+    pub(crate) steps: [Vec<String>; 2],
     /// Whether both axes are logarithmic.
     pub(crate) log: bool,
 }
@@ -132,6 +134,7 @@ impl Default for View {
             notes: Vec::new(),
             to_scale: false,
             named: true,
+            steps: [vec![], vec![]],
             log: false,
         }
     }

@@ -14,7 +14,7 @@ impl Picture {
 }
 
 fn panel(Panel { title, labels, marks, view }: &Panel) -> Value {
-    let View { ends, legend, legend_title, notes, to_scale, named, log } = view;
+    let View { ends, legend, legend_title, notes, to_scale, named, steps, log } = view;
     let legend = match legend {
         LegendPosition::OutsideRightTop => "outside",
         LegendPosition::InsideTopLeft => "upper left",
@@ -23,7 +23,7 @@ fn panel(Panel { title, labels, marks, view }: &Panel) -> Value {
     json!({
         "title": title, "labels": labels, "marks": marks.iter().map(mark).collect::<Vec<_>>(), "ends": ends,
         "legend": legend, "legend_title": legend_title, "notes": notes, "to_scale": to_scale, "named": named,
-        "log": log,
+        "steps": steps, "log": log,
     })
 }
 

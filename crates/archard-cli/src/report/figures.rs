@@ -101,6 +101,14 @@ impl Figure {
         if let Some(title) = &view.legend_title {
             layout["legend"] = json!({ "title": { "text": title } });
         }
+        for (axis, names) in ["xaxis", "yaxis"].into_iter().zip(&view.steps) {
+            if !names.is_empty() {
+                let places: Vec<usize> = (1..=names.len()).collect();
+                layout[axis]["tickmode"] = json!("array");
+                layout[axis]["tickvals"] = json!(places);
+                layout[axis]["ticktext"] = json!(names);
+            }
+        }
         if view.to_scale {
             layout["yaxis"]["scaleanchor"] = json!("x");
         }
