@@ -110,7 +110,7 @@ def fit(
     case: CaseFile,
     table: tuple[str, bytes, str | PathLike[str]],
     columns: Sequence[tuple[str, str]],
-    parameter: str | None,
+    parameters: list[str],
     told: tuple[Sequence[tuple[str, float]], Sequence[str]],
     dir: str | PathLike[str],
 ) -> tuple[str, str, str]: ...

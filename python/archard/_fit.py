@@ -147,7 +147,7 @@ def fit(
     case: Case | str | os.PathLike[str] | Mapping[str, Any],
     data: str | os.PathLike[str] | Mapping[str, Sequence[Any]] | Any,
     *,
-    parameter: str | None = None,
+    parameter: Iterable[str] | str = (),
     columns: Mapping[str, str] | None = None,
     uncertain: Mapping[str, float] | None = None,
     assume: Iterable[str] | str = (),
@@ -164,7 +164,8 @@ def fit(
             loads of their own. ``file`` names profiles (``x_mm`` or ``y_mm``, and ``z_um``) and height maps (all
             three), from which what is worn off is taken; their paths start from the folder of the CSV file, or
             from the working directory.
-        parameter: the key to be fitted; if not given the coefficient of each body of which there are readings.
+        parameter: the key to be fitted, or several that are fitted together from all readings, as of a coating and of
+            what is below it; if not given the coefficient of each body of which there are readings.
         columns: headers of other names, as ``{"depth": "Tiefe [um]"}``; ``x``, ``y`` and ``z`` are those of
             profiles and height maps.
         uncertain: relative standard uncertainties that all tests have in common, as
@@ -185,15 +186,16 @@ def fit(
     named = list((columns or {}).items())
     common = [(key, float(value)) for key, value in (uncertain or {}).items()]
     assumed = [assume] if isinstance(assume, str) else list(assume)
+    parameters = [parameter] if isinstance(parameter, str) else list(parameter or ())
 
     def run(folder: str | os.PathLike[str]) -> Fit:
         log.info("%r is fitted to %s", one, table[0])
         file = one._in(Path(folder))._compiled()
         try:
-            found = Fit(*_archard.fit(file, table, named, parameter, (common, assumed), folder))
+            found = Fit(*_archard.fit(file, table, named, parameters, (common, assumed), folder))
         except ValueError as error:
             # What is an option of the command is an argument here.
-            said = re.sub(r"--assume (\S+)", r'assume="\1"', str(error))
+            said = re.sub(r"--(assume|parameter) (\S+)", r'\1="\2"', str(error))
             raise ValueError(said.replace("put another one there by --set, ", "")) from None
         for known in found.coefficients:
             log.info("%s: median %.4g %s of %d tests", known.key, known.median, known.unit, len(known.tests))

@@ -44,7 +44,7 @@ pub fn fit(
     case: &CaseFile,
     table: (String, Vec<u8>, PathBuf),
     columns: Vec<(String, String)>,
-    parameter: Option<String>,
+    parameters: Vec<String>,
     told: (Vec<(String, f64)>, Vec<String>),
     dir: PathBuf,
 ) -> PyResult<(String, String, String)> {
@@ -60,7 +60,7 @@ pub fn fit(
         let table = table.map_err(|error| wrong(error.to_string()))?;
         let store = Store::of_user();
         let request = Request {
-            parameter: parameter.as_deref(),
+            parameters: &parameters,
             uncertain: &uncertain,
             assumed: &assumed,
             files: Files { folder: &folder, columns: &of_files },

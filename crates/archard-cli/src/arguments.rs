@@ -473,9 +473,10 @@ pub struct Fit {
     /// section, mass, width, length or diameter, or in the column file the name of a profile or height map
     #[arg(long, value_name = "FILE")]
     pub data: PathBuf,
-    /// The key to be fitted; if not given, the wear coefficient of each body of which there are readings
+    /// The key to be fitted, e.g. body.disc.layers.0.wear.archard.coefficient, or several, which are fitted together from all
+    /// readings; if not given, the wear coefficient of each body of which there are readings
     #[arg(long, value_name = "KEY")]
-    pub parameter: Option<String>,
+    pub parameter: Vec<String>,
     /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps
     #[arg(long, value_name = "NAME=HEADER")]
     pub column: Vec<String>,

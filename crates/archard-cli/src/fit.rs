@@ -63,7 +63,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
     let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
     let mut follow = Follow::new(arguments.quiet);
     let request = Request {
-        parameter: arguments.parameter.as_deref(),
+        parameters: &arguments.parameter,
         uncertain: &uncertain,
         // What was put into the case on the command line was told, too.
         assumed: &[arguments.assume.clone(), arguments.case.settings()].concat(),

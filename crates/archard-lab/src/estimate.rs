@@ -5,11 +5,11 @@ use super::shape::{self, Exponent};
 use super::within::{Expected, Fitted, Test, Unfitted, correlation, shown, weights};
 
 /// Degrees of freedom of what is known from elsewhere.
-const MANY: f64 = 1e6;
+pub(super) const MANY: f64 = 1e6;
 /// Rounds in which the uncertainty of readings and the fits settle.
 const ROUNDS: usize = 4;
 /// Standard deviation of log k above which a test does not tell k: it may be a tenth or ten times as large.
-const UNTOLD: f64 = 1.2;
+pub(super) const UNTOLD: f64 = 1.2;
 
 /// What is known of a coefficient that is common to all tests: a name, and a standard uncertainty of k, relative.
 pub type Common = (String, f64);

@@ -7,6 +7,7 @@ mod curve;
 mod effects;
 mod error;
 mod estimate;
+mod joint;
 mod kept;
 mod measurement;
 mod next;

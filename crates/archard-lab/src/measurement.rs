@@ -3,6 +3,7 @@
 use super::Error;
 use super::quantity::{KINDS, Kind, Quantity};
 use super::surfaces::{self, Column};
+use super::untold;
 use super::{Files, Measured, Reading, Test};
 use archard::units::Measure;
 use archard_case::Case;
@@ -18,6 +19,9 @@ const PROGRESS: [(&str, &[&str]); 7] = [
     ("time", &["time_s"]),
     ("share", &["share"]),
 ];
+
+/// Most coefficients that are fitted together: each takes four times as many runs.
+const MOST: usize = 3;
 
 /// A coefficient and the tests that tell it.
 #[derive(Debug, Clone)]
@@ -45,19 +49,22 @@ pub(super) struct Measurement {
 }
 
 impl Measurement {
-    /// Of a table, for the case; a key in the place of the coefficients of the bodies.
+    /// Of a table, for the case; keys in the place of the coefficients of the bodies.
     pub fn of(
         table: &Table,
         case: &Case,
-        (parameter, files): (Option<&str>, Files<'_>),
+        (parameters, files): (&[String], Files<'_>),
     ) -> Result<Self, Error> {
         let wearing: Vec<usize> = (0..2).filter(|&body| case.bodies[body].wear.is_some()).collect();
-        let named = parameter.and_then(|key| {
-            wearing
-                .iter()
-                .copied()
-                .find(|&body| key.starts_with(&format!("body.{}.", case.bodies[body].name)))
-        });
+        let of = |key: &String| {
+            let own = |&body: &usize| key.starts_with(&format!("body.{}.", case.bodies[body].name));
+            wearing.iter().copied().find(own)
+        };
+        // Of several keys, where they are all of one body.
+        let named = parameters
+            .first()
+            .and_then(of)
+            .filter(|&body| parameters.iter().all(|key| of(key).is_none_or(|other| other == body)));
         let one = named.or_else(|| (wearing.len() == 1).then(|| wearing[0]));
         let progress = progress(table, case)?;
         let mut used: Vec<String> = vec!["test".into(), "load".into(), progress.0.into()];
@@ -76,9 +83,9 @@ impl Measurement {
             ));
         }
         remarks.extend(repeated(&tests));
-        let targets = match parameter {
-            Some(key) => vec![target(case, key.to_owned(), tests)?],
-            None => {
+        let targets = match parameters {
+            [_, ..] => several(case, parameters, &tests)?,
+            [] => {
                 let own = |&body: &usize| quantities.iter().any(|quantity| quantity.body == body);
                 let bodies = wearing.iter().copied().filter(own);
                 bodies
@@ -328,11 +335,34 @@ fn of_body(tests: &[Test], quantities: &[Quantity], body: usize) -> Vec<Test> {
     own
 }
 
+/// The coefficients of a case, as options that fit them.
+fn options(case: &Case) -> String {
+    let laws = untold::laws(case).into_iter();
+    let keys = laws.map(|(table, law)| format!("{table}.{law}.coefficient"));
+    let keys = keys.filter(|key| case.number_at(key).is_some());
+    keys.map(|key| format!("--parameter {key}")).collect::<Vec<_>>().join(" or ")
+}
+
 /// The key of the coefficient of a body.
 fn coefficient(case: &Case, body: usize) -> Result<String, Error> {
     let own = &case.bodies[body];
     let law = own.wear.as_ref().map_or("", |wear| wear.choice.name);
     Ok(format!("body.{}.wear.{law}.coefficient", own.name))
+}
+
+/// The keys that are fitted from all tests.
+fn several(case: &Case, keys: &[String], tests: &[Test]) -> Result<Vec<Target>, Error> {
+    if keys.len() > MOST {
+        return Err(Error::Mismatch(format!(
+            "--parameter is given {} times: at most {MOST} coefficients are fitted together",
+            keys.len()
+        )));
+    }
+    let dotted: Vec<String> = keys.iter().map(|key| untold::dotted(key)).collect();
+    if let Some(place) = (1..keys.len()).find(|&place| dotted[..place].contains(&dotted[place])) {
+        return Err(Error::Mismatch(format!("--parameter {} is given twice", keys[place])));
+    }
+    keys.iter().map(|key| target(case, key.clone(), tests.to_vec())).collect()
 }
 
 fn target(case: &Case, key: String, tests: Vec<Test>) -> Result<Target, Error> {
@@ -342,7 +372,8 @@ fn target(case: &Case, key: String, tests: Vec<Test>) -> Result<Target, Error> {
             "`{key}` is fitted from the value in the case, which has to be greater than zero"
         ))),
         None => Err(Error::Mismatch(format!(
-            "`{key}` is no number in the case: name the one to be fitted, like --parameter body.pin.wear.archard.coefficient"
+            "`{key}` is no number in the case: name the one to be fitted, like {}",
+            options(case)
         ))),
     }
 }

@@ -40,6 +40,8 @@ pub struct Fit {
     pub quantities: Vec<(String, f64, &'static str)>,
     /// The coefficients.
     pub coefficients: Vec<Coefficient>,
+    /// How the errors of (the logarithms of) coefficients that were fitted together correlate, a row each; empty of others.
+    pub together: Vec<Vec<f64>>,
     /// What was taken from profiles and height maps.
     pub surfaces: Vec<Measured>,
     /// What has to be said.
@@ -59,10 +61,13 @@ pub struct Fit {
 const FEWEST: usize = 3;
 
 impl Fit {
-    /// The correlation of the logarithms of two coefficients over the tests that tell both, and the number of these; `None`
-    /// where there are no two coefficients, or fewer than three such tests.
+    /// The correlation of the logarithms of two coefficients over the tests that tell both, or of their errors where they were fitted
+    /// together, and the number of tests; `None` where there are no two coefficients, or fewer than three such tests.
     pub fn correlation(&self) -> Option<(f64, usize)> {
         let [one, other] = &self.coefficients[..] else { return None };
+        if let [row, _] = &self.together[..] {
+            return Some((row[1], one.tests.len()));
+        }
         let of =
             |name: &str| other.estimate.tests.iter().find(|own| own.0 == name).map(|own| own.1);
         let pairs =

@@ -138,6 +138,7 @@ impl Fit {
             "only_k_s_counts": self.by_k_s,
             "coefficients": self.coefficients.iter().map(|own| own.json(&self.quantities)).collect::<Vec<_>>(),
             "correlation_of_coefficients": self.correlation().map(|(value, tests)| json!({ "value": value, "tests": tests })),
+            "correlations": self.together,
             "surfaces": self.surfaces.iter().map(Measured::json).collect::<Vec<_>>(),
             "remarks": self.remarks,
             "verdict": verdict_json(&self.verdict()),
@@ -179,7 +180,17 @@ impl fmt::Display for Fit {
         for own in &self.coefficients {
             f.write_str(&words(own, &self.quantities)?)?;
         }
-        if let Some((value, tests)) = self.correlation() {
+        for (i, row) in self.together.iter().enumerate() {
+            for (j, value) in row.iter().enumerate().take(i) {
+                let [one, other] = [j, i].map(|place| &self.coefficients[place].key);
+                let value = two(*value);
+                writeln!(
+                    f,
+                    "together          errors of `{one}` and `{other}` correlate by {value}"
+                )?;
+            }
+        }
+        if let Some((value, tests)) = self.correlation().filter(|_| self.together.is_empty()) {
             writeln!(
                 f,
                 "together          the coefficients go with each other from test to test: correlation {} of {tests} tests",

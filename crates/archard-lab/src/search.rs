@@ -9,6 +9,7 @@ mod conclude;
 mod model;
 mod root;
 mod rounds;
+mod together;
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -35,8 +36,8 @@ const FITTED: [f64; 2] = [1e-7, 1e-3];
 
 /// What a fit is asked for beside case and table.
 pub struct Request<'a> {
-    /// The key to be fitted; if not given, the coefficient of each body of which there are readings.
-    pub parameter: Option<&'a str>,
+    /// The keys to be fitted, several from all readings together; if none, the coefficient of each body of which there are readings.
+    pub parameters: &'a [String],
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
     /// Keys of wear that are taken from the case though no reading tells them.
@@ -60,7 +61,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
         Error::Mismatch(why.join("\n"))
     })?;
-    let mut measured = Measurement::of(table, &resolved.case, (request.parameter, request.files))?;
+    let measured = Measurement::of(table, &resolved.case, (request.parameters, request.files))?;
     let load = load_key(&resolved.case, &measured)?;
     // Before anything runs.
     all_told(&resolved.case, (table, &measured), request.assumed)?;
@@ -101,12 +102,19 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         shares: HashMap::new(),
         name: "run",
         of: None,
+        judged: None,
     };
-    let (first, unsettled) = search.settle()?;
-    let mut remarks = std::mem::take(&mut measured.remarks);
+    let mut remarks = measured.remarks.clone();
     remarks.extend(search.assumed());
-    let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
-    let coefficients = search.conclude(&commons)?;
+    let (coefficients, together, unsettled) = if request.parameters.len() > 1 {
+        let (coefficients, correlations) =
+            search.together(case, request.uncertain, &mut remarks)?;
+        (coefficients, correlations, None)
+    } else {
+        let (first, unsettled) = search.settle()?;
+        let commons = search.commons(case, &first, request.uncertain, &mut remarks)?;
+        (search.conclude(&commons)?, vec![], unsettled)
+    };
     kept::clear(request.dir, &search.runner.kept);
     let surfaces = measured.surfaces.clone();
     let quantities = measured.quantities.iter().map(|own| {
@@ -118,6 +126,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         quantities: quantities.collect(),
         runs: search.runner.count,
         coefficients,
+        together,
         surfaces,
         remarks,
         doubts: search.doubts(),
@@ -248,6 +257,8 @@ struct Search<'a> {
     name: &'static str,
     /// The coefficient whose tests are held against runs.
     of: Option<usize>,
+    /// The runs that are judged, where that is not all that are known.
+    judged: Option<Vec<Run>>,
 }
 
 /// The place of a load in maps.
@@ -318,11 +329,18 @@ impl Search<'_> {
 
     /// The run at a scale of the coefficients.
     fn run(&mut self, scale: f64, load: Option<f64>) -> Result<Run, Error> {
-        let mut settings = vec![];
         let other = self.variant.other.unwrap_or(1.0);
-        for (place, (target, reference)) in self.targets.iter().zip(&self.reference).enumerate() {
-            let factor = if self.of != Some(place) { other } else { 1.0 };
-            settings.push((target.key.clone(), factor * reference * scale, target.unit.clone()));
+        let factor = |place: usize| if self.of != Some(place) { other } else { 1.0 };
+        let factors: Vec<f64> =
+            (0..self.targets.len()).map(|place| factor(place) * scale).collect();
+        self.run_at(&factors, scale, load)
+    }
+
+    /// The run at factors of the coefficients, and a scale of those that are not fitted.
+    fn run_at(&mut self, factors: &[f64], scale: f64, load: Option<f64>) -> Result<Run, Error> {
+        let mut settings = vec![];
+        for ((target, reference), factor) in self.targets.iter().zip(&self.reference).zip(factors) {
+            settings.push((target.key.clone(), reference * factor, target.unit.clone()));
         }
         // What only counts as k s is scaled as a whole.
         let factor = if self.by_k_s { scale } else { 1.0 };

@@ -63,7 +63,7 @@ impl Exponent {
         format!("{} ({low} .. {high}), {p}: {word}", number(self.value))
     }
 
-    fn of(law: f64, difference: f64, deviation: f64, degrees: f64) -> Self {
+    pub(super) fn of(law: f64, difference: f64, deviation: f64, degrees: f64) -> Self {
         let half = factor(degrees) * deviation;
         let value = law + difference;
         let p = match deviation > 0.0 {

@@ -109,7 +109,7 @@ fn fitted_with(
     // A column that only maps have may be named too.
     let files = Files { folder: dir, columns: &[("z", "Tiefe [um]"), ("y", "Breite")] };
     let request = Request {
-        parameter: None,
+        parameters: &[],
         uncertain,
         // The ball on the track is not measured.
         assumed: &["body.ball.wear.archard.coefficient".to_owned()],

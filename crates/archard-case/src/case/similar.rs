@@ -18,7 +18,7 @@ impl Case {
     /// k s alone.
     ///
     /// The load is constant, surfaces slide or roll steadily, steps are implicit, every body that wears has Holm-Archard's
-    /// law, and nothing is put out at points inside, which only the end of a run has. Cases with an accuracy have grids of
+    /// law, those with layers one in each, and nothing is put out at points inside, which only the end of a run has. Cases with an accuracy have grids of
     /// their own, and frames that become wider do so at a place of their own.
     pub fn wears_by_k_s(&self) -> Option<WearByKs> {
         let (motion, schedule) = self.motion.build().ok()?;
@@ -31,20 +31,23 @@ impl Case {
             return None;
         }
         let mut unworn = self.clone();
-        let mut coefficients = [None; 2];
-        for (body, coefficient) in unworn.bodies.iter_mut().zip(&mut coefficients) {
-            if body.layers.iter().any(|layer| layer.wear.is_some()) {
-                return None;
+        let mut coefficients = vec![];
+        for body in &mut unworn.bodies {
+            let layers = body.layers.iter_mut().map(|layer| &mut layer.wear);
+            for law in [&mut body.wear].into_iter().chain(layers) {
+                let Some(wear) = law.take() else {
+                    coefficients.push(None);
+                    continue;
+                };
+                let number = |name: &str| wear.values.number(name);
+                if wear.choice.name != "archard" {
+                    return None;
+                }
+                let by_hardness = || Some(number("k_ad")? / number("hardness")?);
+                coefficients.push(Some(number("coefficient").or_else(by_hardness)?));
             }
-            let Some(wear) = body.wear.take() else { continue };
-            let number = |name: &str| wear.values.number(name);
-            if wear.choice.name != "archard" {
-                return None;
-            }
-            let by_hardness = || Some(number("k_ad")? / number("hardness")?);
-            *coefficient = Some(number("coefficient").or_else(by_hardness)?);
         }
-        let coefficient = coefficients.into_iter().flatten().fold(0.0, f64::max);
+        let coefficient = coefficients.iter().flatten().copied().fold(0.0, f64::max);
         if coefficient <= 0.0 {
             return None;
         }

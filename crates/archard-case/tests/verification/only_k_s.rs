@@ -119,6 +119,22 @@ fn of_discs_that_roll() {
     assert_that_one_run_is_all("twin_disc", &options, &[("disc1", 1e-12), ("disc2", 5e-13)]);
 }
 
+/// Each point wears by the law of what it has reached, at the same k s.
+#[test]
+fn of_a_coating_worn_through() {
+    let options = [
+        "accuracy=",
+        "frame={ size = [\"0.24 mm\", \"0.24 mm\"], elements = [16, 16] }",
+        "motion.sliding.step=20 m",
+        "output=",
+    ];
+    assert_that_one_run_is_all(
+        "coated_disc",
+        &options,
+        &[("disc.layers.0", 1e-15), ("disc", 5e-15)],
+    );
+}
+
 /// Cases that are alike in all but the size of the coefficients, and nothing else, are of one kind.
 #[test]
 fn only_where_k_alone_differs() {

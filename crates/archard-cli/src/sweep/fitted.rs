@@ -68,6 +68,11 @@ fn samples(path: &Path, fit: &Value) -> Result<Vec<String>, String> {
     if let Some(why) = fit["unsettled"].as_str() {
         return Err(wrong(why));
     }
+    if fit["correlations"].as_array().is_some_and(|rows| rows.len() > 2) {
+        return Err(wrong(
+            "three coefficients that were fitted together are not drawn: give --sample with each",
+        ));
+    }
     let one = |own: &Value| {
         let damaged = || wrong("a coefficient is not whole; fit again");
         let key = own["key"].as_str().ok_or_else(damaged)?;

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::super::outcome::{Coefficient, Shown};
 use super::super::{Common, Error, Estimate};
-use super::{Search, TRIED, Variant};
+use super::{Run, Search, TRIED, Variant};
 use archard_case::Case;
 
 /// Points of a curve that is shown.
@@ -34,24 +34,11 @@ impl Search<'_> {
         remarks: &mut Vec<String>,
     ) -> Result<Vec<Vec<Common>>, Error> {
         let mut commons = vec![vec![]; found.len()];
-        let mut variants = vec![(
-            "steps of the run".to_owned(),
-            Variant { coarse_steps: true, ..Variant::default() },
-        )];
-        if !case.is_meshed() {
-            let elements = Variant { coarse_elements: true, ..Variant::default() };
-            variants.push(("elements of the run".to_owned(), elements));
-        }
-        let computed = variants.len();
+        let mut variants = self.variants(case, uncertain)?;
+        let computed = variants.len() - uncertain.len();
         if found.len() == 2 {
             let other = Variant { other: Some(TRIED), ..Variant::default() };
-            variants.push((BOTH.to_owned(), other));
-        }
-        for (key, relative) in uncertain {
-            variants.push((
-                key.clone(),
-                changed(case, (self.progress, self.load.as_deref()), (key, *relative))?,
-            ));
+            variants.insert(computed, (BOTH.to_owned(), other));
         }
         let known = std::mem::take(&mut self.known);
         self.name = "check";
@@ -85,6 +72,25 @@ impl Search<'_> {
         }
         (self.variant, self.known, self.name) = (Variant::default(), known, "run");
         Ok(commons)
+    }
+
+    /// Runs with coarser steps and elements, and with each of what is uncertain, last.
+    pub(super) fn variants(
+        &self,
+        case: &Case,
+        uncertain: &[(String, f64)],
+    ) -> Result<Vec<(String, Variant)>, Error> {
+        let steps = Variant { coarse_steps: true, ..Variant::default() };
+        let mut variants = vec![("steps of the run".to_owned(), steps)];
+        if !case.is_meshed() {
+            let elements = Variant { coarse_elements: true, ..Variant::default() };
+            variants.push(("elements of the run".to_owned(), elements));
+        }
+        for (key, relative) in uncertain {
+            let of = (self.progress, self.load.as_deref());
+            variants.push((key.clone(), changed(case, of, (key, *relative))?));
+        }
+        Ok(variants)
     }
 
     /// The coefficients with all that is known, and their curves.
@@ -121,30 +127,39 @@ impl Search<'_> {
         load: Option<f64>,
         own: &Estimate,
     ) -> Result<Vec<Shown>, Error> {
-        let targets = self.targets;
-        let tests: Vec<_> = targets[place].tests.iter().filter(|test| test.load == load).collect();
-        let readings = || tests.iter().flat_map(|test| &test.readings);
         let [low, high] = own.interval.unwrap_or([own.median; 2]);
         let [next_low, next_high] = own.next.unwrap_or([low, high]);
         let ks = [next_low, low, own.median, high, next_high];
-        let far = readings().map(|reading| reading.progress).fold(0.0, f64::max);
-        let near = readings().map(|reading| reading.progress).fold(far, f64::min);
-        let (first, last) = ((0.5 * near).min(0.02 * far), 1.05 * far);
         let mut models = vec![];
         for k in ks {
             models.push(self.model(place, load, k.ln())?);
         }
+        Ok(self.curves_of(place, load, &|model, quantity, at| models[model].at(quantity, at).log))
+    }
+
+    /// The curves of each quantity with readings at a load, by the logarithms that each of five models says of it at a place.
+    pub(super) fn curves_of(
+        &self,
+        place: usize,
+        load: Option<f64>,
+        models: &dyn Fn(usize, usize, f64) -> f64,
+    ) -> Vec<Shown> {
+        let tests = || self.targets[place].tests.iter().filter(|test| test.load == load);
+        let readings = || tests().flat_map(|test| &test.readings);
+        let far = readings().map(|reading| reading.progress).fold(0.0, f64::max);
+        let near = readings().map(|reading| reading.progress).fold(far, f64::min);
+        let (first, last) = ((0.5 * near).min(0.02 * far), 1.05 * far);
         let quantities = (0..self.runner.quantities.len())
             .filter(|&quantity| readings().any(|reading| reading.quantity == quantity));
         let point = |quantity: usize, index: usize| {
             let at = first * (last / first).powf(index as f64 / (POINTS - 1) as f64);
-            (at, std::array::from_fn(|i| models[i].at(quantity, at).log.exp()))
+            (at, std::array::from_fn(|i| models(i, quantity, at).exp()))
         };
         let shown = |quantity: usize| {
             let points = (0..POINTS).map(|index| point(quantity, index)).collect();
             Shown { load, quantity, points }
         };
-        Ok(quantities.map(shown).collect())
+        quantities.map(shown).collect()
     }
 
     /// What is taken from the case though no reading tells it.
@@ -160,7 +175,9 @@ impl Search<'_> {
     /// What is doubtful about the runs.
     pub(super) fn doubts(&self) -> Vec<String> {
         let mut doubts: Vec<String> = vec![];
-        for run in self.known.values() {
+        let judged = self.judged.as_ref().map(|all| all.iter().collect());
+        let judged: Vec<&Run> = judged.unwrap_or_else(|| self.known.values().collect());
+        for run in judged {
             for doubt in &run.doubts {
                 let text = format!("the run of the model is {doubt}");
                 if !doubts.contains(&text) {

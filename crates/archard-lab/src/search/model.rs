@@ -69,7 +69,7 @@ impl Model {
 }
 
 /// The cubic through values at -1, 0, 1 and 2, and its slope, at a place.
-fn cubic([before, one, other, after]: [f64; 4], t: f64) -> [f64; 2] {
+pub(super) fn cubic([before, one, other, after]: [f64; 4], t: f64) -> [f64; 2] {
     let third = after - 3.0 * other + 3.0 * one - before;
     let second = other - 2.0 * one + before;
     let first = other - one;

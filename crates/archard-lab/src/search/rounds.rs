@@ -9,13 +9,13 @@ use super::root::Root;
 use super::{Search, of_load};
 
 /// Rounds of runs at most: four halve a bracket, so that this is one of a factor of 40 narrowed to 4 %.
-const ROUNDS: usize = 25;
+pub(super) const ROUNDS: usize = 25;
 /// How closely the ratio of both coefficients is sought: relative to their standard uncertainty, to which a tenth adds half a
 /// per cent; where nothing tells that one, as closely as coefficients are printed.
 const OF_UNCERTAINTY: f64 = 0.1;
 const PRINTED: f64 = 1e-3;
 /// Part of a run beyond its end that readings may reach into before the run is made longer.
-const BEYOND: f64 = 1.02;
+pub(super) const BEYOND: f64 = 1.02;
 
 /// What rounds of runs found, and by how much (the logarithm of) the ratio of both coefficients is off where they did not
 /// settle.

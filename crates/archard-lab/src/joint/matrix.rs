@@ -1,0 +1,107 @@
+//! Small symmetric matrices and their powers, by Jacobi's rotations.
+
+/// Rows of a square matrix.
+pub type Matrix = Vec<Vec<f64>>;
+
+/// Sweeps of rotations: each squares what is left beside the diagonal.
+const SWEEPS: usize = 30;
+
+/// A matrix of zeros.
+pub fn zeros(size: usize) -> Matrix {
+    vec![vec![0.0; size]; size]
+}
+
+/// The sum of two matrices, the second so many times.
+pub fn plus(one: &Matrix, other: &Matrix, times: f64) -> Matrix {
+    let row =
+        |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(a, b)| a + times * b).collect();
+    one.iter().zip(other).map(row).collect()
+}
+
+/// The product of two matrices.
+pub fn product(one: &Matrix, other: &Matrix) -> Matrix {
+    let entry = |row: &[f64], j: usize| row.iter().zip(other).map(|(a, b)| a * b[j]).sum();
+    one.iter().map(|row| (0..row.len()).map(|j| entry(row, j)).collect()).collect()
+}
+
+/// The product with a vector.
+pub fn times(matrix: &Matrix, vector: &[f64]) -> Vec<f64> {
+    matrix.iter().map(|row| dot(row, vector)).collect()
+}
+
+/// The product of two vectors.
+pub fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+/// Adds the product of a column with itself, so many times.
+pub fn add_square(matrix: &mut Matrix, column: &[f64], times: f64) {
+    for (row, a) in matrix.iter_mut().zip(column) {
+        row.iter_mut().zip(column).for_each(|(cell, b)| *cell += times * a * b);
+    }
+}
+
+/// The eigenvalues of a symmetric matrix with their vectors of length one, the least first.
+pub fn eigen(matrix: &Matrix) -> Vec<(f64, Vec<f64>)> {
+    let size = matrix.len();
+    let mut a = matrix.clone();
+    // Rows are the vectors.
+    let mut vectors = zeros(size);
+    (0..size).for_each(|i| vectors[i][i] = 1.0);
+    for _ in 0..SWEEPS {
+        for p in 0..size {
+            for q in p + 1..size {
+                if a[p][q] == 0.0 {
+                    continue;
+                }
+                let half = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
+                let t = half.signum() / (half.abs() + half.hypot(1.0));
+                let c = 1.0 / t.hypot(1.0);
+                let s = t * c;
+                for k in 0..size {
+                    (a[k][p], a[k][q]) = (c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]);
+                }
+                for k in 0..size {
+                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
+                    let [one, other] = [vectors[p][k], vectors[q][k]];
+                    (vectors[p][k], vectors[q][k]) = (c * one - s * other, s * one + c * other);
+                }
+            }
+        }
+    }
+    let mut all: Vec<(f64, Vec<f64>)> =
+        vectors.into_iter().enumerate().map(|(i, vector)| (a[i][i], vector)).collect();
+    all.sort_by(|one, other| one.0.total_cmp(&other.0));
+    all
+}
+
+/// A power of a symmetric matrix without negative eigenvalues; those below a share of the largest one count for nothing.
+pub fn power(matrix: &Matrix, exponent: f64, least: f64) -> Matrix {
+    let all = eigen(matrix);
+    let bound = least * all.last().map_or(0.0, |own| own.0);
+    let mut result = zeros(matrix.len());
+    for (value, vector) in all.iter().filter(|own| own.0 > bound) {
+        add_square(&mut result, vector, value.powf(exponent));
+    }
+    result
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{eigen, power, product};
+
+    #[test]
+    fn powers_are_those_of_the_eigenvalues() {
+        let matrix = vec![vec![4.0, 1.0, 0.5], vec![1.0, 3.0, -0.2], vec![0.5, -0.2, 1.0]];
+        let root = power(&matrix, -0.5, 0.0);
+        let one = product(&product(&root, &matrix), &root);
+        for (i, row) in one.iter().enumerate() {
+            for (j, cell) in row.iter().enumerate() {
+                assert!((cell - f64::from(u8::from(i == j))).abs() < 1e-12, "{one:?}");
+            }
+        }
+        // The eigenvalues of [[2, 1], [1, 2]] are 1 and 3.
+        let all = eigen(&vec![vec![2.0, 1.0], vec![1.0, 2.0]]);
+        assert!((all[0].0 - 1.0).abs() < 1e-14 && (all[1].0 - 3.0).abs() < 1e-14);
+    }
+}
