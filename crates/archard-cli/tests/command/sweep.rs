@@ -334,8 +334,10 @@ fn two_keys_make_a_map() {
     // The depth of each row stands in its cell.
     for row in rows(&dir, "study/sweep.csv") {
         let depth = 1e6 * number(&row, "wear_depth_m");
-        let written =
-            |text: &str| text.parse().is_ok_and(|near: f64| (near / depth - 1.0).abs() < 6e-3);
+        let written = |text: &str| {
+            let number = text.strip_suffix(" ?").unwrap_or(text).parse();
+            number.is_ok_and(|near: f64| (near / depth - 1.0).abs() < 6e-3)
+        };
         assert!(map.split(['<', '>']).any(written), "{depth}");
     }
     assert!(map.contains(">Load (N)<") && map.contains(">Radius of pin (mm)<"), "{map}");
@@ -346,6 +348,31 @@ fn two_keys_make_a_map() {
     let deepest = depths.iter().copied().fold(0.0, f64::max);
     let shallow = depths.iter().any(|depth| *depth < 0.5 * deepest);
     assert_eq!(map.contains("fill=\"#ffffff\">"), shallow, "{map}");
+    // Three values that are far apart take as much room as three that are not, each with its name.
+    for name in [">5<", ">12.5<", ">20<", ">25<", ">35<", ">50<"] {
+        assert!(map.contains(name), "{name}: {map}");
+    }
+    // What is doubtful is marked, and why.
+    let table = dir.path().join("study/sweep.csv");
+    let text = fs::read_to_string(&table).unwrap();
+    for (given, count) in [("done,good", 0), ("done,doubtful", 1)] {
+        let good = text.replace("done,doubtful", "done,good");
+        fs::write(&table, good.replacen("done,good", given, 1)).unwrap();
+        archard(&dir, &["plot", "study"]).success();
+        let map = fs::read_to_string(dir.path().join("study/plots/map.svg")).unwrap();
+        assert_eq!(map.matches(" ?<").count(), count, "{map}");
+        let summary = fs::read(dir.path().join("study/rows/0001/summary.json")).unwrap();
+        let summary: serde_json::Value = serde_json::from_slice(&summary).unwrap();
+        let lines = summary["verdict"]["lines"].as_array().unwrap().iter();
+        let why = lines
+            .filter(|line| line["word"] != "good")
+            .map(|line| line["subject"].as_str().unwrap());
+        let mut why: Vec<&str> = why.collect();
+        why.sort_unstable();
+        let why = why.join(", ");
+        let said = map.contains(&format!("? doubtful, 1 of 9 rows: {why}"));
+        assert_eq!(said, count == 1, "{why}: {map}");
+    }
 }
 
 /// Twice as many derived rows take twice the disk.

@@ -1,6 +1,6 @@
 //! The map of a study over two numbers.
 
-use super::Study;
+use super::{Row, Study};
 use crate::plot::figure::{COLOURS, Curves, Panel, Parts, Pen, View};
 use crate::plot::parts;
 use crate::plot::scale::plain;
@@ -61,7 +61,10 @@ impl Study {
                 let corners = vec![[left, low], [right, low], [right, high], [left, high]];
                 parts.push((corners, mean * self.unit.factor));
                 let place = [axes[0].places[i], axes[1].places[j]];
-                notes.push((plain(mean * self.unit.factor), place, parts::ink(mean / most)));
+                let doubtful = self.rows_at([*x, *y]).any(|row| row.doubt.is_some());
+                let mark = if doubtful { " ?" } else { "" };
+                let words = format!("{}{mark}", plain(mean * self.unit.factor));
+                notes.push((words, place, parts::ink(mean / most)));
             }
         }
         curves.parts(Parts { edges: axes.each_ref().map(Axis::edges), parts });
@@ -83,7 +86,7 @@ impl Study {
 
     /// What fretting was at values of both keys, if all rows agree.
     fn regime_at(&self, values: [f64; 2]) -> Option<&str> {
-        let mut at = self.rows.iter().filter(|row| row.values[..2] == values);
+        let mut at = self.rows_at(values);
         let first = at.next()?.regime.as_deref()?;
         at.all(|row| row.regime.as_deref() == Some(first)).then_some(first)
     }
@@ -145,10 +148,14 @@ impl Study {
         values
     }
 
+    /// The rows at values of both keys.
+    fn rows_at(&self, values: [f64; 2]) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(move |row| row.values[..2] == values)
+    }
+
     /// The mean of the results at values of both keys.
     fn mean_at(&self, values: [f64; 2]) -> Option<f64> {
-        let at = self.rows.iter().filter(|row| row.values[..2] == values);
-        let results: Vec<f64> = at.filter_map(|row| row.result).collect();
+        let results: Vec<f64> = self.rows_at(values).filter_map(|row| row.result).collect();
         (!results.is_empty()).then(|| super::statistics::mean(&results))
     }
 }

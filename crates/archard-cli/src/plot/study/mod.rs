@@ -50,6 +50,8 @@ struct Row {
     values: Vec<f64>,
     /// What fretting was.
     regime: Option<String>,
+    /// What is doubtful about the result, if anything is.
+    doubt: Option<Vec<String>>,
     /// The result (SI); `None` if the row failed, is wrong or has not run.
     result: Option<f64>,
 }
@@ -98,10 +100,34 @@ pub(super) fn pictures(
     let whole = study.rows.iter().filter(|row| row.result.is_some()).count();
     let all = study.rows.len();
     let narrow = if study.sampled.is_empty() { "" } else { "; bands may be too narrow by them" };
-    let mark = (whole < all).then(|| {
+    let left_out = (whole < all).then(|| {
         format!("{} of {all} rows are left out: failed, wrong or not run{narrow}", all - whole)
     });
-    Ok((pictures, mark))
+    let said: Vec<String> = left_out.into_iter().chain(doubtful(&study.rows)).collect();
+    Ok((pictures, (!said.is_empty()).then(|| said.join("; "))))
+}
+
+/// How many rows are doubtful, and about what.
+fn doubtful(rows: &[Row]) -> Option<String> {
+    let doubts: Vec<&Vec<String>> = rows.iter().filter_map(|row| row.doubt.as_ref()).collect();
+    let mut subjects: Vec<&str> =
+        doubts.iter().flat_map(|all| all.iter().map(String::as_str)).collect();
+    subjects.sort_unstable();
+    subjects.dedup();
+    let about =
+        if subjects.is_empty() { String::new() } else { format!(": {}", subjects.join(", ")) };
+    let (count, all) = (doubts.len(), rows.len());
+    (count > 0).then(|| format!("? doubtful, {count} of {all} rows{about}"))
+}
+
+/// What the summary of a row says is not good, by its subjects; nothing where there is no summary.
+fn subjects(dir: &Path, row: usize) -> Vec<String> {
+    let path = dir.join(format!("rows/{row:04}/summary.json"));
+    let text = files::read(&path, Contents::Text).unwrap_or_default();
+    let summary: Value = serde_json::from_slice(&text).unwrap_or_default();
+    let lines = summary["verdict"]["lines"].as_array().into_iter().flatten();
+    let doubts = lines.filter(|line| line["word"] != "good");
+    doubts.filter_map(|line| line["subject"].as_str().map(str::to_owned)).collect()
 }
 
 /// The studies, those of the same results as one.
@@ -206,7 +232,8 @@ impl Study {
                 let result = good(&record).then(|| number(record, place)).transpose()?;
                 let regime = regime.and_then(|place| record.get(place));
                 let regime = regime.filter(|word| !word.is_empty()).map(str::to_owned);
-                Ok(Row { number: index + 1, values, regime, result })
+                let doubt = (&record[verdict] == "doubtful").then(|| subjects(dir, index + 1));
+                Ok(Row { number: index + 1, values, regime, doubt, result })
             })
             .collect::<Result<_>>()?;
         let most = rows.iter().filter_map(|row| row.result).map(f64::abs).fold(0.0, f64::max);
