@@ -58,13 +58,15 @@ pub fn eigen(matrix: &Matrix) -> Vec<(f64, Vec<f64>)> {
                 let t = half.signum() / (half.abs() + half.hypot(1.0));
                 let c = 1.0 / t.hypot(1.0);
                 let s = t * c;
-                for k in 0..size {
-                    (a[k][p], a[k][q]) = (c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]);
+                let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
+                for row in &mut a {
+                    [row[p], row[q]] = turned([row[p], row[q]]);
                 }
-                for k in 0..size {
-                    (a[p][k], a[q][k]) = (c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]);
-                    let [one, other] = [vectors[p][k], vectors[q][k]];
-                    (vectors[p][k], vectors[q][k]) = (c * one - s * other, s * one + c * other);
+                for rows in [&mut a, &mut vectors] {
+                    let (before, from) = rows.split_at_mut(q);
+                    for (x, y) in before[p].iter_mut().zip(&mut from[0]) {
+                        [*x, *y] = turned([*x, *y]);
+                    }
                 }
             }
         }
