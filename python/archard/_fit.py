@@ -116,9 +116,12 @@ class Fit:
         ``archard sweep --from``.
 
         Raises:
-            ValueError: a coefficient that the tests reject, or fewer than three tests of it.
+            ValueError: a coefficient that the tests reject, fewer than three tests of it, or three that were
+                fitted together.
 
         """
+        if len(self.json.get("correlations") or []) > 2:
+            raise ValueError("three coefficients that were fitted together are not drawn")
         together = self.json["correlation_of_coefficients"]
         correlation = together["value"] if together else 0.0
         given = []
@@ -164,8 +167,8 @@ def fit(
             loads of their own. ``file`` names profiles (``x_mm`` or ``y_mm``, and ``z_um``) and height maps (all
             three), from which what is worn off is taken; their paths start from the folder of the CSV file, or
             from the working directory.
-        parameter: the key to be fitted, or several that are fitted together from all readings, as of a coating and of
-            what is below it; if not given the coefficient of each body of which there are readings.
+        parameter: the key to be fitted, or several that are fitted together from all readings, as of a coating and
+            of what is below it; if not given the coefficient of each body of which there are readings.
         columns: headers of other names, as ``{"depth": "Tiefe [um]"}``; ``x``, ``y`` and ``z`` are those of
             profiles and height maps.
         uncertain: relative standard uncertainties that all tests have in common, as

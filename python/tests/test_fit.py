@@ -82,6 +82,20 @@ def test_what_is_wrong_is_told(case):
         archard.fit(case, data(case, [1.33e-13]))["body.disc.wear.archard.coefficient"]
 
 
+def test_several_keys_are_fitted_together():
+    data = {"test": ["A", "A", "B"], "distance_m": [50, 100, 100], "depth_um": [0.2, 0.4, 0.4]}
+    keys = [f"body.disc.{part}wear.archard.coefficient" for part in ("layers.0.", "")]
+    case = archard.Case("coated_disc")
+    del case["accuracy"]
+    case["frame"] = {"size": ["0.3 mm", "0.3 mm"], "elements": [16, 16]}
+    case["motion.sliding.tolerance"] = 0.1
+    case["motion.sliding.distance"] = case["output.every"] = "100 m"
+    with pytest.raises(ValueError, match="is given twice"):
+        archard.fit(case, data, parameter=[keys[0], keys[0]])
+    with pytest.raises(ValueError, match=f"do not determine `{keys[1]}`"):
+        archard.fit(case, data, parameter=keys)
+
+
 def test_wear_that_no_test_tells_is_assumed_by_its_key():
     case = archard.Case("pin_on_disc_both")
     del case["accuracy"]

@@ -100,7 +100,7 @@ def along(
     within=None,
     top=None,
 ):
-    """Draw a field through the middle along an axis, with closed forms of the place x (mm), levels, and named bands of values."""
+    """Draw a field through the middle along an axis, with closed forms of x (mm), levels, and bands of values."""
     drawn, axes = figure(5.6)
     one = axes.flat[0]
     shades = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(outputs)))

@@ -1,4 +1,4 @@
-"""What pictures of the gallery are drawn of: fields of an output on a grid, in the units shown, and the style of figures."""
+"""What pictures of the gallery are drawn of: fields of an output on a grid in the units shown, and their style."""
 
 from __future__ import annotations
 

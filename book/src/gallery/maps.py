@@ -92,8 +92,8 @@ def plan(
 ):
     """Draw maps of a field: of several quantities at one output, or of one at several.
 
-    `arrows` is how many tractions are drawn along a row, as arrows; a line surrounds the part that sticks. `top` has the end
-    of the scale of quantities on a few elements of which there is more.
+    `arrows` is how many tractions are drawn along a row, as arrows; a line surrounds the part that sticks.
+    `top` has the end of the scale of quantities on a few elements of which there is more.
     """
     each = [(quantity, output) for quantity in quantities for output in outputs]
     first = opened(result, outputs[0])

@@ -35,7 +35,9 @@ def mesh(result, strains, scale=1e3, turn=35, tilt=25):
     places = np.concatenate(read.cell_data["place_m"])
     for i, (axis, colour) in enumerate(zip("xyz", (BLUE, ORANGE, GREEN), strict=True)):
         ends = np.array([low[i], high[i]])
-        other.plot(ends, strains[i] * ends * scale, color=GREY, linewidth=6, label="Hooke's law" if i == 0 else None)
+        other.plot(
+            ends, strains[i] * ends * scale, color=GREY, linewidth=6, label="Hooke's law" if i == 0 else None
+        )
         moved = np.concatenate(read.cell_data[f"displacement_{axis}_m"]) * scale
         other.plot(places[:, i], moved, "o", color=colour, markersize=4, label=f"along {axis}")
     other.set(xlabel="Place along the same axis (m)", ylabel="Displacement (mm)", title="All nodes")
