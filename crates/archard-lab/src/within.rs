@@ -51,7 +51,7 @@ const ITERATIONS: usize = 60;
 /// Largest change of log k at once.
 const STRIDE: f64 = 1.0;
 /// Sum of squares of the slopes below which readings do not tell k: a change of k by a factor of e is one of 1 % then.
-const FLAT: f64 = 1e-4;
+pub(super) const FLAT: f64 = 1e-4;
 
 /// Why a test has no k.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
