@@ -18,16 +18,14 @@ impl Case {
     /// k s alone.
     ///
     /// The load is constant, surfaces slide or roll steadily, steps are implicit, every body that wears has Holm-Archard's
-    /// law, those with layers one in each, and nothing is put out at points inside, which only the end of a run has. Cases with an accuracy have grids of
-    /// their own, and frames that become wider do so at a place of their own.
+    /// law, each of its layers too, and nothing is put out at points inside, which only the end of a run has. Cases with an
+    /// accuracy have grids of their own, and frames that become wider do so at a place of their own.
     pub fn wears_by_k_s(&self) -> Option<WearByKs> {
         let (motion, schedule) = self.motion.build().ok()?;
         let nothing_inside = self.points.iter().all(Vec::is_empty);
-        if self.accuracy.is_some()
-            || !self.until.is_empty()
-            || !self.doubles.is_empty()
-            || !(motion.is_steady() && schedule.is_steady() && nothing_inside)
-        {
+        let steady = motion.is_steady() && schedule.is_steady() && nothing_inside;
+        let plain = self.accuracy.is_none() && self.until.is_empty() && self.doubles.is_empty();
+        if !(steady && plain) {
             return None;
         }
         let mut unworn = self.clone();
