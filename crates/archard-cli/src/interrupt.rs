@@ -80,7 +80,7 @@ enum Held {
     /// It has no folder yet.
     Nothing,
     /// It has a folder that is still as it was.
-    Claim(Claim),
+    Claim(Box<Claim>),
     /// It writes results.
     Results(Box<Underway>),
     /// It ends by itself.
@@ -102,13 +102,13 @@ impl Watch {
 
     /// Holds a folder until the results begin.
     pub fn hold(&self, claim: Claim) {
-        *self.lock() = Held::Claim(claim);
+        *self.lock() = Held::Claim(Box::new(claim));
     }
 
     /// Gives the folder back, for results that are written all at once.
     pub fn release(&self) -> Option<Claim> {
         match std::mem::replace(&mut *self.lock(), Held::Ended) {
-            Held::Claim(claim) => Some(claim),
+            Held::Claim(claim) => Some(*claim),
             _ => None,
         }
     }
@@ -117,7 +117,7 @@ impl Watch {
     pub fn begin(&self, begin: impl FnOnce(Claim) -> Result<Underway, Error>) -> Result<(), Error> {
         let mut held = self.lock();
         if let Held::Claim(claim) = std::mem::replace(&mut *held, Held::Ended) {
-            *held = Held::Results(Box::new(begin(claim)?));
+            *held = Held::Results(Box::new(begin(*claim)?));
         }
         Ok(())
     }
