@@ -40,7 +40,7 @@ pub use form::{Form, NoForm, Nominal};
 pub use level::{Level, Polynomial};
 pub use map::{HeightMap, MOST, NoMap};
 pub use means::NoMeans;
-pub use outliers::{NoTest, Outliers};
+pub use outliers::Outliers;
 pub use plausible::Implausible;
 pub use spectrum::{Mode, Spectrum, Unresolved, Window};
 pub use texture::Texture;

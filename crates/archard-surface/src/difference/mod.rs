@@ -123,7 +123,7 @@ impl Difference {
         after: &HeightMap,
         options: &Options,
     ) -> Result<Self, NoDifference> {
-        let [before, after] = [before, after].map(few);
+        let [before, after] = [before, after].map(|map| few(&map.clear().0));
         let part = options.worn.map(|[x, y]| inside(&after, [x, y]));
         let outside = part.clone().unwrap_or_else(|| vec![false; after.heights().len()]);
         if let Some(part) = &part {

@@ -10,7 +10,7 @@ use crate::verdict::four;
 pub(super) const OUTLIERS: Parameter = Parameter::optional(
     "outliers",
     Quantity::Word(&["keep", "remove"]),
-    "points that stand out from their neighbours: kept (if not given), or taken as not measured (Hampel's test, Chauvenet's threshold)",
+    "points that stand out from their neighbours: kept (if not given), or taken as not measured (outside the range of their neighbours, Chauvenet's threshold)",
 );
 pub(super) const LEVEL: Parameter = Parameter::optional(
     "level",
@@ -112,7 +112,7 @@ impl Preparing {
         self.done("outliers", map, |_, _| {
             let (count, threshold) = (outliers.count, four(1e6 * outliers.threshold));
             format!(
-                "{count} points off, which differ by more than {threshold} um from their neighbours"
+                "{count} points off, which lie {threshold} um or more outside of the range of their neighbours"
             )
         });
         Ok(())
