@@ -46,6 +46,11 @@ impl Normal {
 
     /// The unknowns; not numbers where the sums are none.
     pub(crate) fn solved(&self) -> Vec<f64> {
+        self.solved_for(&self.right)
+    }
+
+    /// The same of another right side.
+    pub(crate) fn solved_for(&self, right: &[f64]) -> Vec<f64> {
         let size = self.right.len();
         let scale: Vec<f64> = (0..size)
             .map(|at| self.matrix[(at, at)].sqrt())
@@ -62,7 +67,7 @@ impl Normal {
         let mut solution = vec![0.0; size];
         for at in (0..size).filter(|&at| values[at] > least) {
             let share: f64 =
-                (0..size).map(|row| vectors[(row, at)] * scale[row] * self.right[row]).sum();
+                (0..size).map(|row| vectors[(row, at)] * scale[row] * right[row]).sum();
             for (row, value) in solution.iter_mut().enumerate() {
                 *value += scale[row] * vectors[(row, at)] * share / values[at];
             }

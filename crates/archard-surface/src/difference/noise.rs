@@ -13,9 +13,6 @@ use super::fourier::Fourier;
 
 /// An exponential correlation keeps 1 - (1 + q) exp(-q) = 92 % of its integral within q = 3 sqrt 2 of its lengths.
 const RADII: f64 = 3.0;
-/// Numbers of shift, turn and plane that residuals lost.
-const LOST: f64 = 6.0;
-
 /// The noise of a map of differences.
 pub(super) struct Noise {
     fourier: Fourier,
@@ -33,8 +30,9 @@ pub(super) struct Noise {
 }
 
 impl Noise {
-    /// The noise in residuals (m), not a number where there are none.
-    pub(super) fn of(elements: [usize; 2], residuals: &[f64]) -> Self {
+    /// The noise in residuals (m) that lost so many numbers to a fit, not a number where there are none; points are not known better than `floor`
+    /// (m), each by itself.
+    pub(super) fn of(elements: [usize; 2], residuals: &[f64], (lost, floor): (f64, f64)) -> Self {
         let fourier = Fourier::at_least(elements.map(|count| 2 * count));
         let own = |value: &f64| if value.is_nan() { 0.0 } else { *value };
         let values: Vec<f64> = residuals.iter().map(own).collect();
@@ -49,10 +47,12 @@ impl Noise {
         let covariance = |at: usize| {
             if pairs[at].re > 0.5 { products[at].re / pairs[at].re.round() } else { 0.0 }
         };
-        let variance = covariance(0);
+        let least = floor * floor;
+        let variance = covariance(0).max(least).max(f64::MIN_POSITIVE);
         // Rings of lags, a point wide; so few that half of the noise is left at least.
-        let most =
-            (count / (2.0 * LOST * PI)).sqrt().min(0.5 * elements[0].min(elements[1]) as f64);
+        let most = (count / (2.0 * lost.max(1.0) * PI))
+            .sqrt()
+            .min(0.5 * elements[0].min(elements[1]) as f64);
         let mut rings = vec![(0.0, 0.0); most as usize + 1];
         let radius = |at: usize| {
             let [x, y] = fourier.lag(at);
@@ -75,14 +75,15 @@ impl Noise {
             }
         }
         // Each pair lost what the placement took away, as much at all lags.
-        let lost = 1.0 / (1.0 - (LOST * lags / count).min(0.5));
-        let window: Vec<f64> = (0..products.len())
-            .map(|at| if radius(at) <= last { lost * covariance(at) } else { 0.0 })
+        let kept = 1.0 / (1.0 - (lost * lags / count.max(1.0)).min(0.5));
+        let mut window: Vec<f64> = (0..products.len())
+            .map(|at| if radius(at) <= last { kept * covariance(at) } else { 0.0 })
             .collect();
+        window[0] = window[0].max(least);
         let spectrum =
             fourier.of(fourier.size(), &window).iter().map(|one| one.re.max(0.0)).collect();
-        let alike = (lost * alike / variance).max(1.0);
-        let freedom = (count / lags - LOST).max(1.0);
+        let alike = (kept * alike / variance).max(1.0);
+        let freedom = (count / lags - lost).max(1.0);
         Self { fourier, elements, spectrum, variance, alike, freedom, endless }
     }
 
@@ -163,7 +164,7 @@ mod tests {
     fn sums_have_the_variance_of_their_noise() {
         let mut random = fastrand::Rng::with_seed(1);
         let white: Vec<f64> = (0..120 * 120).map(|_| normal(&mut random)).collect();
-        let noise = Noise::of([120; 2], &white);
+        let noise = Noise::of([120; 2], &white, (6.0, 0.0));
         let square = |at: usize| f64::from(at % 120 < 40 && at / 120 < 40);
         let weights: Vec<f64> = (0..120 * 120).map(square).collect();
         let ratio = noise.variance_of(&weights) / 1600.0;
@@ -171,7 +172,7 @@ mod tests {
         let expected = 1.0 / (4.0 * std::f64::consts::PI * 4.0f64).sqrt();
         assert!((noise.smoothed([2.0; 2]).deviation / expected - 1.0).abs() < 0.2);
         let smooth = smoothed([120; 2], &white, [2.0; 2]);
-        let noise = Noise::of([120; 2], &smooth);
+        let noise = Noise::of([120; 2], &smooth, (6.0, 0.0));
         assert!((noise.alike / 50.3 - 1.0).abs() < 0.3, "{}", noise.alike);
         let ratio = noise.variance_of(&weights) / 1600.0;
         assert!((ratio - 1.0).abs() < 0.4, "{ratio}");
@@ -185,7 +186,7 @@ mod tests {
         let (mut above, mut expected) = (0.0, 0.0);
         for _ in 0..200 {
             let white: Vec<f64> = (0..n * n).map(|_| normal(&mut random)).collect();
-            let smooth = Noise::of([n; 2], &white).smoothed(deviation);
+            let smooth = Noise::of([n; 2], &white, (6.0, 0.0)).smoothed(deviation);
             let inner = smoothed([n; 2], &white, deviation);
             let far = |at: usize| (6..n - 6).contains(&(at % n)) && (6..n - 6).contains(&(at / n));
             let height = smooth.height_of(0.1, [n - 12; 2]);

@@ -17,20 +17,30 @@ pub enum NoDifference {
     },
     /// The one is not found in the other.
     #[error(
-        "the surface of the one map is not found again in the other: their heights correlate by {:.2}, and {:.2} would be chance; \
-         give two maps of the same place, or say that they lie as they were measured",
-        .correlation, .chance
+        "the surface of the one map is not found again in the other: where they fit best, their difference keeps {:.0} % of the texture, and maps of one place \
+         keep {:.0} % at most; give two maps of the same place, or say that they lie as they were measured",
+        100.0 * .kept, 100.0 * .most
     )]
     Different {
-        /// Correlation of the heights where they fit best.
-        correlation: f64,
-        /// What two unlike surfaces of that texture come to once in a hundred times.
-        chance: f64,
+        /// Variance of what did not wear, without noise, over that of both textures.
+        kept: f64,
+        /// Its most.
+        most: f64,
+    },
+    /// The turn is the largest that was sought, and fits no place.
+    #[error(
+        "the surface of the one map is not found again in the other by turns of up to {:.3} degrees, and fits best at the largest: let larger turns be \
+         sought, or give two maps of the same place",
+        .turn.to_degrees()
+    )]
+    Turned {
+        /// The largest turn (rad).
+        turn: f64,
     },
     /// Nothing is left to align by.
     #[error(
-        "{:.0} % of the overlap is worn or raised, and less than half of it may be: nothing tells what did not wear; measure \
-         wider, or give the part in which wear is to be found",
+        "{:.0} % of the overlap differs: nothing tells what did not wear; give two maps of the same place, measure wider, or give the part in \
+         which wear is to be found",
         100.0 * .share
     )]
     AllWorn {

@@ -3,9 +3,9 @@
 //! Changes are smoothed by Gaussians, each twice as wide as the one before. Spots beyond a threshold are seeds. The
 //! threshold is that which the noise of an unworn map passes anywhere once in a hundred maps. What a width finds is left out of the next.
 //!
-//! A seed grows by rings as wide as its Gaussian until the mean change of a ring is no more than chance would have it once in twenty times; that
-//! ring still belongs to it. The edge is so found by means over rings, not point by point, and the sum over a region is not of
-//! the positive parts of its noise.
+//! A seed takes what it encloses, and grows by rings of two points until the mean change of a ring is no more than chance would have it
+//! once in twenty times; that ring and the next such one still belong to it. The edge is so found by means over rings, not point by point, and
+//! the sum over a region is not of the positive parts of its noise.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -20,6 +20,14 @@ use crate::filter::gaussian;
 pub(super) const FALSE_ALARM: f64 = 0.01;
 /// How often a ring of unworn points belongs to a region by chance.
 const RING: f64 = 0.05;
+/// Points across a ring: its edge lies within them.
+const ACROSS: f64 = 2.0;
+/// Rings as chance has them that belong to a region: the tail of a scar lies below the noise of one ring, and goes on in the next.
+const CALM: usize = 2;
+/// Points of a region that stand out by themselves, at least; fewer are spikes that were missed.
+const FEWEST: usize = 4;
+/// Standard deviations from which on a point stands out by itself: 95 % of the others lie within.
+pub(super) const CLEAR: f64 = 2.0;
 /// Standard deviation (points) of the narrowest Gaussian: the neighbours of a point count as much as it does.
 pub(super) const NARROWEST: f64 = 1.5;
 
@@ -32,31 +40,25 @@ pub(super) struct Region {
     pub(super) seeds: Vec<usize>,
     /// Its points, measured or not, ring by ring, and those of one ring more.
     points: Vec<usize>,
-    /// How many of them it has without its last ring, and with it.
-    ends: [usize; 2],
+    /// How many of them are its own.
+    end: usize,
 }
 
 impl Region {
     /// A worn region of those points, without rings.
     pub(super) fn whole(points: impl Iterator<Item = usize>) -> Self {
         let points: Vec<usize> = points.collect();
-        let ends = [points.len(); 2];
-        Self { worn: true, seeds: points.clone(), points, ends }
+        Self { worn: true, seeds: points.clone(), end: points.len(), points }
     }
 
     /// All its points.
     pub(super) fn points(&self) -> &[usize] {
-        &self.points[..self.ends[1]]
+        &self.points[..self.end]
     }
 
-    /// All but its last ring.
-    pub(super) fn inner(&self) -> &[usize] {
-        &self.points[..self.ends[0]]
-    }
-
-    /// All and one ring more.
-    pub(super) fn outer(&self) -> &[usize] {
-        &self.points
+    /// Those of one ring more.
+    pub(super) fn around(&self) -> &[usize] {
+        &self.points[self.end..]
     }
 }
 
@@ -65,6 +67,8 @@ pub(super) struct Changes<'a> {
     pub(super) elements: [usize; 2],
     pub(super) pixel: [f64; 2],
     pub(super) values: &'a [f64],
+    /// Standard deviation (m) of a point that did not change.
+    pub(super) scatter: f64,
     /// Where regions may be; everywhere if not given.
     pub(super) within: Option<&'a [bool]>,
 }
@@ -101,7 +105,7 @@ impl Changes<'_> {
             };
             let smooth = gaussian(self.elements, &values, deviation);
             let signs: Vec<i8> = smooth.into_iter().enumerate().map(stands_out).collect();
-            let found = self.grown(self.components(&signs), *width, (&values, noise));
+            let found = self.grown(self.components(&signs, &values), (&values, noise));
             for region in &found {
                 region.points().iter().for_each(|&at| values[at] = f64::NAN);
             }
@@ -124,8 +128,8 @@ impl Changes<'_> {
         })
     }
 
-    /// Connected points of one sign.
-    fn components(&self, signs: &[i8]) -> Vec<(bool, Vec<usize>)> {
+    /// Connected points of one sign of which enough stand out, with what they enclose that has no other sign and no region.
+    fn components(&self, signs: &[i8], values: &[f64]) -> Vec<(bool, Vec<usize>)> {
         let mut seen = vec![false; signs.len()];
         let mut found = vec![];
         for start in 0..signs.len() {
@@ -144,18 +148,62 @@ impl Changes<'_> {
                 }
                 next += 1;
             }
-            found.push((signs[start] < 0, points));
+            let clear = |at: &&usize| self.values[**at].abs() > CLEAR * self.scatter;
+            if points.iter().filter(clear).count() >= FEWEST {
+                let free = |at: &usize| {
+                    let taken = values[*at].is_nan() && !self.values[*at].is_nan();
+                    signs[*at] == 0 && !taken && self.within.is_none_or(|within| within[*at])
+                };
+                let enclosed = self.enclosed(&points);
+                points.extend(enclosed.into_iter().filter(free));
+                found.push((signs[start] < 0, points));
+            }
         }
         found
     }
 
-    /// Regions around seeds, by rings of that width (m); points that belong to others already have no value.
+    /// Points that others enclose: no way along rows and columns leads from them to the rim of the map.
+    fn enclosed(&self, points: &[usize]) -> Vec<usize> {
+        let nx = self.elements[0];
+        let ends = points.iter().fold([[usize::MAX, 0]; 2], |[x, y], at| {
+            let (i, j) = (at % nx, at / nx);
+            [[x[0].min(i), x[1].max(i)], [y[0].min(j), y[1].max(j)]]
+        });
+        // A frame of one point around all.
+        let size = ends.map(|[low, high]| high - low + 3);
+        let mut seen = vec![false; size[0] * size[1]];
+        let (left, low) = (ends[0][0], ends[1][0]);
+        points
+            .iter()
+            .for_each(|at| seen[at % nx - left + 1 + size[0] * (at / nx - low + 1)] = true);
+        let mut open = vec![0];
+        seen[0] = true;
+        while let Some(at) = open.pop() {
+            let (x, y) = (at % size[0], at / size[0]);
+            let near = [
+                (x > 0).then(|| at - 1),
+                (x + 1 < size[0]).then(|| at + 1),
+                (y > 0).then(|| at - size[0]),
+                (y + 1 < size[1]).then(|| at + size[0]),
+            ];
+            for next in near.into_iter().flatten() {
+                if !seen[next] {
+                    seen[next] = true;
+                    open.push(next);
+                }
+            }
+        }
+        let inner = (0..seen.len()).filter(|&at| !seen[at]);
+        inner.map(|at| at % size[0] + left - 1 + nx * (at / size[0] + low - 1)).collect()
+    }
+
+    /// Regions around seeds; points that belong to others already have no value.
     fn grown(
         &self,
         seeds: Vec<(bool, Vec<usize>)>,
-        width: f64,
         (values, noise): (&[f64], &Noise),
     ) -> Vec<Region> {
+        let width = ACROSS * self.pixel[0].max(self.pixel[1]);
         let nearest = self.nearest(&seeds, values);
         // Points of each seed by their ring, the first within the seed.
         let mut rings: Vec<Vec<Vec<usize>>> = vec![vec![]; seeds.len()];
@@ -176,11 +224,16 @@ impl Changes<'_> {
                 let sum = if worn { -sum } else { sum };
                 count > 0.0 && sum > chance * count.sqrt()
             };
-            let last = 1 + rings.iter().skip(1).take_while(|ring| belongs(ring)).count();
-            let upto =
-                |end: usize| rings.iter().take(end).flatten().copied().collect::<Vec<usize>>();
-            let ends = [upto(last).len(), upto(last + 1).len()];
-            Region { worn, seeds, points: upto(last + 2), ends }
+            let mut calm = 0;
+            let own = rings.iter().skip(1).take_while(|ring| {
+                let more = calm < CALM;
+                calm += usize::from(!belongs(ring));
+                more
+            });
+            let last = 1 + own.count();
+            let end = rings.iter().take(last).map(Vec::len).sum();
+            let points = rings.iter().take(last + 1).flatten().copied().collect();
+            Region { worn, seeds, points, end }
         };
         seeds.into_iter().zip(rings).map(grow).collect()
     }

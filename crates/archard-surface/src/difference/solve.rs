@@ -54,14 +54,14 @@ mod tests {
     fn what_is_not_told_stays() {
         let points = (0..40).map(|at| {
             let x = f64::from(at);
-            [0.0, x.sin(), (2.0 * x).cos(), 1.0, 1e-3 * x, 1e3 * (0.3 * x).sin()]
+            [0.0, x.sin(), (2.0 * x).cos(), 1.0, 1e-3 * x, 1e3 * (0.3 * x).sin(), 0.0, 0.0, 0.0]
         });
         let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
         points.for_each(|own| {
             (0..PARAMETERS)
                 .for_each(|i| (0..PARAMETERS).for_each(|j| matrix[i][j] += own[i] * own[j]));
         });
-        let solution = [0.0, 1.0, -2.0, 3.0, 4.0, 5.0];
+        let solution = [0.0, 1.0, -2.0, 3.0, 4.0, 5.0, 0.0, 0.0, 0.0];
         let found = times(&inverse(&matrix), &times(&matrix, &solution));
         for (one, other) in found.iter().zip(solution) {
             assert!((one - other).abs() < 1e-9, "{found:?}");

@@ -1,16 +1,20 @@
 //! What regions amount to.
 
-use std::f64::consts::PI;
-
 use super::blocks::smoothed;
+use super::depth::{self, Deepest};
+use super::gaps::{Gaps, Surface};
 use super::placement::{PARAMETERS, Placement};
 use super::region::{NARROWEST, Region};
-use super::volume::{Uncertain, Uncertainty};
-use super::{Difference, NoDifference, Round, Scans, Scar};
+use super::rounds::{Round, Scans};
+use super::volume::{Besides, Uncertain, Uncertainty};
+use super::{Difference, NoDifference, Scar, slopes, walls};
 use crate::map::HeightMap;
 
-/// The standard deviation of an even distribution is its half width over this.
-const EVEN: f64 = 1.732_050_807_568_877_2;
+/// The variance of an even distribution over its half width squared is one over this, that of a triangle one over twice as much.
+const EVEN: f64 = 3.0;
+/// A gap is deeper than all that was measured where its plate is by a tenth, or by as many standard deviations as no noise has.
+const DEEPER: f64 = 1.1;
+const NOISE: f64 = 6.0;
 
 /// The last round, and the uncertainty of its sums.
 pub(super) struct Sums<'a> {
@@ -19,7 +23,16 @@ pub(super) struct Sums<'a> {
     /// Changes (m).
     pub(super) map: HeightMap,
     pub(super) uncertainty: Uncertainty<'a>,
-    pub(super) sought: bool,
+}
+
+/// Gaps in regions, filled.
+struct Filled {
+    plate: Gaps,
+    /// Changes (m) with the plate in gaps, and with the membrane.
+    by_plate: HeightMap,
+    by_membrane: HeightMap,
+    /// Half of the range (m) of changes around points in wide gaps.
+    ranges: Vec<(usize, f64)>,
 }
 
 impl Sums<'_> {
@@ -35,48 +48,50 @@ impl Sums<'_> {
         });
         worn.extend(&given);
         let removed = |region: &&&Region| -> f64 {
-            region
-                .points()
-                .iter()
-                .map(|&at| -self.round.change[at])
-                .filter(|one| one.is_finite())
-                .sum()
+            let changes = region.points().iter().map(|&at| -self.round.change[at]);
+            changes.filter(|one| one.is_finite()).sum()
         };
         let Some(largest) =
             worn.iter().max_by(|one, other| removed(one).total_cmp(&removed(other)))
         else {
             let [depth, width] = self.round.least;
-            let scatter = self.round.noise.variance.sqrt();
-            return Err(match self.round.noise.endless {
+            let scatter = self.round.noise.variance.sqrt().hypot(self.bend());
+            return Err(match self.round.noise.endless || self.round.sought.form {
                 true => NoDifference::NoReference { scatter },
                 false => NoDifference::NothingWorn { depth, width },
             });
         };
-        let filled = self.map.filled().unwrap_or_else(|_| self.map.clone());
-        let (depth, deepest) = self.depth(&worn);
+        let both = [&worn[..], &piled[..]].concat();
+        let filled = self.filled(&both);
+        let (depth, deepest) = self.depth(&worn, &filled);
         let cell = self.map.pixel()[0] * self.map.pixel()[1];
         let mut labels = vec![0; self.round.change.len()];
-        for region in worn.iter().chain(&piled) {
+        for region in &both {
             region.points().iter().for_each(|&at| labels[at] = if region.worn { -1 } else { 1 });
         }
-        let points = worn.iter().flat_map(|region| region.points());
+        let points = self.mask(&worn);
         let known = self.round.change.iter().filter(|change| !change.is_nan()).count();
+        let missing = |at: &usize| points[*at] && self.round.change[*at].is_nan();
+        let net = self.volume(&both, &filled, -1.0);
+        let (uncertainty, undetermined) = self.of_placement();
         Ok(Difference {
             placement: self.round.placement,
-            uncertainty: self.of_placement(),
-            sought: self.sought,
+            uncertainty,
+            sought: self.round.sought.place,
+            undetermined,
             overlap: known as f64 / self.round.change.len() as f64,
             count: [worn.len(), piled.len()],
-            worn: self.volume(&worn, &filled, -1.0),
+            worn: if piled.is_empty() { net } else { self.volume(&worn, &filled, -1.0) },
             piled: (!piled.is_empty()).then(|| self.volume(&piled, &filled, 1.0)),
-            net: self.volume(&[&worn[..], &piled[..]].concat(), &filled, -1.0),
+            net,
             depth,
             deepest,
             area: cell * worn.iter().map(|region| region.seeds.len()).sum::<usize>() as f64,
             scar: Scar::of(&self.map, &largest.seeds),
             scatter: self.round.noise.variance.sqrt(),
             alike: (self.round.noise.alike * cell).sqrt(),
-            missing: points.filter(|&&at| self.round.change[at].is_nan()).count(),
+            missing: (0..points.len()).filter(missing).count(),
+            at_least: self.is_deeper(&points, &filled),
             reaches_rim: worn
                 .iter()
                 .flat_map(|region| &region.seeds)
@@ -86,65 +101,145 @@ impl Sums<'_> {
         })
     }
 
-    /// A volume (m^3) over regions, `sign` times the change.
-    fn volume(&self, regions: &[&Region], filled: &HeightMap, sign: f64) -> Uncertain {
-        let cell = self.map.pixel()[0] * self.map.pixel()[1] * sign;
-        let mut weights = vec![0.0; self.round.change.len()];
-        let mut bridged = 0.0;
+    /// Standard deviation (m) of what the form adds to the plane, over the map.
+    fn bend(&self) -> f64 {
+        let [xx, xy, yy] = self.round.placement.form;
+        let [x, y] = self.map.size().map(|size| size * size / 12.0);
+        // Of even distributions x^2 has 4/5 of the square of its mean as variance.
+        (0.8 * ((xx * x).powi(2) + (yy * y).powi(2)) + xy * xy * x * y).sqrt()
+    }
+
+    /// The points of regions that are on both maps.
+    fn mask(&self, regions: &[&Region]) -> Vec<bool> {
+        let mut mask = vec![false; self.round.change.len()];
         for &at in regions.iter().flat_map(|region| region.points()) {
-            match self.round.change[at].is_nan() {
-                true => bridged += cell * filled.heights()[at],
-                false => weights[at] = cell,
-            }
+            mask[at] = self.scans.holds(&self.round.placement, at);
         }
-        let over = |points: fn(&Region) -> &[usize]| -> f64 {
-            regions
-                .iter()
-                .flat_map(|region| points(region))
-                .map(|&at| cell * filled.heights()[at])
-                .sum()
-        };
-        let own = over(Region::points);
-        let ring = [over(Region::inner), over(Region::outer)].map(|other| (other - own).abs());
-        let edge = (ring[0].max(ring[1]) / EVEN).hypot(0.5 * bridged / EVEN);
-        self.uncertainty.of(own, &weights, edge)
+        mask
+    }
+
+    /// The gaps of regions, filled.
+    fn filled(&self, regions: &[&Region]) -> Filled {
+        let mut wanted = self.mask(regions);
+        // A gap goes on beyond the rim of its region.
+        for &at in regions.iter().flat_map(|region| region.around()) {
+            wanted[at] = self.scans.holds(&self.round.placement, at);
+        }
+        let plate = Gaps::of(&self.map, &wanted, Surface::Plate);
+        let by_plate = plate.filled(&self.map);
+        let by_membrane = Gaps::of(&self.map, &wanted, Surface::Membrane).filled(&self.map);
+        let ranges = plate.ranges(&self.map);
+        Filled { plate, by_plate, by_membrane, ranges }
+    }
+
+    /// Whether a wide gap of a region is deeper than all that was measured in it.
+    fn is_deeper(&self, mask: &[bool], filled: &Filled) -> bool {
+        let own = |at: usize| -self.round.change[at];
+        let deepest = (0..mask.len())
+            .filter(|&at| mask[at] && !own(at).is_nan())
+            .map(own)
+            .fold(0.0, f64::max);
+        let least = (DEEPER * deepest).max(NOISE * self.round.scatter);
+        let mut gaps = filled.ranges.iter().filter(|(at, _)| mask[*at]);
+        gaps.any(|(at, _)| -filled.by_plate.heights()[*at] > least)
+    }
+
+    /// A volume (m^3) over regions, `sign` times the change.
+    fn volume(&self, regions: &[&Region], filled: &Filled, sign: f64) -> Uncertain {
+        let cell = self.map.pixel()[0] * self.map.pixel()[1] * sign;
+        let mask = self.mask(regions);
+        let missing = |at: usize| self.round.change[at].is_nan();
+        let own = |at: usize| if mask[at] { cell } else { 0.0 };
+        let mut weights: Vec<f64> =
+            (0..mask.len()).map(|at| if missing(at) { 0.0 } else { own(at) }).collect();
+        let heights = filled.by_plate.heights();
+        let inside = || (0..mask.len()).filter(|&at| mask[at]);
+        // A hole without any point around stays one.
+        let value: f64 = inside().map(|at| cell * heights[at]).filter(|one| one.is_finite()).sum();
+        let mut besides = Besides::default();
+        if inside().any(missing) {
+            let gaps: Vec<f64> = (0..mask.len()).map(own).collect();
+            let around = filled.plate.weights(&gaps);
+            weights.iter_mut().zip(around).for_each(|(one, more)| *one += more);
+            let off = |at: usize| heights[at] - filled.by_membrane.heights()[at];
+            let between: f64 = inside().filter(|&at| missing(at)).map(off).sum();
+            // Walls that no point shows have one cause: their errors are added as they are.
+            let wide = filled.ranges.iter().filter(|(at, _)| mask[*at]);
+            let range: f64 = wide.map(|(_, half)| half).sum();
+            besides.missing =
+                cell.abs() * (between.powi(2) / EVEN + range.powi(2) / (2.0 * EVEN)).sqrt();
+        }
+        // One ring more, as far as it is no noise, and a third of it as it may end anywhere.
+        let mut ring = vec![0.0; mask.len()];
+        for &at in regions.iter().flat_map(|region| region.around()) {
+            ring[at] = if missing(at) || mask[at] { 0.0 } else { cell };
+        }
+        let more: f64 = ring
+            .iter()
+            .zip(&self.round.change)
+            .filter(|(weight, _)| **weight != 0.0)
+            .map(|(weight, change)| weight * change)
+            .sum();
+        let chance = self.uncertainty.variance_of(&ring);
+        let edge = (more * more - chance).max(0.0) + chance / EVEN;
+        besides.edge = (edge + walls::variance(&filled.by_plate, &mask, self.round.scatter)).sqrt();
+        self.uncertainty.of(value, &weights, besides)
     }
 
     /// The greatest depth (m) of worn regions and where it is (m).
-    fn depth(&self, worn: &[&Region]) -> (Uncertain, [f64; 2]) {
+    fn depth(&self, worn: &[&Region], filled: &Filled) -> (Uncertain, [f64; 2]) {
         let (elements, pixel) = (self.map.elements(), self.map.pixel());
-        let width = NARROWEST * pixel[0].max(pixel[1]);
-        let smooth = smoothed(elements, self.map.heights(), pixel.map(|own| width / own));
-        let all =
-            worn.iter().flat_map(|region| &region.seeds).filter(|&&at| smooth[at].is_finite());
-        let at = all
-            .min_by(|&&one, &&other| smooth[one].total_cmp(&smooth[other]))
-            .copied()
-            .unwrap_or(0);
+        let mask = self.mask(worn);
+        let own = |at: usize| {
+            let height = filled.by_plate.heights()[at];
+            if mask[at] && height.is_finite() { height } else { 0.0 }
+        };
+        let widest = pixel[0].max(pixel[1]);
+        let deviation = pixel.map(|own| NARROWEST * widest / own);
+        let smooth = smoothed(elements, &(0..mask.len()).map(own).collect::<Vec<f64>>(), deviation);
+        let inside = (0..mask.len()).filter(|&at| mask[at]);
         let place =
             |at: usize| [self.map.place(0, at % elements[0]), self.map.place(1, at / elements[0])];
-        let deepest = place(at);
-        let weight = |at: usize| {
-            let [x, y] = place(at);
-            let far = (x - deepest[0]).hypot(y - deepest[1]) / width;
-            let share = pixel[0] * pixel[1] / (2.0 * PI * width * width);
-            if self.round.change[at].is_nan() { 0.0 } else { -share * (-0.5 * far * far).exp() }
+        let lowest =
+            inside.min_by(|&one, &other| smooth[one].total_cmp(&smooth[other])).unwrap_or(0);
+        let middle = place(lowest);
+        let area = mask.iter().filter(|own| **own).count() as f64 * pixel[0] * pixel[1];
+        let radius = depth::radius(area, widest);
+        let points: Vec<(usize, [f64; 2], f64)> = (0..mask.len())
+            .filter(|&at| mask[at] && !self.round.change[at].is_nan())
+            .map(|at| (at, place(at), -self.round.change[at]))
+            .filter(|(_, [x, y], _)| (x - middle[0]).hypot(y - middle[1]) <= radius)
+            .collect();
+        let mut weights = vec![0.0; mask.len()];
+        let Some(Deepest { depth, place, weights: own, scatter }) =
+            depth::found(&points, middle, radius)
+        else {
+            // Nothing was measured there: what is around tells no more than the plate.
+            let value = -smooth[lowest];
+            let besides = Besides { edge: 0.0, missing: value.abs() / EVEN.sqrt() };
+            return (self.uncertainty.of(value, &weights, besides), middle);
         };
-        let mut weights: Vec<f64> = (0..smooth.len()).map(weight).collect();
-        let all: f64 = weights.iter().sum();
-        weights.iter_mut().for_each(|one| *one /= -all);
-        (self.uncertainty.of(-smooth[at], &weights, 0.0), deepest)
+        own.into_iter().for_each(|(at, weight)| weights[at] = -weight);
+        // What the polynomial leaves, of as many points as count by themselves.
+        let left = scatter * (self.round.noise.alike / points.len() as f64).sqrt();
+        (self.uncertainty.of(depth, &weights, Besides { edge: left, missing: 0.0 }), place)
     }
 
-    /// Standard uncertainties of the placement.
-    fn of_placement(&self) -> Placement {
-        let deviation = |one: usize| {
+    /// Standard uncertainties of the placement, and the direction along which the shift is open.
+    fn of_placement(&self) -> (Placement, Option<f64>) {
+        let of = |numbers: &[usize]| {
             let mut factors = [0.0; PARAMETERS];
-            factors[one] = 1.0;
+            numbers.iter().for_each(|&one| factors[one] = 1.0);
             self.uncertainty.of_numbers(factors)
         };
-        let by: [f64; PARAMETERS] = std::array::from_fn(deviation);
-        Placement::default().changed(by, self.scans.pair.reach)
+        let by: [f64; PARAMETERS] = std::array::from_fn(|one| of(&[one]));
+        let by = Placement::default().changed(by, self.scans.reach);
+        if !self.round.sought.place {
+            return (by, None);
+        }
+        let [xx, yy, sum] = [by.shift[0], by.shift[1], of(&[0, 1])].map(|own| own * own);
+        let known = slopes::known(self.scans, self.round, [xx, 0.5 * (sum - xx - yy), yy]);
+        (Placement { shift: known.by, ..by }, known.open)
     }
 
     /// Whether a neighbour of a point lies beyond one of the maps.
@@ -154,14 +249,7 @@ impl Sums<'_> {
         if x == 0 || y == 0 || x + 1 == nx || y + 1 == ny {
             return true;
         }
-        [at - 1, at + 1, at - nx, at + nx].into_iter().any(|at| {
-            let place = [self.map.place(0, at % nx), self.map.place(1, at / nx)];
-            let earlier = self.round.placement.on_the_earlier(place);
-            let before = &self.scans.before;
-            // Interpolation needs two points beyond the place.
-            (0..2).any(|axis| {
-                earlier[axis].abs() > 0.5 * before.size()[axis] - 2.5 * before.pixel()[axis]
-            })
-        })
+        let near = [at - 1, at + 1, at - nx, at + nx];
+        near.into_iter().any(|at| !self.scans.holds(&self.round.placement, at))
     }
 }

@@ -6,9 +6,8 @@
 
 use std::ops::Range;
 
-use statrs::distribution::{ContinuousCDF, StudentsT};
+use statrs::distribution::{ContinuousCDF, Normal, StudentsT};
 
-use super::blocks::smoothed;
 use super::noise::Noise;
 use super::placement::{LEVEL, PARAMETERS};
 use super::solve::{Square, inverse, times};
@@ -24,12 +23,21 @@ pub struct Uncertain {
     pub level: f64,
     /// By shift and turn.
     pub place: f64,
-    /// By where regions end, and by points without a height in them.
+    /// By where regions end, and by walls between points.
     pub edge: f64,
+    /// By points without a height.
+    pub missing: f64,
     /// By all. Noise, level and place have common parts: their squares need not add up to its own.
     pub standard: f64,
-    /// Half of the 95 % interval, by Student's t.
+    /// Half of the 95 % interval: of what is of noise by Student's t, of the rest by the normal distribution.
     pub expanded: f64,
+}
+
+/// What a value is uncertain by besides noise, level and place: standard uncertainties.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Besides {
+    pub(super) edge: f64,
+    pub(super) missing: f64,
 }
 
 /// How a change falls with the numbers of a placement.
@@ -43,20 +51,21 @@ pub(super) struct ToldBy {
 }
 
 impl ToldBy {
-    /// Of points, by the numbers of a range alone.
-    pub(super) fn of(points: Vec<Option<(f64, Falls)>>, numbers: Range<usize>) -> Self {
+    /// Of points.
+    pub(super) fn of(points: Vec<Option<(f64, Falls)>>) -> Self {
         let mut matrix = [[0.0; PARAMETERS]; PARAMETERS];
         for (weight, falls) in points.iter().flatten() {
-            for i in numbers.clone() {
-                numbers.clone().for_each(|j| matrix[i][j] += weight * falls[i] * falls[j]);
+            for i in 0..PARAMETERS {
+                (0..PARAMETERS).for_each(|j| matrix[i][j] += weight * falls[i] * falls[j]);
             }
         }
         Self { points, inverse: inverse(&matrix) }
     }
 
-    /// The weights of points in a sum of the numbers times `factors`.
-    fn weights(&self, factors: &Falls) -> Vec<f64> {
-        let by = times(&self.inverse, factors);
+    /// The weights of points in a sum of the numbers, each with a factor, for those of a range alone.
+    fn weights(&self, factors: &Falls, numbers: Range<usize>) -> Vec<f64> {
+        let mut by = times(&self.inverse, factors);
+        (0..PARAMETERS).filter(|at| !numbers.contains(at)).for_each(|at| by[at] = 0.0);
         let weight = |told: &Option<(f64, Falls)>| {
             told.map_or(0.0, |(weight, falls)| weight * product(&falls, &by))
         };
@@ -68,76 +77,68 @@ fn product(one: &Falls, other: &Falls) -> f64 {
     one.iter().zip(other).map(|(one, other)| one * other).sum()
 }
 
-/// The uncertainty of sums of changes.
-///
-/// The place is found from smoothed maps, and with it the level from maps as they are. An error of the place changes a sum by the slopes of
-/// its points, and by those of the points that the level is fitted to.
+/// The uncertainty of sums of changes: an error of place or level changes them by the slopes of their points.
 pub(super) struct Uncertainty<'a> {
     pub(super) noise: &'a Noise,
     /// How the change of every point falls with level and place.
     pub(super) falls: &'a [Option<Falls>],
-    /// What tells the level.
-    pub(super) level: ToldBy,
-    /// What tells the place, from smoothed maps, and their Gaussian (points along x and y); nothing where the place was not sought.
-    pub(super) place: Option<(ToldBy, [usize; 2], [f64; 2])>,
+    /// What tells both.
+    pub(super) told: ToldBy,
 }
 
 impl Uncertainty<'_> {
-    /// A value that is a sum of changes with weights; `edge` is its uncertainty by the edge.
-    pub(super) fn of(&self, value: f64, weights: &[f64], edge: f64) -> Uncertain {
-        let mut falls = [0.0; PARAMETERS];
-        for (weight, own) in weights.iter().zip(self.falls).filter(|(weight, _)| **weight != 0.0) {
-            let own = own.unwrap_or_default();
-            falls.iter_mut().zip(own).for_each(|(sum, one)| *sum += weight * one);
-        }
-        let (level, place) = self.fitted(falls);
+    /// A value that is a sum of changes with weights.
+    pub(super) fn of(&self, value: f64, weights: &[f64], besides: Besides) -> Uncertain {
+        let falls = self.falls_of(weights);
+        let level = self.told.weights(&falls, LEVEL..PARAMETERS);
+        let place = self.told.weights(&falls, 0..LEVEL);
         let sum = |own: f64, level_too: f64, place_too: f64| -> f64 {
             let all = weights.iter().zip(&level).zip(&place);
             let all =
                 all.map(|((one, two), three)| own * one - level_too * two - place_too * three);
             self.noise.variance_of(&all.collect::<Vec<f64>>())
         };
-        let standard = (sum(1.0, 1.0, 1.0) + edge * edge).sqrt();
+        let Besides { edge, missing } = besides;
+        let by_noise = sum(1.0, 1.0, 1.0);
+        let rest = edge * edge + missing * missing;
+        let [student, normal] = self.coverage();
         Uncertain {
             value,
             noise: sum(1.0, 0.0, 0.0).sqrt(),
             level: sum(0.0, 1.0, 0.0).sqrt(),
             place: sum(0.0, 0.0, 1.0).sqrt(),
             edge,
-            standard,
-            expanded: standard * self.coverage(),
+            missing,
+            standard: (by_noise + rest).sqrt(),
+            expanded: (student * student * by_noise + normal * normal * rest).sqrt(),
         }
+    }
+
+    /// The variance of a sum of changes with weights.
+    pub(super) fn variance_of(&self, weights: &[f64]) -> f64 {
+        let fitted = self.told.weights(&self.falls_of(weights), 0..PARAMETERS);
+        let all = weights.iter().zip(&fitted).map(|(one, other)| one - other);
+        self.noise.variance_of(&all.collect::<Vec<f64>>())
     }
 
     /// The standard uncertainty of a sum of the numbers of the placement times `factors`.
     pub(super) fn of_numbers(&self, factors: Falls) -> f64 {
-        let (level, place) = self.fitted(factors);
-        let both: Vec<f64> = level.iter().zip(&place).map(|(one, other)| one + other).collect();
-        self.noise.variance_of(&both).sqrt()
+        self.noise.variance_of(&self.told.weights(&factors, 0..PARAMETERS)).sqrt()
     }
 
-    /// The weights of points in a sum of the numbers of the placement times `falls`: through the level, and through the place.
-    fn fitted(&self, falls: Falls) -> (Vec<f64>, Vec<f64>) {
-        let mut of_level = falls;
-        of_level[..LEVEL].fill(0.0);
-        let level = self.level.weights(&of_level);
-        let Some((told_by, elements, deviation)) = &self.place else {
-            return (level.clone(), vec![0.0; level.len()]);
-        };
-        // The level follows the place.
-        let mut of_place = falls;
-        of_place[LEVEL..].fill(0.0);
-        let told = level.iter().zip(self.falls);
-        for (weight, own) in told.filter_map(|(weight, own)| Some((weight, (*own)?))) {
-            (0..LEVEL).for_each(|at| of_place[at] -= weight * own[at]);
+    fn falls_of(&self, weights: &[f64]) -> Falls {
+        let mut falls = [0.0; PARAMETERS];
+        for (weight, own) in weights.iter().zip(self.falls).filter(|(weight, _)| **weight != 0.0) {
+            let own = own.unwrap_or_default();
+            falls.iter_mut().zip(own).for_each(|(sum, one)| *sum += weight * one);
         }
-        let place = smoothed(*elements, &told_by.weights(&of_place), *deviation);
-        (level, place)
+        falls
     }
 
-    /// The quantile of Student's t for 95 %.
-    fn coverage(&self) -> f64 {
+    /// The quantiles for 95 % of Student's t and of the normal distribution.
+    fn coverage(&self) -> [f64; 2] {
         // Its parameters are positive.
-        StudentsT::new(0.0, 1.0, self.noise.freedom).map_or(f64::NAN, |t| t.inverse_cdf(0.975))
+        let student = StudentsT::new(0.0, 1.0, self.noise.freedom);
+        [student.map_or(f64::NAN, |t| t.inverse_cdf(0.975)), Normal::standard().inverse_cdf(0.975)]
     }
 }

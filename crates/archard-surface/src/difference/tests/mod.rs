@@ -1,5 +1,8 @@
 //! Scans made with a scar whose volume is known: what is found lies within its interval as often as is said.
 
+mod coverage;
+mod made;
+
 use std::f64::consts::PI;
 
 use super::blocks::smoothed;
@@ -73,6 +76,7 @@ impl Made {
             turn: within(&mut random, 0.02),
             offset: within(&mut random, 1e-5),
             tilt: [within(&mut random, 2e-3), within(&mut random, 2e-3)],
+            form: [0.0; 3],
         };
         let ([wide, long], depth) = self.groove;
         let [wide, long] = [wide * PIXEL, long * PIXEL];
@@ -104,40 +108,6 @@ const SETTINGS: [Made; 5] = [
     Made { points: 64, groove: ([12.0, 20.0], 1e-6), texture: (2e-7, true), noise: (1e-8, 0.0) },
     Made { points: 84, groove: ([30.0, 30.0], 2e-6), texture: (3e-7, false), noise: (1e-8, 0.0) },
 ];
-
-/// How many of so many seeds have their volume within the interval, and the root mean square of errors over their uncertainty.
-fn tried(made: &Made, seeds: std::ops::Range<u64>) -> (usize, f64) {
-    let (mut within, mut squares) = (0, 0.0);
-    let count = seeds.end - seeds.start;
-    for seed in seeds {
-        let ([before, after], volume, _) = made.scans(seed);
-        let found = Difference::between(&before, &after, &Options::default()).unwrap();
-        let error = found.net.value - volume;
-        within += usize::from(error.abs() <= found.net.expanded);
-        squares += (error / found.net.standard).powi(2) / count as f64;
-    }
-    (within, squares.sqrt())
-}
-
-/// Of 40 intervals of 95 % fewer than 34 are right once in 70 times, and errors over their standard uncertainty are 1 in the mean.
-#[test]
-fn volumes_lie_within_their_intervals() {
-    let all = SETTINGS.map(|made| tried(&made, 0..8));
-    let within: usize = all.iter().map(|one| one.0).sum();
-    let rms = (all.iter().map(|one| one.1 * one.1).sum::<f64>() / all.len() as f64).sqrt();
-    assert!(within >= 34 && (0.7..1.4).contains(&rms), "{within} {rms} {all:?}");
-}
-
-#[test]
-#[ignore = "takes minutes: 100 seeds of each setting"]
-fn volumes_of_each_setting_lie_within_their_intervals() {
-    let all = SETTINGS.map(|made| (made, tried(&made, 100..200)));
-    all.iter()
-        .for_each(|(made, (within, rms))| println!("{made:?}: {within} of 100, rms {rms:.2}"));
-    for (made, (within, rms)) in all {
-        assert!(within >= 90 && (0.7..1.4).contains(&rms), "{made:?}: {within} {rms}");
-    }
-}
 
 fn compared(before: &HeightMap, after: &HeightMap) -> Result<Difference, NoDifference> {
     Difference::between(before, after, &Options::default())
@@ -269,7 +239,10 @@ fn what_cannot_be_told_is_refused() {
     let ([_, after], ..) = SETTINGS[2].scans(5);
     let ([other, _], ..) = SETTINGS[2].scans(6);
     let different = compared(&other, &after);
-    assert!(matches!(different, Err(NoDifference::Different { .. })), "{different:?}");
+    let refused =
+        [NoDifference::Different { kept: 0.0, most: 0.0 }, NoDifference::Turned { turn: 0.0 }];
+    let kind = std::mem::discriminant(&different.unwrap_err());
+    assert!(refused.iter().any(|own| std::mem::discriminant(own) == kind));
     let ([before, _], ..) = SETTINGS[3].scans(5);
     let ([noise, _], ..) = Made { texture: (0.0, false), ..SETTINGS[3] }.scans(8);
     let place = |along: f64| (along / PIXEL + 31.5).round() as usize;
@@ -280,8 +253,9 @@ fn what_cannot_be_told_is_refused() {
         });
         Difference::between(&before, &deep, &Options { placed: true, ..Options::default() })
     };
-    let half = worn(50e-6);
-    assert!(matches!(half, Err(NoDifference::AllWorn { .. })), "{half:?}");
+    let half = worn(50e-6).unwrap().worn;
+    let volume = 0.5 * PI * 50e-6 * 50e-6 * 2e-6;
+    assert!((half.value - volume).abs() < 2.0 * half.expanded, "{half:?} {volume}");
     let all = worn(90e-6);
     assert!(matches!(all, Err(NoDifference::NoReference { .. })), "{all:?}");
     let speck = HeightMap::new([6; 2], [1e-6; 2], vec![0.0; 36]).unwrap();
