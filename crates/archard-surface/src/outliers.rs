@@ -80,7 +80,7 @@ impl HeightMap {
         x.zip(y).map_or(f64::NAN, |(x, y)| self.at(x, y))
     }
 
-    /// How far (m) a point lies outside of the range of a ring; negative within it, infinitely so without any.
+    /// How far (m) a point lies outside of the range of a ring; negative within it, infinitely so without a ring.
     fn excess(&self, at: usize, ring: usize) -> f64 {
         let own = self.heights()[at];
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -102,7 +102,7 @@ impl HeightMap {
                 dx += step;
             }
         }
-        (own - high).max(low - own)
+        if low > high { f64::NEG_INFINITY } else { (own - high).max(low - own) }
     }
 
     /// Second differences (m) at a point over so many points along x and y.
@@ -244,6 +244,20 @@ mod tests {
             assert!(places.iter().all(|[x, y]| kept.at(*x, *y).is_nan()), "{size}");
             assert!(outliers.count <= places.len() + 2, "{size} {outliers:?}");
         }
+    }
+
+    /// Points by themselves, most of whose neighbours are missing, are kept.
+    #[test]
+    fn lonely_points_are_kept() {
+        let mut random = Rng::with_seed(13);
+        let height = |at: usize| {
+            let [x, y] = [at % 80, at / 80].map(|index| index as f64);
+            let own = (0.6 * x).sin() + (0.4 * y + 0.1 * x).cos() + 0.02 * normal(&mut random);
+            if random.f64() < 0.8 { f64::NAN } else { own }
+        };
+        let map = HeightMap::new([80; 2], [1.0; 2], (0..6400).map(height).collect()).unwrap();
+        let (_, outliers) = map.without_outliers().unwrap();
+        assert!(outliers.count <= 2, "{outliers:?}");
     }
 
     /// Heights in steps are known to a step over the root of 12, and others to the digits of their range.

@@ -23,11 +23,12 @@ const VALUES: [(&str, &str, &str); 4] = [
     ("depth_m", "Greatest depth", "m"),
 ];
 /// Where its uncertainty comes from.
-const SOURCES: [(&str, &str); 5] = [
+const SOURCES: [(&str, &str); 6] = [
     ("by_noise", "Noise of the points that changed"),
     ("by_level", "Level: offset and tilt"),
     ("by_shift_and_turn", "Shift and turn"),
-    ("by_edge", "Edge of the regions"),
+    ("by_edge", "Edge of the regions, and walls between points"),
+    ("by_missing_points", "Points without a height"),
     ("standard_uncertainty", "All together"),
 ];
 

@@ -6,8 +6,8 @@
 pub enum NoDifference {
     /// The maps hardly overlap.
     #[error(
-        "the maps have {points} points in common, and {least} are needed: measure the same place twice, and see that the pixels \
-         of both are right"
+        "the maps have {points} points in common where they fit best, and {least} are needed: measure the same place twice, with fewer points \
+         missing, and see that the pixels of both are right"
     )]
     NoOverlap {
         /// Points of the later map with a height in both.

@@ -26,6 +26,8 @@ const CHANCE: f64 = 7.815;
 /// How many times what interpolation misses is taken where nothing seems to be as it was: 68 % of places have no more than that once, and
 /// the steepest several times as much.
 const MISSED: f64 = 5.0;
+/// Share of the overlap above which another level is tried: most of it.
+const MOST: f64 = 0.5;
 /// Share of the overlap that may have changed.
 const CHANGED: f64 = 0.95;
 
@@ -88,6 +90,15 @@ impl Scans {
             last = self.settled(start, Sought { place, form });
             if !matches!(last, Err(NoDifference::AllWorn { .. })) {
                 break;
+            }
+        }
+        // A strip of a bent scan is level, and all else seems worn: where the bent level leaves far less of it, that is the level of most.
+        let share = |round: &Round| self.changed(round);
+        if let Some(level) = last.as_ref().ok().filter(|own| !own.sought.form && share(own) > MOST)
+        {
+            let bent = self.settled(start, Sought { place, form: true });
+            if let Some(bent) = bent.ok().filter(|bent| share(bent) < MOST * share(level)) {
+                return Ok(bent);
             }
         }
         last
@@ -197,13 +208,18 @@ impl Scans {
 
     /// The round, if enough of the overlap is as it was.
     fn judged(&self, round: Round) -> Result<Round, NoDifference> {
-        let known = || (0..round.change.len()).filter(|&at| !round.change[at].is_nan());
-        let changed = known().filter(|&at| round.excluded[at]).count();
-        let share = changed as f64 / known().count().max(1) as f64;
+        let share = self.changed(&round);
         if self.part.is_none() && share > CHANGED {
             return Err(NoDifference::AllWorn { share });
         }
         Ok(round)
+    }
+
+    /// The share of the overlap that changed.
+    fn changed(&self, round: &Round) -> f64 {
+        let known = || (0..round.change.len()).filter(|&at| !round.change[at].is_nan());
+        let changed = known().filter(|&at| round.excluded[at]).count();
+        changed as f64 / known().count().max(1) as f64
     }
 
     /// Whether what did not change differs in form by more than chance: the noise is that of a fit with the form.

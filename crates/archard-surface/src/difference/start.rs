@@ -87,7 +87,7 @@ impl Slopes {
         let heights = map.of_heights(map.heights().iter().map(own).collect());
         let [heights, share] = [heights, share].map(|map| {
             let map = fewer(&map, pixel);
-            let deviation = map.pixel().map(|own| 0.5 * pixel / own);
+            let deviation = map.pixel().map(|own| pixel / own);
             map.of_heights(smoothed(map.elements(), map.heights(), deviation))
         });
         let means = heights.heights().iter().zip(share.heights());

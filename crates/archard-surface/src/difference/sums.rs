@@ -211,13 +211,15 @@ impl Sums<'_> {
             .filter(|(_, [x, y], _)| (x - middle[0]).hypot(y - middle[1]) <= radius)
             .collect();
         let mut weights = vec![0.0; mask.len()];
-        let Some(Deepest { depth, place, weights: own, scatter }) =
-            depth::found(&points, middle, radius)
-        else {
-            // Nothing was measured there: what is around tells no more than the plate.
-            let value = -smooth[lowest];
-            let besides = Besides { edge: 0.0, missing: value.abs() / EVEN.sqrt() };
-            return (self.uncertainty.of(value, &weights, besides), middle);
+        let fitted = Some(()).filter(|()| !self.is_deeper(&mask, filled));
+        let fitted = fitted.and_then(|()| depth::found(&points, middle, radius));
+        let Some(Deepest { depth, place, weights: own, scatter }) = fitted else {
+            // Nothing was measured there: the plate goes on to at least that depth.
+            let off = filled.by_plate.heights()[lowest] - filled.by_membrane.heights()[lowest];
+            let range = filled.ranges.iter().find(|(at, _)| *at == lowest).map_or(0.0, |own| own.1);
+            let missing = (off.powi(2) / EVEN + range.powi(2) / (2.0 * EVEN)).sqrt();
+            let besides = Besides { edge: 0.0, missing };
+            return (self.uncertainty.of(-smooth[lowest], &weights, besides), middle);
         };
         own.into_iter().for_each(|(at, weight)| weights[at] = -weight);
         // What the polynomial leaves, of as many points as count by themselves.

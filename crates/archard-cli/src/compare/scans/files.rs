@@ -38,6 +38,7 @@ impl Compared<'_> {
             "aligned": found.sought,
             "placement": placement(&found.placement),
             "placement_standard_uncertainty": placement(&found.uncertainty),
+            "shift_undetermined_along_rad": found.undetermined,
             "overlap": found.overlap,
             "scatter_m": found.scatter,
             "alike_m": found.alike,
@@ -52,6 +53,7 @@ impl Compared<'_> {
             },
             "regions": { "worn": found.count[0], "piled_up": found.count[1] },
             "missing": found.missing,
+            "at_least": found.at_least,
             "remarks": self.remarks(),
             "verdict": verdict_json(&self.verdict()),
         })
@@ -103,7 +105,9 @@ fn field(name: &str, values: Vec<f64>) -> Field {
 }
 
 fn placement(own: &Placement) -> Value {
-    json!({ "shift_m": own.shift, "turn_rad": own.turn, "offset_m": own.offset, "tilt": own.tilt })
+    json!({
+        "shift_m": own.shift, "turn_rad": own.turn, "offset_m": own.offset, "tilt": own.tilt, "form_per_m": own.form,
+    })
 }
 
 fn uncertain(own: &Uncertain) -> Value {
@@ -115,5 +119,6 @@ fn uncertain(own: &Uncertain) -> Value {
         "by_level": own.level,
         "by_shift_and_turn": own.place,
         "by_edge": own.edge,
+        "by_missing_points": own.missing,
     })
 }

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use archard_case::PreparedSurface;
 use archard_surface::HeightMap;
-use archard_surface::difference::{Difference, SectionPoint};
+use archard_surface::difference::{Difference, NoDifference, SectionPoint};
 
 pub use options::Scans;
 
@@ -44,7 +44,7 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
         scan(after, [("--set", &scans.set), ("--set-after", &scans.set_after)])?,
     ];
     let found = Difference::between(&maps[0], &maps[1], &options)
-        .map_err(|error| Failure::wrong(format!("{}: {error}", after.display())))?;
+        .map_err(|error| Failure::wrong(format!("{}: {error}{}", after.display(), hint(&error))))?;
     let section = found.section(&maps[0]);
     let names = [before, after].map(|path| path.display().to_string());
     let compared = Compared { scans, names, found, section };
@@ -52,6 +52,18 @@ pub fn run(scans: &Scans) -> Result<(), Failure> {
     write(&dir, &compared)?;
     compared.lines().iter().try_for_each(|line| say(line))?;
     say(&format!("{:<18}{}", "results", dir.display()))
+}
+
+/// The option that helps against a refusal.
+fn hint(error: &NoDifference) -> &'static str {
+    match error {
+        NoDifference::Turned { .. } => " (`--turn DEGREES`)",
+        NoDifference::Different { .. } => " (`--placed`)",
+        NoDifference::AllWorn { .. } | NoDifference::NoReference { .. } => {
+            " (`--worn X0,X1,Y0,Y1`)"
+        }
+        _ => "",
+    }
 }
 
 /// The map of a scan.

@@ -21,6 +21,13 @@ impl Compared<'_> {
             lines.push(line("shift", both(placed.shift, by.shift, 1e6, "um")));
             lines.push(line("turn", with(1e3 * placed.turn, 1e3 * by.turn, "mrad")));
         }
+        if let Some(along) = found.undetermined {
+            let degrees = along.to_degrees().round() + 0.0;
+            let open = format!(
+                "not determined along {degrees:.0} degrees from x, where the texture is the same"
+            );
+            lines.push(line("shift along lay", open));
+        }
         lines.push(line("tilt", both(placed.tilt, by.tilt, 1e3, "mrad")));
         lines.push(line("overlap", format!("{:.0} % of the later scan", 100.0 * found.overlap)));
         let scatter = format!("{}, alike over {}", length(found.scatter), length(found.alike));
@@ -78,6 +85,18 @@ impl Compared<'_> {
         let mut remarks = vec![];
         if !found.sought && !self.scans.placed {
             remarks.push("the surface has no features to find a shift by: the scans lie as they were measured, and only the level was found".to_owned());
+        }
+        if found.placement.form != [0.0; 3] {
+            remarks.push(
+                "the scans differ in form, and a parabola between them was fitted to what did not wear: a scar as wide as the map would look so, too"
+                    .to_owned(),
+            );
+        }
+        if found.at_least {
+            remarks.push(
+                "the deepest part was not measured: at least this volume is worn, at least as deep"
+                    .to_owned(),
+            );
         }
         if found.reaches_rim {
             remarks.push(
