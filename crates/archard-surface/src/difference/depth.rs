@@ -24,6 +24,8 @@ pub(super) struct Deepest {
     pub(super) weights: Vec<(usize, f64)>,
     /// Standard deviation (m) of the points about it.
     pub(super) scatter: f64,
+    /// Whether it is of the fourth degree; of fewer points it is of the second, or their mean.
+    pub(super) whole: bool,
 }
 
 /// The radius (m) of the polynomial in worn regions of that area (m^2) on pixels of that size (m).
@@ -70,6 +72,7 @@ pub(super) fn found(
     };
     let squares = all.iter().zip(points).map(|(own, point)| (point.2 - value(own)).powi(2));
     Some(Deepest {
+        whole: degree == 4,
         depth: value(&terms(best)),
         place: [0, 1].map(|axis| middle[axis] + radius * best[axis]),
         weights: all.iter().zip(points).map(weight).collect(),

@@ -213,7 +213,7 @@ impl Sums<'_> {
         let mut weights = vec![0.0; mask.len()];
         let fitted = Some(()).filter(|()| !self.is_deeper(&mask, filled));
         let fitted = fitted.and_then(|()| depth::found(&points, middle, radius));
-        let Some(Deepest { depth, place, weights: own, scatter }) = fitted else {
+        let Some(Deepest { depth, place, weights: own, scatter, whole }) = fitted else {
             // Nothing was measured there: the plate goes on to at least that depth.
             let off = filled.by_plate.heights()[lowest] - filled.by_membrane.heights()[lowest];
             let range = filled.ranges.iter().find(|(at, _)| *at == lowest).map_or(0.0, |own| own.1);
@@ -224,7 +224,10 @@ impl Sums<'_> {
         own.into_iter().for_each(|(at, weight)| weights[at] = -weight);
         // What the polynomial leaves, of as many points as count by themselves.
         let left = scatter * (self.round.noise.alike / points.len() as f64).sqrt();
-        (self.uncertainty.of(depth, &weights, Besides { edge: left, missing: 0.0 }), place)
+        // What few points leave out, the plate has.
+        let plate = -filled.by_plate.heights()[lowest];
+        let missing = if whole { 0.0 } else { (plate - depth).abs() };
+        (self.uncertainty.of(depth, &weights, Besides { edge: left, missing }), place)
     }
 
     /// Standard uncertainties of the placement, and the direction along which the shift is open.
