@@ -39,7 +39,7 @@ pub enum NoDifference {
     },
     /// Nothing is left to align by.
     #[error(
-        "{:.0} % of the overlap differs: nothing tells what did not wear; give two maps of the same place, measure wider, or give the part in \
+        "{:.0} % of the overlap differs: what did not wear is not known; give two maps of the same place, measure wider, or give the part in \
          which wear is to be found",
         100.0 * .share
     )]

@@ -228,7 +228,7 @@ mod tests {
         assert!(spline.up_to_the_rim().at([30.0, -39.0]).is_some());
     }
 
-    /// Places beside a hole are unknown, and points beside it are known.
+    /// Places next to a hole are unknown, and points next to it are known.
     #[test]
     fn holes_are_unknown() {
         let (map, _) = wave(10.0);
