@@ -226,8 +226,33 @@ impl Sums<'_> {
         let left = scatter * (self.round.noise.alike / points.len() as f64).sqrt();
         // What few points leave out, the plate has.
         let plate = -filled.by_plate.heights()[lowest];
-        let missing = if whole { 0.0 } else { (plate - depth).abs() };
-        (self.uncertainty.of(depth, &weights, Besides { edge: left, missing }), place)
+        let mut missing = if whole { 0.0 } else { (plate - depth).abs() };
+        let mut value = depth;
+        let bottom = self.bottom(&mask, (&smooth, lowest), deviation);
+        if bottom.len() as f64 * pixel[0] * pixel[1] > std::f64::consts::PI * radius * radius {
+            // Flat as far as noise lets anyone see, the bottom lies at its mean; round, at its deepest place.
+            let mean =
+                -bottom.iter().map(|&at| self.round.change[at]).sum::<f64>() / bottom.len() as f64;
+            value = 0.5 * (depth + mean);
+            missing = missing.hypot(0.5 * (depth - mean).abs() / EVEN.sqrt());
+        }
+        (self.uncertainty.of(value, &weights, Besides { edge: left, missing }), place)
+    }
+
+    /// Measured points of a mask that noise alone may set apart from the lowest one of smoothed changes (m): a flat bottom spreads by
+    /// the height that one hill of smoothed noise reaches in the mean, to both sides.
+    fn bottom(
+        &self,
+        mask: &[bool],
+        (smooth, lowest): (&[f64], usize),
+        deviation: [f64; 2],
+    ) -> Vec<usize> {
+        let noise = self.round.noise.smoothed(deviation);
+        let side = (mask.iter().filter(|own| **own).count() as f64).sqrt() as usize;
+        let height = noise.height_of(1.0, [side; 2]);
+        let within = smooth[lowest] + 2.0 * height * noise.deviation;
+        let is = |&at: &usize| mask[at] && smooth[at] <= within && !self.round.change[at].is_nan();
+        (0..mask.len()).filter(is).collect()
     }
 
     /// Standard uncertainties of the placement, and the direction along which the shift is open.
