@@ -1,0 +1,141 @@
+//! Why a log, or a part of it, cannot be read.
+
+use thiserror::Error;
+
+/// What is wrong with a log as a whole. Each message names the place and what to do.
+#[derive(Debug, Error, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Error {
+    /// The compressed file is damaged.
+    #[error("{log}: the gzip file is damaged ({why}): copy it from the instrument again")]
+    Damaged {
+        /// The log.
+        log: String,
+        /// What the decompressor says.
+        why: String,
+    },
+    /// No line holds two numbers.
+    #[error(
+        "{log}: there are no rows of numbers: export the readings as text, with tabs, semicolons or commas between the columns"
+    )]
+    NoRows {
+        /// The log.
+        log: String,
+    },
+    /// Numbers begin, and no line above names the columns.
+    #[error(
+        "{log}:{line}: rows of numbers begin here, and no line above names their columns: put a line of names and units there, like `time [s];distance [m];wear [um];load [N]`"
+    )]
+    NoHeading {
+        /// The log.
+        log: String,
+        /// The first line of numbers.
+        line: usize,
+    },
+    /// Another table begins within the file.
+    #[error(
+        "{log}:{line}: the columns have other names from here on (`{heading}`): give each table a file of its own"
+    )]
+    OtherTable {
+        /// The log.
+        log: String,
+        /// The line of the other names.
+        line: usize,
+        /// That line.
+        heading: String,
+    },
+    /// A height over a length and nothing else.
+    #[error(
+        "{log}:{line}: this is a profile ({titles}), not a log of a test: name it in the column `file` of the table that `archard fit` reads, or give it to `archard compare`"
+    )]
+    Profile {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The titles.
+        titles: String,
+    },
+    /// An option names no column.
+    #[error("{log}:{line}: no column is called `{title}`; there are {titles}")]
+    NoColumn {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// What was asked for.
+        title: String,
+        /// The titles there are.
+        titles: String,
+    },
+    /// Columns of one name hold different values.
+    #[error(
+        "{log}:{line}: two columns are called `{title}` and differ (first at line {differ}): choose with --column {role}=\"{title}#1\" or \"{title}#2\""
+    )]
+    TwoOfAName {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The title.
+        title: String,
+        /// Where they first differ.
+        differ: usize,
+        /// What the column is for.
+        role: &'static str,
+    },
+    /// A column without a unit that nothing else confirms.
+    #[error(
+        "{log}:{line}: the column `{title}` has no unit: say which, like --column {role}=\"{title} [{unit}]\""
+    )]
+    NoUnit {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The title.
+        title: String,
+        /// What the column is for.
+        role: &'static str,
+        /// A unit that would do.
+        unit: &'static str,
+    },
+    /// A unit of another measure.
+    #[error(
+        "{log}:{line}: `{title}` is in {unit}, which is not a unit of {measure}: choose another column with --column {role}=TITLE"
+    )]
+    OtherMeasure {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The title.
+        title: String,
+        /// Its unit.
+        unit: String,
+        /// The measure that is needed.
+        measure: &'static str,
+        /// What the column is for.
+        role: &'static str,
+    },
+    /// Nothing says how far the bodies slid.
+    #[error(
+        "{log}:{line}: nothing says how far the bodies slid, in columns {titles}: name a column with --column distance=TITLE, or give --set speed=\"0.1 m/s\" (with a column of the time) or --set radius=\"10 mm\" (with one of the revolutions or of the rotational speed)"
+    )]
+    NoDistance {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The titles.
+        titles: String,
+    },
+    /// An option is none.
+    #[error("{option}: {help}")]
+    Option {
+        /// As it was given.
+        option: String,
+        /// What to write.
+        help: String,
+    },
+}
