@@ -84,6 +84,24 @@ pub enum Command {
         #[arg(short, long, value_name = "PICTURE", value_hint = ValueHint::FilePath)]
         output: Option<PathBuf>,
     },
+    /// Read the log of a tribometer: its columns, the steady part, wear rate and friction with their 95 % intervals
+    Log {
+        /// Text as the instrument writes it, or that text in gzip
+        #[arg(value_hint = ValueHint::FilePath)]
+        file: PathBuf,
+        /// A column by its title, e.g. wear="Displacement [um]"; a minus before the title turns the sign
+        #[arg(long = "column", value_name = "NAME=TITLE")]
+        column: Vec<String>,
+        /// A value that the log does not hold: load, radius, speed, or from, where the steady part begins
+        #[arg(long = "set", value_name = "NAME=VALUE")]
+        set: Vec<String>,
+        /// Print the results in SI as JSON
+        #[arg(long)]
+        json: bool,
+        /// Write the rows that `archard fit` reads into this file, which must not exist
+        #[arg(short, long, value_name = "ROWS", value_hint = ValueHint::FilePath)]
+        output: Option<PathBuf>,
+    },
     /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
     Doctor,
     /// Print what completes the command line in a shell
