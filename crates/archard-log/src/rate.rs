@@ -65,7 +65,7 @@ pub fn rate(distance: &[f64], depth: &[f64], jumps: &[usize]) -> Option<Rate> {
     let bins = n.min(BINS);
     let (first, last) = (distance[0], distance[n - 1]);
     let span = last - first;
-    if !(span > 0.0) {
+    if span.is_nan() || span <= 0.0 {
         return None;
     }
     let step =

@@ -43,8 +43,11 @@ pub const ROLES: [(&str, Measure, &str); 11] = [
     ("mass", Measure::Mass, "mass deadweight masse"),
 ];
 
-/// Units that rigs leave out of their headings: titles that tell the rig, and the units of its columns by role.
-const RIGS: [(&str, &[&str], &[(&str, &str)]); 2] = [
+/// A rig, titles that tell it, and the units of its columns by role.
+type Rig = (&'static str, &'static [&'static str], &'static [(&'static str, &'static str)]);
+
+/// Units that rigs leave out of their headings.
+const RIGS: [Rig; 2] = [
     (
         "TE67",
         &["This Step", "TOTAL REVOLUTIONS", "Contact Potential"],
