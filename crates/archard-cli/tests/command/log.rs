@@ -1,4 +1,4 @@
-//! `archard log`: a log made up as a TE67 writes it, read, written as rows, and fitted.
+//! `archard log`: a log made up as a TE67 writes it, read, and written as rows.
 
 use std::fs;
 
@@ -27,7 +27,7 @@ fn made() -> String {
 }
 
 #[test]
-fn a_log_tells_rate_and_friction_and_its_rows_are_fitted() {
+fn a_log_tells_rate_and_friction_and_its_rows_are_written() {
     let dir = TempDir::new().unwrap();
     fs::write(dir.path().join("a.tsv"), made()).unwrap();
     let words = printed(&archard(&dir, &["log", "a.tsv", "-o", "rows.csv"]).success());
