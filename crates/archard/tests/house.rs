@@ -8,8 +8,15 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const CRATES: [&str; 6] =
-    ["archard", "archard-case", "archard-lab", "archard-rail", "archard-surface", "archard-cli"];
+const CRATES: [&str; 7] = [
+    "archard",
+    "archard-case",
+    "archard-lab",
+    "archard-log",
+    "archard-rail",
+    "archard-surface",
+    "archard-cli",
+];
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/house.csv");
 
 /// The columns: what is counted in each folder.
