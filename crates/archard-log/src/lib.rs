@@ -294,8 +294,10 @@ fn step(
         refused: None,
     };
     let mut part = along.first().map_or(0.0, |first| first + 0.5 * slid);
+    let mut still = false;
     if let Some((depth, chosen)) = &wear {
         let mut depth = taken(depth);
+        still = depth.windows(2).all(|pair| pair[0] == pair[1]);
         let falls = depth.last().zip(depth.first()).is_some_and(|(last, first)| last < first);
         if falls && !chosen.grows {
             depth.iter_mut().for_each(|own| *own = -*own);
@@ -304,10 +306,12 @@ fn step(
         let places: Vec<usize> = jumps.iter().map(|jump| jump.0).collect();
         step.jumps = jumps.iter().map(|(row, height)| (along[*row], *height)).collect();
         step.steady = match start {
+            _ if still => None,
             Some(start) => rate::from(start, &along, &depth, &places),
             None => rate::steady(&along, &depth, &places),
         };
-        step.second_half = rate::from(part, &along, &depth, &places);
+        step.second_half =
+            Some(()).filter(|()| !still).and_then(|()| rate::from(part, &along, &depth, &places));
         part = step.steady.map_or(part, |rate| rate.part[0]);
     }
     let later = along.partition_point(|at| *at < part);
@@ -316,17 +320,23 @@ fn step(
             taken(&mu)[later..].iter().copied().filter(|mu| mu.is_finite()).collect();
         rate::mean(&own)
     });
-    step.refused = refusal(&step, wear.as_ref().map(|wear| wear.1));
+    step.refused = refusal(&step, wear.as_ref().map(|wear| wear.1), still);
     step
 }
 
 /// Why a step has no wear coefficient.
-fn refusal(step: &Step, wear: Option<&roles::Chosen>) -> Option<String> {
+fn refusal(step: &Step, wear: Option<&roles::Chosen>, still: bool) -> Option<String> {
     let Some(wear) = wear else {
         return Some(
             "no column holds a depth of wear: name it with --column wear=\"TITLE [um]\"".into(),
         );
     };
+    if still && step.readings >= rate::FEWEST {
+        return Some(format!(
+            "all readings of `{}` are the same: the transducer read no wear",
+            wear.title
+        ));
+    }
     let Some(rate) = step.steady else {
         return Some(format!(
             "{} readings under load and in motion are too few: a rate needs {}",

@@ -98,3 +98,29 @@ fn what_cannot_be_told_is_refused_with_a_remedy() {
     assert!(matches!(read(b"1;2\n2;3\n"), Err(Error::NoHeading { line: 1, .. })));
     assert!(matches!(read(b"no\nnumbers\n"), Err(Error::NoRows { .. })));
 }
+
+/// A transducer that reads the same all the time read no wear, however small its steps are.
+#[test]
+fn readings_that_stay_the_same_are_no_rate() {
+    let mut text = "Load [N];Distance (m);Wear [um]\n".to_owned();
+    (0..200).for_each(|row| text += &format!("10;{};3\n", 0.5 * f64::from(row)));
+    let step = main_step(&text);
+    assert!(step.steady.is_none() && step.second_half.is_none());
+    assert!(step.refused.expect("a reason").contains("`Wear [um]` are the same"));
+}
+
+/// Where places go back a new step begins, and each has the rate of its own.
+#[test]
+fn places_that_jump_back_begin_a_step() {
+    let lines = |from: i32, to: i32| -> String {
+        let line = |row: i32| format!("10;{:.1};{:.4}\n", 0.5 * f64::from(row), f64::from(row));
+        (from..to).map(line).collect()
+    };
+    let text = format!("Load [N];Distance (m);Wear [um]\n{}{}", lines(0, 100), lines(40, 300));
+    let log = read(text.as_bytes()).expect("a log");
+    let long: Vec<&Step> = log.steps.iter().filter(|step| step.readings > 20).collect();
+    assert_eq!(long.len(), 2);
+    for step in long {
+        assert!((step.steady.expect("a rate").rate / 2e-6 - 1.0).abs() < 1e-3);
+    }
+}
