@@ -157,7 +157,7 @@ fn yielding(
     let body = bodies.iter().find(|body| body.hardness.is_some())?;
     let moves = !motion.stays() || motion.lever_arm() == Some(Lever::Radius);
     let what = if moves {
-        "is for surfaces that stay opposite each other, and these move"
+        "is for surfaces that stay opposite each other: what passes presses a surface in evenly, which changes no shape, so that it would yield again each time; hardening and residual stresses, by which it settles, are not computed"
     } else if friction.is_some() && motion.increments().is_some() {
         "is for bodies without friction under this motion: what slips is computed of elastic ones"
     } else if bodies.iter().any(|body| body.finite.is_some()) {
