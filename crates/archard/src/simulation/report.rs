@@ -34,7 +34,7 @@ pub struct Report<'a> {
 }
 
 impl Report<'_> {
-    /// All that the further steps of the run follow from, for [`Run::resume`].
+    /// All that the further steps of the run follow from, for [`Run::resume`](super::Run::resume).
     pub fn checkpoint(&self) -> Option<Vec<u8>> {
         self.march.map(Kept::to_bytes)
     }
