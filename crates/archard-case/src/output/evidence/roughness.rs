@@ -10,14 +10,14 @@ use archard::problem::{ContactProblem, ContactState};
 /// the surfaces themselves are rough.
 const ROUGH: f64 = 0.01;
 
-/// The largest of both along x and y relative to the largest pressure; `None` where there are no rows of five, and where
+/// The largest of both along x and y relative to the largest pressure; `None` where pairs form no rows of five, on a mesh too, and where
 /// the surfaces are rough. Rows across a tip, and across the end of a layer, are left out: the pressure is singular at the tip,
 /// and jumps with the wear law at the end of the layer.
 pub(super) fn of(problem: &ContactProblem, state: &ContactState) -> Option<f64> {
     let (frame, pressure) = (&problem.frame, &state.pressure);
     let worn_off = worn_off(problem, state);
     let peak = pressure.iter().copied().fold(0.0, f64::max);
-    if !frame.is_uniform() || peak <= 0.0 {
+    if !frame.is_grid() || peak <= 0.0 {
         return None;
     }
     let own = problem.compliance.normal_self_term() * peak;
