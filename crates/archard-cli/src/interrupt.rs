@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use archard::simulation::{Observer, Report};
-use archard_case::output::{Claim, Error};
+use archard_case::output::{Claim, Error, Life};
 
 use crate::failure::{Failure, INTERRUPTED};
 use crate::underway::Underway;
@@ -122,6 +122,14 @@ impl Watch {
         Ok(())
     }
 
+    /// How long the part of the run lasts, so far.
+    pub fn life(&self) -> Life {
+        match &*self.lock() {
+            Held::Results(results) => results.folder.life().clone(),
+            _ => Life::default(),
+        }
+    }
+
     /// Gives the results back, to be finished.
     pub fn end(&self) -> Option<Underway> {
         match std::mem::replace(&mut *self.lock(), Held::Ended) {
@@ -186,6 +194,10 @@ impl Observer for Watch {
             }
         }
         if asked { Err(Interrupted.into()) } else { Ok(()) }
+    }
+
+    fn ends(&self) -> bool {
+        matches!(&*self.lock(), Held::Results(results) if results.folder.ends())
     }
 }
 

@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::Path;
 
 use archard::simulation::{Effort, Error, Observer};
-use archard_case::output::{self, Inside, Life, Totals};
+use archard_case::output::{self, Inside, Totals};
 use archard_case::verdict::{Verdict, Warning};
 use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -118,9 +118,7 @@ fn contact(
     let mut inside =
         Inside::at(case.points.clone()).on(case.sections.clone()).keeping(arguments.store());
     let mut watching = watch.clone();
-    let mut life = Life::until(case.until.clone());
-    let observers: &mut [&mut dyn Observer] =
-        &mut [&mut watching, &mut follower, &mut inside, &mut life];
+    let observers: &mut [&mut dyn Observer] = &mut [&mut watching, &mut follower, &mut inside];
     let outcome = match kept {
         None => simulation.run(observers),
         Some(run) => simulation.resume(&run, observers),
@@ -130,6 +128,7 @@ fn contact(
         written.map_err(|error| Failure::wrong(error.to_string()))?;
         Ok(effort)
     });
+    let life = watch.life();
     let (totals, judged, effort) = finish(watch, outcome)?;
     let page = match arguments.report {
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),

@@ -47,9 +47,9 @@ pub struct Fitted {
 }
 
 /// Iterations of a fit; the last changes are far below any reading then.
-const ITERATIONS: usize = 60;
+pub(super) const ITERATIONS: usize = 60;
 /// Largest change of log k at once.
-const STRIDE: f64 = 1.0;
+pub(super) const STRIDE: f64 = 1.0;
 /// Sum of squares of the slopes below which readings do not tell k: a change of k by a factor of e is one of 1 % then.
 pub(super) const FLAT: f64 = 1e-4;
 

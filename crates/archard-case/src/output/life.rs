@@ -138,7 +138,7 @@ impl Life {
         });
         let first = places.min_by(|one, other| one.1.total_cmp(&other.1));
         self.reached = first.map(|(limit, place, error)| {
-            let distance = Some(motion.slip(place)).filter(|slip| *slip > 0.0);
+            let distance = motion.sliding_distance(place);
             let time = match motion.progress {
                 Progress::TIME => Some(place),
                 _ => distance.zip(motion.sliding_speed()).map(|(slip, speed)| slip / speed),

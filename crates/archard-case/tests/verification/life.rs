@@ -74,3 +74,17 @@ fn cases_have_limits() {
     let again = CaseFile::from_text("case", resolved.case.to_string(), ".");
     assert_eq!(again.resolve().expect("a case").case.until, resolved.case.until);
 }
+
+/// Where bodies turn, a pair slides by its distance from the axis: a life is in revolutions, and there is no one distance.
+#[test]
+fn bodies_that_turn_slide_no_one_distance() {
+    let text = "frame = { size = [\"1.4 mm\", \"1.4 mm\"], elements = [28, 28] }
+        body.pin = { rigid = true, profile.sphere.radius = \"50 mm\" }
+        body.disc = { material = { young = \"210 GPa\", poisson = 0.3 }, profile.flat = {}, wear.archard.coefficient = \"1e-13 1/Pa\" }
+        motion.rotation = { load = \"20 N\", revolutions = 10, tolerance = 0.01 }";
+    let limit = Limit { column: "worn_volume_disc_m3".to_owned(), value: 1e-14 };
+    let mut life = Life::until(vec![limit]);
+    case(text, &[]).run(&mut [&mut life]).expect("a run");
+    let reached = life.reached().expect("the limit");
+    assert!(reached.progress > 0.0 && reached.distance.is_none() && reached.time.is_none());
+}

@@ -1,10 +1,9 @@
-//! Small symmetric matrices and their powers, by Jacobi's rotations.
+//! Small symmetric matrices and their powers.
+
+use faer::{Mat, Side};
 
 /// Rows of a square matrix.
 pub type Matrix = Vec<Vec<f64>>;
-
-/// Sweeps of rotations: each squares what is left beside the diagonal.
-const SWEEPS: usize = 30;
 
 /// A matrix of zeros.
 pub fn zeros(size: usize) -> Matrix {
@@ -41,40 +40,13 @@ pub fn add_square(matrix: &mut Matrix, column: &[f64], times: f64) {
     }
 }
 
-/// The eigenvalues of a symmetric matrix with their vectors of length one, the least first.
+/// The eigenvalues of a symmetric matrix with their vectors of length one, the least first; none of one that is not finite.
 pub fn eigen(matrix: &Matrix) -> Vec<(f64, Vec<f64>)> {
     let size = matrix.len();
-    let mut a = matrix.clone();
-    // Rows are the vectors.
-    let mut vectors = zeros(size);
-    (0..size).for_each(|i| vectors[i][i] = 1.0);
-    for _ in 0..SWEEPS {
-        for p in 0..size {
-            for q in p + 1..size {
-                if a[p][q] == 0.0 {
-                    continue;
-                }
-                let half = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);
-                let t = half.signum() / (half.abs() + half.hypot(1.0));
-                let c = 1.0 / t.hypot(1.0);
-                let s = t * c;
-                let turned = |[x, y]: [f64; 2]| [c * x - s * y, s * x + c * y];
-                for row in &mut a {
-                    [row[p], row[q]] = turned([row[p], row[q]]);
-                }
-                for rows in [&mut a, &mut vectors] {
-                    let (before, from) = rows.split_at_mut(q);
-                    for (x, y) in before[p].iter_mut().zip(&mut from[0]) {
-                        [*x, *y] = turned([*x, *y]);
-                    }
-                }
-            }
-        }
-    }
-    let mut all: Vec<(f64, Vec<f64>)> =
-        vectors.into_iter().enumerate().map(|(i, vector)| (a[i][i], vector)).collect();
-    all.sort_by(|one, other| one.0.total_cmp(&other.0));
-    all
+    let whole = Mat::from_fn(size, size, |i, j| matrix[i][j]);
+    let Ok(found) = whole.self_adjoint_eigen(Side::Lower) else { return vec![] };
+    let (values, vectors) = (found.S().column_vector(), found.U());
+    (0..size).map(|j| (values[j], (0..size).map(|i| vectors[(i, j)]).collect())).collect()
 }
 
 /// A power of a symmetric matrix without negative eigenvalues; those below a share of the largest one count for nothing.

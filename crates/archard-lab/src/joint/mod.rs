@@ -11,14 +11,10 @@ mod robust;
 mod tests;
 mod worth;
 
-use super::within::{FLAT, Test};
+use super::within::{FLAT, ITERATIONS, STRIDE, Test};
 use matrix::{Matrix, dot, eigen, plus, times, zeros};
 use mixed::{Fitted, Rows, Variances, variances};
 
-/// Iterations of least squares, and of the tests' own coefficients.
-const ITERATIONS: usize = 60;
-/// Largest change of a logarithm at once.
-const STRIDE: f64 = 1.0;
 /// Factor by which steps are held back where they lead nowhere, and less where they do.
 const HOLD: f64 = 10.0;
 /// Rounds of variances, and change of the logarithms in one at which they have settled: relative to their standard uncertainties,

@@ -2,6 +2,7 @@
 //!
 //! A new motion is one file here and one line in [`MOTIONS`].
 
+mod columns;
 mod creepage_sweep;
 mod drives;
 mod fretting;
@@ -232,6 +233,11 @@ impl Motion {
     /// [lever](Self::lever); zero where friction decides it.
     pub fn slip(&self, advance: f64) -> f64 {
         if let Slip::Given(each, _) = self.slip { each * advance } else { 0.0 }
+    }
+
+    /// Distance (m) slid up to some progress (the motion's unit), where all pairs slide by one; `None` where they do not.
+    pub fn sliding_distance(&self, progress: f64) -> Option<f64> {
+        (self.lever_arm() == Some(Lever::Even)).then(|| self.slip(progress))
     }
 
     /// Lever (1, or in m where bodies turn) of the [slip](Self::slip) at a place (m).

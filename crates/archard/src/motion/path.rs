@@ -1,5 +1,6 @@
 //! Loads and displacements as a table gives them over time.
 
+use super::columns::{Columns, wrong};
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE, Shift, Station};
 use super::{
     Control, Drive, INCREMENTS, MOST_INCREMENTS, Motion, Planned, Progress, Schedule, counted,
@@ -143,41 +144,18 @@ const LEAD: usize = 20;
 
 /// The path of the columns of a file.
 fn read(columns: &[(String, Vec<f64>)]) -> Result<Path, Invalid> {
-    let known: Vec<&str> = COLUMNS.iter().map(|(name, _)| *name).collect();
-    if let Some((name, _)) = columns.iter().find(|(name, _)| !known.contains(&name.as_str())) {
-        let known = known.join(", ");
-        return Err(wrong(format!("the column `{name}` is not known; known here: {known}")));
-    }
-    let column =
-        |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
-    let either = |one: &'static str, other: &'static str| match (column(one), column(other)) {
-        (Some(_), Some(_)) => {
-            Err(wrong(format!("the columns `{one}` and `{other}` exclude each other: keep one")))
-        }
-        given => Ok(given),
-    };
-    let times = column("time").ok_or_else(|| wrong("the column `time_s` is missing"))?;
-    let pressed = either("load", "approach")?;
-    if pressed == (None, None) {
-        return Err(wrong("one of the columns `load_N` and `approach_um` is needed"));
-    }
-    let guided = [either("shift_x", "force_x")?, either("shift_y", "force_y")?];
-    let control = |line: usize| match pressed {
-        (Some(load), _) => Control::Load(load[line]),
-        (None, approach) => Control::Approach(approach.map_or(0.0, |values| values[line])),
-    };
-    let guide = |line: usize, (shift, force): (Option<&[f64]>, Option<&[f64]>)| match force {
+    let columns = Columns::known(columns, COLUMNS)?;
+    let times = columns.need("time", "time_s")?;
+    let controls = columns.controls()?;
+    let guided = [columns.either(["shift_x", "force_x"])?, columns.either(["shift_y", "force_y"])?];
+    let guide = |line: usize, [shift, force]: [Option<&[f64]>; 2]| match force {
         Some(force) => Drive::Force(force[line]),
         None => Drive::Slip(shift.map_or(0.0, |shift| shift[line])),
     };
     let station = |(line, &time): (usize, &f64)| {
-        (time, Station { control: control(line), guides: guided.map(|one| guide(line, one)) })
+        (time, Station { control: controls[line], guides: guided.map(|one| guide(line, one)) })
     };
     Path::new(&times.iter().enumerate().map(station).collect::<Vec<_>>())
-}
-
-fn wrong(message: impl Into<String>) -> Invalid {
-    Invalid::new("file", message)
 }
 
 /// A station between two of the same kind.

@@ -8,6 +8,7 @@
 //! Stations are joined by straight lines, gone through at one speed each, and the last one by the first. Velocities follow from the
 //! offsets: given as well, they say whether units and signs are those that were meant.
 
+use super::columns::{Columns, wrong};
 use super::shift::{CYCLE_COUNT, Cycles, JUMP, JUMP_TOLERANCE};
 use super::{
     Control, Lever, MOST_INCREMENTS, Motion, Passage, Planned, Progress, Schedule, Sequence, Slip,
@@ -183,25 +184,10 @@ impl Table {
 
 /// The stations in the columns of a file.
 fn read(columns: &[(String, Vec<f64>)]) -> Result<Vec<Row>, Invalid> {
-    let known: Vec<&str> = COLUMNS.iter().map(|(name, _)| *name).collect();
-    if let Some((name, _)) = columns.iter().find(|(name, _)| !known.contains(&name.as_str())) {
-        let known = known.join(", ");
-        return Err(wrong(format!("the column `{name}` is not known; known here: {known}")));
-    }
-    let column =
-        |name: &str| columns.iter().find(|known| known.0 == name).map(|known| &known.1[..]);
-    let durations =
-        column("duration").ok_or_else(|| wrong("the column `duration_s` is missing"))?;
-    let controls: Vec<Control> = match (column("load"), column("approach")) {
-        (Some(_), Some(_)) => {
-            return Err(wrong("the columns `load` and `approach` exclude each other: keep one"));
-        }
-        (None, None) => {
-            return Err(wrong("one of the columns `load_N` and `approach_um` is needed"));
-        }
-        (Some(loads), None) => loads.iter().copied().map(Control::Load).collect(),
-        (None, Some(approaches)) => approaches.iter().copied().map(Control::Approach).collect(),
-    };
+    let columns = Columns::known(columns, COLUMNS)?;
+    let durations = columns.need("duration", "duration_s")?;
+    let controls = columns.controls()?;
+    let column = |name: &str| columns.get(name);
     for name in ["turn_one", "turn_two"] {
         let turns = column(name).unwrap_or_default();
         if turns.iter().any(|turn| *turn != turns[0]) {
@@ -250,10 +236,6 @@ fn agree(rows: &[Row], (body, axis): (usize, usize), velocities: &[f64]) -> Resu
         }
     }
     Ok(())
-}
-
-fn wrong(message: impl Into<String>) -> Invalid {
-    Invalid::new("file", message)
 }
 
 #[cfg(test)]

@@ -93,7 +93,7 @@ impl<'a> Collector<'a> {
                 .rubbing(state.pressure[pair], distance.at(pair), heading)
                 .gripping(grip.at(pair))
                 .at_temperature(warm.as_ref().map_or(0.0, |warm| warm[pair]));
-            speed.flatten().map_or(rubbing, |speed| rubbing.at_speed(speed))
+            speed.map_or(rubbing, |speed| rubbing.at_speed(speed))
         }
     }
 

@@ -23,7 +23,7 @@ pub(super) struct Position {
     /// What is prescribed there; where there is nothing, what the step prescribes.
     pub control: Option<Control>,
     /// Along which direction body 2 slides over body 1, and how fast (m/s); as the motion says where there is nothing.
-    pub heading: Option<([f64; 2], Option<f64>)>,
+    pub heading: Option<([f64; 2], f64)>,
 }
 
 impl Position {

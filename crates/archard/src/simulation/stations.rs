@@ -57,7 +57,7 @@ impl<'a> Stations<'a> {
         Some(Position {
             ways: [0, 1].map(|body| spread(places, body, shares, offsets[body])),
             control: Some(rows[row].control),
-            heading: Some((heading, Some(length / time))),
+            heading: Some((heading, length / time)),
             ..Position::at(offsets, cycles * length)
         })
     }

@@ -3,7 +3,7 @@
 use super::Parts;
 use crate::case::key::Key;
 use crate::case::problem::Problem;
-use archard::motion::Lever;
+use archard::motion::{Lever, Table};
 use archard::simulation::line_of_contact;
 
 /// What is wrong with a line of contact; or with what says that there is one.
@@ -35,6 +35,12 @@ fn across(parts: &Parts<'_>) -> Option<Problem> {
         let message = "the line of contact lies along y: surfaces swing along x";
         let key = Key::of(["motion", parts.case.motion.choice.name, "amplitude"]);
         return Some(Problem::error(key, message));
+    }
+    let crosses =
+        |table: &Table| (0..2).any(|body| table.reach(body, 1)[0] < table.reach(body, 1)[1]);
+    if parts.motion.table().is_some_and(crosses) {
+        let message = "the line of contact lies along y: offsets change along x";
+        return Some(Problem::error(Key::of(["motion", "table", "file"]), message));
     }
     if parts.motion.lever_arm() == Some(Lever::Radius) {
         let message = "bodies turn about a point, and a line of contact has none";

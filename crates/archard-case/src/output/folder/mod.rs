@@ -181,6 +181,11 @@ impl ResultFolder {
         self.keep(report, true)
     }
 
+    /// Where a limit was reached, so far.
+    pub fn life(&self) -> &Life {
+        &self.life
+    }
+
     /// Time the run took before it was interrupted (s).
     pub fn seconds_before(&self) -> f64 {
         self.before
