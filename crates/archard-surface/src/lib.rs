@@ -29,6 +29,7 @@ mod means;
 mod outliers;
 mod plausible;
 mod prepare;
+pub mod scar;
 mod spectrum;
 mod texture;
 

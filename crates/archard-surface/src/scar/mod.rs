@@ -1,0 +1,191 @@
+//! The scar on a measured profile, held against a computed one.
+//!
+//! [`Scar::find`] finds where the scar lies, the line that the surface lay on, and how far the wear has gone, together: by generalised least
+//! squares whose errors are white noise with outliers, texture, and a misfit of the model as a share of its own depth.
+//!
+//! 1. readings are averaged over blocks, without their spikes (`blocks`);
+//! 2. robust least squares at all shifts find the place (`place`);
+//! 3. variances, place and weights are found by the restricted likelihood (`settle`, `model`); debris next to the scar is left out;
+//! 4. section, depth and width are those of the readings under the level found; the model has a part in the level alone (`worn`).
+//!
+//! The level is that of what lies next to the scar, as far as that tells it: where less was measured than the length over which the surface
+//! is alike, the profile is refused. Calibration of the instrument is in no uncertainty.
+
+mod blocks;
+mod model;
+mod place;
+mod refusal;
+mod settle;
+mod shape;
+mod worn;
+
+#[cfg(test)]
+mod tests;
+
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use blocks::Blocks;
+use model::Model;
+use settle::Settled;
+use worn::Worn;
+
+pub use refusal::NoScar;
+pub use shape::Shape;
+
+/// Degrees of freedom of Student's t of the readings (K. L. Lange and others, *J. Amer. Statist. Assoc.* 84 (1989) 881).
+const FREEDOM: f64 = 4.0;
+/// Fewest readings: five numbers and four variances are found, each by two at least.
+const FEWEST: usize = 18;
+/// Most of the section that may not have been measured.
+const UNSEEN: f64 = 0.2;
+/// Uncertainty by what lies next to the scar alone, over that by all, beyond which the shape of the model is the level.
+const LEANING: f64 = 3.0;
+/// Correlation of growth and height beyond which one stands for the other: nine tenths of the variance are common at 0.95, four fifths at 0.9.
+const ALIKE: f64 = 0.9;
+/// Growths of the section that a model is good for: between its fifth and five times.
+const GROWN: [f64; 2] = [0.2, 5.0];
+
+/// A value with its uncertainty, in its own unit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value.
+    pub value: f64,
+    /// Its standard uncertainty.
+    pub standard: f64,
+    /// Half of its 95 % interval, by Student's t.
+    pub expanded: f64,
+}
+
+/// A scar on a profile.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scar {
+    /// Where the middle of the contact lies on the profile (m).
+    pub place: Estimate,
+    /// Height (m) of the unworn body's apex on the profile, at its place.
+    pub height: f64,
+    /// Tilt of the profile.
+    pub tilt: f64,
+    /// The section of the computed shape that fits the readings best, over that of the shape given.
+    pub grown: Estimate,
+    /// Worn section (m^2) by the readings.
+    pub section: Estimate,
+    /// The part of it (m^2) that lies beyond the profile and is that of the model.
+    pub unseen: f64,
+    /// Depth (m) of the parabola through the middle half of the scar; `None` where too little of it was measured.
+    pub depth: Option<Estimate>,
+    /// Width (m) at a twentieth of the depth; `None` where one edge was not measured.
+    pub width: Option<Estimate>,
+    /// From where to where the computed scar reaches (m), on the profile.
+    pub extent: [f64; 2],
+    /// Standard deviation (m) of white noise of a block of readings, and of texture.
+    pub noise: f64,
+    /// Standard deviation of texture (m).
+    pub texture: f64,
+    /// Standard deviation of the misfit of the computed shape, as a share of its depth.
+    pub misfit: f64,
+    /// Length (m) over which noise and texture are alike.
+    pub length: f64,
+    /// Independent lengths beside the scar, less one: the degrees of freedom of the intervals.
+    pub freedom: f64,
+    /// Readings in all, and how many of them are spikes.
+    pub readings: usize,
+    /// Readings that are spikes.
+    pub spikes: usize,
+    /// Share of the profile that is debris or pile-up next to the scar.
+    pub debris: f64,
+}
+
+impl Scar {
+    /// The scar on readings, places and heights out of the material (m), of a body with a height (m) at each place from the middle of the
+    /// contact, held against a computed shape.
+    ///
+    /// # Errors
+    /// If no scar of such a shape stands out, or what lies next to it does not tell its level.
+    pub fn find(
+        readings: &[[f64; 2]],
+        nominal: &dyn Fn(f64) -> f64,
+        shape: &Shape,
+    ) -> Result<Self, NoScar> {
+        let blocks = Blocks::of(readings);
+        if blocks.len() < FEWEST || blocks.span() <= 0.0 {
+            return Err(NoScar::Few { readings: blocks.readings, least: FEWEST });
+        }
+        let model = Model::new(&blocks, nominal, shape);
+        let settled = Settled::of(&model).ok_or(NoScar::Nothing)?;
+        let worn = Worn::of(&model, &settled);
+        let ((section, of_section), unseen, through) = worn.section();
+        let Settled { shift, grown, scatter, gls, .. } = &settled;
+        let deviation = |i: usize| gls.uncertain[(i, i)].sqrt();
+        let alike = scatter.alike(blocks.step());
+        if settled.hidden {
+            let (texture, deepest) = (scatter.texture, shape.deepest());
+            return Err(NoScar::Hidden { texture, deepest });
+        }
+        if unseen > UNSEEN * section {
+            return Err(NoScar::Unseen { share: unseen / section });
+        }
+        let correlation = gls.uncertain[(0, 2)] / deviation(0) / deviation(2);
+        let leaning = worn.leaning((of_section, through));
+        if leaning.is_none_or(|own| own > LEANING) || correlation.abs() > ALIKE {
+            return Err(NoScar::Unlevelled { length: alike });
+        }
+        if !(GROWN[0]..=GROWN[1]).contains(grown) {
+            return Err(NoScar::OtherSize { grown: *grown });
+        }
+        let debris = settled.debris.iter().filter(|own| **own).count() as f64 / blocks.len() as f64;
+        let [low, high] = shape.extent(*grown).map(|place| place + shift);
+        let beside = blocks.span() * (1.0 - debris) - (high - low);
+        let freedom = (beside / alike - 1.0).max(1.0);
+        let factor =
+            StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |own| own.inverse_cdf(0.975));
+        let estimate = |(value, standard): (f64, f64)| Estimate {
+            value,
+            standard,
+            expanded: factor * standard,
+        };
+        let depth = worn.depth();
+        let width = depth.as_ref().and_then(|(found, weights)| worn.width((found.0, weights)));
+        let middle = blocks.places.iter().sum::<f64>() / blocks.len() as f64;
+        let tilt = settled.level[1] / blocks.span();
+        Ok(Self {
+            place: estimate((*shift, deviation(3))),
+            height: settled.level[0] + tilt * (shift - middle),
+            tilt,
+            grown: estimate((*grown, deviation(2))),
+            section: estimate((section, of_section)),
+            unseen,
+            depth: depth.map(|own| estimate(own.0)),
+            width: width.map(estimate),
+            extent: [low, high],
+            noise: scatter.noise,
+            texture: scatter.texture,
+            misfit: scatter.misfit,
+            length: alike,
+            freedom,
+            readings: blocks.readings,
+            spikes: blocks.spikes,
+            debris,
+        })
+    }
+
+    /// What is worn off (m) at a reading, and its place from the middle of the contact (m).
+    pub fn depth_at(&self, [place, height]: [f64; 2], nominal: &dyn Fn(f64) -> f64) -> [f64; 2] {
+        let from = place - self.place.value;
+        [from, nominal(from) + self.height + self.tilt * from - height]
+    }
+}
+
+/// Depth (m) of the parabola through the middle half of a computed shape, and its width (m) at a twentieth of that, as [`Scar`] has those of
+/// readings; `None` of a shape with too few points.
+pub fn depth_and_width(shape: &Shape) -> Option<[f64; 2]> {
+    let [low, high] = shape.extent(1.0);
+    let (middle, quarter) = (0.5 * (low + high), 0.25 * (high - low));
+    // As close as the blocks of a profile may be: points of a shape may be few.
+    let places: Vec<f64> =
+        (-400..=400).map(|i| middle + 3.0 * quarter * f64::from(i) / 400.0).collect();
+    let depths: Vec<f64> = places.iter().map(|place| shape.worn(*place, 1.0)).collect();
+    let weights = worn::deepest(&places, &depths, [middle - quarter, middle + quarter])?;
+    let depth = model::dot(&weights, &depths);
+    let [low, high] = worn::edges(&places, &depths, worn::EDGE * depth)?;
+    Some([depth, high.0 - low.0])
+}

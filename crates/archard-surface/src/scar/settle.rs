@@ -1,0 +1,230 @@
+//! Place, variances and weights of a profile together: the variances and the place by the restricted likelihood, the weights by expectation.
+
+use std::f64::consts::{LN_2, SQRT_2};
+
+use argmin::core::{CostFunction, Error, Executor, State};
+use argmin::solver::neldermead::NelderMead;
+use statrs::function::erf::erfc_inv;
+
+use super::FREEDOM;
+use super::model::{Gls, LINEAR, Model, Scatter};
+use super::place::{self, GROWN};
+use crate::outliers::{BY_MEDIAN, median};
+/// The misfit of Archard's law to measured scars, as a share of their depth: their closed forms met four of them within 1 to 6 %. The
+/// logarithm of the misfit is normal about that of this, with a deviation of one.
+const MISFIT: f64 = 0.05;
+/// Least misfit: below it the section is that of the readings to a digit more than they have.
+const LEAST_MISFIT: f64 = 1e-3;
+/// The longest length over which errors are alike, over the width: longer ones are those of the form that is sought, of which a parabola has
+/// three turns.
+const LONGEST: f64 = 1.0 / 6.0;
+/// Texture, over the depth, beyond which no scar stands out: a depth of ten deviations is none of its.
+const MOST_TEXTURE: f64 = 0.1;
+/// Noise below this share of the depth is lost where a covariance is inverted in double precision.
+const LEAST_NOISE: f64 = 1e-7;
+/// Rounds of variances and weights: from the fourth on places change by less than a tenth of their uncertainty.
+const ROUNDS: usize = 4;
+/// Steps of the search for variances: a simplex of five numbers moves all of its corners in six.
+const STEPS: u64 = 120;
+/// Differences of the logarithm of a likelihood below this are none: one half is a standard deviation.
+const STILL: f64 = 0.01;
+/// The weight of a reading that is debris.
+const NONE: f64 = 1e-4;
+/// Neighbours that rise together where there is debris.
+const DEBRIS: usize = 3;
+
+/// A profile held against a model.
+pub(super) struct Settled {
+    pub shift: f64,
+    pub grown: f64,
+    pub scatter: Scatter,
+    pub weights: Vec<f64>,
+    /// Readings that are debris or pile-up.
+    pub debris: Vec<bool>,
+    /// Height (m) and tilt over the profile (m) of the line that heights lie on.
+    pub level: [f64; 2],
+    /// What is left of the heights (m).
+    pub residuals: Vec<f64>,
+    /// The fit of height, tilt, growth and place.
+    pub gls: Gls,
+    /// Whether texture is as large as it may be.
+    pub hidden: bool,
+}
+
+/// Noise, texture, misfit, and the length over which the last two are alike.
+const VARIANCES: usize = 4;
+
+/// Bounds of the logarithms of variances and lengths.
+struct Bounds {
+    low: [f64; VARIANCES],
+    high: [f64; VARIANCES],
+}
+
+/// The restricted likelihood of a place and of variances.
+struct Likelihood<'a> {
+    model: &'a Model<'a>,
+    bounds: &'a Bounds,
+    weights: &'a [f64],
+    shift: f64,
+    grown: f64,
+}
+
+impl Bounds {
+    fn within(&self, logarithms: &[f64]) -> [f64; VARIANCES] {
+        std::array::from_fn(|i| logarithms[i].clamp(self.low[i], self.high[i]))
+    }
+}
+
+impl Likelihood<'_> {
+    /// The place that numbers stand for.
+    fn shift(&self, numbers: &[f64]) -> f64 {
+        self.shift + numbers[VARIANCES] * self.model.shape.width()
+    }
+
+    /// The fit with these numbers.
+    fn fit(&self, numbers: &[f64]) -> Option<Gls> {
+        let shift = self.shift(numbers);
+        let (columns, heights) = self.model.linear(shift, self.grown);
+        let scatter = Scatter::of(self.bounds.within(numbers));
+        let worn = self.model.worn(shift, self.grown);
+        Gls::of(self.model.covariance(scatter, self.weights, &worn)?, &columns, &heights)
+    }
+}
+
+impl Scatter {
+    fn of(logarithms: [f64; VARIANCES]) -> Self {
+        let [noise, texture, misfit, length] = logarithms.map(f64::exp);
+        Self { noise, texture, misfit, length }
+    }
+}
+
+impl CostFunction for Likelihood<'_> {
+    type Param = Vec<f64>;
+    type Output = f64;
+
+    fn cost(&self, numbers: &Self::Param) -> Result<f64, Error> {
+        let within = self.bounds.within(numbers);
+        // A way back from beyond the bounds.
+        let beyond: f64 =
+            within.iter().zip(numbers).map(|(own, number)| (number - own).powi(2)).sum();
+        let prior = 0.5 * (within[2] - MISFIT.ln()).powi(2);
+        let likelihood = self.fit(numbers).map_or(-1e12, |fit| fit.likelihood);
+        Ok(10.0 * beyond + prior - likelihood)
+    }
+}
+
+impl Settled {
+    /// Of a model; `None` where the readings ask for no scar of its kind anywhere.
+    pub fn of(model: &Model<'_>) -> Option<Self> {
+        let blocks = model.blocks;
+        let (width, deepest) = (model.shape.width(), model.shape.deepest());
+        let floor = blocks.rounding.max(LEAST_NOISE * deepest);
+        let noise = white(&blocks.heights).max(floor);
+        let (mut shift, mut grown) = place::roughly(model, noise)?;
+        let most_texture = MOST_TEXTURE * deepest * grown.max(0.3);
+        let shortest = 1.5 * blocks.step();
+        let longest = (LONGEST * width).max(2.0 * shortest);
+        let bounds = Bounds {
+            low: [floor, floor, LEAST_MISFIT, shortest].map(f64::ln),
+            high: [deepest, most_texture, 1.0, longest].map(f64::ln),
+        };
+        let mut logarithms = bounds.within(&[noise, noise, MISFIT, 0.05 * width].map(f64::ln));
+        let mut weights = vec![1.0; blocks.len()];
+        let mut debris = vec![false; blocks.len()];
+        let mut last = None;
+        for round in 0..ROUNDS {
+            let likelihood = Likelihood { model, bounds: &bounds, weights: &weights, shift, grown };
+            let near = 0.02 / (1 + round) as f64;
+            let found = likelihood.greatest(&logarithms, near)?;
+            logarithms = bounds.within(&found);
+            shift = likelihood.shift(&found);
+            let gls = likelihood.fit(&found)?;
+            grown = gls.numbers[LINEAR - 1].clamp(GROWN[0], GROWN[1]);
+            let scatter = Scatter::of(logarithms);
+            weights = expected(&gls, scatter.noise, &weights);
+            settle_debris(&mut debris, (&gls.residuals, floor), &model.worn(shift, grown));
+            (weights.iter_mut().zip(&debris)).filter(|own| *own.1).for_each(|own| *own.0 = NONE);
+            last = Some(scatter);
+        }
+        let scatter = last?;
+        let (columns, heights) = model.linear(shift, grown);
+        let worn = model.worn(shift, grown);
+        let settled = Gls::of(model.covariance(scatter, &weights, &worn)?, &columns, &heights)?;
+        let level = [settled.numbers[0], settled.numbers[1]];
+        let mut columns = columns;
+        columns.push(model.by_place((shift, grown), model.near()));
+        let gls = Gls::of(settled.covariance, &columns, &heights)?;
+        let hidden = scatter.texture > 0.95 * most_texture;
+        let residuals = settled.residuals;
+        Some(Self { shift, grown, scatter, weights, debris, level, residuals, gls, hidden })
+    }
+}
+
+impl Likelihood<'_> {
+    /// The numbers at which it is greatest, by J. A. Nelder's and R. Mead's simplex, from one around logarithms of variances and a place.
+    fn greatest(&self, logarithms: &[f64; VARIANCES], near: f64) -> Option<Vec<f64>> {
+        // A factor of two each way for variances.
+        let reach = [LN_2; VARIANCES].into_iter().chain([near]);
+        let start: Vec<f64> = logarithms.iter().copied().chain([0.0]).collect();
+        let corner = |(at, reach): (usize, f64)| {
+            let mut corner = start.clone();
+            corner[at] += reach;
+            corner
+        };
+        let corners: Vec<Vec<f64>> =
+            [start.clone()].into_iter().chain(reach.enumerate().map(corner)).collect();
+        let solver = NelderMead::new(corners).with_sd_tolerance(STILL).ok()?;
+        let own =
+            Likelihood { model: self.model, bounds: self.bounds, weights: self.weights, ..*self };
+        let ended =
+            Executor::new(own, solver).configure(|state| state.max_iters(STEPS)).run().ok()?;
+        ended.state().get_best_param().cloned()
+    }
+}
+
+/// The weights of readings that the white part of what is left of them asks for (K. L. Lange and others, *J. Amer. Statist. Assoc.* 84 (1989) 881).
+fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
+    let solved = gls.covariance.solve(&gls.residuals);
+    let diagonal = gls.covariance.inverse_diagonal();
+    let variance = noise * noise;
+    let weight = |at: usize| {
+        let own = variance / weights[at];
+        let error = own * solved[at];
+        let left = (own - own * own * diagonal[at]).max(0.0);
+        (FREEDOM + 1.0) / (FREEDOM + (error * error + left) / variance)
+    };
+    (0..weights.len()).map(weight).collect()
+}
+
+/// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours that lie off together by more than texture there.
+fn settle_debris(debris: &mut [bool], (residuals, floor): (&[f64], f64), worn: &[f64]) {
+    let beside: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
+    // Fewer do not tell a median from what lies on top.
+    if beside.len() <= 4 * DEBRIS {
+        return;
+    }
+    let mut own: Vec<f64> = beside.iter().map(|&at| residuals[at]).collect();
+    let middle = median(&mut own).unwrap_or(0.0);
+    let mut sizes: Vec<f64> = beside.iter().map(|&at| (residuals[at] - middle).abs()).collect();
+    let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(floor);
+    let bound = SQRT_2 * erfc_inv(0.5 / residuals.len() as f64) * spread;
+    for at in 1..residuals.len() - 1 {
+        let mean = residuals[at - 1..=at + 1].iter().sum::<f64>() / DEBRIS as f64 - middle;
+        if worn[at] <= 0.0 && mean.abs() > bound {
+            debris[at - 1..=at + 1].fill(true);
+        }
+    }
+    // Within the scar it is wear.
+    let on = |at: usize| worn.get(at).is_some_and(|own| *own <= 0.0);
+    for (at, debris) in debris.iter_mut().enumerate() {
+        *debris &= on(at) || at >= 2 && on(at - 2) || on(at + 2);
+    }
+}
+
+/// The standard deviation of white noise in values, by their differences.
+fn white(values: &[f64]) -> f64 {
+    let steps: Vec<f64> = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    let middle = median(&mut steps.clone()).unwrap_or(0.0);
+    let mut sizes: Vec<f64> = steps.iter().map(|own| (own - middle).abs()).collect();
+    BY_MEDIAN * median(&mut sizes).unwrap_or(0.0) / SQRT_2
+}

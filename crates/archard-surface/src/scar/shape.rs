@@ -1,0 +1,155 @@
+//! The worn section that a model computes, and how it grows.
+
+use crate::outliers::median;
+
+/// Depths below this share of the greatest are no wear: a profilometer does not see them, and a computed section ends there.
+const LEAST: f64 = 1e-3;
+
+/// A computed worn section: depths along a line, and how they grow with the section.
+///
+/// Worn twice as much, a section of the same kind is 2^p times as deep and 2^(1-p) times as wide: p is 1 of a contact whose width stays, 2/3
+/// of a ring on a block.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shape {
+    places: Vec<f64>,
+    worn: Vec<f64>,
+    deepening: f64,
+    extent: [f64; 2],
+}
+
+impl Shape {
+    /// Of depths (m) at rising places (m) from the middle of the contact, and the exponent by which the greatest depth grows with the
+    /// section. `None` if nothing is worn, or the numbers are no section.
+    pub fn new(places: Vec<f64>, worn: Vec<f64>, deepening: f64) -> Option<Self> {
+        let rising = places.windows(2).all(|pair| pair[0] < pair[1]);
+        let most = worn.iter().copied().fold(0.0, f64::max);
+        let finite = places.iter().chain(&worn).chain([&deepening]).all(|own| own.is_finite());
+        if places.len() != worn.len() || !rising || !finite || most <= 0.0 {
+            return None;
+        }
+        let least = LEAST * most;
+        let worn: Vec<f64> =
+            worn.into_iter().map(|own| if own > least { own } else { 0.0 }).collect();
+        let first = worn.iter().position(|own| *own > 0.0)?;
+        let last = worn.iter().rposition(|own| *own > 0.0)?;
+        // Depths fall to zero over the step beyond the last one.
+        let ends = [first.saturating_sub(1), (last + 1).min(places.len() - 1)];
+        let extent = ends.map(|at| places[at]);
+        (extent[0] < extent[1]).then(|| Self {
+            deepening: deepening.clamp(0.0, 1.0),
+            places,
+            worn,
+            extent,
+        })
+    }
+
+    /// The exponent at which depths grow, of greatest depths at rising sections: that between half of the last section and the last.
+    /// One where there is nothing to tell it.
+    pub fn deepening(sections: &[f64], depths: &[f64]) -> f64 {
+        let Some((last, deepest)) = sections.last().zip(depths.last()).filter(|own| *own.0 > 0.0)
+        else {
+            return 1.0;
+        };
+        let exponents = sections
+            .iter()
+            .zip(depths)
+            .filter(|(own, depth)| **depth > 0.0 && (0.4..0.8).contains(&(*own / last)));
+        let mut all: Vec<f64> =
+            exponents.map(|(own, depth)| (deepest / depth).ln() / (last / own).ln()).collect();
+        median(&mut all).unwrap_or(1.0).clamp(0.0, 1.0)
+    }
+
+    /// Factors of widths and depths where the section has grown by a factor.
+    fn factors(&self, grown: f64) -> [f64; 2] {
+        [grown.powf(1.0 - self.deepening), grown.powf(self.deepening)]
+    }
+
+    /// What is worn off (m) at a place (m) where the section has grown by a factor.
+    pub fn worn(&self, place: f64, grown: f64) -> f64 {
+        let [wide, deep] = self.factors(grown);
+        let place = place / wide;
+        let next = self.places.partition_point(|known| *known < place);
+        if next == 0 || next == self.places.len() {
+            return 0.0;
+        }
+        let [from, to] = [self.places[next - 1], self.places[next]];
+        let share = (place - from) / (to - from);
+        deep * (self.worn[next - 1] + share * (self.worn[next] - self.worn[next - 1]))
+    }
+
+    /// From where to where it is worn (m) where the section has grown by a factor.
+    pub fn extent(&self, grown: f64) -> [f64; 2] {
+        self.extent.map(|place| place * self.factors(grown)[0])
+    }
+
+    /// Its width (m).
+    pub fn width(&self) -> f64 {
+        self.extent[1] - self.extent[0]
+    }
+
+    /// Its greatest depth (m).
+    pub fn deepest(&self) -> f64 {
+        self.worn.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// Its section (m^2), by the trapezoidal rule, where it has grown by a factor.
+    pub fn section(&self, grown: f64) -> f64 {
+        self.section_within(grown, [f64::NEG_INFINITY, f64::INFINITY])
+    }
+
+    /// The section (m^2) between two places (m).
+    pub fn section_within(&self, grown: f64, [low, high]: [f64; 2]) -> f64 {
+        let wide = self.factors(grown)[0];
+        let inner = self.places.iter().map(|place| place * wide);
+        let mut places: Vec<f64> = inner.filter(|place| low < *place && *place < high).collect();
+        places.splice(0..0, [low].into_iter().filter(|own| own.is_finite()));
+        places.extend([high].into_iter().filter(|own| own.is_finite()));
+        let piece = |ends: &[f64]| {
+            0.5 * (ends[1] - ends[0]) * (self.worn(ends[0], grown) + self.worn(ends[1], grown))
+        };
+        places.windows(2).map(piece).sum()
+    }
+
+    /// Its depths and places, as a profile that was measured without errors.
+    pub fn points(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.places.iter().zip(&self.worn).map(|(place, worn)| [*place, *worn])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Shape;
+
+    /// A ring of radius R in a flat: depth c^2 / 8R over a width c, section c^3 / 12R.
+    #[test]
+    fn a_ring_grows_as_it_does() {
+        let radius = 20e-3;
+        let depth = |x: f64, c: f64| ((0.25 * c * c - x * x) / (2.0 * radius)).max(0.0);
+        let c = 2.6e-3;
+        let places: Vec<f64> = (-200..=200).map(|i| 1e-5 * f64::from(i)).collect();
+        let worn = places.iter().map(|x| depth(*x, c)).collect();
+        let sections: Vec<f64> = (1..=20).map(|i| f64::from(i) * 4e-9).collect();
+        let depths: Vec<f64> =
+            sections.iter().map(|own| depth(0.0, (12.0 * radius * own).cbrt())).collect();
+        let deepening = Shape::deepening(&sections, &depths);
+        assert!((deepening - 2.0 / 3.0).abs() < 1e-12, "{deepening}");
+        let shape = Shape::new(places, worn, deepening).unwrap();
+        let section = c.powi(3) / (12.0 * radius);
+        assert!((shape.section(1.0) / section - 1.0).abs() < 1e-4);
+        assert!((shape.section(1.7) / section - 1.7).abs() < 2e-4);
+        let wide = c * 1.7f64.cbrt();
+        for x in [0.0, 0.4e-3, -1.1e-3] {
+            assert!((shape.worn(x, 1.7) / depth(x, wide) - 1.0).abs() < 3e-3, "{x}");
+        }
+        assert!((shape.section_within(1.0, [0.0, 1.0]) / section - 0.5).abs() < 1e-3);
+    }
+
+    #[test]
+    fn what_is_no_section_is_refused() {
+        let none =
+            |places: [f64; 2], worn: [f64; 2]| Shape::new(places.to_vec(), worn.to_vec(), 1.0);
+        assert!(none([0.0, 1.0], [0.0, 0.0]).is_none());
+        assert!(none([1.0, 0.0], [0.0, 1.0]).is_none());
+        assert!(none([0.0, 1.0], [0.0, f64::NAN]).is_none());
+    }
+}
