@@ -5,44 +5,53 @@
 
 use super::FREEDOM;
 use super::model::{LINEAR, Model};
+use crate::outliers::{BY_MEDIAN, median};
 
 /// Share of the depth that differences are held against.
 const SCALE: f64 = 0.1;
+/// Growths that are tried first, a factor apart: the width and depth of one lead to those of the next.
+const TRIED: std::ops::RangeInclusive<i32> = -4..=4;
+const FACTOR: f64 = 4.0;
 /// Shifts are tried this share of the width apart: a tenth of the depth of a parabola is a twentieth of its width from its side.
 const APART: f64 = 1.0 / 40.0;
 /// Least part of the scar that lies on the profile, at a shift.
 const PART: f64 = 0.05;
-/// Growths that are sought, at most. Beyond them the model is of another test.
-pub(super) const GROWN: [f64; 2] = [0.05, 20.0];
+/// Growths that are sought, from and to.
+pub(super) const GROWN: [f64; 2] = [1e-3, 1e3];
 /// Rounds of the growth, of which depths are a power, and of its weights.
 const ROUNDS: [usize; 2] = [3, 4];
 
 /// The shift (m) and the growth at which readings are nearest to the model; `None` where they ask for no scar anywhere.
 pub(super) fn roughly(model: &Model<'_>, noise: f64) -> Option<(f64, f64)> {
     let blocks = model.blocks;
-    let width = model.shape.width();
-    let scale = (SCALE * model.shape.deepest()).max(noise);
-    let middle = 0.5 * (blocks.places[0] + blocks.places[blocks.len() - 1]);
-    let reach = 0.5 * (blocks.span() + width);
-    let step = (APART * width).max(blocks.step());
-    let shifts = (0..).map(|i| middle - reach + step * f64::from(i));
+    let ends = [blocks.places[0], blocks.places[blocks.len() - 1]];
     let mut best: Option<(f64, f64, f64)> = None;
-    for shift in shifts.take_while(|shift| *shift < middle + reach) {
-        let seen = [blocks.places[0] - shift, blocks.places[blocks.len() - 1] - shift];
-        if model.shape.section_within(1.0, seen) < PART * model.shape.section(1.0) {
-            continue;
-        }
-        let Some((grown, cost)) = at(model, shift, scale) else { continue };
-        if grown > GROWN[0] && best.is_none_or(|(least, ..)| cost < least) {
-            best = Some((cost, shift, grown));
+    for first in TRIED.map(|power| FACTOR.powi(power)) {
+        let [low, high] = model.shape.extent(first);
+        let width = high - low;
+        let scale = (SCALE * model.shape.deepest() * first).max(noise);
+        let reach = 0.5 * (blocks.span() + width);
+        let middle = 0.5 * (ends[0] + ends[1]);
+        let step = (APART * width).max(blocks.step());
+        let shifts = (0..).map(|i| middle - reach + step * f64::from(i));
+        for shift in shifts.take_while(|shift| *shift < middle + reach) {
+            let seen = ends.map(|end| end - shift);
+            if model.shape.section_within(first, seen) < PART * model.shape.section(first) {
+                continue;
+            }
+            let Some((grown, cost)) = at(model, (shift, first), scale, noise) else { continue };
+            if grown > GROWN[0] && best.is_none_or(|(least, ..)| cost < least) {
+                best = Some((cost, shift, grown));
+            }
         }
     }
     best.map(|(_, shift, grown)| (shift, grown))
 }
 
-/// The growth at a shift, and the cost of what is left.
-fn at(model: &Model<'_>, shift: f64, scale: f64) -> Option<(f64, f64)> {
-    let mut grown = 1.0;
+/// The growth at a shift from a first one on, and the cost of what is left: less the logarithm of its likelihood, of Student's t with the
+/// scale that it has.
+fn at(model: &Model<'_>, (shift, first): (f64, f64), scale: f64, noise: f64) -> Option<(f64, f64)> {
+    let mut grown = first;
     let mut left = vec![];
     for _ in 0..ROUNDS[0] {
         let (columns, heights) = model.linear(shift, grown);
@@ -57,8 +66,10 @@ fn at(model: &Model<'_>, shift: f64, scale: f64) -> Option<(f64, f64)> {
             grown = numbers[LINEAR - 1].clamp(GROWN[0], GROWN[1]);
         }
     }
-    let cost = left.iter().map(|own| (1.0 + (own / scale).powi(2) / FREEDOM).ln()).sum();
-    Some((grown, cost))
+    let mut sizes: Vec<f64> = left.iter().map(|own| own.abs()).collect();
+    let spread = (BY_MEDIAN * median(&mut sizes)?).max(noise);
+    let far = left.iter().map(|own| (1.0 + (own / spread).powi(2) / FREEDOM).ln()).sum::<f64>();
+    Some((grown, left.len() as f64 * spread.ln() + 0.5 * (FREEDOM + 1.0) * far))
 }
 
 /// The weight of a deviation in Student's t.

@@ -117,11 +117,12 @@ impl Settled {
     /// Of a model; `None` where the readings ask for no scar of its kind anywhere.
     pub fn of(model: &Model<'_>) -> Option<Self> {
         let blocks = model.blocks;
-        let (width, deepest) = (model.shape.width(), model.shape.deepest());
-        let floor = blocks.rounding.max(LEAST_NOISE * deepest);
+        let floor = blocks.rounding.max(LEAST_NOISE * model.shape.deepest());
         let noise = white(&blocks.heights).max(floor);
         let (mut shift, mut grown) = place::roughly(model, noise)?;
-        let most_texture = MOST_TEXTURE * deepest * grown.max(0.3);
+        let [low, high] = model.shape.extent(grown);
+        let (width, deepest) = (high - low, model.shape.deepest_at(grown));
+        let most_texture = MOST_TEXTURE * deepest;
         let shortest = 1.5 * blocks.step();
         let longest = (LONGEST * width).max(2.0 * shortest);
         let bounds = Bounds {

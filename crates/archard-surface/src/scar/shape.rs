@@ -92,6 +92,11 @@ impl Shape {
         self.worn.iter().copied().fold(0.0, f64::max)
     }
 
+    /// Its greatest depth (m) where the section has grown by a factor.
+    pub fn deepest_at(&self, grown: f64) -> f64 {
+        self.factors(grown)[1] * self.deepest()
+    }
+
     /// Its section (m^2), by the trapezoidal rule, where it has grown by a factor.
     pub fn section(&self, grown: f64) -> f64 {
         self.section_within(grown, [f64::NEG_INFINITY, f64::INFINITY])

@@ -2,7 +2,7 @@
 
 mod made;
 
-use super::{Estimate, NoScar, Scar, depth_and_width};
+use super::{Estimate, NoScar, Scar, Shape, depth_and_width};
 use made::{KINDS, Kind, Made, computed, made, nominal, ring};
 
 fn found(own: &Made) -> Result<Scar, NoScar> {
@@ -117,6 +117,20 @@ fn what_is_no_scar_is_refused() {
     let mut few = made(Kind::FlatBeside, 1);
     few.readings.truncate(12);
     assert_eq!(found(&few).unwrap_err(), NoScar::Few { readings: 12, least: 18 });
+}
+
+/// A shape of a run that has gone a thirtieth or thirty times as far says how far it should have gone.
+#[test]
+fn a_shape_of_another_size_is_refused() {
+    let own = made(Kind::FlatBeside, 1);
+    for factor in [1.0 / 30.0, 30.0] {
+        let places: Vec<f64> = (-400..=400).map(|i| 1e-5 * f64::from(i)).collect();
+        let worn = places.iter().map(|x| ring(*x, made::SECTION * factor)).collect();
+        let shape = Shape::new(places, worn, 2.0 / 3.0).unwrap();
+        let refused = Scar::find(&own.readings, &nominal(own.kind), &shape).unwrap_err();
+        let NoScar::OtherSize { grown } = refused else { panic!("{refused}") };
+        assert!((grown * factor / own.grown - 1.0).abs() < 0.1, "{grown} {factor}");
+    }
 }
 
 /// Depth and width of a computed ring: those of its parabola, the width at 95 % of the half squared.
