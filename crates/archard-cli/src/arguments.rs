@@ -70,6 +70,8 @@ pub enum Command {
     /// Find wear coefficients from measured tests: median, interval, and where the next test will lie
     #[command(after_help = FIT_EXAMPLES)]
     Fit(Fit),
+    /// Predict measured tests by each other, and hold the predictions against what was measured
+    Validate(Validate),
     /// Show what is in the file of a measured surface: its size, its texture after ISO 25178-2, its spectrum, and what preparing
     /// takes off
     #[command(after_help = SURFACE_EXAMPLES)]
@@ -498,7 +500,8 @@ pub struct Fit {
     /// Use a column of another header, e.g. depth="Tiefe [um]"; x, y and z are those of profiles and height maps
     #[arg(long, value_name = "NAME=HEADER")]
     pub column: Vec<String>,
-    /// Take the wear coefficient at a key from the case though there are no readings of that body
+    /// Take the wear coefficient at a key from the case though there are no readings of that body, or give the one that is fitted though
+    /// the tests do not wear by its law
     #[arg(long, value_name = "KEY")]
     pub assume: Vec<String>,
     /// A standard uncertainty that all tests have in common, e.g. motion.sliding.load=1% or distance=0.5%
@@ -566,4 +569,24 @@ impl FromStr for Share {
         let share = Share { task: task.parse().or(Err(LIKE))?, of: of.parse().or(Err(LIKE))? };
         if share.task <= share.of.get() { Ok(share) } else { Err(LIKE) }
     }
+}
+
+/// Arguments of `archard validate`.
+#[derive(Debug, clap::Args)]
+pub struct Validate {
+    /// A set of measured tests (a folder with `set.toml`), or a folder of sets
+    #[arg(default_value = "validation", value_hint = ValueHint::DirPath)]
+    pub folder: PathBuf,
+    /// Print the results in SI as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Write the results as a page of Markdown
+    #[arg(short, long, value_name = "PAGE", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
+    /// Keep compliances of meshed bodies there
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub cache: Option<PathBuf>,
+    /// Print nothing but what has to be known
+    #[arg(short, long)]
+    pub quiet: bool,
 }

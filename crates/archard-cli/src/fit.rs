@@ -73,7 +73,7 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         following: &mut follow,
     };
     let found = archard_lab::fit(&file, &table, request);
-    follow.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
+    follow.end();
     let found = found.map_err(|error| {
         if made {
             // Where runs were made for it, it is not empty and stays.
@@ -95,15 +95,20 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Says what is run, and ends it where that is asked for.
-struct Follow {
+pub(crate) struct Follow {
     requests: Requests,
     quiet: bool,
     shown: Option<Follower>,
 }
 
 impl Follow {
-    fn new(quiet: bool) -> Self {
+    pub(crate) fn new(quiet: bool) -> Self {
         Self { requests: Requests::set(), quiet, shown: None }
+    }
+
+    /// Clears what is shown.
+    pub(crate) fn end(&mut self) {
+        self.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
     }
 }
 
@@ -113,7 +118,7 @@ impl Following for Follow {
     }
 
     fn ended(&mut self, run: usize, settings: &str, seconds: Option<f64>) {
-        self.shown.take().and_then(|shown| shown.bar()).inspect(|bar| bar.finish_and_clear());
+        self.end();
         if !self.quiet {
             let took = seconds.map_or("done before".to_owned(), |took| format!("{took:.1} s"));
             tell(&format!("run {run} ({settings}): {took}"));
@@ -160,7 +165,7 @@ fn write(dir: &Path, mut manifest: Manifest, found: &Fit, case_toml: &str) -> Re
     plot::draw_fit(dir, found).map(|_| ()).map_err(|error| Failure::because(&error))
 }
 
-fn failed(error: &Error) -> Failure {
+pub(crate) fn failed(error: &Error) -> Failure {
     match error {
         Error::Stopped { .. } => Failure::Interrupted(error.to_string()),
         error if error.is_of_convergence() => Failure::NotConverged(error.to_string()),

@@ -39,6 +39,7 @@ mod surface;
 mod sweep;
 mod table;
 mod underway;
+mod validate;
 mod verdict;
 mod watch;
 mod wheel_rail;
@@ -78,6 +79,7 @@ pub fn main(words: Vec<OsString>) -> u8 {
         Command::Paraview { dir } => paraview::write(&dir),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Fit(arguments) => fit::fit(&arguments),
+        Command::Validate(arguments) => validate::run(&arguments),
         Command::Report(arguments) => report::run(&arguments)
             .map_err(|error| Failure::because(&error))
             .and_then(|file| say::say(&file.display().to_string())),

@@ -8,6 +8,8 @@ use super::within::{Expected, Fitted, Test, Unfitted, correlation, shown, weight
 pub(super) const MANY: f64 = 1e6;
 /// Rounds in which the uncertainty of readings and the fits settle.
 const ROUNDS: usize = 4;
+/// Readings scatter more than stated where chance would show it less often than this.
+const CHANCE: f64 = 0.01;
 /// Standard deviation of log k above which a test does not tell k: it may be a tenth or ten times as large.
 pub(super) const UNTOLD: f64 = 1.2;
 
@@ -99,7 +101,20 @@ impl Study {
             let from: Vec<f64> = fitted.iter().map(|fitted| fitted.log_k).collect();
             fitted = self.fit((&of_quantity, settled), &from, model)?;
         }
-        let readings = if stated { Some(self.mean_uncertainties()) } else { found };
+        let own = self.mean_uncertainties();
+        let readings = match found {
+            _ if stated => Some(own),
+            None => None,
+            // What was stated of all readings of a quantity stays.
+            Some(shown) => {
+                let all = |place: usize| {
+                    let mut readings = self.tests.iter().flat_map(|test| &test.readings);
+                    readings.all(|r| r.quantity != place || r.uncertainty.is_some())
+                };
+                let of = |(place, shown)| if all(place) { own[place] } else { shown };
+                Some(shown.into_iter().enumerate().map(of).collect())
+            }
+        };
         Ok(self.conclude((fitted, of_quantity), readings, stated, common))
     }
 
@@ -226,8 +241,12 @@ fn excess(fitted: &[Fitted], weights: &[Vec<f64>], degrees: f64) -> Option<f64> 
         .flat_map(|(fitted, weights)| fitted.residuals.iter().zip(weights).map(|(r, w)| w * r * r))
         .sum();
     let p = 1.0 - ChiSquared::new(degrees).ok()?.cdf(squares);
-    (p < shape::REJECTED).then(|| (squares / degrees).sqrt())
+    (p < CHANCE).then(|| (squares / degrees).sqrt())
 }
+
+/// Sources that further tests make less of.
+pub(super) const OWN: [&str; 3] =
+    ["scatter between tests", "readings", "scatter between tests, readings included"];
 
 /// Standard uncertainties of the median by their sources.
 fn budget(
@@ -246,13 +265,11 @@ fn budget(
         };
         match (effects, known) {
             (Some(_), true) => {
-                budget.push(("scatter between tests".to_owned(), share(between)));
-                budget.push(("readings".to_owned(), share(reading)));
+                budget.push((OWN[0].to_owned(), share(between)));
+                budget.push((OWN[1].to_owned(), share(reading)));
             }
-            (Some(_), false) => {
-                budget.push(("scatter between tests, readings included".to_owned(), own))
-            }
-            (None, _) => budget.push(("readings".to_owned(), own)),
+            (Some(_), false) => budget.push((OWN[2].to_owned(), own)),
+            (None, _) => budget.push((OWN[1].to_owned(), own)),
         }
     }
     budget.extend(common.iter().cloned());

@@ -1,8 +1,9 @@
 //! What a table has to say of a case: tests, readings, and the coefficients they tell of.
 
 use super::Error;
+use super::computed::Shapes;
 use super::quantity::{KINDS, Kind, Quantity};
-use super::surfaces::{self, Column};
+use super::surfaces::{self, Column, Taken};
 use super::untold;
 use super::{Files, Measured, Reading, Test};
 use archard::units::Measure;
@@ -49,11 +50,18 @@ pub(super) struct Measurement {
 }
 
 impl Measurement {
-    /// Of a table, for the case; keys in the place of the coefficients of the bodies.
+    /// Whether profiles are yet to be held against the shapes of runs.
+    pub fn waits(&self) -> bool {
+        self.surfaces.iter().any(|own| own.scar == Taken::Unmeasured)
+    }
+
+    /// Of a table, for the case; keys in the place of the coefficients of the bodies. Profiles are held against the shapes of runs; without
+    /// them their values are yet to be found.
     pub fn of(
         table: &Table,
         case: &Case,
         (parameters, files): (&[String], Files<'_>),
+        shapes: Option<&mut Shapes<'_, '_>>,
     ) -> Result<Self, Error> {
         let wearing: Vec<usize> = (0..2).filter(|&body| case.bodies[body].wear.is_some()).collect();
         let of = |key: &String| {
@@ -68,7 +76,7 @@ impl Measurement {
         let one = named.or_else(|| (wearing.len() == 1).then(|| wearing[0]));
         let progress = progress(table, case)?;
         let mut used: Vec<String> = vec!["test".into(), "load".into(), progress.0.into()];
-        let (columns, surfaces) = columns((table, &mut used), (case, one), files)?;
+        let (columns, surfaces) = columns((table, &mut used), (case, one), files, shapes)?;
         let used: Vec<&str> = used.iter().map(String::as_str).collect();
         let mut remarks = vec![];
         let others = table.others(&used);
@@ -105,6 +113,7 @@ fn columns(
     (table, used): (&Table, &mut Vec<String>),
     (case, one): (&Case, Option<usize>),
     files: Files<'_>,
+    mut shapes: Option<&mut Shapes<'_, '_>>,
 ) -> Result<(Vec<Column>, Vec<Measured>), Error> {
     let (mut found, mut surfaces) = (vec![], vec![]);
     let kinds = KINDS.map(|(column, kind)| (column, Some(kind)));
@@ -113,7 +122,8 @@ fn columns(
             let Some(body) = body_of((table, name), column, (case, one))? else { continue };
             used.push(name.to_owned());
             let Some(kind) = kind else {
-                let (columns, taken) = surfaces::read((table, name), (case, body), files)?;
+                let (columns, taken) =
+                    surfaces::read((table, name), (case, body), files, shapes.as_deref_mut())?;
                 found.extend(columns);
                 surfaces.extend(taken);
                 continue;
@@ -224,17 +234,6 @@ fn tests(table: &Table, columns: &[Column], progress: &str) -> Result<(Vec<Test>
             )));
         }
     };
-    let has = |column: &&Column| column.uncertainties.is_some();
-    if let Some(without) =
-        columns.iter().find(|own| !has(own)).filter(|_| columns.iter().any(|own| has(&own)))
-    {
-        return Err(Error::Mismatch(format!(
-            "{}: some readings have uncertainties, as those of files do, and others none: add a column `u_{}`, or leave all of \
-             them out",
-            table.source(),
-            without.quantity.name
-        )));
-    }
     let (mut tests, mut at_start): (Vec<Test>, usize) = (vec![], 0);
     for (row, &line) in table.lines().iter().enumerate() {
         let refuse = |why: String| Error::Reading { table: table.source().to_owned(), line, why };

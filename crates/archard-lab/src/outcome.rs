@@ -13,6 +13,8 @@ pub struct Coefficient {
     pub before: f64,
     /// What the tests say.
     pub estimate: Estimate,
+    /// Whether its law was asked to be assumed though the tests do not wear by it.
+    pub assumed: bool,
     /// The tests.
     pub tests: Vec<Test>,
     /// What the case shows: each load, each quantity by its place, and points of progress and value (SI) at the median.

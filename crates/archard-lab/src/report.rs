@@ -4,6 +4,7 @@ use std::fmt::{self, Write};
 
 use serde_json::{Value, json};
 
+use super::estimate::UNTOLD as UNTOLD_BY;
 use super::outcome::{Coefficient, Fit};
 use super::{Estimate, Exponent, Measured};
 use archard_case::output::verdict_json;
@@ -21,9 +22,20 @@ impl Coefficient {
         }
     }
 
-    /// Why the tests cannot be told by one coefficient, if they cannot.
+    /// Why the tests have no common coefficient, if they have none and it is not assumed.
     pub fn rejected(&self) -> Option<String> {
-        let Estimate { distance, loads, by_load, .. } = &self.estimate;
+        self.broken().filter(|_| !self.assumed)
+    }
+
+    /// Why the tests do not wear by the law, if they do not.
+    fn broken(&self) -> Option<String> {
+        let Estimate { distance, loads, by_load, between, .. } = &self.estimate;
+        if let Some(between) = between.filter(|between| *between > UNTOLD_BY) {
+            return Some(format!(
+                "tests of one kind differ {}-fold (one standard deviation): no coefficient tells the next one",
+                two(between.exp())
+            ));
+        }
         if let Some(loads) = loads.filter(Exponent::rejects) {
             let ends = by_load
                 .first()
@@ -47,15 +59,16 @@ impl Coefficient {
 
     /// What a verdict says of it.
     fn lines(&self) -> Vec<Line> {
-        let Estimate { distance, loads, next, .. } = &self.estimate;
-        let rejected = self.rejected().unwrap_or_default();
-        let word = |own: &Exponent| match (own.rejects(), own.is_doubtful()) {
-            (true, _) => Word::Wrong,
-            (false, true) => Word::Doubtful,
-            (false, false) => Word::Good,
-        };
+        let Estimate { distance, loads, next, between, .. } = &self.estimate;
+        let broken = self.broken().unwrap_or_default();
+        let rejected = if self.assumed { Word::Doubtful } else { Word::Wrong };
+        let word = |own: &Exponent| if own.rejects() { rejected } else { Word::Good };
         let why = |own: &Exponent, of: &str| {
-            let why = if own.rejects() { format!("; {rejected}") } else { String::new() };
+            let why = if own.rejects() {
+                format!("; {broken}{}", self.if_assumed())
+            } else {
+                String::new()
+            };
             format!("{}: exponent of the {of} {}{why}", self.key, own.in_words())
         };
         let shape = match distance {
@@ -64,7 +77,19 @@ impl Coefficient {
         };
         let constant = loads.as_ref().map(|own| verdict::constant(word(own), &why(own, "load")));
         let next = verdict::next_test(next.is_some(), &self.key);
-        [shape].into_iter().chain(constant).chain([next]).collect()
+        let scatters = between.filter(|between| *between > UNTOLD_BY);
+        let scatter = scatters.map(|_| {
+            verdict::constant(rejected, &format!("{}: {broken}{}", self.key, self.if_assumed()))
+        });
+        [shape].into_iter().chain(constant).chain(scatter).chain([next]).collect()
+    }
+
+    /// What may be done about a law that the tests do not wear by.
+    fn if_assumed(&self) -> String {
+        match self.assumed {
+            true => " (assumed all the same)".to_owned(),
+            false => format!(" (--assume {} gives a coefficient all the same)", self.key),
+        }
     }
 
     fn json(&self, quantities: &[(String, f64, &'static str)]) -> Value {
@@ -99,6 +124,9 @@ impl Coefficient {
             "budget": own.budget.iter().map(|(source, relative)| json!({
                 "source": source, "relative": relative,
             })).collect::<Vec<_>>(),
+            "more_tests": own.more().map(|more| json!({
+                "half_95_by_tests": more.halves, "tests_for_5_percent": more.wanted, "common_half_95": more.common,
+            })),
             "rejected": self.rejected(),
         })
     }
@@ -320,6 +348,9 @@ fn explain(
             "  constant k      exponent of the load that k depends on, 0 by the law: {}",
             found.in_words()
         )?;
+    }
+    if let Some(more) = own.estimate.more() {
+        writeln!(text, "  more tests      {}", more.in_words())?;
     }
     let mut parts: Vec<_> = budget.iter().collect();
     parts.sort_by(|one, other| other.1.total_cmp(&one.1));

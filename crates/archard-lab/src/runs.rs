@@ -155,14 +155,6 @@ impl Runner<'_> {
 
     /// The case with the changes.
     fn resolve(&self, changes: &Changes) -> Result<Resolved, Error> {
-        let put = |file: CaseFile, (key, value, unit): &(String, f64, String)| {
-            let value = if unit.is_empty() {
-                format!("{value:e}")
-            } else {
-                format!("\"{value:e} {unit}\"")
-            };
-            file.set(format!("{key}={value}"))
-        };
         let file = changes.settings.iter().fold(self.file.clone(), put);
         file.resolve().map_err(|problems| {
             let errors = problems.iter().filter(|problem| problem.severity == Severity::Error);
@@ -198,8 +190,15 @@ impl Runner<'_> {
     }
 }
 
+/// A case with a value (SI) at a key, and its unit.
+pub(super) fn put(file: CaseFile, (key, value, unit): &(String, f64, String)) -> CaseFile {
+    let value =
+        if unit.is_empty() { format!("{value:e}") } else { format!("\"{value:e} {unit}\"") };
+    file.set(format!("{key}={value}"))
+}
+
 /// Settings in words.
-fn described(settings: &[(String, f64, String)]) -> String {
+pub(super) fn described(settings: &[(String, f64, String)]) -> String {
     let one = |(key, value, unit): &(String, f64, String)| format!("{key} = {value:.4e} {unit}");
     let all: Vec<String> = settings.iter().map(|own| one(own).trim_end().to_owned()).collect();
     if all.is_empty() { "as it is".to_owned() } else { all.join(", ") }

@@ -16,6 +16,7 @@ use std::path::Path;
 
 use conclude::changed;
 
+use super::computed::Shapes;
 use super::kept;
 use super::measurement::{Measurement, Target};
 use super::outcome::Fit;
@@ -40,7 +41,7 @@ pub struct Request<'a> {
     pub parameters: &'a [String],
     /// Keys of the case, or the column of how far readings are, with their standard uncertainties, relative.
     pub uncertain: &'a [(String, f64)],
-    /// Keys of wear that are taken from the case though no reading tells them.
+    /// Keys of wear that are taken from the case though no reading tells them, and those that are fitted though tests do not wear by their law.
     pub assumed: &'a [String],
     /// Where profiles and height maps are that the table names.
     pub files: Files<'a>,
@@ -61,7 +62,8 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         let why: Vec<String> = problems.iter().map(|problem| file.describe(problem)).collect();
         Error::Mismatch(why.join("\n"))
     })?;
-    let measured = Measurement::of(table, &resolved.case, (request.parameters, request.files))?;
+    let asked = (request.parameters, request.files);
+    let mut measured = Measurement::of(table, &resolved.case, asked, None)?;
     let load = load_key(&resolved.case, &measured)?;
     // Before anything runs.
     all_told(&resolved.case, (table, &measured), request.assumed)?;
@@ -70,6 +72,12 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         changed(&resolved.case, (measured.progress.0, load.as_deref()), (key, *relative))?;
     }
     let (file, case) = &settled(file, resolved, request.store, &mut *request.following)?;
+    if measured.waits() {
+        // On half the elements: a profile is not known better than its law.
+        let runs = (request.store, &mut *request.following);
+        let mut shapes = Shapes::of((file, case.clone()), runs, true);
+        measured = Measurement::of(table, case, asked, Some(&mut shapes))?;
+    }
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));
     let others = others(case, &measured.targets);
     let linear = linear && case.wears_by_k_s().is_some();
@@ -101,6 +109,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
         scale: HashMap::new(),
         shares: HashMap::new(),
         name: "run",
+        assumed_keys: request.assumed,
         of: None,
         judged: None,
     };
@@ -137,7 +146,7 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
 
 /// A case with an accuracy as one with the frame, the elements and the tolerance that it takes at the coefficients it has:
 /// all runs of a fit have the same.
-fn settled(
+pub(super) fn settled(
     file: &CaseFile,
     resolved: Resolved,
     store: Option<&Store>,
@@ -166,7 +175,7 @@ fn settled(
 }
 
 /// The key of the load, where tests have loads of their own.
-fn load_key(case: &Case, measured: &Measurement) -> Result<Option<String>, Error> {
+pub(super) fn load_key(case: &Case, measured: &Measurement) -> Result<Option<String>, Error> {
     let own =
         measured.targets.iter().flat_map(|target| &target.tests).any(|test| test.load.is_some());
     if !own {
@@ -255,6 +264,8 @@ struct Search<'a> {
     scale: HashMap<u64, f64>,
     shares: HashMap<u64, Vec<f64>>,
     name: &'static str,
+    /// Keys whose law is assumed though tests do not wear by it.
+    assumed_keys: &'a [String],
     /// The coefficient whose tests are held against runs.
     of: Option<usize>,
     /// The runs that are judged, where that is not all that are known.

@@ -3,8 +3,8 @@
 use super::effects::{Effects, chance, factor};
 use super::within::{Fitted, Test};
 
-/// A law is rejected where chance would show what was seen less often than this.
-pub const REJECTED: f64 = 0.01;
+/// A law is rejected where chance would show what was seen less often than this: where the 95 % interval of an exponent leaves it out.
+pub const REJECTED: f64 = 0.05;
 /// An exponent closer to the law than this is none to reject it by: over a decade it changes k by 12 %.
 pub const NEGLIGIBLE: f64 = 0.05;
 
@@ -27,14 +27,6 @@ impl Exponent {
         self.p < REJECTED && (self.value - self.law).abs() > NEGLIGIBLE
     }
 
-    /// Whether the law is neither rejected nor within the 95 % interval.
-    pub fn is_doubtful(&self) -> bool {
-        let [low, high] = self.interval;
-        !self.rejects()
-            && !(low..=high).contains(&self.law)
-            && (self.value - self.law).abs() > NEGLIGIBLE
-    }
-
     /// The exponent, its interval, how probable it is, and what follows from both.
     pub fn in_words(&self) -> String {
         let off = (self.value - self.law).abs();
@@ -46,9 +38,6 @@ impl Exponent {
         };
         let number = |value: f64| format!("{value:.decimals$}");
         let (p, word) = match (is_chance, self.rejects()) {
-            (true, _) if self.is_doubtful() => {
-                (format!("p = {:.2}", self.p), "doubtful".to_owned())
-            }
             (true, _) => (format!("p = {:.2}", self.p), "accepted".to_owned()),
             (false, true) => (format!("p < {REJECTED}"), "rejected".to_owned()),
             (false, false) => (
@@ -209,8 +198,8 @@ mod tests {
         assert_eq!(words(0.98, 0.06, 0.43), "0.98 (0.92 .. 1.04), p = 0.43: accepted");
         assert_eq!(
             words(0.9862, 0.0051, 1e-4),
-            "0.986 (0.981 .. 0.991), p < 0.01: accepted, though it is no chance: off by 0.014, and less than 0.05 is negligible"
+            "0.986 (0.981 .. 0.991), p < 0.05: accepted, though it is no chance: off by 0.014, and less than 0.05 is negligible"
         );
-        assert_eq!(words(0.5, 0.1, 1e-5), "0.50 (0.40 .. 0.60), p < 0.01: rejected");
+        assert_eq!(words(0.5, 0.1, 1e-5), "0.50 (0.40 .. 0.60), p < 0.05: rejected");
     }
 }

@@ -6,6 +6,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::Error;
+use super::computed::Shapes;
 use super::quantity::{Kind, Quantity};
 use archard::body::profile::Profile;
 use archard_case::Case;
@@ -13,6 +14,12 @@ use archard_case::files::{self, Contents};
 use archard_case::measured::Table;
 use archard_case::measured::surface::{Scar, Surface, Unworn};
 use archard_case::verdict::four;
+use archard_surface::scar::{NoScar, Scar as ProfileScar};
+
+/// Half of a 95 % interval of a normal distribution, in its standard deviations.
+const NORMAL: f64 = 1.96;
+/// Runs that a profile is held against, at most: the second has its section as far as wear follows a power of its coefficient.
+const RUNS: usize = 3;
 
 /// The name of the column.
 pub(super) const COLUMN: &str = "file";
@@ -37,9 +44,20 @@ pub struct Measured {
     pub quantity: (String, f64, &'static str),
     /// What the file tells, a volume or a section, and of which body.
     kind: Kind,
-    body: String,
+    body: (usize, String),
     /// The scar.
-    pub scar: Scar,
+    pub scar: Taken,
+}
+
+/// A scar as a file has it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Taken {
+    /// On a map, by what lies next to it.
+    Map(Box<Scar>),
+    /// On a profile, held against a computed section along an axis (0: x, 1: y).
+    Profile(Box<ProfileScar>, usize),
+    /// On a profile that is not yet held against any.
+    Unmeasured,
 }
 
 /// Readings by rows of a table, with their standard uncertainties where they have any: SI.
@@ -50,10 +68,13 @@ pub(super) struct Column {
 }
 
 /// What is worn off a body in the files that a column names: a column for each quantity that they tell.
+///
+/// Profiles are held against the shapes of runs; without them their values are one, which says that there will be some.
 pub(super) fn read(
     (table, name): (&Table, &str),
     (case, body): (&Case, usize),
     files: Files<'_>,
+    mut shapes: Option<&mut Shapes<'_, '_>>,
 ) -> Result<(Vec<Column>, Vec<Measured>), Error> {
     let shape = Shape::of(case, body)?;
     let (mut columns, mut all): (Vec<Column>, Vec<Measured>) = (vec![], vec![]);
@@ -76,7 +97,14 @@ pub(super) fn read(
             None => in_a_table((file, &bytes), files.columns).map_err(unread)?,
         };
         let kind = shape.kind(surface.axis()).map_err(refuse)?;
-        let scar = shape.scar(&surface).map_err(|error| refuse(error.to_string()))?;
+        let scar = match (surface.axis(), shapes.as_deref_mut()) {
+            (None, _) => shape.on_map(&surface).map_err(refuse)?,
+            (Some(_), None) => Taken::Unmeasured,
+            (Some(axis), Some(shapes)) => {
+                shape.on_profile((&surface, axis), (shapes, body), &refuse)?
+            }
+        };
+        let (worn, uncertainty) = scar.worn();
         let quantity = Quantity { name: shape.name(kind, name), kind, body };
         let place = columns.iter().position(|own| own.quantity == quantity).unwrap_or_else(|| {
             let none = vec![None; table.len()];
@@ -84,9 +112,9 @@ pub(super) fn read(
             columns.push(Column { quantity: quantity.clone(), values, uncertainties });
             columns.len() - 1
         });
-        columns[place].values[row] = Some(scar.worn);
+        columns[place].values[row] = Some(worn);
         if let Some(all) = &mut columns[place].uncertainties {
-            all[row] = Some(scar.uncertainty);
+            all[row] = Some(uncertainty);
         }
         let (factor, unit) = kind.shown();
         let quantity = (quantity.name, factor, unit);
@@ -95,7 +123,7 @@ pub(super) fn read(
             file: (*file).to_owned(),
             quantity,
             kind,
-            body: shape.body.to_owned(),
+            body: (body, shape.body.to_owned()),
             scar,
         });
     }
@@ -115,7 +143,7 @@ fn in_a_table((file, bytes): (&str, &[u8]), columns: &[(&str, &str)]) -> Result<
 /// Refuses a key of the shape that surfaces were levelled by: runs with another value would be held against sections and
 /// volumes taken with this one.
 pub(super) fn refuse_shape(surfaces: &[Measured], key: &str) -> Result<(), Error> {
-    let own = |of: &&Measured| key.starts_with(&format!("body.{}.profile.", of.body));
+    let own = |of: &&Measured| key.starts_with(&format!("body.{}.profile.", of.body.1));
     match surfaces.iter().find(own) {
         None => Ok(()),
         Some(Measured { file, .. }) => Err(Error::Mismatch(format!(
@@ -166,9 +194,38 @@ impl<'a> Shape<'a> {
         }
     }
 
-    fn scar(&self, surface: &Surface) -> Result<Scar, archard_case::measured::surface::NoScar> {
+    fn on_map(&self, surface: &Surface) -> Result<Taken, String> {
         let height = |[x, y]: [f64; 2]| -self.profile.recess(x, y);
-        Scar::find(surface, Unworn::passing(&height, self.passes))
+        let scar = Scar::find(surface, Unworn::passing(&height, self.passes));
+        scar.map(|scar| Taken::Map(Box::new(scar))).map_err(|error| error.to_string())
+    }
+
+    /// The scar on a profile, held against that of a run which wears about as much.
+    fn on_profile(
+        &self,
+        (surface, axis): (&Surface, usize),
+        (shapes, body): (&mut Shapes<'_, '_>, usize),
+        refuse: &dyn Fn(String) -> Error,
+    ) -> Result<Taken, Error> {
+        let height = |place: f64| match axis {
+            0 => -self.profile.recess(place, 0.0),
+            _ => -self.profile.recess(0.0, place),
+        };
+        let readings: Vec<[f64; 2]> =
+            surface.readings().iter().map(|own| [own[axis], own[2]]).collect();
+        let mut factor = 1.0;
+        for _ in 0..RUNS {
+            let settings = shapes.scaled(factor);
+            let shape = shapes.at((body, axis), &settings)?;
+            match ProfileScar::find(&readings, &height, &shape) {
+                Ok(scar) => return Ok(Taken::Profile(Box::new(scar), axis)),
+                Err(NoScar::OtherSize { grown }) => factor *= grown,
+                Err(why) => return Err(refuse(why.to_string())),
+            }
+        }
+        Err(refuse(format!(
+            "its scar has {factor:.3} times the section of the run of the case, and runs with that wear show another one again: put a coefficient              into the case with which it wears about as much"
+        )))
     }
 
     /// `file_disc` tells `profile_y_disc`, `track_section_disc` or `map_volume_disc`.
@@ -182,53 +239,132 @@ impl<'a> Shape<'a> {
     }
 }
 
+impl Taken {
+    /// What is worn off and its standard uncertainty (SI): by half of the 95 % interval of a profile, which has few independent readings.
+    fn worn(&self) -> (f64, f64) {
+        match self {
+            Taken::Map(scar) => (scar.worn, scar.uncertainty),
+            Taken::Profile(scar, _) => (scar.section.value, scar.section.expanded / NORMAL),
+            Taken::Unmeasured => (1.0, 1.0),
+        }
+    }
+}
+
 impl Measured {
+    /// What is worn off, a section (m^2) or a volume (m^3), and its standard uncertainty.
+    pub fn worn(&self) -> (f64, f64) {
+        self.scar.worn()
+    }
+
+    /// The body, by its place.
+    pub(super) fn body(&self) -> usize {
+        self.body.0
+    }
+
     /// As `fit.json` has it: SI.
     pub fn json(&self) -> Value {
-        let Scar { plane, middle, extent, worn, uncertainty, deepest, angle, gaps } = &self.scar;
         let unit = match self.kind {
             Kind::Volume => "m3",
             _ => "m2",
         };
-        json!({
+        let (worn, uncertainty) = self.scar.worn();
+        let mut all = json!({
             "line": self.line, "file": self.file, "quantity": self.quantity.0, format!("worn_{unit}"): worn,
-            format!("uncertainty_{unit}"): uncertainty, "deepest_m": deepest, "from_to_m": extent, "middle_m": middle,
-            "angle_rad": angle, "tilt": plane.tilt, "offset_m": plane.offset, "readings_beside": plane.used,
-            "scatter_m": plane.scatter, "gaps": gaps,
-        })
+            format!("uncertainty_{unit}"): uncertainty,
+        });
+        let own = match &self.scar {
+            Taken::Map(scar) => {
+                let Scar { plane, middle, extent, deepest, angle, gaps, .. } = &**scar;
+                json!({
+                    "deepest_m": deepest, "from_to_m": extent, "middle_m": middle, "angle_rad": angle, "tilt": plane.tilt,
+                    "offset_m": plane.offset, "readings_beside": plane.used, "scatter_m": plane.scatter, "gaps": gaps,
+                })
+            }
+            Taken::Profile(scar, axis) => json!({
+                "axis": if *axis == 0 { "x" } else { "y" }, "middle_m": scar.place.value, "uncertainty_of_middle_m": scar.place.standard,
+                "depth_m": scar.depth.map(|own| own.value), "width_m": scar.width.map(|own| own.value),
+                "from_to_m": scar.extent, "tilt": scar.tilt, "offset_m": scar.height, "scatter_m": scar.texture.hypot(scar.noise),
+                "alike_m": scar.length, "misfit": scar.misfit, "spikes": scar.spikes, "debris": scar.debris,
+            }),
+            Taken::Unmeasured => json!({}),
+        };
+        if let (Some(all), Value::Object(own)) = (all.as_object_mut(), own) {
+            all.extend(own);
+        }
+        all
     }
 }
 
 /// In words.
 impl fmt::Display for Measured {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Scar { plane, middle, worn, uncertainty, deepest, angle, gaps, .. } = &self.scar;
+        let (worn, uncertainty) = self.scar.worn();
         let (name, factor, unit) = &self.quantity;
-        let [x, y] = plane.tilt.map(|tilt| four(1e3 * tilt));
         write!(
             f,
-            "`{}`: {name} {} {unit} +- {:.1} %, {} um deep around ({}, {}) mm; tilt ({x}, {y}) um/mm and offset {} um taken \
-             off by {} readings beside it, which scatter by {} um",
+            "`{}`: {name} {} {unit} +- {:.1} %",
             self.file,
             four(worn * factor),
-            100.0 * uncertainty / worn,
-            four(1e6 * deepest),
-            four(1e3 * middle[0]),
-            four(1e3 * middle[1]),
-            four(1e6 * plane.offset),
-            plane.used,
-            four(1e6 * plane.scatter),
+            100.0 * uncertainty / worn
         )?;
-        if *angle != 0.0 {
-            let degrees = four(angle.to_degrees());
-            write!(
-                f,
-                "; the track lies askew in its map by {degrees} degrees, and its section is that square to it"
-            )?;
+        match &self.scar {
+            Taken::Map(scar) => map_in_words(f, scar),
+            Taken::Profile(scar, axis) => profile_in_words(f, (scar, ["x", "y"][*axis])),
+            Taken::Unmeasured => Ok(()),
         }
-        if *gaps > 0 {
-            write!(f, "; {gaps} places in it have no reading, or one far off those around it")?;
-        }
-        Ok(())
     }
+}
+
+fn map_in_words(f: &mut fmt::Formatter<'_>, scar: &Scar) -> fmt::Result {
+    let Scar { plane, middle, deepest, angle, gaps, .. } = scar;
+    let [x, y] = plane.tilt.map(|tilt| four(1e3 * tilt));
+    write!(
+        f,
+        ", {} um deep around ({}, {}) mm; tilt ({x}, {y}) um/mm and offset {} um taken off by {} readings beside it, which \
+         scatter by {} um",
+        four(1e6 * deepest),
+        four(1e3 * middle[0]),
+        four(1e3 * middle[1]),
+        four(1e6 * plane.offset),
+        plane.used,
+        four(1e6 * plane.scatter),
+    )?;
+    if *angle != 0.0 {
+        let degrees = four(angle.to_degrees());
+        write!(
+            f,
+            "; the track lies askew in its map by {degrees} degrees, and its section is that square to it"
+        )?;
+    }
+    if *gaps > 0 {
+        write!(f, "; {gaps} places in it have no reading, or one far off those around it")?;
+    }
+    Ok(())
+}
+
+fn profile_in_words(f: &mut fmt::Formatter<'_>, (scar, axis): (&ProfileScar, &str)) -> fmt::Result {
+    if let Some(depth) = &scar.depth {
+        write!(f, ", {} um deep", four(1e6 * depth.value))?;
+    }
+    write!(
+        f,
+        " around {axis} = {} mm; tilt {} um/mm and offset {} um taken off, about which the surface scatters by {} um; the computed section \
+         differs by {:.1} % of its depth",
+        four(1e3 * scar.place.value),
+        four(1e3 * scar.tilt),
+        four(1e6 * scar.height),
+        four(1e6 * scar.texture.hypot(scar.noise)),
+        100.0 * scar.misfit,
+    )?;
+    if scar.spikes > 0 {
+        write!(f, "; {} of {} readings are spikes, left out", scar.spikes, scar.readings)?;
+    }
+    if scar.debris > 0.0 {
+        write!(
+            f,
+            "; {:.0} % of the profile is debris next to the scar, left out",
+            100.0 * scar.debris
+        )?;
+    }
+    Ok(())
 }

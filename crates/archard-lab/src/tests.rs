@@ -289,3 +289,35 @@ fn first_width(tests: &[Test]) -> f64 {
     let candidates = (0..200).map(|step| 0.5 * 1.02f64.powi(step));
     candidates.min_by(|one, other| left(*one).total_cmp(&left(*other))).unwrap()
 }
+
+/// Sections to 1 % and depths that scatter by 10 % and do not say so, of twenty tests with one k: sections tell k, and the scatter of
+/// depths is found.
+#[test]
+fn readings_with_and_without_uncertainties_go_together() {
+    let mut random = fastrand::Rng::with_seed(5);
+    let mut normal = || (0..12).map(|_| random.f64()).sum::<f64>() - 6.0;
+    let mut tests = vec![];
+    for at in 0..20u64 {
+        let mut reading = |quantity: usize, progress: f64, scatter: f64| Reading {
+            line: at,
+            quantity,
+            progress,
+            value: 2.0 * progress * (scatter * normal()).exp(),
+            uncertainty: (quantity == 0).then_some(0.01),
+        };
+        let readings = vec![reading(1, 0.5, 0.1), reading(0, 1.0, 0.01), reading(1, 1.0, 0.1)];
+        tests.push(Test { name: at.to_string(), load: None, readings });
+    }
+    let study = Study { quantities: vec!["section".into(), "depth".into()], tests };
+    let progress: Vec<Vec<f64>> =
+        study.tests.iter().map(|test| test.readings.iter().map(|r| r.progress).collect()).collect();
+    let mut model = |test: usize, log_k: f64| -> Result<Vec<Expected>, std::convert::Infallible> {
+        Ok(progress[test].iter().map(|s| Expected { log: log_k + s.ln(), slope: 1.0 }).collect())
+    };
+    let found = study.estimate((1.0, 1e-9), &[], &mut model).unwrap();
+    // A hundredth over the root of twenty is a fifth of a per cent.
+    assert!((found.median / 2.0 - 1.0).abs() < 0.01, "{found:?}");
+    let readings = found.readings.unwrap();
+    assert_eq!(readings[0], 0.01);
+    assert!((readings[1] / 0.1 - 1.0).abs() < 0.4, "{readings:?}");
+}

@@ -129,16 +129,18 @@ impl Fitted {
     }
 }
 
-/// Standard deviations of the readings of each quantity that the residuals show, relative; `None` where no test has a
-/// reading more than it takes to tell k. Tests are fitted with the weights of these.
+/// Standard deviations of the readings of each quantity without uncertainties of their own that the residuals show, relative; `None` where
+/// no test has a reading more than it takes to tell k. Tests are fitted with the weights of these.
 pub fn shown(tests: &[Test], fitted: &[Fitted], known: &[f64]) -> Option<Vec<f64>> {
     let mut squares = vec![0.0; known.len()];
     let mut degrees = vec![0.0; known.len()];
     for (test, fitted) in tests.iter().zip(fitted) {
-        let weights: Vec<f64> =
-            test.readings.iter().map(|reading| known[reading.quantity].powi(-2)).collect();
+        let weights = weights(test, known);
         let variance = fitted.variance(&weights);
         for (j, reading) in test.readings.iter().enumerate() {
+            if reading.uncertainty.is_some() {
+                continue;
+            }
             squares[reading.quantity] += fitted.residuals[j].powi(2);
             degrees[reading.quantity] += 1.0 - weights[j] * fitted.slopes[j].powi(2) * variance;
         }

@@ -6,7 +6,7 @@ use archard_case::measured::surface::{Scar, Surface, Unworn};
 use archard_case::output::Image;
 use archard_case::verdict::Verdict;
 
-use super::level::Reading;
+use super::profile::Reading;
 use super::{Comparison, percent, profile};
 use crate::plot::LINE;
 use crate::plot::figure::{COLOURS, Curves, PALE, Panel, Pen};

@@ -1,7 +1,6 @@
 //! `archard compare`: a run beside measurements and other runs, or two scans of a surface, in numbers and as pictures.
 
 mod course;
-mod level;
 mod map;
 mod profile;
 mod runs;

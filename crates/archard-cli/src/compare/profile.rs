@@ -1,12 +1,11 @@
 //! A measured profile beside the worn one of a run.
 
 use anyhow::{Context, Result, ensure};
-use archard::simulation::history::{WORN_SECTION, WORN_VOLUME, of_body};
-use archard_case::measured::plane::{FEWEST, Plane};
+use archard::simulation::history::{BODY_DEPTH, WORN_SECTION, WORN_VOLUME, of_body};
 use archard_case::measured::surface::Surface;
 use archard_case::verdict::Verdict;
+use archard_surface::scar::{Estimate, Scar, Shape, depth_and_width};
 
-use super::level::{Level, Reading, least};
 use super::{Comparison, percent};
 use crate::plot::LINE;
 use crate::plot::figure::{COLOURS, Curves, PALE, Pen};
@@ -15,8 +14,14 @@ use crate::plot::scale::{Unit, phrase};
 use crate::plot::tables::{Axis, Profile, largest, size};
 use crate::report::quantity;
 
-/// Share of the width of the scar left beside it before readings count as outside.
+/// Share of the width of the scar on either side of it within which readings are compared.
 const BESIDE: f64 = 0.25;
+
+/// Half of a 95 % interval of a normal distribution, in its standard deviations.
+const NORMAL: f64 = 1.96;
+
+/// Readings: place and height (m).
+pub(super) type Reading = (f64, f64);
 
 /// The section of a body at the last output: heights out of the material, and what is worn off (m).
 struct Section<'a> {
@@ -46,12 +51,25 @@ pub(super) fn compare(
         axis.other().name(),
     );
     let nominal = nominal(results, body, axis)?;
-    let level = match levelled {
-        true => Level { plane: Plane::LEVEL, shift: 0.0 },
-        false => align(&readings, &nominal, &section)?,
+    let scar = match levelled {
+        true => None,
+        false => {
+            let shape = section.shape(results, body)?;
+            let heights: Vec<[f64; 2]> = readings.iter().map(|(x, z)| [*x, *z]).collect();
+            let found = Scar::find(&heights, &nominal, &shape);
+            let found = found.with_context(|| {
+                format!(
+                    "`{source}` cannot be laid on the run (--levelled: it lies as the run has it)"
+                )
+            })?;
+            Some((found, shape))
+        }
     };
-    let flat = level.applied(&readings);
-    let depths: Vec<Reading> = flat.iter().map(|(x, z)| (*x, nominal(*x) - z)).collect();
+    let depth = |(x, z): &Reading| match &scar {
+        Some((scar, _)) => scar.depth_at([*x, *z], &nominal).into(),
+        None => (*x, nominal(*x) - z),
+    };
+    let depths: Vec<Reading> = readings.iter().map(depth).collect();
     let zone = section.zone(BESIDE);
     let inside: Vec<Reading> =
         depths.iter().copied().filter(|(x, _)| (zone[0]..=zone[1]).contains(x)).collect();
@@ -66,56 +84,29 @@ pub(super) fn compare(
     let off: Vec<f64> = inside.iter().map(|(x, depth)| section.depth(*x) - depth).collect();
     let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
     let deepest = inside.iter().map(|reading| reading.1).fold(f64::NEG_INFINITY, f64::max);
-    let (computed, area) = (largest(section.worn), area(&inside));
-    let along: Vec<Reading> =
-        section.places.iter().copied().zip(section.worn.iter().copied()).collect();
-    let along: Vec<Reading> = along
-        .into_iter()
-        .filter(|(x, _)| (inside[0].0..=inside[inside.len() - 1].0).contains(x))
-        .collect();
-    let worn = self::area(&along);
     let line = |name: &str, value: String| [name.to_owned(), value];
     let mut lines =
         vec![line("readings", format!("{}, {} of them at the scar", readings.len(), inside.len()))];
-    if !levelled {
-        lines.push(line(
-            "levelled by",
-            format!(
-                "{} readings outside the scar, scatter {}",
-                level.plane.used,
-                quantity(level.plane.scatter, "m")
-            ),
-        ));
-        lines.push(line("tilt taken off", format!("{:.4} µm/mm", 1e3 * level.plane.tilt[0])));
-        lines.push(line("offset taken off", quantity(level.plane.offset, "m")));
-        lines.push(line("shift", format!("{} along {}", quantity(level.shift, "m"), axis.name())));
-    }
-    lines.push(line(
-        "difference, RMS",
-        format!(
-            "{}, {:.1} % of the deepest",
-            quantity(rms, "m"),
-            100.0 * rms / deepest.max(computed)
-        ),
-    ));
-    lines.push(line(
-        "deepest",
-        format!(
-            "measured {}, computed {}: {}",
-            quantity(deepest, "m"),
-            quantity(computed, "m"),
-            percent(deepest, computed)
-        ),
-    ));
-    lines.push(line(
-        "worn section",
-        format!(
-            "measured {}, computed {}: {}",
-            quantity(area, "m2"),
-            quantity(worn, "m2"),
-            percent(area, worn)
-        ),
-    ));
+    let computed = largest(section.worn);
+    let measured = match &scar {
+        Some((scar, shape)) => {
+            lines.extend(laid(scar, axis));
+            lines.push(difference(rms, deepest.max(computed)));
+            lines.extend(by_shape((scar, shape)));
+            scar.section.value
+        }
+        None => {
+            let ends = [inside[0].0, inside[inside.len() - 1].0];
+            let along = along_all(&section).into_iter();
+            let along: Vec<Reading> =
+                along.filter(|(x, _)| (ends[0]..=ends[1]).contains(x)).collect();
+            let (measured, worn) = (area(&inside), area(&along));
+            lines.push(difference(rms, deepest.max(computed)));
+            lines.push(beside("deepest", (quantity(deepest, "m"), deepest), (computed, "m")));
+            lines.push(beside("worn section", (quantity(measured, "m2"), measured), (worn, "m2")));
+            measured
+        }
+    };
     let last = |column: &str| {
         results
             .history
@@ -126,7 +117,7 @@ pub(super) fn compare(
     if let Some((volume, all)) =
         last(WORN_VOLUME).zip(last(WORN_SECTION)).filter(|known| known.1 > 0.0)
     {
-        let measured = area * volume / all;
+        let measured = measured * volume / all;
         lines.push(line(
             "worn volume along the track",
             format!(
@@ -139,16 +130,27 @@ pub(super) fn compare(
     }
     let mut remarks = vec![];
     let beyond = readings.len() - inside.len();
-    if beyond > 0 && levelled {
-        remarks.push(format!("readings outside the scar, not compared: {beyond}"));
-    }
-    if !levelled {
-        let debris = beyond.saturating_sub(level.plane.used);
-        remarks.push(format!(
-            "readings outside the scar, used for the level only: {}",
-            level.plane.used
-        ));
-        remarks.push(format!("debris next to the scar, left out: {debris}"));
+    match &scar {
+        None if beyond > 0 => {
+            remarks.push(format!("readings outside the scar, not compared: {beyond}"));
+        }
+        None => {}
+        Some((scar, _)) => {
+            remarks.push(format!("readings outside the scar, used for the level only: {beyond}"));
+            remarks.push(format!("spikes, left out: {}", scar.spikes));
+            if scar.debris > 0.0 {
+                let share = 100.0 * scar.debris;
+                remarks.push(format!(
+                    "debris next to the scar, left out: {share:.0} % of the profile"
+                ));
+            }
+            if scar.unseen > 0.0 {
+                let share = 100.0 * scar.unseen / scar.section.value;
+                remarks.push(format!(
+                    "part of the section beyond the profile, as computed: {share:.1} %"
+                ));
+            }
+        }
     }
     if !levelled && curved(&nominal, &section) {
         remarks.push("on a curved body a shift and a tilt are nearly the same: their sum counts, not each of them".to_owned());
@@ -157,8 +159,11 @@ pub(super) fn compare(
         vec![panel(results, (name, body, axis), &depths, (&along_all(&section), zone, profile))];
     let title = format!("{name} along {} compared with `{source}`", axis.name());
     let mut comparison = Comparison { title, lines, remarks, verdict: Verdict::default(), panels };
-    if !levelled {
-        comparison.state([(level.plane.scatter / deepest.max(computed), "depth".to_owned())]);
+    if let Some((scar, _)) = &scar {
+        let error =
+            |own: &Estimate, what: &str| (own.expanded / NORMAL / own.value, what.to_owned());
+        let depth = scar.depth.iter().map(|own| error(own, "measured depth"));
+        comparison.state(depth.chain([error(&scar.section, "measured section")]));
     }
     Ok(comparison)
 }
@@ -208,6 +213,27 @@ impl<'a> Section<'a> {
         Ok(Self { places, worn, scar: [low, high] })
     }
 
+    /// As a shape that grows as the run has it: its section with the volume of a line of contact, with the section of a track, and else with
+    /// the root of volume and depth, as lengths of a scar grow with its widths.
+    fn shape(&self, results: &Results, body: usize) -> Result<Shape> {
+        let name = &results.bodies[body];
+        let column = |column: &str| results.history.column(&of_body(column, name));
+        let depths = column(BODY_DEPTH)?;
+        let line = results.case.as_ref().is_some_and(|case| case.frame.line);
+        let sections = match (column(WORN_SECTION), column(WORN_VOLUME)) {
+            (Ok(sections), _) if largest(sections) > 0.0 => sections.to_vec(),
+            (_, Ok(volumes)) if line => volumes.to_vec(),
+            (_, Ok(volumes)) => {
+                volumes.iter().zip(depths).map(|(volume, depth)| (volume * depth).sqrt()).collect()
+            }
+            (_, Err(error)) => return Err(error.into()),
+        };
+        let deepening = Shape::deepening(&sections, depths);
+        Shape::new(self.places.to_vec(), self.worn.to_vec(), deepening).with_context(|| {
+            format!("the run has no section of `{name}` that a profile can be held against")
+        })
+    }
+
     /// The scar and a share of its width on either side.
     fn zone(&self, share: f64) -> [f64; 2] {
         let [low, high] = self.scar;
@@ -226,33 +252,59 @@ impl<'a> Section<'a> {
     }
 }
 
-/// The level and the shift at which readings are nearest to the run.
-fn align(
-    readings: &[Reading],
-    nominal: &impl Fn(f64) -> f64,
-    section: &Section<'_>,
-) -> Result<Level> {
-    let zone = section.zone(BESIDE);
-    let fitted = |shift: f64| Level::fitted(readings, shift, nominal, zone);
-    let cost = |shift: f64| {
-        let flat = fitted(shift)?.applied(readings);
-        let inside: Vec<f64> = flat
-            .iter()
-            .filter(|(x, _)| (zone[0]..=zone[1]).contains(x))
-            .map(|(x, z)| (section.depth(*x) - nominal(*x) + z).powi(2))
-            .collect();
-        (inside.len() >= 2).then(|| inside.iter().sum::<f64>() / inside.len() as f64)
+/// How a profile lies on the run.
+fn laid(scar: &Scar, axis: Axis) -> Vec<[String; 2]> {
+    let place = &scar.place;
+    vec![
+        ["tilt taken off".to_owned(), format!("{:.4} µm/mm", 1e3 * scar.tilt)],
+        ["offset taken off".to_owned(), quantity(scar.height, "m")],
+        ["shift".to_owned(), format!("{} along {}", with(place, "m"), axis.name())],
+        [
+            "scatter beside the scar".to_owned(),
+            format!(
+                "{}, alike over {}",
+                quantity(scar.texture.hypot(scar.noise), "m"),
+                quantity(scar.length, "m")
+            ),
+        ],
+    ]
+}
+
+/// Depth, width and section that were measured, next to the computed ones.
+fn by_shape((scar, shape): (&Scar, &Shape)) -> Vec<[String; 2]> {
+    let mut lines = vec![];
+    let mut own = |name: &str, measured: &Estimate, computed: (f64, &str)| {
+        lines.push(beside(name, (with(measured, computed.1), measured.value), computed));
     };
-    let ends = [readings[0].0, readings[readings.len() - 1].0];
-    let range = [ends[0] - section.scar[0], ends[1] - section.scar[1]];
-    let range = if range[0] < range[1] { range } else { [range[1], range[0]] };
-    let shift = least(range, cost);
-    shift.and_then(fitted).with_context(|| {
-        format!(
-            "fewer than {FEWEST} readings lie outside the scar, which the run has {} wide: measure wider, or say --levelled",
-            quantity(section.scar[1] - section.scar[0], "m")
-        )
-    })
+    if let (Some(depth), Some([computed, width])) = (&scar.depth, depth_and_width(shape)) {
+        own("deepest", depth, (computed, "m"));
+        if let Some(measured) = &scar.width {
+            own("width at a twentieth of that", measured, (width, "m"));
+        }
+    }
+    own("worn section", &scar.section, (shape.section(1.0), "m2"));
+    lines
+}
+
+/// A value with its standard uncertainty.
+fn with(own: &Estimate, unit: &str) -> String {
+    format!("{} \u{b1} {}", quantity(own.value, unit), quantity(own.expanded / NORMAL, unit))
+}
+
+/// A measured value, as it is shown, next to the computed one.
+fn beside(
+    name: &str,
+    (shown, measured): (String, f64),
+    (computed, unit): (f64, &str),
+) -> [String; 2] {
+    let computed_shown = quantity(computed, unit);
+    let ratio = percent(measured, computed);
+    [name.to_owned(), format!("measured {shown}, computed {computed_shown}: {ratio}")]
+}
+
+fn difference(rms: f64, deepest: f64) -> [String; 2] {
+    let share = 100.0 * rms / deepest;
+    ["difference, RMS".to_owned(), format!("{}, {share:.1} % of the deepest", quantity(rms, "m"))]
 }
 
 /// Whether the shape bends within the scar by more than a hundredth of the depth.

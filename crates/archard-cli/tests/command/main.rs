@@ -19,6 +19,7 @@ mod surface;
 mod sweep;
 #[cfg(unix)]
 mod tasks;
+mod validate;
 mod verdict;
 mod watch;
 

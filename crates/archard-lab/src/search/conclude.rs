@@ -114,6 +114,7 @@ impl Search<'_> {
                 before: target.value,
                 tests: target.tests.clone(),
                 estimate,
+                assumed: self.assumed_keys.contains(&target.key),
                 curves,
             });
         }

@@ -100,6 +100,7 @@ impl Search<'_> {
                 before: target.value,
                 tests: tests.clone(),
                 estimate,
+                assumed: self.assumed_keys.contains(&target.key),
                 curves,
             });
         }

@@ -6,6 +6,9 @@ use crate::outliers::median;
 /// Blocks at most: the cost of a covariance that is dense. A scar is thirty of them wide at least where it fills a quarter of the profile.
 const MOST: usize = 140;
 
+/// Places so many steps apart have a hole between them: halfway to where a reading is missing.
+const UNEVEN: f64 = 1.5;
+
 /// A profile in blocks.
 #[derive(Debug, Clone)]
 pub(super) struct Blocks {
@@ -14,8 +17,9 @@ pub(super) struct Blocks {
     pub heights: Vec<f64>,
     /// Spikes that were left out.
     pub spikes: usize,
-    /// What a block is not known better than by the rounding of its readings (m).
+    /// What a block is not known better than by the rounding of its readings (m), and what a reading is not.
     pub rounding: f64,
+    pub step: f64,
     /// Readings in all.
     pub readings: usize,
 }
@@ -27,9 +31,12 @@ impl Blocks {
             readings.iter().copied().filter(|own| own.iter().all(|own| own.is_finite())).collect();
         all.sort_by(|one, other| one[0].total_cmp(&other[0]));
         let count = all.len();
-        // A map of one row, and of a second that was not measured.
+        // A map of one row, and of a second that was not measured. Where no block has two readings their weights tell spikes, and the bottom
+        // of a scar of few readings is none.
         let heights = all.iter().map(|own| own[1]).chain(vec![f64::NAN; count]).collect();
-        if let Ok(line) = HeightMap::new([count, 2], [1.0; 2], heights) {
+        if count > MOST
+            && let Ok(line) = HeightMap::new([count, 2], [1.0; 2], heights)
+        {
             let kept = line.clear().0;
             all = all
                 .into_iter()
@@ -48,8 +55,9 @@ impl Blocks {
             blocks.clone().map(one).collect()
         };
         let (places, heights) = (mean(0), mean(1));
-        let rounding = step(&all) / 12f64.sqrt() / (side as f64).sqrt();
-        Self { places, heights, spikes, rounding, readings: count }
+        let step = step(&all) / 12f64.sqrt();
+        let rounding = step / (side as f64).sqrt();
+        Self { places, heights, spikes, rounding, step, readings: count }
     }
 
     /// Number of blocks.
@@ -68,14 +76,24 @@ impl Blocks {
         median(&mut steps).unwrap_or(0.0)
     }
 
-    /// The length (m) that each place stands for.
-    pub fn lengths(&self) -> Vec<f64> {
-        let last = self.len() - 1;
-        let length = |at: usize| {
-            let [from, to] = [at.saturating_sub(1), (at + 1).min(last)];
-            (self.places[to] - self.places[from]) / (to - from) as f64
-        };
-        (0..self.len()).map(length).collect()
+    /// The length (m) that each place stands for, and from where to where (m) nothing was measured between them.
+    pub fn cover(&self) -> (Vec<f64>, Vec<[f64; 2]>) {
+        let step = self.step();
+        let mut lengths = vec![0.0; self.len()];
+        let mut holes = vec![];
+        for (at, pair) in self.places.windows(2).enumerate() {
+            let far = pair[1] - pair[0];
+            let own = if far <= UNEVEN * step { far } else { step };
+            lengths[at] += 0.5 * own;
+            lengths[at + 1] += 0.5 * own;
+            if own < far {
+                holes.push([pair[0] + 0.5 * own, pair[1] - 0.5 * own]);
+            }
+        }
+        // The first and the last reach half a step beyond them.
+        let last = lengths.len() - 1;
+        [0, last].into_iter().for_each(|at| lengths[at] += 0.5 * step);
+        (lengths, holes)
     }
 }
 

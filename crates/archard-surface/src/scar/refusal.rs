@@ -41,7 +41,7 @@ pub enum NoScar {
     /// Nothing to level by.
     #[error(
         "too little was measured beside the scar to level the profile by: {:.3} um on either side are needed, over which the surface \
-         is alike; measure wider",
+         is alike; measure wider, and see that units and the shape of the body are right",
         1e6 * .length
     )]
     Unlevelled {

@@ -59,6 +59,11 @@ impl Shape {
         median(&mut all).unwrap_or(1.0).clamp(0.0, 1.0)
     }
 
+    /// The exponent by which depths grow with the section; widths grow by the rest to one.
+    pub fn exponent(&self) -> f64 {
+        self.deepening
+    }
+
     /// Factors of widths and depths where the section has grown by a factor.
     fn factors(&self, grown: f64) -> [f64; 2] {
         [grown.powf(1.0 - self.deepening), grown.powf(self.deepening)]

@@ -16,6 +16,9 @@ const BOTTOM: f64 = 0.5;
 pub(super) const EDGE: f64 = 0.05;
 /// The weight of a reading below which it says nothing: of four deviations and more.
 const POOR: f64 = 0.3;
+/// Scatter, over the standard deviation of rounding, from which on rounding spreads as noise does: half a step of noise, and the rounding
+/// itself.
+const DITHERED: f64 = 2.0;
 /// Blocks that a depth at the edge is a mean of.
 const MEAN: usize = 3;
 
@@ -93,6 +96,15 @@ impl<'a> Worn<'a> {
         (dot(shares, &self.depths), self.variance(shares, self.through(shares)).sqrt())
     }
 
+    /// What all readings may be rounded by alike (m): rounding spreads as noise does from half a step of noise on.
+    fn rounded(&self) -> f64 {
+        let Model { blocks, .. } = self.model;
+        let noise =
+            self.settled.scatter.noise * blocks.step / blocks.rounding.max(f64::MIN_POSITIVE);
+        let scatter = noise.hypot(self.settled.scatter.texture);
+        if scatter < DITHERED * blocks.step { blocks.step } else { 0.0 }
+    }
+
     /// From where to where the section is summed (m).
     fn zone(&self) -> [f64; 2] {
         let [low, high] = self.model.shape.extent(self.settled.grown);
@@ -101,27 +113,32 @@ impl<'a> Worn<'a> {
     }
 
     /// The worn section (m^2), the part of it that was not measured and is the model's, and its change with height, tilt, growth
-    /// and place.
+    /// and place. What readings differ from the model is summed over them, and the model between them, so that few tell as much.
     pub fn section(&self) -> (Found, f64, [f64; 4]) {
         let Settled { shift, grown, scatter, .. } = self.settled;
+        let Model { shape, blocks, .. } = self.model;
         let [low, high] = self.zone();
-        let places = &self.model.blocks.places;
-        let lengths = self.model.blocks.lengths();
+        let places = &blocks.places;
+        let (lengths, mut holes) = blocks.cover();
         let within =
             |at: usize| if low < places[at] && places[at] < high { lengths[at] } else { 0.0 };
         let shares: Vec<f64> = (0..places.len()).map(within).collect();
-        let last = places.len() - 1;
-        let ends = [places[0] - 0.5 * lengths[0], places[last] + 0.5 * lengths[last]];
-        let seen = ends.map(|end| end - shift);
-        let unseen = |grown: f64| {
-            let shape = self.model.shape;
-            (shape.section(grown) - shape.section_within(grown, seen)).max(0.0)
-        };
-        let missing = unseen(*grown);
+        let half = 0.5 * blocks.step();
+        holes.extend([
+            [f64::NEG_INFINITY, places[0] - half],
+            [places[places.len() - 1] + half, f64::INFINITY],
+        ]);
+        let unseen =
+            |[from, to]: &[f64; 2]| shape.section_within(*grown, [from - shift, to - shift]);
+        let missing: f64 = holes.iter().map(unseen).sum();
+        let between =
+            |grown: f64| shape.section(grown) - dot(&shares, &self.model.worn(*shift, grown));
         let mut through = self.through(&shares);
-        through[2] = (unseen(1.01 * grown) - missing) / (0.01 * grown);
+        through[2] = (between(1.01 * grown) - between(*grown)) / (0.01 * grown);
         let variance = self.variance(&shares, through) + (scatter.misfit * missing).powi(2);
-        ((dot(&shares, &self.depths) + missing, variance.sqrt()), missing, through)
+        let by_steps = shares.iter().sum::<f64>() * self.rounded();
+        let deviation = variance.sqrt().hypot(by_steps);
+        ((dot(&shares, &self.depths) + between(*grown), deviation), missing, through)
     }
 
     /// The depth (m) of the parabola through the middle half of the scar, and its weights; `None` where too few readings lie there.
@@ -130,7 +147,8 @@ impl<'a> Worn<'a> {
         let (middle, half) = (self.settled.shift + 0.5 * (low + high), 0.5 * BOTTOM * (high - low));
         let weights =
             deepest(&self.model.blocks.places, &self.depths, [middle - half, middle + half])?;
-        Some((self.sum(&weights), weights))
+        let (depth, deviation) = self.sum(&weights);
+        Some(((depth, deviation.hypot(self.rounded())), weights))
     }
 
     /// The width (m) between the places at which a twentieth of the depth is worn off; `None` where one of them was not measured.

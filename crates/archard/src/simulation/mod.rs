@@ -56,6 +56,6 @@ pub use positions::solves_of_a_step;
 pub use refusal::Refused;
 pub use report::{Kept, Observer, Report};
 pub use run::Run;
-pub use scar::{worn_extent, worn_middle};
+pub use scar::{worn_extent, worn_middle, worn_profile};
 pub use setup::Simulation;
 pub use wider::{Wider, can_widen};

@@ -31,10 +31,22 @@ pub fn worn_extent(report: &Report<'_>, body: usize) -> Option<[f64; 2]> {
     Some(zone(&problem.frame, &state.worn(body), problem.motion.direction.axis))
 }
 
-/// What is worn off the section through the middle of the frame along an axis (m^2), of a body that keeps its place under the
-/// contact on a uniform frame; `None` of any other.
+/// What is worn off the section through the middle of a uniform frame along an axis (m^2), of a body that keeps its place under the
+/// contact or swings about it; `None` where it does not wear, passes, or repeats itself, and on other frames.
 pub fn worn_middle(report: &Report<'_>, (body, axis): (usize, usize)) -> Option<f64> {
-    worn_extent(report, body)?;
+    let problem = report.problem;
+    problem.bodies[body].wear.as_ref()?;
+    let endless = problem.frame.is_uniform() && problem.frame.measure().closed;
+    if problem.motion.surfaces[body].passes() || endless {
+        return None;
+    }
+    let profile = worn_profile(report, (body, axis))?;
+    Some(report.problem.frame.spacing()[axis] * profile.iter().map(|own| own[1]).sum::<f64>())
+}
+
+/// Places along an axis (m) and what is worn off there (m), through the middle of a uniform frame; `None` of other frames, and across a
+/// line of contact.
+pub fn worn_profile(report: &Report<'_>, (body, axis): (usize, usize)) -> Option<Vec<[f64; 2]>> {
     let (frame, worn) = (&report.problem.frame, report.state.worn(body));
     if !frame.is_uniform() || frame.is_line() && axis == 1 {
         return None;
@@ -47,7 +59,8 @@ pub fn worn_middle(report: &Report<'_>, (body, axis): (usize, usize)) -> Option<
         if axis == 0 { along + elements[0] * row } else { row + elements[0] * along }
     };
     let depth = |along: usize| 0.5 * rows.iter().map(|&row| worn[pair(along, row)]).sum::<f64>();
-    Some(frame.spacing()[axis] * (0..elements[axis]).map(depth).sum::<f64>())
+    let point = |along: usize| [frame.place(pair(along, rows[0]))[axis], depth(along)];
+    Some((0..elements[axis]).map(point).collect())
 }
 
 /// Extent (m) of the worn zone along an axis and across.

@@ -16,7 +16,6 @@ mod track;
 pub use no_scar::NoScar;
 pub use scar::{Scar, Unworn};
 
-use self::spikes::Among;
 use super::heading::Heading;
 use super::plane::Height;
 use super::{Error, Table};
@@ -86,10 +85,8 @@ pub enum NoSurface {
 
 /// The columns of surfaces.
 const COLUMNS: [&str; 3] = ["x", "y", "z"];
-/// Memory (bytes) for a point of a height map: its height as it was read and as it is kept, how it lies among its neighbours, which tells
-/// spikes, and its reading.
-const BYTES_OF_A_POINT: f64 =
-    (2 * size_of::<f64>() + size_of::<Option<Among>>() + size_of::<Height>()) as f64;
+/// Memory (bytes) for a point of a height map: its height as it was read, as it is kept and without spikes, and its reading.
+const BYTES_OF_A_POINT: f64 = (3 * size_of::<f64>() + size_of::<Height>()) as f64;
 /// The least share of a grid that has readings.
 const FILLED: f64 = 0.5;
 

@@ -119,6 +119,71 @@ fn what_is_no_scar_is_refused() {
     assert_eq!(found(&few).unwrap_err(), NoScar::Few { readings: 12, least: 18 });
 }
 
+/// Five to thirty blocks across, and next to no noise and misfit: the model between them tells as much as they do.
+#[test]
+fn few_readings_across_a_scar_tell_its_section() {
+    let width = (12.0 * 20e-3 * made::SECTION).cbrt();
+    for across in [5.0, 8.0, 30.0] {
+        let step = width / across;
+        let count = (2.2 * across) as i32;
+        for phase in 0..5 {
+            let shift = 0.2 * step * f64::from(phase);
+            let place = |i: i32| step * f64::from(i);
+            let wave = |i: i32| 1e-8 * f64::from(i * 7 % 5);
+            let readings: Vec<[f64; 2]> = (-count..=count)
+                .map(|i| {
+                    [place(i), 3e-3 * place(i) - ring(place(i) - shift, made::SECTION) + wave(i)]
+                })
+                .collect();
+            let scar = Scar::find(&readings, &|_| 0.0, &computed()).unwrap();
+            let off = scar.section.value - made::SECTION;
+            assert!(
+                off.abs() < scar.section.expanded.max(1e-3 * made::SECTION),
+                "{across} {phase}: {scar:?}"
+            );
+            assert!(scar.section.standard < 0.02 * made::SECTION, "{across} {phase}: {scar:?}");
+        }
+    }
+}
+
+/// Holes in the scar are filled by the model, as far as they are a fifth of it, and make it uncertain.
+#[test]
+fn holes_in_a_scar_make_its_section_uncertain() {
+    for (from, to, least) in [(-0.2, 0.0, 0.004), (0.6, 0.8, 0.001)] {
+        let mut own = made(Kind::FlatBeside, 4);
+        let whole = found(&own).unwrap();
+        let half = 0.5 * (whole.extent[1] - whole.extent[0]);
+        let within = |reading: &[f64; 2]| {
+            let place = (reading[0] - own.shift) / half;
+            from < place && place < to
+        };
+        own.readings.retain(|reading| !within(reading));
+        let scar = found(&own).unwrap();
+        assert!((scar.section.value - own.section).abs() < scar.section.expanded, "{scar:?}");
+        assert!(scar.section.standard > least * own.section && scar.unseen > 0.0, "{scar:?}");
+    }
+    let mut own = made(Kind::FlatBeside, 4);
+    own.readings.retain(|reading| (reading[0] - own.shift).abs() > 0.3e-3);
+    assert!(matches!(found(&own), Err(NoScar::Unseen { .. })), "{:?}", found(&own));
+}
+
+/// Heights in steps and no noise: all of them may be rounded alike.
+#[test]
+fn rounded_heights_are_as_uncertain_as_their_step() {
+    let width = (12.0 * 20e-3 * made::SECTION).cbrt();
+    for (at, step) in [0.5e-6, 1e-6, 2e-6].into_iter().enumerate() {
+        let height = |x: f64| 0.3e-6 * at as f64 - ring(x - 0.1e-3, made::SECTION);
+        let readings: Vec<[f64; 2]> = (-400..=400)
+            .map(|i| 5e-6 * f64::from(i))
+            .map(|x| [x, step * (height(x) / step).round()])
+            .collect();
+        let scar = Scar::find(&readings, &|_| 0.0, &computed()).unwrap();
+        let off = scar.section.value - made::SECTION;
+        assert!(off.abs() < scar.section.expanded, "{step}: {off} {scar:?}");
+        assert!(scar.section.standard < step * width, "{step}: {scar:?}");
+    }
+}
+
 /// A shape of a run that has gone a thirtieth or thirty times as far says how far it should have gone.
 #[test]
 fn a_shape_of_another_size_is_refused() {

@@ -1,0 +1,81 @@
+//! `archard validate`: measured tests next to what is predicted of them.
+
+use std::path::{Path, PathBuf};
+
+use archard_case::output::{Place, Store};
+use archard_lab::validate::{Set, Validated, in_markdown, validate};
+
+use crate::arguments::Validate as Arguments;
+use crate::failure::Failure;
+use crate::fit::{Follow, failed};
+use crate::say::say;
+
+/// The first words of the page.
+const HEAD: &str = "# Measured wear
+
+Each set is a folder with a case, a table of tests and the files of what was measured. Each test is predicted by the coefficient that the other
+tests give, or by the one of its authors, and held against what was measured: the error is the prediction less the measured value, after ASME
+V&V 20. Its 95 % interval has the scatter of the tests, the uncertainty of the measured value and that of the numbers (half the elements) in
+it. `archard validate FOLDER -o PAGE` makes this page.
+";
+const TAIL: &str = "## A set of one's own
+
+A folder with `set.toml`, a case and a table of tests as `archard fit` reads it:
+
+```toml
+title = \"What was tested\"
+source = \"Where it was published, with load, distance and materials\"
+licence = \"Under which terms it is copied\"
+read = \"What was read, from where, and how well\"
+case = \"case.toml\"              # if it is another
+tests = \"tests.csv\"             # if it is another
+# assume = [\"body.ring.wear.archard.coefficient\"]     # what no test tells
+
+# Without this each test is predicted by the others.
+[coefficient]
+source = \"Who found the coefficient of the case, and how\"
+uncertainty = 0.1               # standard, relative
+```
+";
+
+/// Predicts the tests of sets, and writes a page of them if a file is named.
+pub fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let sets = Set::all(&arguments.folder).map_err(Failure::wrong)?;
+    let store = arguments.cache.clone().map(Store::new).or_else(Store::of_user);
+    let mut all: Vec<Validated> = vec![];
+    for set in &sets {
+        let mut follow = Follow::new(arguments.quiet);
+        let found = validate(set, (&runs(set), store.as_ref()), &mut follow);
+        follow.end();
+        let found = found.map_err(|error| failed(&error))?;
+        if !arguments.json && !arguments.quiet {
+            say(found.to_string().trim_end())?;
+        }
+        all.push(found);
+    }
+    if arguments.json {
+        let sets: Vec<_> = all.iter().map(Validated::json).collect();
+        say(&format!(
+            "{:#}",
+            serde_json::json!({ "program": "archard", "version": env!("CARGO_PKG_VERSION"), "sets": sets })
+        ))?;
+    }
+    match &arguments.output {
+        Some(page) => write(page, &all),
+        None => Ok(()),
+    }
+}
+
+/// The folder of the runs of a set.
+fn runs(set: &Set) -> PathBuf {
+    let whole = set.dir.canonicalize().unwrap_or_else(|_| set.dir.clone());
+    Path::new("results/validate").join(whole.file_name().unwrap_or_default())
+}
+
+/// Writes a page, or one in place of an earlier one.
+fn write(page: &Path, all: &[Validated]) -> Result<(), Failure> {
+    let wrong = |error: archard_case::output::Error| Failure::wrong(error.to_string());
+    let text = format!("{HEAD}\n{}{TAIL}", in_markdown(all));
+    let own = |known: &[u8]| known.starts_with(HEAD.as_bytes());
+    Place::free_or(page, own).map_err(wrong)?.write(text.as_bytes()).map_err(wrong)
+}
