@@ -18,6 +18,7 @@ from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
 from archard._surface import Surface, surface
 from archard._sweep import Row, Sweep, sweep
+from archard._validate import Compared, Validated, validate
 from archard.case import Case, Forecast, cases
 from archard.result import Profile, Result, Snapshot, Table, Verdict
 from archard.result import open as open  # Not in the list below: a star must not replace the one of Python.
@@ -29,6 +30,7 @@ __all__ = [
     "CaseError",
     "CaseWarning",
     "Coefficient",
+    "Compared",
     "Comparison",
     "Contact",
     "Exponent",
@@ -48,6 +50,7 @@ __all__ = [
     "Surface",
     "Sweep",
     "Table",
+    "Validated",
     "Verdict",
     "WrongResult",
     "__version__",
@@ -57,4 +60,5 @@ __all__ = [
     "rail",
     "surface",
     "sweep",
+    "validate",
 ]

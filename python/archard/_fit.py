@@ -28,7 +28,7 @@ class Exponent(NamedTuple):
     p: float
     """How probable something so far off is if the law holds."""
     rejected: bool
-    """Whether the law is rejected: ``p < 0.01``, and the exponent off by more than 0.05."""
+    """Whether the law is rejected: ``p < 0.05``, and the exponent off by more than 0.05."""
 
 
 class Coefficient(NamedTuple):
@@ -173,7 +173,8 @@ def fit(
             profiles and height maps.
         uncertain: relative standard uncertainties that all tests have in common, as
             ``{"motion.sliding.load": 0.01, "distance": 0.005}``.
-        assume: keys of wear coefficients that are taken from the case though there are no readings of that body.
+        assume: keys of wear coefficients that are taken from the case though there are no readings of that body,
+            or that are fitted though the tests do not wear by their law.
         out: folder for ``fit.json``, ``fit.csv`` and the runs of the case; nothing is kept if not given.
 
     Raises:

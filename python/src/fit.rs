@@ -19,7 +19,7 @@ use crate::case::CaseFile;
 pyo3::import_exception!(archard._errors, NotConverged);
 
 /// Ends the runs once nobody waits for them any more.
-struct Waited(Arc<AtomicBool>);
+pub(crate) struct Waited(pub(crate) Arc<AtomicBool>);
 
 impl Observer for Waited {
     fn observe(&mut self, _: &Report<'_>) -> Result<(), Box<dyn StdError + Send + Sync>> {

@@ -17,6 +17,7 @@ mod law;
 mod rail;
 mod run;
 mod surface;
+mod validate;
 
 use pyo3::prelude::*;
 
@@ -54,6 +55,8 @@ mod _archard {
     use super::run::Run;
     #[pymodule_export]
     use super::surface::read_surface;
+    #[pymodule_export]
+    use super::validate::validate;
 
     use pyo3::prelude::*;
 

@@ -16,7 +16,8 @@ const HEAD: &str = "# Measured wear
 Each set is a folder with a case, a table of tests and the files of what was measured. Each test is predicted by the coefficient that the other
 tests give, or by the one of its authors, and held against what was measured: the error is the prediction less the measured value, after ASME
 V&V 20. Its 95 % interval has the scatter of the tests, the uncertainty of the measured value and that of the numbers (half the elements) in
-it. `archard validate FOLDER -o PAGE` makes this page.
+it. Depths and widths at the test's own section say whether the shape is right, whatever the coefficient. `archard validate FOLDER -o PAGE`
+makes this page.
 ";
 const TAIL: &str = "## A set of one's own
 

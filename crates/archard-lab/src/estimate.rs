@@ -107,11 +107,12 @@ impl Study {
             None => None,
             // What was stated of all readings of a quantity stays.
             Some(shown) => {
-                let all = |place: usize| {
-                    let mut readings = self.tests.iter().flat_map(|test| &test.readings);
-                    readings.all(|r| r.quantity != place || r.uncertainty.is_some())
+                let stated = |place: usize| {
+                    let readings = self.tests.iter().flat_map(|test| &test.readings);
+                    let mut of_it = readings.filter(|r| r.quantity == place).peekable();
+                    of_it.peek().is_some() && of_it.all(|r| r.uncertainty.is_some())
                 };
-                let of = |(place, shown)| if all(place) { own[place] } else { shown };
+                let of = |(place, shown)| if stated(place) { own[place] } else { shown };
                 Some(shown.into_iter().enumerate().map(of).collect())
             }
         };

@@ -72,7 +72,9 @@ impl Quantity {
         let column = |column: &str| number(row, &of_body(column, &body.name));
         match self.kind {
             Kind::Volume => column(WORN_VOLUME),
-            Kind::Section => column(WORN_SECTION),
+            // Along a line of contact volumes are those of a length of one.
+            Kind::Section => column(WORN_SECTION)
+                .or_else(|| column(WORN_VOLUME).filter(|_| report.problem.frame.is_line())),
             Kind::Mass => column(MASS_LOSS),
             Kind::Depth => column(BODY_DEPTH),
             Kind::Middle(axis) => worn_middle(report, (self.body, axis)),

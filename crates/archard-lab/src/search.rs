@@ -73,9 +73,8 @@ pub fn fit(file: &CaseFile, table: &Table, request: Request<'_>) -> Result<Fit, 
     }
     let (file, case) = &settled(file, resolved, request.store, &mut *request.following)?;
     if measured.waits() {
-        // On half the elements: a profile is not known better than its law.
         let runs = (request.store, &mut *request.following);
-        let mut shapes = Shapes::of((file, case.clone()), runs, true);
+        let mut shapes = Shapes::of((file, case.clone()), runs, false);
         measured = Measurement::of(table, case, asked, Some(&mut shapes))?;
     }
     let linear = measured.targets.iter().all(|own| own.key.ends_with(".wear.archard.coefficient"));

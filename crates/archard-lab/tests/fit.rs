@@ -486,7 +486,6 @@ fn what_cannot_be_fitted_is_told_with_its_line() {
     whole("test,distance_m,mass_mg\nA,0.1,1\n", "body.pin.density");
     whole("test,distance_m,section_mm2\nA,0.1,1\n", "do not tell the `section`");
     whole("test,distance_m,depth_disc_um\nA,0.1,1\n", "`disc`, which does not wear");
-    whole("test,distance_m,depth_um,volume_mm3,u_depth_um\nA,0.1,1,1,0.1\n", "`u_volume`");
     let error = fitted(&both, &format!("{head}A,0.1,1\n"), None).unwrap_err().to_string();
     assert!(error.contains("name it `depth_pin` or `depth_disc`"), "{error}");
     let key = "body.pin.profile.sphere.radii";

@@ -44,8 +44,12 @@ fn worn_blocks_are_predicted_by_each_other() {
         assert!((own.measured / known - 1.0).abs() < 0.02, "{own:?}");
     }
     assert!(all.iter().all(|own| own.holds()), "{found}");
-    for own in of("width") {
-        assert!(own.error().abs() < 0.08, "{own:?}");
+    // At the section of the test itself; the second scar is skew.
+    for (quantity, most) in [("depth", [0.06; 3]), ("width", [0.04, 0.06, 0.04])] {
+        for (own, most) in of(quantity).zip(most) {
+            let error = own.at_own_section.unwrap() / own.measured - 1.0;
+            assert!(error.abs() < most, "{own:?}");
+        }
     }
 }
 

@@ -177,7 +177,7 @@ fn what_cannot_be_compared_is_refused_in_words() {
         "{message}"
     );
     let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &[]);
-    assert!(message.contains("measure wider"), "{message}");
+    assert!(message.contains("2 readings cannot separate a scar"), "{message}");
     let message = refused("x [mm],z [um]\n0,1\n0.1,2\n", &["--body", "ball"]);
     assert!(message.contains("the bodies are pin and disc"), "{message}");
     let message = refused("x [mm],y [mm],z [um]\n0,1,1\n", &[]);

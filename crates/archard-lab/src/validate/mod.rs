@@ -29,6 +29,8 @@ pub struct Compared {
     pub measured: f64,
     /// The simulation.
     pub predicted: f64,
+    /// The simulation that wears the measured section, of depths and widths of profiles: whether the shape is right, whatever the coefficient.
+    pub at_own_section: Option<f64>,
     /// Halves of the 95 % intervals of their logarithms, by the data, by the input (the coefficient) and by the numbers.
     pub halves: [f64; 3],
 }

@@ -172,6 +172,7 @@ impl<'a> Prediction<'a> {
         for ((of, scar), fine) in profiles(&measured).zip(fine) {
             let coarse = depth_and_width(&shapes.at(of, settings)?);
             let Some((values, coarse)) = depth_and_width(&fine).zip(coarse) else { continue };
+            let grown = scar.section.value / fine.section(1.0);
             let own = [
                 ("depth", (1e6, "um"), scar.depth, fine.exponent()),
                 ("width", (1e3, "mm"), scar.width, 1.0 - fine.exponent()),
@@ -183,6 +184,7 @@ impl<'a> Prediction<'a> {
                     unit,
                     measured: data.value,
                     predicted: values[at],
+                    at_own_section: Some(values[at] * grown.powf(exponent)),
                     halves: [
                         data.expanded / data.value,
                         exponent * coefficient.half,
@@ -234,6 +236,7 @@ impl<'a> Prediction<'a> {
                     unit: quantity.kind.shown(),
                     measured: reading.value,
                     predicted: own.log.exp(),
+                    at_own_section: None,
                     halves: [
                         NORMAL * reading.uncertainty.unwrap_or(0.0),
                         own.slope * coefficient.half,

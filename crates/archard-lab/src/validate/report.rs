@@ -20,7 +20,7 @@ impl Validated {
             json!({
                 "test": own.test, "quantity": own.quantity, "measured": own.measured, "predicted": own.predicted,
                 "relative_half_95": { "data": own.halves[0], "input": own.halves[1], "numbers": own.halves[2] },
-                "interval_95": own.interval(), "error": own.error(), "inside": own.holds(),
+                "interval_95": own.interval(), "error": own.error(), "inside": own.holds(), "at_own_section": own.at_own_section,
             })
         };
         let all = self.outcome.as_deref().unwrap_or_default();
@@ -112,7 +112,7 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
             None => writeln!(text, "The coefficient of each test is that of the others.\n")?,
         }
         text.push_str(
-            "| test | | measured | predicted | 95 % interval | error | |\n|---|---|---|---|---|---|---|\n",
+            "| test | | measured | predicted | 95 % interval | error | at its own section | |\n|---|---|---|---|---|---|---|---|\n",
         );
         for own in values {
             let (factor, unit) = own.unit;
@@ -120,13 +120,17 @@ fn page(text: &mut String, all: &[Validated]) -> fmt::Result {
             let [low, high] = own.interval().map(number);
             writeln!(
                 text,
-                "| {} | {} | {} {unit} ± {:.1} % | {} | {low} .. {high} | {:+.1} % | {} |",
+                "| {} | {} | {} {unit} ± {:.1} % | {} | {low} .. {high} | {:+.1} % | {} | {} |",
                 own.test,
                 own.quantity,
                 number(own.measured),
                 100.0 * own.halves[0],
                 number(own.predicted),
                 100.0 * own.error(),
+                own.at_own_section.map_or(String::new(), |value| format!(
+                    "{:+.1} %",
+                    100.0 * (value / own.measured - 1.0)
+                )),
                 if own.holds() { "inside" } else { "**outside**" }
             )?;
         }

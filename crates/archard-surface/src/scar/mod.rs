@@ -178,14 +178,5 @@ impl Scar {
 /// Depth (m) of the parabola through the middle half of a computed shape, and its width (m) at a twentieth of that, as [`Scar`] has those of
 /// readings; `None` of a shape with too few points.
 pub fn depth_and_width(shape: &Shape) -> Option<[f64; 2]> {
-    let [low, high] = shape.extent(1.0);
-    let (middle, quarter) = (0.5 * (low + high), 0.25 * (high - low));
-    // As close as the blocks of a profile may be: points of a shape may be few.
-    let places: Vec<f64> =
-        (-400..=400).map(|i| middle + 3.0 * quarter * f64::from(i) / 400.0).collect();
-    let depths: Vec<f64> = places.iter().map(|place| shape.worn(*place, 1.0)).collect();
-    let weights = worn::deepest(&places, &depths, [middle - quarter, middle + quarter])?;
-    let depth = model::dot(&weights, &depths);
-    let [low, high] = worn::edges(&places, &depths, worn::EDGE * depth)?;
-    Some([depth, high.0 - low.0])
+    Some([shape.depth()?, shape.width_at(worn::EDGE, 1.0)?])
 }

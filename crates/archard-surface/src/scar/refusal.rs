@@ -33,7 +33,10 @@ pub enum NoScar {
         deepest: f64,
     },
     /// Too much of it was not measured.
-    #[error("{:.0} % of the scar lies beyond the profile, and 20 % may: measure wider", 100.0 * .share)]
+    #[error(
+        "{:.0} % of the scar lies beyond the profile, and 20 % may: measure wider, and see that units and the shape of the body are right",
+        100.0 * .share
+    )]
     Unseen {
         /// The share of the section.
         share: f64,

@@ -9,6 +9,7 @@ use statrs::function::erf::erfc_inv;
 use super::FREEDOM;
 use super::model::{Gls, LINEAR, Model, Scatter};
 use super::place::{self, GROWN};
+use super::shape::LEAST;
 use crate::outliers::{BY_MEDIAN, median};
 /// The misfit of Archard's law to measured scars, as a share of their depth: their closed forms met four of them within 1 to 6 %. The
 /// logarithm of the misfit is normal about that of this, with a deviation of one.
@@ -20,8 +21,6 @@ const LEAST_MISFIT: f64 = 1e-3;
 const LONGEST: f64 = 1.0 / 6.0;
 /// Texture, over the depth, beyond which no scar stands out: a depth of ten deviations is none of its.
 const MOST_TEXTURE: f64 = 0.1;
-/// Noise below this share of the depth is lost where a covariance is inverted in double precision.
-const LEAST_NOISE: f64 = 1e-7;
 /// Rounds of variances and weights: from the fourth on places change by less than a tenth of their uncertainty.
 const ROUNDS: usize = 4;
 /// Steps of the search for variances: a simplex of five numbers moves all of its corners in six.
@@ -117,7 +116,7 @@ impl Settled {
     /// Of a model; `None` where the readings ask for no scar of its kind anywhere.
     pub fn of(model: &Model<'_>) -> Option<Self> {
         let blocks = model.blocks;
-        let floor = blocks.rounding.max(LEAST_NOISE * model.shape.deepest());
+        let floor = blocks.rounding.max(LEAST * model.shape.deepest());
         let noise = white(&blocks.heights).max(floor);
         let (mut shift, mut grown) = place::roughly(model, noise)?;
         let [low, high] = model.shape.extent(grown);
@@ -198,7 +197,7 @@ fn expected(gls: &Gls, noise: f64, weights: &[f64]) -> Vec<f64> {
 }
 
 /// Marks debris and pile-up next to the scar, which are no part of the level: three neighbours that lie off together by more than texture there.
-fn settle_debris(debris: &mut [bool], (residuals, floor): (&[f64], f64), worn: &[f64]) {
+fn settle_debris(debris: &mut [bool], (residuals, least): (&[f64], f64), worn: &[f64]) {
     let beside: Vec<usize> = (0..worn.len()).filter(|&at| worn[at] <= 0.0).collect();
     // Fewer do not tell a median from what lies on top.
     if beside.len() <= 4 * DEBRIS {
@@ -207,7 +206,7 @@ fn settle_debris(debris: &mut [bool], (residuals, floor): (&[f64], f64), worn: &
     let mut own: Vec<f64> = beside.iter().map(|&at| residuals[at]).collect();
     let middle = median(&mut own).unwrap_or(0.0);
     let mut sizes: Vec<f64> = beside.iter().map(|&at| (residuals[at] - middle).abs()).collect();
-    let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(floor);
+    let spread = (BY_MEDIAN * median(&mut sizes).unwrap_or(0.0)).max(least);
     let bound = SQRT_2 * erfc_inv(0.5 / residuals.len() as f64) * spread;
     for at in 1..residuals.len() - 1 {
         let mean = residuals[at - 1..=at + 1].iter().sum::<f64>() / DEBRIS as f64 - middle;

@@ -1,9 +1,14 @@
 //! The worn section that a model computes, and how it grows.
 
+use super::worn::deepest;
 use crate::outliers::median;
 
-/// Depths below this share of the greatest are no wear: a profilometer does not see them, and a computed section ends there.
-const LEAST: f64 = 1e-3;
+/// Depths below this share of the greatest are no wear: a profilometer does not see them, and a computed section ends there. Readings
+/// are not known better against it.
+pub(super) const LEAST: f64 = 1e-3;
+
+/// Parts of a section, in numbers of its own.
+const FINE: i32 = 500;
 
 /// A computed worn section: depths along a line, and how they grow with the section.
 ///
@@ -85,6 +90,39 @@ impl Shape {
     /// From where to where it is worn (m) where the section has grown by a factor.
     pub fn extent(&self, grown: f64) -> [f64; 2] {
         self.extent.map(|place| place * self.factors(grown)[0])
+    }
+
+    /// Its depth (m) by the parabola through its middle half; `None` of too few points.
+    pub fn depth(&self) -> Option<f64> {
+        let places = self.fine();
+        let depths: Vec<f64> = places.iter().map(|place| self.worn(*place, 1.0)).collect();
+        let [low, high] = self.extent;
+        let [middle, quarter] = [0.5 * (low + high), 0.25 * (high - low)];
+        let weights = deepest(&places, &depths, [middle - quarter, middle + quarter])?;
+        Some(weights.iter().zip(&depths).map(|(weight, depth)| weight * depth).sum())
+    }
+
+    /// Its width (m) at a share of that depth, where the section has grown by a factor; `None` of too few points.
+    pub fn width_at(&self, share: f64, grown: f64) -> Option<f64> {
+        let level = share * self.depth()?;
+        let places = self.fine();
+        let worn = |place: &&f64| self.worn(**place, 1.0) > level;
+        let first = places.iter().find(worn)?;
+        let last = places.iter().rfind(worn)?;
+        let step = places[1] - places[0];
+        // To where the line between two places comes down to the level.
+        let beyond = |place: f64, step: f64| {
+            let [inside, outside] = [self.worn(place, 1.0), self.worn(place + step, 1.0)];
+            step.abs() * (inside - level) / (inside - outside)
+        };
+        let width = last - first + beyond(*first, -step) + beyond(*last, step);
+        Some(width * self.factors(grown)[0])
+    }
+
+    /// Places (m) over the section and some way beyond it, closer than those of any profile.
+    fn fine(&self) -> Vec<f64> {
+        let [low, high] = self.extent;
+        (-FINE..=2 * FINE).map(|i| low + (high - low) * f64::from(i) / f64::from(FINE)).collect()
     }
 
     /// Its width (m).

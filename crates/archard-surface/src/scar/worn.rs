@@ -163,7 +163,13 @@ impl<'a> Worn<'a> {
             shares.iter_mut().zip(bottom).for_each(|(share, bottom)| *share -= EDGE * own * bottom);
         }
         let variance = self.variance(&shares, self.through(&shares));
-        Some((edges[1].0 - edges[0].0, variance.sqrt()))
+        // Means over three places lie beyond the foot of a wall: as far as those of the model do.
+        let Settled { shift, grown, .. } = self.settled;
+        let model = self.model.worn(*shift, *grown);
+        let [low, high] = self::edges(places, &model, EDGE * dot(bottom, &model))?;
+        let exact = self.model.shape.width_at(EDGE, *grown)?;
+        let beyond = (high.0 - low.0) - exact;
+        Some((edges[1].0 - edges[0].0 - beyond, variance.sqrt()))
     }
 
     /// How uncertain the section is by what lies next to the scar alone, over what it is by all: `None` where too little lies there.

@@ -41,18 +41,6 @@ fn surface(header: &str, rows: impl Iterator<Item = Vec<f64>>) -> Surface {
     Surface::of(&Table::read("scar.csv", text.as_bytes()).unwrap()).unwrap()
 }
 
-/// A profile in mm and um around a place on a flat, tilted by 3 um/mm, with debris and noise.
-fn profile(middle: f64, length: f64, random: &mut Normal) -> Surface {
-    let row = |i: i32| {
-        let x = length * f64::from(i) / 800.0;
-        let debris = if (40..46).contains(&i) { 3e-6 } else { 0.0 };
-        let z = 20e-6 + 3e-3 * x - worn(x - middle) + debris + NOISE * random.draw();
-        vec![1e3 * x, 1e6 * z]
-    };
-    let rows: Vec<Vec<f64>> = (0..=800).map(row).collect();
-    surface("x [mm],z [um]", rows.into_iter())
-}
-
 /// A map of a worn ball in mm and um, tilted along both axes; `gap` says where there is no reading.
 fn bowl(middle: [f64; 2], gap: impl Fn(f64, f64) -> bool, random: &mut Normal) -> Surface {
     failing(middle, |u, v| if gap(u, v) { f64::NAN } else { 0.0 }, random)
@@ -75,66 +63,6 @@ fn failing(middle: [f64; 2], mut off: impl FnMut(f64, f64) -> f64, random: &mut 
 
 const FLAT: Unworn<'_> = Unworn { height: &|_| 0.0, through: [false; 2] };
 const BALL: Unworn<'_> = Unworn { height: &sphere, through: [false; 2] };
-
-/// The section lies within the stated uncertainty as often as it says, and so do tilt and place.
-#[test]
-fn grooves_are_measured_wherever_they_lie() {
-    let mut random = Normal(fastrand::Rng::with_seed(2));
-    let section = 4.0 / 3.0 * DEPTH * HALF;
-    let mut squares = 0.0;
-    for round in 0..60 {
-        let middle = 0.5e-3 + 1e-5 * f64::from(round);
-        let scar = Scar::find(&profile(middle, 1.6e-3, &mut random), FLAT).unwrap();
-        squares += ((scar.worn - section) / scar.uncertainty).powi(2) / 60.0;
-        assert!((scar.plane.tilt[0] - 3e-3).abs() < 1e-4, "{scar:?}");
-        assert!((scar.middle[0] - middle).abs() < 5e-6, "{scar:?}");
-        assert!((scar.deepest / DEPTH - 1.0).abs() < 0.06, "{scar:?}");
-        assert!(scar.uncertainty < 0.02 * section);
-    }
-    // The mean square of 60 is 1 +- 0.18.
-    assert!((0.5..1.6).contains(&squares), "{squares}");
-}
-
-/// Heights of few digits and no noise: what rounding may hide is in the uncertainty, whatever it is rounded to. Where the level
-/// is rounded to few steps, the scar may not be told from it.
-#[test]
-fn rounded_heights_are_as_uncertain_as_their_step() {
-    let section = 4.0 / 3.0 * DEPTH * HALF;
-    let mut found = 0;
-    for round in 0..40 {
-        let step = [1e-7, 2e-7, 4e-7, 5e-7][round % 4];
-        let middle = 0.6e-3 + 7e-6 * round as f64;
-        let row = |i: i32| {
-            let x = 1.6e-3 * f64::from(i) / 800.0;
-            let z = 20e-6 + 1e-4 * round as f64 * x - worn(x - middle);
-            vec![1e3 * x, 1e6 * step * (z / step).round()]
-        };
-        let rows: Vec<Vec<f64>> = (0..=800).map(row).collect();
-        let Ok(scar) = Scar::find(&surface("x [mm],z [um]", rows.into_iter()), FLAT) else {
-            continue;
-        };
-        found += 1;
-        assert!((scar.worn - section).abs() < scar.uncertainty, "{step:e}, {round}: {scar:?}");
-        // Half a step over all of the width.
-        assert!(scar.uncertainty < 1.5 * step * HALF, "{step:e}, {round}: {scar:?}");
-    }
-    assert!(found >= 30, "{found}");
-}
-
-/// Where more of a profile is worn than not, the level is found all the same.
-#[test]
-fn wide_scars_are_levelled_by_what_is_left() {
-    let mut random = Normal(fastrand::Rng::with_seed(4));
-    let scar = Scar::find(&profile(0.45e-3, 1.0e-3, &mut random), FLAT).unwrap();
-    let section = 4.0 / 3.0 * DEPTH * HALF;
-    assert!((scar.worn - section).abs() < 3.0 * scar.uncertainty, "{scar:?}");
-    // From nine tenths of it on nothing is left to level by.
-    for (middle, length) in [(0.32e-3, 0.64e-3), (0.25e-3, 0.5e-3), (0.1e-3, 0.8e-3)] {
-        let refused = Scar::find(&profile(middle, length, &mut random), FLAT).unwrap_err();
-        let said = refused.to_string();
-        assert!(said.contains("measure") || said.contains("no scar stands out"), "{said}");
-    }
-}
 
 #[test]
 fn the_volume_of_a_worn_ball_is_that_of_the_bowl() {
@@ -234,29 +162,13 @@ const VOLUME: f64 = 0.5 * std::f64::consts::PI * HALF * HALF * DEPTH;
 #[test]
 fn readings_that_failed_are_left_out() {
     let mut random = Normal(fastrand::Rng::with_seed(14));
-    let mut squares = vec![];
     for (share, off) in [(0.005, -5e-6), (0.01, -20e-6), (0.01, 20e-6), (0.03, -9999e-6)] {
-        for round in 0..10 {
-            let middle = 0.7e-3 + 1e-5 * f64::from(round);
-            let rows = (0..=800).map(|i| {
-                let x = 2e-6 * f64::from(i);
-                let failed = if random.0.f64() < share { off } else { 0.0 };
-                let z = 3e-3 * x - worn(x - middle) + failed + NOISE * random.draw();
-                vec![1e3 * x, 1e6 * z]
-            });
-            let rows: Vec<Vec<f64>> = rows.collect();
-            let scar = Scar::find(&surface("x [mm],z [um]", rows.into_iter()), FLAT).unwrap();
-            squares.push(((scar.worn - SECTION) / scar.uncertainty).powi(2));
-        }
         let mut chance = fastrand::Rng::with_seed(15);
         let pits = |_: f64, _: f64| if chance.f64() < share { off } else { 0.0 };
         let map = failing([0.6e-3, 0.5e-3], pits, &mut random);
         let scar = Scar::find(&map, BALL).unwrap();
         assert!(scar.gaps > 0 && (scar.worn - VOLUME).abs() < 3.0 * scar.uncertainty, "{scar:?}");
     }
-    // The mean square of 40 is 1 +- 0.22.
-    let mean = squares.iter().sum::<f64>() / squares.len() as f64;
-    assert!((0.4..1.8).contains(&mean), "{mean}");
 }
 
 /// A number that stands for lost readings is none, however many of them lie side by side.
@@ -430,6 +342,6 @@ fn files_of_instruments_are_height_maps() {
     assert!(of("scan.csv", 1e6).is_none());
     let error = of("scan.x3p", 1e6).unwrap().unwrap_err().to_string();
     assert!(error.starts_with("scan.x3p: is no X3P (.x3p) file: it is Gwyddion"), "{error}");
-    let error = of("scan.gwy", 1e3).unwrap().unwrap_err().to_string();
+    let error = of("scan.gwy", 5e2).unwrap().unwrap_err().to_string();
     assert!(error.contains("5 x 4 points take"), "{error}");
 }
