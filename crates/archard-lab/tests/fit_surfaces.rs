@@ -289,7 +289,7 @@ fn files_that_cannot_be_used_are_told_with_their_line() {
         ("x [mm],z [um]\n0,1\n".to_owned(), "line 3: scar.csv: no column is titled `Tiefe [um]`"),
         ("a [mm],Tiefe [um]\n0,1\n".to_owned(), "a profile has columns `x` (or `y`) and `z`"),
         // Nothing but the scar; heights in mm; depths in the place of heights.
-        (profile(0.42e-3, 1.0), "beside"),
+        (profile(0.42e-3, 1.0), "measure wider"),
         (profile(1.2e-3, 1e-3), "units"),
         (profile(1.2e-3, -1.0), "units"),
     ] {
