@@ -86,24 +86,9 @@ pub enum Command {
         #[arg(short, long, value_name = "PICTURE", value_hint = ValueHint::FilePath)]
         output: Option<PathBuf>,
     },
-    /// Read the log of a tribometer: its columns, the steady part, wear rate and friction with their 95 % intervals
-    Log {
-        /// Text as the instrument writes it, or that text in gzip
-        #[arg(value_hint = ValueHint::FilePath)]
-        file: PathBuf,
-        /// A column by its title, e.g. wear="Displacement [um]"; a minus before the title turns the sign
-        #[arg(long = "column", value_name = "NAME=TITLE")]
-        column: Vec<String>,
-        /// A value that the log does not hold: load, radius, speed, or from, where the steady part begins
-        #[arg(long = "set", value_name = "NAME=VALUE")]
-        set: Vec<String>,
-        /// Print the results in SI as JSON
-        #[arg(long)]
-        json: bool,
-        /// Write the rows that `archard fit` reads into this file, which must not exist
-        #[arg(short, long, value_name = "ROWS", value_hint = ValueHint::FilePath)]
-        output: Option<PathBuf>,
-    },
+    /// Read logs of tribometers: columns, the steady part, wear rate and friction with their 95 % intervals
+    #[command(after_help = LOG_EXAMPLES)]
+    Log(Log),
     /// Show threads, vectors, memory and cache of this machine, and run a self-test of two seconds
     Doctor,
     /// Print what completes the command line in a shell
@@ -118,6 +103,33 @@ pub enum Command {
         #[arg(value_hint = ValueHint::DirPath)]
         dir: PathBuf,
     },
+}
+
+/// Logs, and what they do not hold.
+#[derive(Debug, Args)]
+pub struct Log {
+    /// Text as the instrument writes it, or that text in gzip; tests of one name or set-up are held against each other
+    #[arg(required = true, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    pub files: Vec<PathBuf>,
+    /// A column by its title, e.g. wear="Displacement [um]"; a minus before the title turns the sign
+    #[arg(long, value_name = "NAME=TITLE")]
+    pub column: Vec<String>,
+    /// A value that the log does not hold: load, radius, speed, stroke, or from, where the steady part begins; one for each step
+    /// as load="5 N; 10 N"
+    #[arg(long, value_name = "NAME=VALUE")]
+    pub set: Vec<String>,
+    /// Print the results in SI as JSON
+    #[arg(long)]
+    pub json: bool,
+    /// Draw depth and friction over the distance into this file (.png, .svg, or .pdf if built with it)
+    #[arg(long, value_name = "PICTURE", value_hint = ValueHint::FilePath)]
+    pub picture: Option<PathBuf>,
+    /// A profile of what the test wore, for the rows: of the log in the same place
+    #[arg(long, value_name = "PROFILE", value_hint = ValueHint::FilePath)]
+    pub profile: Vec<PathBuf>,
+    /// Write the rows that `archard fit` reads into this file, which must not exist
+    #[arg(short, long, value_name = "ROWS", value_hint = ValueHint::FilePath)]
+    pub output: Option<PathBuf>,
 }
 
 /// A case with options laid over it.
@@ -287,6 +299,12 @@ pub struct New {
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 }
+
+const LOG_EXAMPLES: &str = "\
+Examples:
+    archard log test_1.tsv.gz test_2.tsv.gz --picture tests.png -o rows.csv
+    archard log t11.csv --set load=\"10 N\" --set radius=\"10 mm\"
+    archard log csm.txt --profile csm_profile.csv -o rows.csv";
 
 const SURFACE_EXAMPLES: &str = "\
 Examples:

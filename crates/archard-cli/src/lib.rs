@@ -69,9 +69,7 @@ pub fn main(words: Vec<OsString>) -> u8 {
         Command::Laws { name } => laws::laws(name.as_deref()),
         Command::Materials { name } => materials::materials(name.as_deref()),
         Command::Watch { dir } => watch::watch(&dir),
-        Command::Log { file, column, set, json, output } => {
-            log::log(&file, [&column, &set], json, output.as_deref())
-        }
+        Command::Log(arguments) => log::log(&arguments),
         Command::Doctor => doctor::doctor(),
         Command::Surface { file, set, output } => surface::surface(&file, &set, output.as_deref()),
         Command::Completions { shell } => shell::completions(shell),

@@ -119,9 +119,7 @@ pub enum Error {
         role: &'static str,
     },
     /// Nothing says how far the bodies slid.
-    #[error(
-        "{log}:{line}: nothing says how far the bodies slid, in columns {titles}: name a column with --column distance=TITLE, or give --set speed=\"0.1 m/s\" (with a column of the time) or --set radius=\"10 mm\" (with one of the revolutions or of the rotational speed)"
-    )]
+    #[error("{log}:{line}: nothing says how far the bodies slid, in columns {titles}: {remedy}")]
     NoDistance {
         /// The log.
         log: String,
@@ -129,6 +127,42 @@ pub enum Error {
         line: usize,
         /// The titles.
         titles: String,
+        /// What to give.
+        remedy: String,
+    },
+    /// An option states another unit than the log or its rig.
+    #[error(
+        "{log}:{line}: `{title}` is in {known}, and --column {role} says {asked}: leave the unit out, or correct the heading of the log"
+    )]
+    TwoUnits {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// The title.
+        title: String,
+        /// The unit of the log or of its rig.
+        known: String,
+        /// The unit of the option.
+        asked: String,
+        /// What the column is for.
+        role: &'static str,
+    },
+    /// Columns contradict one another by a factor that only a unit makes.
+    #[error(
+        "{log}:{line}: {one} is {ratio} times that from {other}: one of their units is wrong; correct the heading, or state what is missing with --column or --set"
+    )]
+    Disagree {
+        /// The log.
+        log: String,
+        /// The line of the names.
+        line: usize,
+        /// What contradicts.
+        one: String,
+        /// What it contradicts.
+        other: String,
+        /// The factor.
+        ratio: String,
     },
     /// An option is none.
     #[error("{option}: {help}")]

@@ -50,6 +50,9 @@ pub fn decimal<'a>(cells: impl Iterator<Item = &'a str>) -> char {
 /// Seconds of `14:08:16`, `2:08:16.5 PM` or `2019-04-11 14:08:16`, and whether a date stands before it: from midnight without one, from
 /// the first of January of the year 1 with one.
 pub fn clock(cell: &str) -> Option<(f64, bool)> {
+    if !cell.contains(':') {
+        return None;
+    }
     let cell = cell.trim().trim_end_matches('Z');
     let upper = cell.to_ascii_uppercase();
     let (cell, noon) = match (upper.strip_suffix("PM"), upper.strip_suffix("AM")) {

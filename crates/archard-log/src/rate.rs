@@ -1,9 +1,7 @@
-//! The steady part of a step, its wear rate, and jumps of the transducer.
-
-use statrs::distribution::{ContinuousCDF, Normal};
+//! The steady part of a step and its wear rate.
 
 use crate::noise::{BINS, Found, means, regress};
-use crate::steps::median;
+use crate::transducer::resolution;
 
 /// Readings that a rate needs: twice as many as line and noise have parameters, in each half.
 pub const FEWEST: usize = 20;
@@ -21,39 +19,6 @@ pub struct Rate {
     pub error: f64,
     /// Decay length of the noise (m).
     pub wander: f64,
-}
-
-/// Jumps: the first row after each, and its height (m). One step between two readings that no noise of the others makes once in a
-/// hundred logs, and that stays: the medians of the readings of a bin before and after differ by more than half of it.
-pub fn jumps(depth: &[f64]) -> Vec<(usize, f64)> {
-    let steps: Vec<f64> = depth.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    let middle = median(&steps);
-    let off: Vec<f64> = steps.iter().map(|step| (step - middle).abs()).collect();
-    let normal = Normal::new(0.0, 1.0).expect("the standard normal distribution");
-    // The median deviation of a normal distribution is its third quartile.
-    let sigma = median(&off) / normal.inverse_cdf(0.75);
-    let resolution = resolution(depth);
-    let bound = normal.inverse_cdf(1.0 - 0.005 / steps.len().max(1) as f64) * sigma.max(resolution);
-    let width = depth.len().div_ceil(BINS).max(5);
-    let stays = |row: usize| {
-        let before = median(&depth[row.saturating_sub(width)..row]);
-        median(&depth[row..(row + width).min(depth.len())]) - before
-    };
-    let large = (1..depth.len()).filter(|row| off[row - 1] > bound);
-    large
-        .map(|row| (row, stays(row)))
-        .filter(|(row, stays)| {
-            let step = steps[row - 1];
-            stays.abs() > bound && stays * step > 0.5 * step * step
-        })
-        .collect()
-}
-
-/// The smallest difference of two neighbours that is not zero.
-fn resolution(depth: &[f64]) -> f64 {
-    let steps = depth.windows(2).map(|pair| (pair[1] - pair[0]).abs());
-    let least = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
-    if least.is_finite() { least } else { 0.0 }
 }
 
 /// The rate of all that is given, with a step at each jump.

@@ -1,8 +1,8 @@
-//! A log in words, as JSON and as rows for `archard fit`.
+//! Logs in words and as JSON.
 
 use serde_json::{Value, json};
 
-use crate::{Log, Rate, Step};
+use crate::{Group, Log, Rate, Step};
 
 fn four(value: f64) -> String {
     match value.abs() {
@@ -48,6 +48,25 @@ impl Log {
                     ),
                 ));
             }
+            if let Some((first, _)) = step.spikes.first() {
+                let share = 1e2 * step.spikes.len() as f64 / step.readings as f64;
+                lines.push(line(
+                    "spikes",
+                    &format!(
+                        "{} readings of the transducer, {share:.2} %, are left out of the rates; the first in line {first}",
+                        step.spikes.len()
+                    ),
+                ));
+            }
+            if let Some(drift) = step.drift {
+                lines.push(line(
+                    "drift",
+                    &format!(
+                        "under load before the motion, as much as {} um/m of this test: the interval holds the rate with and without it",
+                        four(1e6 * drift)
+                    ),
+                ));
+            }
             if let Some(rate) = &step.steady {
                 let [from, to] = rate.part.map(four);
                 lines.push(line(
@@ -80,6 +99,22 @@ impl Log {
         lines
     }
 
+    /// One line of the main step: load, distance, and the coefficient or why there is none.
+    pub fn line(&self) -> String {
+        let name = self.name();
+        let Some(step) = self.main_step() else { return format!("{name}: no readings") };
+        let load = step.load.map_or("unknown load".to_owned(), |load| format!("{} N", four(load)));
+        let told = step.k_over_area().zip(step.steady).zip(step.load);
+        let words = match told {
+            Some(((k, rate), load)) => {
+                let [low, high] = rate.interval.map(|end| four(1e3 * end / load));
+                format!("k / area {} mm3/(N m) per mm2 ({low} .. {high})", four(1e3 * k))
+            }
+            None => format!("no k / area: {}", step.refused.as_deref().unwrap_or_default()),
+        };
+        format!("{name}: {load}, {} m: {words}", four(step.distance))
+    }
+
     /// All results in SI; those of the main step at the top, all under `steps`.
     pub fn json(&self) -> Value {
         let mut top = self.main_step().map_or(json!({}), of_step);
@@ -88,37 +123,15 @@ impl Log {
         top["steps"] = self.steps.iter().map(of_step).collect();
         top
     }
-
-    /// Rows that `archard fit` reads: one a step, the wear over its steady part, without the heading [`ROWS`].
-    pub fn rows(&self) -> Vec<String> {
-        let name = self.source.rsplit(['/', '\\']).next().unwrap_or_default();
-        let name = name.split_once('.').map_or(name, |(stem, _)| stem).replace([',', '"'], "_");
-        let told = self.steps.iter().filter(|step| step.k_over_area().is_some());
-        told.enumerate()
-            .filter_map(|(index, step)| {
-                let (rate, load) = (step.steady?, step.load?);
-                let far = rate.part[1] - rate.part[0];
-                let name = if index == 0 { name.clone() } else { format!("{name}_{}", index + 1) };
-                // The 95 % interval of a normal distribution is 3.92 standard deviations wide.
-                let error = (rate.interval[1] - rate.interval[0]) * far / 3.92;
-                Some(format!(
-                    "{name},{far:.6e},{:.6e},{:.6e},{load:.6e}",
-                    1e6 * rate.rate * far,
-                    1e6 * error
-                ))
-            })
-            .collect()
-    }
 }
-
-/// The heading of the rows.
-pub const ROWS: &str = "test,distance [m],depth [um],u_depth [um],load [N]";
 
 fn of_step(step: &Step) -> Value {
     let rate = step.steady;
     json!({
         "lines": step.lines,
         "load_N": step.load,
+        "radius_m": step.radius,
+        "speed_m_s": step.speed,
         "distance_m": step.distance,
         "readings": step.readings,
         "idle_readings": step.idle,
@@ -131,6 +144,51 @@ fn of_step(step: &Step) -> Value {
         "friction": step.friction.map(|friction| friction.0),
         "friction_interval": step.friction.map(|friction| friction.1),
         "jumps": step.jumps.iter().map(|(at, height)| json!({"at_m": at, "height_m": height})).collect::<Vec<_>>(),
+        "spikes": step.spikes.iter().map(|(line, at)| json!({"line": line, "at_m": at})).collect::<Vec<_>>(),
+        "drift": step.drift,
         "refused": step.refused,
     })
+}
+
+impl Group {
+    /// A line of the logs that share a name or a set-up; `names` are those of all logs.
+    pub fn line(&self, names: &[String]) -> String {
+        let own: Vec<&str> = self.logs.iter().map(|log| &*names[*log]).collect();
+        let k: Vec<String> = self.k.iter().map(|k| four(1e3 * k)).collect();
+        let radius = self.radius.filter(|[low, high]| self.named && *high > 1.01 * low);
+        let radius = radius.map_or(String::new(), |[low, high]| {
+            format!(", on radii from {} to {} mm", four(1e3 * low), four(1e3 * high))
+        });
+        let which = match self.named {
+            true => format!("{} at {} N", self.name, four(self.load)),
+            false => format!("{} under other names", self.name),
+        };
+        let verdict = match self.agree {
+            true => "their intervals explain the difference",
+            false => "more than their intervals explain: tests scatter, not readings",
+        };
+        format!(
+            "{which}: {} ({}){radius}: k / area {} mm3/(N m) per mm2, median {}, standard deviation of the logarithm {:.0} %; {verdict}",
+            own.len(),
+            own.join(", "),
+            k.join(", "),
+            four(1e3 * self.median),
+            1e2 * self.scatter
+        )
+    }
+
+    /// The same in SI.
+    pub fn json(&self, names: &[String]) -> Value {
+        json!({
+            "name": self.name,
+            "same_name": self.named,
+            "logs": self.logs.iter().map(|log| &names[*log]).collect::<Vec<_>>(),
+            "load_N": self.load,
+            "radius_m": self.radius,
+            "k_over_area_1_per_N": self.k,
+            "median_1_per_N": self.median,
+            "scatter_of_logarithm": self.scatter,
+            "agree": self.agree,
+        })
+    }
 }

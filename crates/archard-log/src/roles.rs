@@ -1,7 +1,7 @@
 //! What each column is: by its name and its unit.
 
 use crate::error::Error;
-use crate::table::{Column, Table, plain};
+use crate::table::{Column, Table, heading, plain};
 use crate::unit::{self, Measure};
 
 /// Roles: the name for `--column`, the measure, and names in the order they are preferred.
@@ -9,45 +9,57 @@ pub const ROLES: [(&str, Measure, &str); 11] = [
     (
         "time",
         Measure::Time,
-        "testtime elapsedtime elapsed versuchszeit messzeit time zeit timestamp temps t",
+        "testtime elapsedtime elapsed runtime testduration versuchszeit messzeit time zeit timestamp temps t",
     ),
     (
         "distance",
         Measure::Length,
-        "slidingdistance distance totaldistance gleitweg gleitstrecke reibweg weg",
+        "slidingdistance distance totaldistance distanceslid gleitweg gleitstrecke reibweg weg",
     ),
-    ("laps", Measure::Number, "laps lap totalrevolutions revolutions revs turns umdrehungen"),
+    (
+        "laps",
+        Measure::Number,
+        "laps lap totalrevolutions numberofrevolutions revolutions revs turns rotations totalcycles numberofcycles cycles umdrehungen zyklen",
+    ),
     (
         "speed",
         Measure::Speed,
         "slidingvelocity slidingspeed velocity linearspeed speed gleitgeschwindigkeit geschwindigkeit",
     ),
-    ("rotation", Measure::Rotation, "speed velocity rotationalspeed rpm drehzahl"),
-    ("radius", Measure::Length, "radius trackradius reibradius"),
-    ("load", Measure::Force, "load normalload normalforce appliedload fz fn normalkraft"),
+    (
+        "rotation",
+        Measure::Rotation,
+        "speed velocity rotationalspeed rotationalvelocity rotationspeed spindlespeed discspeed diskspeed rpm drehzahl",
+    ),
+    ("radius", Measure::Length, "radius trackradius weartrackradius reibradius"),
+    (
+        "load",
+        Measure::Force,
+        "load normalload normalforce appliedload appliedforce measuredload fz fn normalkraft last nominalload nominalforce",
+    ),
     (
         "friction_force",
         Measure::Force,
-        "frictionforce friction tangentialforce fx ft reibkraft reibungskraft",
+        "frictionforce frictionalforce friction tangentialforce fx ft ff reibkraft reibungskraft",
     ),
     (
         "friction",
         Measure::Number,
-        "frictioncoefficient coefficientoffriction cof mu reibwert reibungszahl reibungskoeffizient",
+        "frictioncoefficient coefficientoffriction coefffriction friccoeff coeff cof mu reibwert reibungszahl reibungskoeffizient friction",
     ),
     (
         "wear",
         Measure::Length,
-        "weardepth wear linearwear verschleisstiefe verschleiss penetrationdepth depth tiefe weardisplacement displacement zposition lvdt height",
+        "weardepth wear linearwear totalwear pinwear verschleisstiefe verschleiss penetrationdepth depth zdepth tiefe weardisplacement displacement lvdt zposition zdisplacement z height hoehe",
     ),
-    ("mass", Measure::Mass, "mass deadweight masse"),
+    ("mass", Measure::Mass, "mass deadweight deadload masse"),
 ];
 
 /// A rig, titles that tell it, and the units of its columns by role.
 type Rig = (&'static str, &'static [&'static str], &'static [(&'static str, &'static str)]);
 
 /// Units that rigs leave out of their headings.
-const RIGS: [Rig; 2] = [
+const RIGS: [Rig; 3] = [
     (
         "TE67",
         &["This Step", "TOTAL REVOLUTIONS", "Contact Potential"],
@@ -68,6 +80,7 @@ const RIGS: [Rig; 2] = [
         &["Laps", "FrictionForce"],
         &[("time", "s"), ("distance", "m"), ("friction_force", "N")],
     ),
+    ("FX2", &["RecipeStep", "Timestamp"], &[("time", "s")]),
 ];
 
 /// A column that was found, in SI.
@@ -81,6 +94,8 @@ pub struct Chosen {
     pub values: Vec<f64>,
     /// Whether its name says that it grows with wear.
     pub grows: bool,
+    /// What is to be said of how it was read.
+    pub said: Option<String>,
 }
 
 /// The rig by its headings.
@@ -106,9 +121,13 @@ pub fn choose(
     let of_rig = of_rig.and_then(|own| own.2.iter().find(|unit| unit.0 == role)).map(|unit| unit.1);
     let fits = |column: &Column| match &column.unit {
         _ if column.is_clock => *measure == Measure::Time,
-        Some(unit) => unit::known(unit).is_some_and(|known| known.0 == *measure),
+        // A coefficient may name in brackets what it is made of.
+        Some(unit) => match unit::known(unit) {
+            Some((of, _)) => of == *measure || is_weight(role, of),
+            None => role == "friction",
+        },
         // Without a unit one name may be of two measures: the speed of a rig is the linear one if it has both.
-        None => true,
+        None => *measure != Measure::Number || role != "friction" || column.name != "friction",
     };
     let (column, sign, stated) = if let Some(given) = given {
         let (sign, title) = given.strip_prefix('-').map_or((1.0, given), |rest| (-1.0, rest));
@@ -120,10 +139,15 @@ pub fn choose(
             Some((bare, unit)) => (bare.trim(), Some(unit::plain(unit))),
             None => (title, None),
         };
-        let is = |column: &&Column| {
-            column.title == title || column.title == bare || column.name == plain(bare)
+        let all = |is: &dyn Fn(&&Column) -> bool| -> Vec<&Column> {
+            table.columns.iter().filter(is).collect()
         };
-        let Some(column) = table.columns.iter().filter(is).nth(nth) else {
+        let named = all(&|column| column.title == title || column.title == bare);
+        let named = match named.is_empty() {
+            true => all(&|column| column.name == plain(heading(title).0.as_str())),
+            false => named,
+        };
+        let Some(column) = named.get(nth).copied() else {
             let titles = table.titles();
             return Err(Error::NoColumn { log, line, title: given.to_owned(), titles });
         };
@@ -142,8 +166,17 @@ pub fn choose(
         }
         (column, 1.0, None)
     };
+    let rigs_own = of_rig.filter(|_| column.unit.is_none());
+    let other = column.unit.as_deref().or(rigs_own).zip(stated.as_deref());
+    if let Some((known, asked)) =
+        other.filter(|(known, asked)| unit::known(known) != unit::known(asked))
+    {
+        let (title, known, asked) = (column.title.clone(), known.to_owned(), asked.to_owned());
+        return Err(Error::TwoUnits { log, line, title, known, asked, role });
+    }
     let unit = match (&column.unit, stated) {
         _ if column.is_clock => "s".to_owned(),
+        (Some(unit), _) if role == "friction" && unit::known(unit).is_none() => "1".to_owned(),
         (Some(unit), _) => unit.clone(),
         (None, Some(unit)) => unit,
         (None, None) => match (of_rig, measure) {
@@ -163,8 +196,13 @@ pub fn choose(
             }
         },
     };
+    let mut said = None;
     let size = match unit::known(&unit) {
         Some((of, size)) if of == *measure => size * sign,
+        Some((of, size)) if is_weight(role, of) => {
+            said = Some(format!("a dead weight: times {} m/s2", unit::FREE_FALL));
+            size * sign * unit::FREE_FALL
+        }
         _ => {
             let (title, measure) = (column.title.clone(), measure.name());
             return Err(Error::OtherMeasure { log, line, title, unit, measure, role });
@@ -173,5 +211,10 @@ pub fn choose(
     let values = column.values.iter().map(|value| value * size).collect();
     let grows = given.is_some_and(|given| given.starts_with('-'))
         || ["wear", "verschleiss", "depth", "tiefe"].iter().any(|word| column.name.contains(word));
-    Ok(Some(Chosen { title: column.title.clone(), unit, values, grows }))
+    Ok(Some(Chosen { title: column.title.clone(), unit, values, grows, said }))
+}
+
+/// Whether a column of this measure holds the dead weight that is the load.
+fn is_weight(role: &str, of: Measure) -> bool {
+    role == "load" && of == Measure::Mass
 }

@@ -1,7 +1,10 @@
 //! A log as a table: its columns, whatever stands before, between and behind its rows.
 
+use std::ops::Range;
+
 use crate::error::Error;
 use crate::number::{DAY, clock, decimal, number};
+use crate::rate::FEWEST;
 use crate::{text, unit};
 
 /// A column: title, name without unit, unit, and a value a row (NaN where there is none).
@@ -30,6 +33,8 @@ pub struct Table {
     pub lines: Vec<usize>,
     /// The line of the names.
     pub heading: usize,
+    /// Lines without readings, above the names and between or below the readings, as cells.
+    pub asides: Vec<(usize, Vec<String>)>,
     /// What was passed over.
     pub said: Vec<String>,
 }
@@ -53,15 +58,67 @@ fn cells(line: &str, separator: char) -> Vec<String> {
     found.iter().map(|cell| cell.trim().to_owned()).collect()
 }
 
+/// The separator that makes most lines rows; of those that make as many the last one here.
+fn separator(lines: &[(usize, &str)]) -> char {
+    // A thousand lines of a long log say it.
+    let some = || lines.iter().step_by(lines.len() / 1000 + 1);
+    let rows = |by: char| some().filter(|(_, line)| is_row(&cells(line, by))).count();
+    [' ', '|', ',', ';', '\t'].into_iter().max_by_key(|by| rows(*by)).unwrap_or(',')
+}
+
+fn filled(cells: &[String]) -> usize {
+    cells.iter().filter(|cell| !cell.is_empty()).count()
+}
+
+fn is_units(cells: &[String]) -> bool {
+    cells.iter().all(|cell| unit::known(cell).is_some()) && filled(cells) > 0
+}
+
+/// The lines from the names of the longest table on to those of the next one.
+///
+/// # Errors
+/// If another table could be meant as well.
+fn longest(
+    log: &str,
+    split: &[(usize, Vec<String>)],
+    is_a_row: &[bool],
+) -> Result<Range<usize>, Error> {
+    let begins = |at: &usize| {
+        let cells = &split[*at].1;
+        let below = (at + 1..split.len()).find(|next| !is_units(&split[*next].1));
+        let Some(row) = below.filter(|row| is_a_row[*row]) else { return false };
+        let names = filled(cells) >= 2 && 2 * filled(cells) >= filled(&split[row].1);
+        names && !is_units(cells) && !cells.iter().any(|cell| is_value(cell))
+    };
+    let mut edges: Vec<usize> = (0..split.len()).filter(begins).collect();
+    // Names that are repeated, as on each page of a print, begin no table.
+    edges.dedup_by(|next, last| split[*next].1 == split[*last].1);
+    edges.insert(0, 0);
+    edges.push(split.len());
+    let parts: Vec<Range<usize>> = edges.windows(2).map(|pair| pair[0]..pair[1]).collect();
+    let rows = |part: &Range<usize>| is_a_row[part.clone()].iter().filter(|row| **row).count();
+    let most = parts.iter().map(rows).max().unwrap_or_default();
+    let own = parts.iter().position(|part| rows(part) == most).unwrap_or_default();
+    // A head of a few numbers is no table of readings.
+    let other = (0..parts.len()).find(|at| *at != own && rows(&parts[*at]) >= FEWEST.min(most));
+    if let Some(other) = other {
+        let (line, cells) = &split[parts[other.max(own)].start];
+        let heading = cells.join(", ");
+        return Err(Error::OtherTable { log: log.to_owned(), line: *line, heading });
+    }
+    Ok(parts[own].clone())
+}
+
 /// Whether a line is a row: two values at least, and values in most of its cells.
 fn is_row(cells: &[String]) -> bool {
-    let filled = cells.iter().filter(|cell| !cell.is_empty()).count();
+    let filled = filled(cells);
     let values = cells.iter().filter(|cell| is_value(cell)).count();
     values >= 2 && 2 * values > filled
 }
 
-/// The name and unit of `Load [N]`, `depth (um)`, `Wear / µm` or `wear_um`; the name is what stands behind the last point.
-fn heading(title: &str) -> (String, Option<String>) {
+/// The name and unit of `Load [N]`, `depth (um)`, `Wear / µm`, `wear_um`, `Load, N` or `Load N`; the name is what stands behind the
+/// last point.
+pub fn heading(title: &str) -> (String, Option<String>) {
     let (name, unit) = [('[', ']'), ('(', ')')]
         .into_iter()
         .find_map(|(open, close)| {
@@ -72,6 +129,11 @@ fn heading(title: &str) -> (String, Option<String>) {
         .or_else(|| {
             let (name, end) = title.rsplit_once('_')?;
             unit::known(end).filter(|_| !end.is_empty()).map(|_| (name, Some(end)))
+        })
+        .or_else(|| {
+            let (name, end) = title.trim().rsplit_once(' ')?;
+            let is_name = name.contains(char::is_alphabetic);
+            unit::stands_alone(end).filter(|_| is_name).map(|_| (name, Some(end)))
         })
         .unwrap_or((title, None));
     (plain(name), unit.map(unit::plain))
@@ -92,49 +154,54 @@ impl Table {
     pub fn read(source: &str, bytes: &[u8]) -> Result<Self, Error> {
         let log = source.to_owned();
         let text = text::text(bytes).map_err(|why| Error::Damaged { log: log.clone(), why })?;
+        // Some end the lines of a head with a carriage return alone.
+        let text = text.replace("\r\n", "\n").replace('\r', "\n");
         let lines: Vec<(usize, &str)> = text
             .lines()
             .enumerate()
-            .map(|(at, line)| (at + 1, line.trim_end_matches('\r')))
+            .map(|(at, line)| (at + 1, line))
             .filter(|(_, line)| !line.trim().is_empty())
             .collect();
-        let rows = |by: char| lines.iter().filter(|(_, line)| is_row(&cells(line, by))).count();
-        // The first of the best: `max_by_key` takes the last.
-        let separator = [' ', '|', ',', ';', '\t'].into_iter().max_by_key(|by| rows(*by));
-        let separator = separator.unwrap_or(',');
+        let separator = separator(&lines);
         let split: Vec<(usize, Vec<String>)> =
             lines.iter().map(|(at, line)| (*at, cells(line, separator))).collect();
-        let first = split.iter().position(|(_, cells)| is_row(cells));
-        let Some(first) = first else { return Err(Error::NoRows { log }) };
+        let is_a_row: Vec<bool> = split.iter().map(|(_, cells)| is_row(cells)).collect();
+        if !is_a_row.contains(&true) {
+            return Err(Error::NoRows { log });
+        }
+        let own = longest(&log, &split, &is_a_row)?;
+        let first = (own.start..own.end).find(|at| is_a_row[*at]).unwrap_or(own.start);
         let width = split[first].1.len();
         let wide = |cells: &[String]| 2 * cells.len() >= width && cells.len() >= 2;
-        let words = |cells: &[String]| {
-            wide(cells) && cells.iter().filter(|cell| !cell.is_empty()).count() >= 2
-        };
-        let is_units = |cells: &[String]| {
-            cells.iter().all(|cell| unit::known(cell).is_some())
-                && cells.iter().any(|c| !c.is_empty())
-        };
-        let names = |end: usize| split[..end].iter().rposition(|(_, cells)| words(cells));
-        let at = names(first);
-        let (at, units) = match at {
+        let words = |cells: &[String]| wide(cells) && filled(cells) >= 2;
+        let names = |end: usize| (0..end).rev().find(|at| words(&split[*at].1) && !is_a_row[*at]);
+        let (at, units) = match names(first) {
             Some(own) if is_units(&split[own].1) => (names(own), Some(own)),
             found => (found, None),
         };
         let Some(at) = at else { return Err(Error::NoHeading { log, line: split[first].0 }) };
         let titles = &split[at].1;
-        let sign = decimal(split[first..].iter().flat_map(|(_, cells)| cells.iter().map(|c| &**c)));
-        let (mut kept, mut others, mut repeated) = (vec![], vec![], 0);
-        for (place, (line, cells)) in split.iter().enumerate().skip(first) {
-            if is_row(cells) && wide(cells) {
-                kept.push((*line, cells));
-            } else if cells == titles || is_units(cells) {
-                repeated += 1;
-            } else if words(cells) && split.get(place + 1).is_some_and(|next| is_row(&next.1)) {
-                return Err(Error::OtherTable { log, line: *line, heading: cells.join(", ") });
-            } else {
+        let cells = (first..own.end).filter(|row| is_a_row[*row]);
+        let sign = decimal(cells.flat_map(|row| split[row].1.iter().map(|cell| &**cell)));
+        let (mut kept, mut asides, mut others, mut repeated) = (vec![], vec![], vec![], 0);
+        for (place, (line, cells)) in split.iter().enumerate() {
+            if place == at || Some(place) == units {
+                continue;
+            }
+            if own.contains(&place) && place >= first {
+                if is_a_row[place] && wide(cells) {
+                    kept.push((*line, cells));
+                    continue;
+                }
+                if cells == titles || is_units(cells) {
+                    repeated += 1;
+                    continue;
+                }
+            }
+            if place > at {
                 others.push(*line);
             }
+            asides.push((*line, cells.clone()));
         }
         let mut said = vec![];
         if repeated > 0 {
@@ -148,9 +215,11 @@ impl Table {
         }
         let mut columns = vec![];
         for (index, title) in titles.iter().enumerate() {
-            let own = |cells: &[String]| cells.get(index).cloned().unwrap_or_default();
-            let clocks: Vec<Option<(f64, bool)>> =
-                kept.iter().map(|(_, cells)| clock(&own(cells))).collect();
+            let own = |cells: &'_ Vec<String>| cells.get(index).cloned().unwrap_or_default();
+            let clocks: Vec<Option<(f64, bool)>> = kept
+                .iter()
+                .map(|(_, cells)| cells.get(index).and_then(|cell| clock(cell)))
+                .collect();
             let is_clock = clocks.iter().any(Option::is_some);
             let values = match is_clock {
                 true => past_midnight(&clocks),
@@ -168,7 +237,18 @@ impl Table {
             columns.push(Column { title: title.clone(), name, unit, values, is_clock });
         }
         let lines = kept.iter().map(|(line, _)| *line).collect();
-        Ok(Self { source: log, columns, lines, heading: split[at].0, said })
+        Ok(Self { source: log, columns, lines, heading: split[at].0, asides, said })
+    }
+
+    /// Whether it is a height over a length and nothing else, by the names; a distance slid is in metres.
+    pub fn is_profile(&self) -> bool {
+        let names = ["profile", "profil", "height", "hoehe", "z"];
+        let [one, other] = &self.columns[..] else { return false };
+        let across = ["distance", "x", "y", "position", "length", "weg"];
+        let is_slid =
+            |own: &Column| own.unit.as_deref().is_some_and(|unit| ["m", "km"].contains(&unit));
+        [one, other].iter().any(|own| own.name == "profile" || own.name == "profil")
+            || across.contains(&&*one.name) && !is_slid(one) && names.contains(&&*other.name)
     }
 
     /// The titles, for messages.

@@ -27,11 +27,15 @@ pub const FREE_FALL: f64 = 9.806_65;
 const UNITS: [(Measure, &[&str], f64); 31] = [
     (Measure::Time, &["s", "sec", "secs", "second", "seconds", "sek"], 1.0),
     (Measure::Time, &["ms"], 1e-3),
-    (Measure::Time, &["min", "minutes"], 60.0),
-    (Measure::Time, &["h", "hr", "hours"], 3600.0),
+    (Measure::Time, &["min", "minute", "minutes"], 60.0),
+    (Measure::Time, &["h", "hr", "hour", "hours"], 3600.0),
     (Measure::Length, &["m", "meter", "metre", "meters", "metres"], 1.0),
-    (Measure::Length, &["mm"], 1e-3),
-    (Measure::Length, &["um", "micron", "microns", "micrometer"], 1e-6),
+    (Measure::Length, &["mm", "millimeter", "millimeters", "millimetre", "millimetres"], 1e-3),
+    (
+        Measure::Length,
+        &["um", "micron", "microns", "micrometer", "micrometers", "micrometre", "micrometres"],
+        1e-6,
+    ),
     (Measure::Length, &["nm"], 1e-9),
     (Measure::Length, &["cm"], 1e-2),
     (Measure::Length, &["km"], 1e3),
@@ -39,7 +43,7 @@ const UNITS: [(Measure, &[&str], f64); 31] = [
     (Measure::Area, &["mm2", "mm^2"], 1e-6),
     (Measure::Area, &["m2", "m^2"], 1.0),
     (Measure::Area, &["cm2", "cm^2"], 1e-4),
-    (Measure::Force, &["n", "newton"], 1.0),
+    (Measure::Force, &["n", "newton", "newtons"], 1.0),
     (Measure::Force, &["mn"], 1e-3),
     (Measure::Force, &["kn"], 1e3),
     (Measure::Force, &["kgf", "kp"], FREE_FALL),
@@ -53,7 +57,11 @@ const UNITS: [(Measure, &[&str], f64); 31] = [
     (Measure::Speed, &["m/min"], 1.0 / 60.0),
     (Measure::Rotation, &["rpm", "1/min", "u/min", "min-1", "rev/min", "r/min"], 1.0 / 60.0),
     (Measure::Rotation, &["1/s", "hz", "rps", "rev/s"], 1.0),
-    (Measure::Number, &["1", "-", "", "--", "laps", "lap", "rev", "revs", "cycles", "turns"], 1.0),
+    (
+        Measure::Number,
+        &["1", "-", "", "--", "mu", "laps", "lap", "rev", "revs", "cycles", "turns"],
+        1.0,
+    ),
     (Measure::Number, &["%"], 1e-2),
     (Measure::Number, &["k", "degc", "c", "v", "mv", "rad", "deg"], f64::NAN),
 ];
@@ -85,6 +93,17 @@ pub fn known(unit: &str) -> Option<(Measure, f64)> {
     let unit = plain(unit).to_lowercase();
     let found = UNITS.iter().find(|(_, names, _)| names.contains(&&*unit));
     found.map(|(measure, _, size)| (*measure, *size))
+}
+
+/// The same of a unit that stands behind a name without brackets: one that could not be a word or a number of its own.
+pub fn stands_alone(unit: &str) -> Option<(Measure, f64)> {
+    known(unit.trim_start_matches('(')).filter(|(measure, size)| {
+        let own = plain(unit);
+        size.is_finite()
+            && *measure != Measure::Number
+            && !own.is_empty()
+            && !["h", "p", "in", "g"].contains(&&*own)
+    })
 }
 
 /// A quantity like `5 N`, in SI.

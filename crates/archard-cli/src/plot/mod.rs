@@ -15,6 +15,7 @@ mod heights;
 mod json;
 mod lengths;
 mod load;
+pub(crate) mod log;
 pub(crate) mod outline;
 mod parts;
 mod pressure;

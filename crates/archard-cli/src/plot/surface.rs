@@ -18,16 +18,23 @@ use super::{PANEL, SLENDER};
 /// # Errors
 /// If the ending is not known, or the file cannot be written.
 pub(crate) fn draw(file: &Path, map: &HeightMap, spectrum: &Spectrum) -> Result<Vec<PathBuf>> {
+    let paper = Paper { width: None, formats: vec![format_of(file)?] };
+    let panels = vec![heights(map), radial(spectrum), along(spectrum)];
+    save(file, &Sheet { columns: panels.len(), size: PANEL, paper: &paper }, (panels, None))
+}
+
+/// The kind of picture that the ending of a file says.
+///
+/// # Errors
+/// If the ending is not known.
+pub(crate) fn format_of(file: &Path) -> Result<Format> {
     let ending = file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-    let format = Format::from_str(ending, true).ok().with_context(|| {
+    Format::from_str(ending, true).ok().with_context(|| {
         format!(
             "`{}` is no picture that can be drawn: end it in .png, .svg or .pdf",
             file.display()
         )
-    })?;
-    let paper = Paper { width: None, formats: vec![format] };
-    let panels = vec![heights(map), radial(spectrum), along(spectrum)];
-    save(file, &Sheet { columns: panels.len(), size: PANEL, paper: &paper }, (panels, None))
+    })
 }
 
 /// The heights from their mean, in as many cells as can be told apart; white where points have none.

@@ -45,6 +45,53 @@ fn a_log_tells_rate_and_friction_and_its_rows_are_written() {
     assert_eq!(fs::read_to_string(dir.path().join("mine.csv")).unwrap(), "mine");
 }
 
+/// Several logs: each its line, those of one name held against each other, one picture, rows of different names; what is no log is
+/// named, and the others are told all the same.
+#[test]
+fn several_logs_are_told_at_once() {
+    let dir = TempDir::new().unwrap();
+    let put = |name: &str, text: &str| fs::write(dir.path().join(name), text).unwrap();
+    put("peek_1.tsv", &made());
+    put("peek_2.tsv", &made());
+    put("profile.csv", "\"Distance\",\"Profile\"\n\"0,1\",\"0,03\"\n\"0,2\",\"0,05\"\n");
+    let logs = ["log", "peek_1.tsv", "peek_2.tsv"];
+    let drawn = [&logs[..], &["--picture", "p.svg", "-o", "rows.csv"]].concat();
+    let words = printed(&archard(&dir, &drawn).success());
+    assert!(words.contains("peek at 60.00 N: 2 (peek_1, peek_2)"), "{words}");
+    assert!(words.contains("their intervals explain the difference"), "{words}");
+    let picture = fs::read_to_string(dir.path().join("p.svg")).unwrap();
+    assert!(picture.contains("peek_2, 60 N") && picture.contains("steady, 0.5 \u{b5}m per m"));
+    assert_eq!(fs::read_to_string(dir.path().join("rows.csv")).unwrap().lines().count(), 3);
+    let json = printed(&archard(&dir, &[&logs[..], &["--json"]].concat()).success());
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(
+        (json["groups"][0]["agree"].as_bool(), json["logs"].as_array().map(Vec::len)),
+        (Some(true), Some(2))
+    );
+    let wrong = archard(&dir, &[&logs[..], &["profile.csv"]].concat()).code(2);
+    assert!(said(&wrong).contains("profile.csv:1") && printed(&wrong).contains("peek_2: 60.00 N"));
+    archard(&dir, &["log", "peek_1.tsv", "--picture", "peek_1.tsv"]).code(2);
+    archard(&dir, &["log", "peek_1.tsv", "-o", "./peek_1.tsv"]).code(2);
+    assert_eq!(fs::read_to_string(dir.path().join("peek_1.tsv")).unwrap(), made());
+}
+
+/// A log without depth gives load and distance to a profile of what was worn.
+#[test]
+fn a_profile_stands_in_the_row_of_its_log() {
+    let dir = TempDir::new().unwrap();
+    let rows = (0..100).map(|row| format!("{row}\t{}\t0,2\t1,0\n", 2 * row));
+    let text = format!("Laps\tDistance\tmu\tFrictionForce\n{}", rows.collect::<String>());
+    fs::create_dir(dir.path().join("d")).unwrap();
+    fs::write(dir.path().join("d/a.txt"), text).unwrap();
+    fs::write(dir.path().join("d/p.csv"), "x_mm,z_um\n0,0\n1,0\n").unwrap();
+    let beside = ["log", "d/a.txt", "--profile", "d/p.csv", "-o", "d/rows.csv"];
+    archard(&dir, &beside).success();
+    let rows = fs::read_to_string(dir.path().join("d/rows.csv")).unwrap();
+    assert_eq!(rows, "test,distance [m],load [N],file\na,1.980000e2,5.000000e0,\"p.csv\"\n");
+    archard(&dir, &["log", "d/a.txt", "--profile", "d/none.csv"]).code(2);
+    archard(&dir, &["log", "d/a.txt", "d/a.txt", "--profile", "d/p.csv"]).code(2);
+}
+
 #[test]
 fn a_log_without_load_says_what_to_give() {
     let dir = TempDir::new().unwrap();

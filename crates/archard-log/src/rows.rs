@@ -1,0 +1,92 @@
+//! Rows that `archard fit` reads.
+
+use std::collections::HashSet;
+
+use thiserror::Error;
+
+use crate::{Log, Step};
+
+/// The heading of the rows.
+pub const ROWS: &str = "test,distance [m],depth [um],u_depth [um],load [N]";
+
+/// The heading of rows of logs with a profile of what was worn.
+pub const ROWS_OF_PROFILES: &str = "test,distance [m],load [N],file";
+
+/// One row a step with a wear coefficient, the wear over its steady part, without the heading [`ROWS`]; each has a name of its own.
+pub fn rows<'a>(logs: impl IntoIterator<Item = &'a Log>) -> Vec<String> {
+    let mut taken = HashSet::new();
+    let mut named = |log: &Log| {
+        let own = log.name();
+        let others = (2..).map(|count| format!("{own}_{count}"));
+        let free = std::iter::once(own.clone()).chain(others).find(|name| !taken.contains(name));
+        let name = free.expect("one of all numbers");
+        taken.insert(name.clone());
+        name
+    };
+    let told = logs.into_iter().flat_map(|log| log.steps.iter().map(move |step| (log, step)));
+    told.filter_map(|(log, step)| {
+        step.k_over_area()?;
+        let (rate, load) = (step.steady?, step.load?);
+        let far = rate.part[1] - rate.part[0];
+        // The 95 % interval of a normal distribution is 3.92 standard deviations wide.
+        let error = (rate.interval[1] - rate.interval[0]) * far / 3.92;
+        let [depth, error] = [1e6 * rate.rate * far, 1e6 * error];
+        let name = named(log);
+        Some(format!("{name},{far:.6e},{depth:.6e},{error:.6e},{load:.6e}"))
+    })
+    .collect()
+}
+
+/// Why a profile cannot stand beside a log.
+#[derive(Debug, Error, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Unmatched {
+    /// No load.
+    #[error("{log}: nothing says the load: give --set load=\"5 N\"")]
+    NoLoad {
+        /// The log.
+        log: String,
+    },
+    /// No distance.
+    #[error("{log}: the bodies did not slide")]
+    NoDistance {
+        /// The log.
+        log: String,
+    },
+    /// Loads that differ.
+    #[error(
+        "{log}: its steps have loads from {low:.4} to {high:.4} N, and the profile was worn by all of them: give a test of one load"
+    )]
+    Loads {
+        /// The log.
+        log: String,
+        /// The smallest load (N).
+        low: f64,
+        /// The largest load (N).
+        high: f64,
+    },
+}
+
+/// The row of a log with a profile of what was worn: the whole distance under load, running in too, without the heading
+/// [`ROWS_OF_PROFILES`].
+///
+/// # Errors
+/// If the log tells no load, no distance, or several loads.
+pub fn with_profile(log: &Log, file: &str) -> Result<String, Unmatched> {
+    let source = || log.source.clone();
+    let slid: Vec<&Step> = log.steps.iter().filter(|step| step.distance > 0.0).collect();
+    let far: f64 = slid.iter().map(|step| step.distance).sum();
+    if far <= 0.0 {
+        return Err(Unmatched::NoDistance { log: source() });
+    }
+    let loads: Option<Vec<f64>> = slid.iter().map(|step| step.load).collect();
+    let Some(loads) = loads else { return Err(Unmatched::NoLoad { log: source() }) };
+    let [low, high] = [
+        loads.iter().copied().fold(f64::INFINITY, f64::min),
+        loads.iter().copied().fold(0.0, f64::max),
+    ];
+    if high > 1.01 * low {
+        return Err(Unmatched::Loads { log: source(), low, high });
+    }
+    Ok(format!("{},{far:.6e},{high:.6e},\"{}\"", log.name(), file.replace('"', "\"\"")))
+}
