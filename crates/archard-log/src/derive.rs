@@ -139,6 +139,14 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     let load = read.given("load", load, &steps)?;
     backwards(&mut read, time.as_deref(), &steps);
 
+    if let Some((time, (line, whole))) = time.as_ref().zip(head::total(table)) {
+        let passed = steps.iter().map(|rows| time[rows.end - 1] - time[rows.start]).sum::<f64>();
+        agree(
+            &mut read,
+            ("the time of all readings".into(), &format!("line {line}")),
+            passed / whole,
+        )?;
+    }
     let ways = ways(&time, &distance, (&laps, &stroke), (&speed, &rotation, &radius));
     let Some((name, distance)) = ways.first().cloned() else {
         let turns = laps.is_some() || rotation.is_some();

@@ -1,9 +1,9 @@
 //! Values that stand above the table of a log: `Radius : 5.00 [mm]`, a name, a value and a unit in three cells, or a line of names over a
 //! line of values.
 
-use crate::number::number;
+use crate::number::{clock, number};
 use crate::roles::ROLES;
-use crate::table::{Table, heading};
+use crate::table::{Table, heading, plain};
 use crate::unit::{self, Measure};
 
 /// A value above the table.
@@ -45,6 +45,19 @@ pub fn stated(table: &Table, role: &str) -> Option<Stated> {
             })
         })
     })
+}
+
+/// The line and the seconds of a whole time that stands below the table, as `TotalTime` and `00:01:08.25`.
+pub fn total(table: &Table) -> Option<(usize, f64)> {
+    let last = table.lines.last()?;
+    let mut below = table.asides.iter().filter(|(line, _)| line > last);
+    let is_total = |cell: &String| plain(cell).contains("totaltime");
+    let named = below.clone().any(|(_, cells)| cells.iter().any(is_total));
+    let time = |(line, cells): &(usize, Vec<String>)| {
+        let found = cells.iter().find_map(|cell| clock(cell))?;
+        Some((*line, found.0))
+    };
+    below.find_map(time).filter(|(_, seconds)| named && *seconds > 0.0)
 }
 
 /// The leading number of a text, and what stands behind it.

@@ -78,6 +78,10 @@ fn a_radius_that_is_missing_can_be_answered() {
     }
     let error = read(&recipe(""), &options(&[], &[("radius", "5 mm; 8 mm")]));
     assert!(error.expect_err("too few").to_string().contains("3 steps"));
+    // The whole time below the readings is that of the time in seconds.
+    let short = recipe("5 mm").replace("00:20:00", "00:00:01.20");
+    let error = read(&short, &Options::default()).expect_err("milliseconds").to_string();
+    assert!(error.contains("line 1205") && error.contains("units"), "{error}");
 }
 
 /// Loads in millinewton, a coefficient called by a Greek letter, sequences, and a head with units behind its values.
