@@ -165,6 +165,8 @@ Examples:
     archard run cases/pin_on_disc
   at another load, to one per cent:
     archard run cases/pin_on_disc --set motion.sliding.load=\"20 N\" --accuracy 1%
+  until a part is worn, with the coefficient of a fit and the lives of parts alike:
+    archard run bush.toml --until wear_depth=0.1mm --from results/rig_fit/fit.json
   on with what was interrupted:
     archard run --resume results/pin_on_disc";
 
@@ -201,6 +203,18 @@ pub struct Run {
     /// follows from it
     #[arg(long, value_name = "ERROR", conflicts_with = "resume")]
     pub accuracy: Option<String>,
+    /// End where a quantity of wear reaches a limit, e.g. wear_depth=0.1mm: the life of the part
+    #[arg(long, value_name = "QUANTITY=LIMIT", conflicts_with = "resume")]
+    pub until: Vec<String>,
+    /// Take the wear coefficient from a fit (a `fit.json`), and tell how lives scatter as its tests do
+    #[arg(long, value_name = "FILE", conflicts_with = "resume")]
+    pub from: Option<PathBuf>,
+    /// The key in this case of the coefficient of `--from`, where bodies have other names
+    #[arg(long = "as", value_name = "KEY", requires = "from")]
+    pub key: Option<String>,
+    /// Take the wear coefficient at a key from the case where `--from` has none of that body
+    #[arg(long, value_name = "KEY", requires = "from")]
+    pub assume: Vec<String>,
     /// How long to look for a grid that reaches the accuracy, for example 10min, asked after each grid; then the run
     /// takes the finest one that was judged, and states its error
     #[arg(long, value_name = "TIME", conflicts_with = "resume")]
@@ -237,8 +251,9 @@ impl Run {
     /// The case, of a run that goes on the one in its folder.
     pub fn case(&self) -> Case {
         let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        let (set, accuracy) = (self.set.clone(), self.accuracy.clone());
-        Case { case: case.unwrap_or_default(), set, accuracy }
+        let until = self.until.iter().map(|limit| format!("until.{limit}"));
+        let set = self.set.iter().cloned().chain(until).collect();
+        Case { case: case.unwrap_or_default(), set, accuracy: self.accuracy.clone() }
     }
 
     /// The folder of compliances, if there is any place for one.

@@ -16,6 +16,7 @@ use archard_case::verdict::Verdict;
 
 use crate::failure::Failure;
 use crate::lines::Lines;
+use crate::lives;
 use crate::number::{count, energy, four, length, mass, of_a_line, percent, progress};
 use crate::progress::Follower;
 use crate::standards;
@@ -102,10 +103,15 @@ impl Outcome<'_> {
     fn lasted(&self, lines: &mut Lines) {
         let Self { life, simulation, .. } = self;
         let motion = simulation.problem.motion.progress;
+        let scatter = |lines: &mut Lines| {
+            let own = life.lives().map(|lives| lives::lines(lives, motion)).unwrap_or_default();
+            own.into_iter().for_each(|(name, words)| lines.add(name, words, String::new()));
+        };
         let Some(reached) = life.reached() else {
             if !life.limits().is_empty() {
                 let whole = progress(motion, simulation.schedule.extent);
                 lines.add("life", format!("beyond {whole}: no limit is reached"), String::new());
+                scatter(lines);
             }
             return;
         };
@@ -116,6 +122,7 @@ impl Outcome<'_> {
         }
         value += &format!(", {}", reached.limit);
         lines.add("life", value, error.unwrap_or_default());
+        scatter(lines);
     }
 
     /// A number at the end; zero where there is none.

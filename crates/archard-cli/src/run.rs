@@ -4,7 +4,7 @@ use std::num::NonZero;
 use std::path::Path;
 
 use archard::simulation::{Effort, Error, Observer};
-use archard_case::output::{self, Inside, Totals};
+use archard_case::output::{self, Inside, Lives, Totals};
 use archard_case::verdict::{Verdict, Warning};
 use archard_case::{Problem, Resolved, Task};
 use rayon::{ThreadPool, ThreadPoolBuilder};
@@ -16,6 +16,7 @@ use crate::elastic;
 use crate::failure::Failure;
 use crate::folder;
 use crate::interrupt::{self, Interrupted, Watch};
+use crate::lives::{Foreseen, Told};
 use crate::outcome::Outcome;
 use crate::progress::Follower;
 use crate::report;
@@ -33,12 +34,17 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
     set_threads(arguments)?;
     let watch = Watch::set();
     let file = diagnose::read(&arguments.case())?;
+    let told = Told::of(arguments)?;
+    let file = match &told {
+        Some(told) => told.put(arguments, file)?,
+        None => file,
+    };
     let task = diagnose::checked(&file, arguments.quiet)?;
     // The folder next: runs on coarser grids may take long, and are for nothing where it is refused.
     let claim = folder::claim(arguments, &task, file.inputs())?;
     let dir = claim.dir().to_owned();
     watch.hold(claim);
-    let outcome = in_folder(&dir, task, &watch, arguments);
+    let outcome = in_folder(&dir, (task, told), &watch, arguments);
     // A folder that is still held has nothing of this run in it.
     if let Some(claim) = watch.release() {
         claim.give_up();
@@ -47,7 +53,12 @@ pub fn run(arguments: &Run) -> Result<(), Failure> {
 }
 
 /// Runs a case in the folder that is held.
-fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(), Failure> {
+fn in_folder(
+    dir: &Path,
+    (task, told): (Task, Option<Told>),
+    watch: &Watch,
+    arguments: &Run,
+) -> Result<(), Failure> {
     let mut follower = Follower::new(arguments.quiet);
     let budget = companions::budget(&task, arguments)?;
     match &task {
@@ -55,7 +66,10 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
             let resolved = Resolved::clone(resolved);
             let settled = companions::settle(resolved, watch, &mut follower, arguments, budget)?;
             let small = settled.resolved.case.is_small();
-            let contact = || contact(settled, watch, follower, (arguments, dir));
+            let resolved = &settled.resolved;
+            let foresee = |told: Told| told.foresee(resolved, arguments, (watch, &mut follower));
+            let lives = told.map(foresee).transpose()?;
+            let contact = || contact((settled, lives), watch, follower, (arguments, dir));
             match arguments.threads.is_none() && small {
                 true => one_thread()?.install(contact),
                 false => contact(),
@@ -81,7 +95,7 @@ fn in_folder(dir: &Path, task: Task, watch: &Watch, arguments: &Run) -> Result<(
 
 /// Runs a case of two bodies in contact in the folder that is held.
 fn contact(
-    settled: Settled,
+    (settled, lives): (Settled, Option<Foreseen>),
     watch: &Watch,
     mut follower: Follower,
     (arguments, dir): (&Run, &Path),
@@ -128,8 +142,11 @@ fn contact(
         written.map_err(|error| Failure::wrong(error.to_string()))?;
         Ok(effort)
     });
-    let life = watch.life();
-    let (totals, judged, effort) = finish(watch, outcome)?;
+    let mut life = watch.life();
+    // Of a run that failed no life is known.
+    let lives = lives.filter(|_| outcome.is_ok()).and_then(|lives| lives.about(&life));
+    lives.iter().for_each(|lives| life.scatter(lives.clone()));
+    let (totals, judged, effort) = finish(watch, lives, outcome)?;
     let page = match arguments.report {
         true => Some(report::run(&Report { dirs: vec![dir.to_owned()], ..Report::default() })),
         false => None,
@@ -156,11 +173,13 @@ fn contact(
 /// Finishes the results of a run, whatever came of it.
 fn finish(
     watch: &Watch,
+    lives: Option<Lives>,
     outcome: Result<Effort, Failure>,
 ) -> Result<(Totals, Verdict, Effort), Failure> {
-    let Some(results) = watch.end() else {
+    let Some(mut results) = watch.end() else {
         return Err(Failure::wrong("the run has no results"));
     };
+    lives.into_iter().for_each(|lives| results.folder.scatter(lives));
     let cause = outcome.as_ref().err().map(Failure::cause);
     match (results.finish(cause), outcome) {
         (Ok((totals, verdict)), Ok(effort)) => Ok((totals, verdict, effort)),

@@ -79,12 +79,53 @@ pub struct Reached {
 /// A state before: progress, and each quantity with what is stated of it.
 type Before = (f64, Vec<(f64, Option<f64>)>);
 
+/// How lives scatter among parts alike, by a coefficient that tests told.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lives {
+    /// The key of the coefficient.
+    pub key: String,
+    /// Where it was told.
+    pub source: String,
+    /// The 95 % interval of the median (the motion's own unit) by that of the coefficient; infinite beyond the motion.
+    pub interval: Option<[f64; 2]>,
+    /// Shares of parts, from small to large, and the life (the motion's own unit) that they do not reach; infinite beyond the motion.
+    pub shares: Vec<[f64; 2]>,
+    /// Why there are no shares but the half.
+    pub untold: Option<String>,
+}
+
+impl Lives {
+    /// The life that a share of the parts does not reach.
+    pub fn of_share(&self, share: f64) -> Option<f64> {
+        let same = |own: &&[f64; 2]| (own[0] - share).abs() < 1e-9;
+        self.shares.iter().find(same).map(|own| own[1])
+    }
+
+    fn json(&self) -> Value {
+        // A life beyond the motion is no number.
+        let finite = |life: f64| life.is_finite().then_some(life);
+        let of_share = |share: f64| self.of_share(share).and_then(finite);
+        json!({
+            "key": self.key,
+            "source": self.source,
+            "median": of_share(0.5),
+            "interval_95": self.interval.map(|ends| ends.map(finite)),
+            "B10": of_share(0.1),
+            "B1": of_share(0.01),
+            "shares": self.shares.iter().map(|[share, life]| json!([share, finite(*life)])).collect::<Vec<_>>(),
+            "untold": self.untold,
+        })
+    }
+}
+
 /// Watches quantities until the first of them reaches its limit.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Life {
     limits: Vec<Limit>,
     before: Option<Before>,
     reached: Option<Reached>,
+    #[serde(skip)]
+    lives: Option<Lives>,
 }
 
 /// A limit of a quantity that a run does not have.
@@ -97,12 +138,22 @@ pub struct NoColumn(String);
 impl Life {
     /// Until the first of these limits is reached.
     pub fn until(limits: Vec<Limit>) -> Self {
-        Self { limits, before: None, reached: None }
+        Self { limits, ..Self::default() }
     }
 
     /// Where a limit was reached, if one was.
     pub fn reached(&self) -> Option<&Reached> {
         self.reached.as_ref()
+    }
+
+    /// How lives scatter, if a coefficient with its scatter was given.
+    pub fn lives(&self) -> Option<&Lives> {
+        self.lives.as_ref()
+    }
+
+    /// Puts down how lives scatter.
+    pub fn scatter(&mut self, lives: Lives) {
+        self.lives = Some(lives);
     }
 
     /// The limits.
@@ -167,7 +218,10 @@ impl Life {
                 "duration_s": one.time,
             })
         });
-        Some(json!({ "until": limits, "progress": progress, "reached": reached }))
+        let lives = self.lives.as_ref().map(Lives::json);
+        Some(
+            json!({ "until": limits, "progress": progress, "reached": reached, "distribution": lives }),
+        )
     }
 }
 

@@ -76,7 +76,7 @@ pub use fields::{Field, fields};
 pub use folder::{Claim, ResultFolder};
 pub use image::Image;
 pub use inside::{Inside, InsideError};
-pub use life::{Life, Limit, NoColumn, Reached};
+pub use life::{Life, Limit, Lives, NoColumn, Reached};
 pub use manifest::Manifest;
 pub use place::Place;
 pub use rail_wear::{ProfileWear, RailWear};

@@ -6,7 +6,7 @@
 
 mod course;
 mod design;
-mod fitted;
+mod drawn;
 mod life;
 pub mod points;
 mod regime;
@@ -40,7 +40,7 @@ use table::{Known, Status};
 /// Runs a study, or goes on with it.
 pub fn sweep(arguments: &Sweep) -> Result<(), Failure> {
     let requests = Requests::set();
-    let arguments = &fitted::with(arguments)?;
+    let arguments = &drawn::with(arguments)?;
     let design = design::design(arguments)?;
     let study = &arguments.output;
     let case = diagnose::read(&arguments.case())?.inputs();

@@ -26,8 +26,8 @@ use super::summary::{self, Standing};
 use super::table::{Table, number};
 use super::worn_profiles::WornProfiles;
 use super::{
-    CASE, COLLECTION, Collection, Error, FIELDS, Image, Life, Manifest, SUMMARY, Surface, Totals,
-    sections,
+    CASE, COLLECTION, Collection, Error, FIELDS, Image, Life, Lives, Manifest, SUMMARY, Surface,
+    Totals, sections,
 };
 use crate::verdict::{Verdict, Warning};
 use archard::estimate::Estimator;
@@ -184,6 +184,11 @@ impl ResultFolder {
     /// Where a limit was reached, so far.
     pub fn life(&self) -> &Life {
         &self.life
+    }
+
+    /// Puts down how lives scatter among parts alike, for the summary.
+    pub fn scatter(&mut self, lives: Lives) {
+        self.life.scatter(lives);
     }
 
     /// Time the run took before it was interrupted (s).
