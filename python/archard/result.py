@@ -194,6 +194,13 @@ class Result:
         return reached
 
     @property
+    def lives(self) -> dict[str, Any] | None:
+        """How lives of parts alike scatter by a fitted coefficient: median, ``B10``, ``B1``, shares (SI); ``None`` if unknown."""
+        found = self.summary.get("life") or {}
+        scatter: dict[str, Any] | None = found.get("distribution")
+        return scatter
+
+    @property
     def toml(self) -> str:
         """The case in SI, as a case file."""
         return self._files["case.toml"].decode()

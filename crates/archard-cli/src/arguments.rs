@@ -190,7 +190,7 @@ pub struct Check {
 }
 
 /// The arguments of `run`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub struct Run {
     /// A case file, a folder with a `case.toml`, or the name of a built-in case
     #[arg(required_unless_present = "resume")]

@@ -11,7 +11,7 @@ use archard_case::measured::surface::Surface;
 use archard_case::output::{Manifest, Store};
 use archard_lab::{Error, Files, Fit, Following, Request};
 
-use crate::arguments::Fit as Arguments;
+use crate::arguments::{Fit as Arguments, Run};
 use crate::diagnose;
 use crate::failure::Failure;
 use crate::folder;
@@ -88,10 +88,33 @@ pub fn fit(arguments: &Arguments) -> Result<(), Failure> {
         say(&format!("results           {}", dir.display()))?;
     }
     verdict::doubts(&found.verdict(), arguments.quiet);
-    match found.rejected() {
-        Some(why) => Err(Failure::NotConverged(why)),
-        None => Ok(()),
+    if let Some(why) = found.rejected() {
+        return Err(Failure::NotConverged(why));
     }
+    match &task {
+        Task::Contact(resolved) if !resolved.case.until.is_empty() => life(arguments, &dir),
+        _ => Ok(()),
+    }
+}
+
+/// Runs the case with its limits at the medians, into a folder of the fit: how long it lasts, and how lives scatter.
+fn life(arguments: &Arguments, dir: &Path) -> Result<(), Failure> {
+    let run = Run {
+        case: Some(arguments.case.case.clone()),
+        set: arguments.case.set.clone(),
+        accuracy: arguments.case.accuracy.clone(),
+        from: Some(dir.join("fit.json")),
+        assume: arguments.assume.clone(),
+        output: Some(dir.join("life")),
+        // It is a part of the fit, as its other runs are.
+        force: true,
+        cache: arguments.cache.clone(),
+        quiet: arguments.quiet,
+        ..Run::default()
+    };
+    crate::run::run(&run)?;
+    let drawn = plot::run(&dir.join("life"), &[], &plot::draw::Paper::default());
+    drawn.map(|_| ()).map_err(|error| Failure::because(&error))
 }
 
 /// Says what is run, and ends it where that is asked for.

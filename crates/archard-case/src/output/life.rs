@@ -24,6 +24,11 @@ pub struct Limit {
 }
 
 impl Limit {
+    /// The same of so many times the value.
+    pub(crate) fn times(&self, factor: f64) -> Self {
+        Self { column: self.column.clone(), value: factor * self.value }
+    }
+
     /// The columns that can have one, of bodies of these names: each with its name in a case, which is without unit, and its unit.
     pub fn columns(bodies: [&str; 2]) -> Vec<(String, String, &'static str)> {
         let grows = |class: Class| matches!(class, Class::Depth | Class::Volume);

@@ -88,3 +88,31 @@ fn bodies_that_turn_slide_no_one_distance() {
     let reached = life.reached().expect("the limit");
     assert!(reached.progress > 0.0 && reached.distance.is_none() && reached.time.is_none());
 }
+
+/// Runs on coarser grids go no farther than the limit asks for: what comes behind it may be out of reach, as where a shaft wears its
+/// bush until all of the frame touches. The life lies within its error of that of finer elements.
+#[test]
+fn companions_end_where_the_life_does() {
+    let text = "accuracy = 0.03
+        frame = { plane_strain = true, size = \"9 mm\" }
+        body.bush = { material = { young = \"3.5 GPa\", poisson = 0.36 }, profile.cylinder = { radius = \"-10.5 mm\", axis = \"y\" },
+            wear.archard.coefficient = \"1e-13 1/Pa\" }
+        body.shaft = { rigid = true, profile.cylinder = { radius = \"10 mm\", axis = \"y\" } }
+        motion.sliding = { load = \"5 N/mm\", distance = \"20 km\" }
+        until = { wear_depth_bush = \"20 um\" }";
+    let life = |options: &[&str]| {
+        let file =
+            options.iter().fold(CaseFile::from_text("case", text, "."), |file, own| file.set(*own));
+        let resolved = file.resolve().expect("a case");
+        let until = resolved.case.until.clone();
+        let settled = resolved.settle(&mut |case| Ok(case.build()?), &mut |_| Ok(()));
+        let (_, simulation) = settled.expect("companions that end");
+        let mut life = Life::until(until);
+        simulation.run(&mut [&mut life]).expect("a run");
+        life.reached().cloned().expect("the limit")
+    };
+    let [coarse, fine] = [life(&[]), life(&["accuracy=0.005"])];
+    let error = coarse.error.expect("an error");
+    assert!((coarse.progress - fine.progress).abs() <= error, "{coarse:?} {fine:?}");
+    assert!(error < 0.2 * coarse.progress, "{coarse:?}");
+}

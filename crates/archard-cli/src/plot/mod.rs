@@ -14,6 +14,7 @@ mod fretting_loop;
 mod heights;
 mod json;
 mod lengths;
+mod life;
 mod load;
 pub(crate) mod log;
 pub(crate) mod outline;
@@ -125,6 +126,7 @@ pub(crate) fn pictures(
     }
     let results = Results::read(dir)?;
     let mut pictures = if results.rolls() { rolling(&results)? } else { sliding(&results)? };
+    pictures.extend(life::panel(&results).map(|panel| Picture::new("life", vec![panel])));
     if !others.is_empty() {
         let compared = comparison::panel(dir, &results, others)?;
         pictures.push(Picture::new("comparison", vec![compared]).sized([760.0, 520.0]));
@@ -200,6 +202,7 @@ pub(crate) fn groups(
         history.push(creep_force::panel(results)?);
     }
     history.extend(course::panels(results)?);
+    history.extend(life::panel(results));
     let loops = fretting_loop::panels(results)?;
     let (mut profiles, mut tractions) = (Vec::new(), Vec::new());
     if !results.profiles.is_empty() {

@@ -13,7 +13,9 @@ mod settle;
 pub use grid::{Grid, MOST};
 pub use increments::{DIVISOR, FEWEST, MOST as MOST_INCREMENTS};
 pub use regularity::{has_tip, order};
-pub use settle::{Build, Event, FINER, Failed, Settled, Unsettled, Watch, settle};
+pub use settle::{
+    Build, Enough, Event, FARTHEST, FINER, Failed, Settled, Unsettled, Watch, settle,
+};
 
 /// The least accuracy that can be asked for.
 pub const COARSEST: f64 = 0.2;

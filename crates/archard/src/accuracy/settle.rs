@@ -15,10 +15,12 @@ use crate::simulation::{Companion, Companions, Error, Observer, Report, Simulati
 /// How many times coarser the companions are, and whether their grids are moved by half an element along the motion and across.
 /// Of some 6,000 sets, compared on random problems, this one enclosed most errors for the least work.
 const COARSER: [(f64, [bool; 2]); 3] =
-    [(2.0, [true, false]), (2.0 * SQRT_2, [false, true]), (2.0 * SQRT_2, [true, true])];
+    [(2.0, [true, false]), (FARTHEST, [false, true]), (FARTHEST, [true, true])];
 /// The same of lines of contact.
 const OF_LINES: [(f64, [bool; 2]); 3] =
-    [(2.0, [true, false]), (2.0 * SQRT_2, [false; 2]), (2.0 * SQRT_2, [true, false])];
+    [(2.0, [true, false]), (FARTHEST, [false; 2]), (FARTHEST, [true, false])];
+/// How many times coarser the coarsest companion is.
+pub const FARTHEST: f64 = 2.0 * SQRT_2;
 /// One more where a run shows one state only, so that nothing before or after it tells what agrees by chance.
 const OF_ONE: (f64, [bool; 2]) = (SQRT_2, [false; 2]);
 /// How much finer a grid becomes beside what the estimate asks for.
@@ -45,13 +47,19 @@ pub enum Event<'a> {
     Plans(&'a [[usize; 2]]),
     /// One begins, on so many elements.
     Begins([usize; 2]),
-    /// It shows a state.
+    /// It shows a state; the error [`Enough`] ends that run alone.
     Shows(&'a Report<'a>),
     /// A grid was judged, and is not fine enough. An error ends the search with that one: a budget may be spent.
     Judged,
     /// The run goes through on a grid that is not fine enough, and why no finer one is taken.
     FallsShort(&'a Unsettled),
 }
+
+/// What who watches answers to a state of a run of which the rest is not needed: that run ends there, and errors are foreseen as far as
+/// all runs go.
+#[derive(Debug, Clone, Copy, thiserror::Error)]
+#[error("the rest of the run is not needed")]
+pub struct Enough;
 
 /// Why no grid was found.
 #[non_exhaustive]
@@ -161,7 +169,7 @@ pub fn settle(
     let mut fineness = 1.0;
     // The first grid whose error tells an order: how fine it is, and how far off.
     let mut first: Option<[f64; 2]> = None;
-    let mut reached: Option<(Grid, Companions)> = None;
+    let mut reached: Option<(Grid, Judges)> = None;
     let mut too_coarse = None;
     loop {
         if reached.is_some() && (search.watch)(Event::Judged).is_err() {
@@ -176,8 +184,8 @@ pub fn settle(
             judged => judged?,
         };
         let order = order(&own.problem.bodies);
-        let companions = match judged {
-            Ok(companions) => companions,
+        let judges = match judged {
+            Ok(judges) => judges,
             Err(cause) => match search.grid.finer(FINER[1], order) {
                 Some(finer) => {
                     search.grid = finer;
@@ -188,14 +196,15 @@ pub fn settle(
                 None => return Err(cause),
             },
         };
-        let errors = own.schedule.outputs.iter().map(|&place| companions.worst_foreseen(place));
+        let errors = judges.places(&own);
+        let errors = errors.into_iter().map(|place| judges.companions.worst_foreseen(place));
         let error = errors.fold(0.0, f64::max);
         // Finer steps do not reduce the error of elements that are given.
         if error <= accuracy || !search.grid.refines {
-            own.companions = Some(companions);
+            own.companions = Some(judges.companions);
             return Ok(Settled { simulation: own, grid: search.grid });
         }
-        reached = Some((search.grid.clone(), companions));
+        reached = Some((search.grid.clone(), judges));
         // The order follows from errors that are smaller than the value.
         if error < 1.0 {
             let [coarse, off] = *first.get_or_insert([fineness, error]);
@@ -214,6 +223,24 @@ pub fn settle(
     search.falls_short(reached)
 }
 
+/// Coarser runs, and how far all of them go where one was ended.
+struct Judges {
+    companions: Companions,
+    end: Option<f64>,
+}
+
+impl Judges {
+    /// The outputs of a run that they judge, and where they end.
+    fn places(&self, own: &Simulation) -> Vec<f64> {
+        let mut places = own.schedule.outputs.clone();
+        if let Some(end) = self.end {
+            places.retain(|place| *place < end);
+            places.push(end);
+        }
+        places
+    }
+}
+
 /// What is sought, and for whom.
 struct Search<'a, 'b> {
     accuracy: f64,
@@ -224,7 +251,7 @@ struct Search<'a, 'b> {
 
 impl Search<'_, '_> {
     /// The run on the grid as it is, and what coarser runs say of it: or why no solution is found on so few elements.
-    fn judged(&mut self) -> Result<(Simulation, Result<Companions, Unsettled>), Unsettled> {
+    fn judged(&mut self) -> Result<(Simulation, Result<Judges, Unsettled>), Unsettled> {
         let own = (self.build)(&self.grid).map_err(Unsettled::Build)?;
         let across = across(&own);
         if across < UNWORN * (1.0 - SAME) {
@@ -237,10 +264,11 @@ impl Search<'_, '_> {
         let plans: Vec<_> = left.iter().chain([first]).map(|grid| grid.elements).collect();
         self.tell(first, Event::Plans(&plans))?;
         let mut runs: Vec<Companion> = vec![];
-        let mut failed = None;
+        let (mut failed, mut ended) = (None, false);
         while let Some(grid) = left.pop_front() {
             match self.run(&grid) {
-                Ok(rows) => {
+                Ok((rows, enough)) => {
+                    ended |= enough;
                     if runs.is_empty() && rows.len() == 1 {
                         left.push_back(coarser(OF_ONE));
                     }
@@ -252,11 +280,12 @@ impl Search<'_, '_> {
                 Err(error) => return Err(error),
             }
         }
+        let end = ended.then(|| cut(&mut runs));
         let companions = Companions::new(runs, regularity(&own), self.accuracy);
         match failed {
             Some(cause) if !companions.foresee() && self.grid.refines => Ok((own, Err(cause))),
             Some(cause) if !companions.foresee() => Err(cause),
-            _ => Ok((own, Ok(companions))),
+            _ => Ok((own, Ok(Judges { companions, end }))),
         }
     }
 
@@ -268,27 +297,27 @@ impl Search<'_, '_> {
         })
     }
 
-    /// The rows of a run.
-    fn run(&mut self, grid: &Grid) -> Result<Vec<Row>, Unsettled> {
+    /// The rows of a run, and whether it was ended before its end.
+    fn run(&mut self, grid: &Grid) -> Result<(Vec<Row>, bool), Unsettled> {
         let elements = grid.elements;
         let simulation = (self.build)(grid).map_err(Unsettled::Build)?;
         self.tell(grid, Event::Begins(elements))?;
-        let mut watched = Watched(vec![], self.watch);
+        let mut watched = Watched { rows: vec![], enough: false, watch: self.watch };
         match simulation.run(&mut [&mut watched]) {
-            Ok(_) => Ok(watched.0),
+            Ok(_) => Ok((watched.rows, watched.enough)),
             Err(cause) => Err(Unsettled::Run { elements, cause: Box::new(cause) }),
         }
     }
 
     /// The run on the finest grid that was judged, which is not fine enough.
-    fn falls_short(mut self, reached: Option<(Grid, Companions)>) -> Result<Settled, Unsettled> {
-        let Some((grid, companions)) = reached else {
+    fn falls_short(mut self, reached: Option<(Grid, Judges)>) -> Result<Settled, Unsettled> {
+        let Some((grid, judges)) = reached else {
             return Err(Unsettled::Build("no grid was found that can be judged".into()));
         };
         let mut own = (self.build)(&grid).map_err(Unsettled::Build)?;
-        let at = |&place: &f64| (companions.worst_foreseen(place), place);
+        let at = |place: f64| (judges.companions.worst_foreseen(place), place);
         // The first of those that are alike.
-        let errors = own.schedule.outputs.iter().rev().map(at);
+        let errors = judges.places(&own).into_iter().rev().map(at);
         let (error, place) =
             errors.max_by(|one, other| one.0.total_cmp(&other.0)).unwrap_or_default();
         let tip = has_tip(&own.problem.bodies);
@@ -300,7 +329,7 @@ impl Search<'_, '_> {
             hint: if tip { "; outputs once the tip is worn take fewer" } else { "" },
         };
         self.tell(&grid, Event::FallsShort(&why))?;
-        own.companions = Some(companions);
+        own.companions = Some(judges.companions);
         Ok(Settled { simulation: own, grid })
     }
 }
@@ -316,12 +345,32 @@ fn across(own: &Simulation) -> f64 {
     elements.fold(f64::INFINITY, f64::min)
 }
 
-/// The rows of a run, and who is shown it.
-struct Watched<'a, 'b>(Vec<Row>, &'a mut Watch<'b>);
+/// Leaves what all runs show, and says how far that is.
+fn cut(runs: &mut [Companion]) -> f64 {
+    let last = |run: &Companion| run.rows.last().map_or(f64::INFINITY, |row| row[0].1);
+    let end = runs.iter().map(last).fold(f64::INFINITY, f64::min);
+    runs.iter_mut().for_each(|run| run.rows.retain(|row| row[0].1 <= end));
+    end
+}
+
+/// The rows of a run, whether they are enough, and who is shown it.
+struct Watched<'a, 'b> {
+    rows: Vec<Row>,
+    enough: bool,
+    watch: &'a mut Watch<'b>,
+}
 
 impl Observer for Watched<'_, '_> {
     fn observe(&mut self, report: &Report<'_>) -> Result<(), Failed> {
-        self.0.push(history::row(report));
-        (self.1)(Event::Shows(report))
+        self.rows.push(history::row(report));
+        match (self.watch)(Event::Shows(report)) {
+            Err(cause) if cause.is::<Enough>() => self.enough = true,
+            told => told?,
+        }
+        Ok(())
+    }
+
+    fn ends(&self) -> bool {
+        self.enough
     }
 }

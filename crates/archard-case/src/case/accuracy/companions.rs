@@ -5,9 +5,10 @@ use crate::case::check::check;
 use crate::case::definition::{Case, Output};
 use crate::case::file::Resolved;
 use crate::case::problem::Severity;
-use archard::accuracy::{Failed, Grid, Settled, Unsettled, Watch, settle};
+use crate::output::{Life, Limit};
+use archard::accuracy::{Enough, Event, FARTHEST, Failed, Grid, Settled, Unsettled, Watch, settle};
 use archard::parameters::Value;
-use archard::simulation::Simulation;
+use archard::simulation::{Observer, Simulation};
 
 /// The key of the tolerance of the steps.
 pub(super) const TOLERANCE: &str = "tolerance";
@@ -38,7 +39,26 @@ impl Resolved {
             }
             build(&self.case)
         };
-        let settled = settle(accuracy, read.grid(), &mut on_grid, watch);
+        // A companion differs from the run by one less than its ratio times the error; beyond its limit by as much, all of them have
+        // passed the life of the run.
+        let beyond = 1.0 + accuracy * (FARTHEST - 1.0);
+        let limits: Vec<Limit> = read.case.until.iter().map(|limit| limit.times(beyond)).collect();
+        let mut life = Life::default();
+        let mut watch = |event: Event<'_>| {
+            watch(event)?;
+            match event {
+                Event::Begins(_) => life = Life::until(limits.clone()),
+                Event::Shows(report) => {
+                    life.observe(report)?;
+                    if life.ends() {
+                        return Err(Enough.into());
+                    }
+                }
+                _ => {}
+            }
+            Ok(())
+        };
+        let settled = settle(accuracy, read.grid(), &mut on_grid, &mut watch);
         settled.map(|Settled { simulation, .. }| (self, simulation))
     }
 
