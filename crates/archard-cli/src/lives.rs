@@ -21,8 +21,6 @@ use crate::progress::Follower;
 
 /// Shares of parts that are told where each takes a run: B1, B10 and the half.
 const TOLD: [f64; 3] = [0.01, 0.1, 0.5];
-/// As many shares on either side of the half as a curve takes, where one run tells all.
-const CURVE: usize = 30;
 
 /// Coefficients of a fit, by their keys in the case of the run.
 #[derive(Debug, Clone)]
@@ -175,14 +173,9 @@ impl Fitted {
     }
 }
 
-/// Shares from a hundredth on, with those that are told among them.
+/// Each hundredth of the parts up to nine tenths: the last ones last for very long.
 fn curve() -> Vec<f64> {
-    let step = |at: usize| 0.01 + 0.49 * at as f64 / CURVE as f64;
-    let mut shares: Vec<f64> = (0..=CURVE).map(step).collect();
-    shares.push(TOLD[1]);
-    shares.extend((1..=CURVE).map(|at| 1.0 - step(CURVE - at)));
-    shares.sort_by(f64::total_cmp);
-    shares
+    (1..=90).map(|share| f64::from(share) / 100.0).collect()
 }
 
 fn put(file: CaseFile, own: &Fitted, k: f64) -> CaseFile {

@@ -8,6 +8,7 @@ mod fit;
 #[path = "../../../archard-case/tests/framed/mod.rs"]
 mod framed;
 mod hostile;
+mod life;
 mod log;
 mod memory;
 mod own_data;

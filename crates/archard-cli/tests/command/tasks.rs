@@ -11,9 +11,35 @@ const MOST: usize = 3;
 
 #[test]
 fn the_tasks_of_the_book_can_be_done() {
-    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src/tasks.md");
-    let page = fs::read_to_string(page).unwrap();
     let dir = TempDir::new().unwrap();
+    let tasks = run_page("tasks.md", dir.path());
+    assert!(tasks >= 10, "{tasks} tasks");
+    for file in ["disc.html", "fit/fit.png", "fit/fit.json", "next/sweep.csv", "loads/sweep.csv"] {
+        assert!(dir.path().join(file).is_file(), "{file}");
+    }
+}
+
+/// From logs as an instrument wrote them to the life of a part.
+#[test]
+fn a_log_leads_to_a_life() {
+    let dir = TempDir::new().unwrap();
+    let logs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/te67");
+    let there = dir.path().join("examples/te67");
+    fs::create_dir_all(&there).unwrap();
+    for file in fs::read_dir(logs).unwrap() {
+        let file = file.unwrap();
+        fs::copy(file.path(), there.join(file.file_name())).unwrap();
+    }
+    assert_eq!(run_page("log_to_life.md", dir.path()), 1);
+    for file in ["logs.png", "fit/fit.png", "life/summary.json"] {
+        assert!(dir.path().join(file).is_file(), "{file}");
+    }
+}
+
+/// Runs the commands of a page of the book in a folder, and looks for what it says they print; the number of blocks of commands.
+fn run_page(name: &str, dir: &Path) -> usize {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src").join(name);
+    let page = fs::read_to_string(page).unwrap();
     let program = Path::new(env!("CARGO_BIN_EXE_archard")).parent().unwrap();
     let path = std::env::var("PATH").unwrap_or_default();
     let path = format!("{}:{path}", program.display());
@@ -25,7 +51,7 @@ fn the_tasks_of_the_book_can_be_done() {
         }
         let (kind, content) = block.split_once('\n').unwrap();
         match kind.split_once(' ') {
-            Some(("csv", name)) => fs::write(dir.path().join(name), content).unwrap(),
+            Some(("csv", name)) => fs::write(dir.join(name), content).unwrap(),
             None if kind == "sh" => {
                 tasks += 1;
                 assert!(content.lines().count() <= MOST, "{content}");
@@ -33,7 +59,7 @@ fn the_tasks_of_the_book_can_be_done() {
                 for line in content.lines() {
                     assert!(line.starts_with("archard "), "{line}");
                     let mut shell = Command::new("sh");
-                    shell.args(["-c", line]).current_dir(dir.path()).env("PATH", &path);
+                    shell.args(["-c", line]).current_dir(dir).env("PATH", &path);
                     let done = shell.output().unwrap();
                     let said = String::from_utf8_lossy(&done.stderr);
                     assert!(done.status.success(), "{line}\n{said}");
@@ -50,8 +76,5 @@ fn the_tasks_of_the_book_can_be_done() {
             _ => panic!("a block of {kind}"),
         }
     }
-    assert!(tasks >= 10, "{tasks} tasks");
-    for file in ["disc.html", "fit/fit.png", "fit/fit.json", "next/sweep.csv", "loads/sweep.csv"] {
-        assert!(dir.path().join(file).is_file(), "{file}");
-    }
+    tasks
 }

@@ -280,7 +280,7 @@ impl Search<'_, '_> {
                 Err(error) => return Err(error),
             }
         }
-        let end = ended.then(|| cut(&mut runs));
+        let end = ended.then(|| end(&runs));
         let companions = Companions::new(runs, regularity(&own), self.accuracy);
         match failed {
             Some(cause) if !companions.foresee() && self.grid.refines => Ok((own, Err(cause))),
@@ -345,12 +345,10 @@ fn across(own: &Simulation) -> f64 {
     elements.fold(f64::INFINITY, f64::min)
 }
 
-/// Leaves what all runs show, and says how far that is.
-fn cut(runs: &mut [Companion]) -> f64 {
+/// How far all runs go.
+fn end(runs: &[Companion]) -> f64 {
     let last = |run: &Companion| run.rows.last().map_or(f64::INFINITY, |row| row[0].1);
-    let end = runs.iter().map(last).fold(f64::INFINITY, f64::min);
-    runs.iter_mut().for_each(|run| run.rows.retain(|row| row[0].1 <= end));
-    end
+    runs.iter().map(last).fold(f64::INFINITY, f64::min)
 }
 
 /// The rows of a run, whether they are enough, and who is shown it.

@@ -24,14 +24,17 @@ impl Companion {
         power
     }
 
-    /// By how much a value at some progress differs from what this run shows there; `None` where it does not show that place of a
-    /// cycle, or no number. Between its rows this run lies somewhere between two interpolations.
+    /// By how much a value at some progress differs from what this run shows there; `None` where it does not come that far, does not
+    /// show that place of a cycle, or no number. Between its rows this run lies somewhere between two interpolations.
     pub(super) fn difference(
         &self,
         column: usize,
         (progress, value): (f64, f64),
         period: Option<f64>,
     ) -> Option<Difference> {
+        if self.rows.last().is_none_or(|last| progress > last[0].1 * (1.0 + SAME)) {
+            return None;
+        }
         let around = match period {
             Some(period) => self.in_cycle(progress, period)?,
             None => self.beside(progress),

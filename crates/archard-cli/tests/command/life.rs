@@ -1,0 +1,113 @@
+//! How long parts last by the coefficient of a fit.
+
+use std::fs;
+use std::path::Path;
+
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+use super::{archard, printed, said};
+
+/// A `fit.json` of one coefficient: median (1/Pa), its interval, deviation of the logarithm and degrees of freedom of the next test.
+fn put_fit(dir: &TempDir, key: &str, next: Value) {
+    let fit = json!({"coefficients": [{
+        "key": key, "unit": "1/Pa", "median": 2e-13, "interval_95": [1e-13, 4e-13],
+        "next_test_log_deviation": next[0], "next_test_degrees_of_freedom": next[1], "rejected": null,
+    }]});
+    fs::write(dir.path().join("fit.json"), fit.to_string()).unwrap();
+}
+
+fn life(dir: &TempDir, folder: &str) -> Value {
+    let text = fs::read_to_string(dir.path().join(folder).join("summary.json")).unwrap();
+    let summary: Value = serde_json::from_str(&text).unwrap();
+    summary["life"].clone()
+}
+
+const LIMIT: [&str; 4] = ["--until", "wear_depth_pin=1.5um", "--from", "fit.json"];
+const KEY: &str = "body.pin.wear.archard.coefficient";
+
+/// Where k s alone counts a life is as 1 over k: the 90 % quantile of Student's t of four degrees of freedom is 1.5332, the 99 % one
+/// 3.7469 (any table).
+#[test]
+fn lives_scatter_as_the_coefficient_does() {
+    let dir = TempDir::new().unwrap();
+    put_fit(&dir, KEY, json!([0.3, 4.0]));
+    let ran = archard(&dir, &[&["run", "pin_on_disc", "-o", "r"][..], &LIMIT].concat()).success();
+    let words = printed(&ran);
+    assert!(words.contains("nine of ten") && words.contains("median life"), "{words}");
+    let life = life(&dir, "r");
+    let median = life["reached"]["distance_m"].as_f64().unwrap();
+    let is = |of: &Value, share: f64| {
+        let of = of.as_f64().unwrap();
+        assert!((of / (share * median) - 1.0).abs() < 1e-4, "{of} of {median}: {share}");
+    };
+    let told = &life["distribution"];
+    is(&told["B10"], (-0.3 * 1.533_206_f64).exp());
+    is(&told["B1"], (-0.3 * 3.746_947_f64).exp());
+    is(&told["interval_95"][0], 0.5);
+    is(&told["interval_95"][1], 2.0);
+    archard(&dir, &["plot", "r"]).success();
+    assert!(dir.path().join("r/plots/life.png").is_file());
+}
+
+/// Another law takes runs of its own; one that is linear in its coefficient has lives as 1 over it all the same, within what is read
+/// between two steps.
+#[test]
+fn other_laws_take_a_run_for_each_share() {
+    let dir = TempDir::new().unwrap();
+    let law = "body.pin.wear={ energy = { coefficient = \"1e-13 1/Pa\" } }";
+    put_fit(&dir, "body.pin.wear.energy.coefficient", json!([0.3, 4.0]));
+    let set = [
+        "--set",
+        law,
+        "--set",
+        "friction.coulomb.coefficient=0.5",
+        "--set",
+        "motion.sliding.step=5mm",
+    ];
+    let command = [&["run", "pin_on_disc", "-o", "r"][..], &set, &LIMIT].concat();
+    archard(&dir, &command).success();
+    let life = life(&dir, "r");
+    let told = |name: &str| life["distribution"][name].as_f64().unwrap();
+    let ratio = told("B10") / told("median");
+    assert!((ratio / (-0.3 * 1.533_206_f64).exp() - 1.0).abs() < 0.05, "{life:#}");
+    assert!(told("B1") < told("B10"));
+}
+
+/// One test tells no scatter; another body needs its key; a body that nobody fitted is asked for.
+#[test]
+fn what_is_not_told_is_said() {
+    let dir = TempDir::new().unwrap();
+    put_fit(&dir, KEY, Value::Null);
+    let ran = archard(&dir, &[&["run", "pin_on_disc", "-o", "r"][..], &LIMIT].concat()).success();
+    assert!(printed(&ran).contains("unknown: one test does not tell"), "{}", printed(&ran));
+    put_fit(&dir, "body.stud.wear.archard.coefficient", json!([0.3, 4.0]));
+    archard(&dir, &[&["run", "pin_on_disc", "-o", "s"][..], &LIMIT].concat()).code(2);
+    let named = [&["run", "pin_on_disc", "-o", "s", "--as", KEY][..], &LIMIT].concat();
+    archard(&dir, &named).success();
+    put_fit(&dir, KEY, json!([0.3, 4.0]));
+    let both =
+        archard(&dir, &[&["run", "pin_on_disc_both", "-o", "b"][..], &LIMIT].concat()).code(2);
+    assert!(said(&both).contains("body.disc"), "{}", said(&both));
+}
+
+/// A fit of a case with a limit has its life in a folder of its own, with a picture.
+#[test]
+fn a_fit_tells_how_long_its_case_lasts() {
+    let dir = TempDir::new().unwrap();
+    let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/fit/tests.csv");
+    let table = table.display().to_string();
+    let limit = "until={ wear_depth_pin = \"1.5 um\" }";
+    let fit = ["fit", "pin_on_disc", "--data", &table, "-o", "fit", "--set", limit];
+    let words = printed(&archard(&dir, &fit).success());
+    assert!(words.contains("B10"), "{words}");
+    let told = life(&dir, "fit/life");
+    let text = fs::read_to_string(dir.path().join("fit/fit.json")).unwrap();
+    let fit: Value = serde_json::from_str(&text).unwrap();
+    let own = &fit["coefficients"][0];
+    let share = own["median"].as_f64().unwrap() / own["interval_95"][1].as_f64().unwrap();
+    let [low, median] = [&told["distribution"]["interval_95"][0], &told["distribution"]["median"]]
+        .map(|life| life.as_f64().unwrap());
+    assert!((low / (share * median) - 1.0).abs() < 1e-9, "{told:#}");
+    assert!(dir.path().join("fit/life/plots/life.svg").is_file());
+}
