@@ -74,14 +74,17 @@ impl Reader<'_> {
         if column.is_some() {
             return Ok(column);
         }
-        let Some(stated) = head::stated(self.table, name) else { return Ok(None) };
-        let Some(value) = stated.value.filter(|value| *value > 0.0) else { return Ok(None) };
+        let of_head = |stated: &head::Stated| stated.value.filter(|value| *value > 0.0);
+        let diameter = || head::of_diameter(self.table).filter(|_| name == "radius");
+        let stated = head::stated(self.table, name).filter(|own| of_head(own).is_some());
+        let Some(stated) = stated.or_else(diameter) else { return Ok(None) };
+        let Some(value) = of_head(&stated) else { return Ok(None) };
         self.say(name, format!("`{}` in the head, line {}", stated.words, stated.line));
         Ok(Some(vec![value; self.table.lines.len()]))
     }
 
     /// What would tell the distance, by what there is.
-    fn remedy(&self, [turns, radius, speed, time]: [bool; 4]) -> String {
+    fn remedy(&self, laps: bool, [turns, radius, speed, time]: [bool; 4]) -> String {
         let table = self.table;
         let find = |names: &[&str]| table.columns.iter().find(|own| names.contains(&&*own.name));
         let mut ways = vec![];
@@ -102,6 +105,9 @@ impl Reader<'_> {
                     median(&own.values)
                 ));
             }
+        }
+        if laps {
+            ways.push("the stroke of a motion to and fro with --set stroke=\"10 mm\"".to_owned());
         }
         if !turns && !speed && time {
             ways.push("the speed with --set speed=\"0.1 m/s\"".to_owned());
@@ -126,6 +132,10 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     let speed = read.column("speed")?;
     let rotation = read.column("rotation")?;
     let radius = read.column("radius")?.map(|all| all.iter().map(|own| own.abs()).collect());
+    let radius = match radius {
+        Some(radius) => Some(radius),
+        None => read.column("diameter")?.map(|all| all.iter().map(|own| 0.5 * own.abs()).collect()),
+    };
     let load = read.column("load")?;
     let force = read.column("friction_force")?;
     let friction = read.column("friction")?;
@@ -136,6 +146,7 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
     let radius = read.given("radius", radius, &steps)?;
     let stroke = read.given("stroke", None, &steps)?;
     let speed = read.given("speed", speed, &steps)?;
+    let rotation = read.given("rotation", rotation, &steps)?;
     let load = read.given("load", load, &steps)?;
     backwards(&mut read, time.as_deref(), &steps);
 
@@ -152,7 +163,7 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
         let turns = laps.is_some() || rotation.is_some();
         let known = [turns, radius.is_some(), speed.is_some(), time.is_some()];
         let (log, line) = (table.source.clone(), table.heading);
-        let (titles, remedy) = (table.titles(), read.remedy(known));
+        let (titles, remedy) = (table.titles(), read.remedy(laps.is_some(), known));
         return Err(Error::NoDistance { log, line, titles, remedy });
     };
     if name != COLUMN {

@@ -47,6 +47,12 @@ pub fn stated(table: &Table, role: &str) -> Option<Stated> {
     })
 }
 
+/// The radius of a track whose diameter is stated.
+pub fn of_diameter(table: &Table) -> Option<Stated> {
+    let stated = stated(table, "diameter")?;
+    Some(Stated { value: stated.value.map(|value| 0.5 * value), ..stated })
+}
+
 /// The line and the seconds of a whole time that stands below the table, as `TotalTime` and `00:01:08.25`.
 pub fn total(table: &Table) -> Option<(usize, f64)> {
     let last = table.lines.last()?;

@@ -9,14 +9,15 @@ use crate::unit::{self, Measure};
 pub struct Options {
     /// Role and title: `wear`, `Displacement [um]`; `-` before the title turns its sign.
     pub columns: Vec<(String, String)>,
-    /// `load`, `radius`, `speed`, `stroke` or `from`, and a quantity: `5 N`, or one for each step: `5 N; 10 N`.
+    /// `load`, `radius`, `speed`, `rotation`, `stroke` or `from`, and a quantity: `5 N`, or one for each step: `5 N; 10 N`.
     pub values: Vec<(String, String)>,
 }
 
-const VALUES: [(&str, Measure); 5] = [
+const VALUES: [(&str, Measure); 6] = [
     ("load", Measure::Force),
     ("radius", Measure::Length),
     ("speed", Measure::Speed),
+    ("rotation", Measure::Rotation),
     ("stroke", Measure::Length),
     ("from", Measure::Length),
 ];

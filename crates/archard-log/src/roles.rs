@@ -5,7 +5,7 @@ use crate::table::{Column, Table, heading, plain};
 use crate::unit::{self, Measure};
 
 /// Roles: the name for `--column`, the measure, and names in the order they are preferred.
-pub const ROLES: [(&str, Measure, &str); 11] = [
+pub const ROLES: [(&str, Measure, &str); 12] = [
     (
         "time",
         Measure::Time,
@@ -32,6 +32,7 @@ pub const ROLES: [(&str, Measure, &str); 11] = [
         "speed velocity rotationalspeed rotationalvelocity rotationspeed spindlespeed discspeed diskspeed rpm drehzahl",
     ),
     ("radius", Measure::Length, "radius trackradius weartrackradius reibradius"),
+    ("diameter", Measure::Length, "trackdiameter weartrackdiameter wtd reibspurdurchmesser"),
     (
         "load",
         Measure::Force,

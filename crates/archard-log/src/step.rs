@@ -125,7 +125,7 @@ impl Step {
             step.friction = rate::mean(&later.map(|point| point[1]).collect::<Vec<_>>());
         }
         let slides = n < FEWEST || distance.iter().any(|at| *at > distance[0]);
-        step.refused = step.refusal(all, still, slides);
+        step.refused = step.refusal(all, still, slides, table.heading);
         step
     }
 
@@ -167,7 +167,7 @@ impl Step {
     }
 
     /// Why it has no wear coefficient.
-    fn refusal(&self, all: &Derived, still: bool, slides: bool) -> Option<String> {
+    fn refusal(&self, all: &Derived, still: bool, slides: bool, heading: usize) -> Option<String> {
         if !slides {
             return Some("the bodies did not slide in this step".into());
         }
@@ -192,7 +192,7 @@ impl Step {
         if let Some(radius) = self.radius.filter(|radius| rate.rate.abs() * self.distance > *radius)
         {
             return Some(format!(
-                "`{title}` in {} would be worn by {:.3} m, more than the radius of the track of {:.3} m: correct its unit in the heading, or state it with --column wear=\"{title} [um]\"",
+                "`{title}` in {} would be worn by {:.3} m, more than the radius of the track of {:.3} m: correct its unit in line {heading} of the log",
                 wear.unit,
                 rate.rate.abs() * self.distance,
                 radius

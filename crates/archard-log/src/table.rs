@@ -45,7 +45,7 @@ fn is_value(cell: &str) -> bool {
 
 fn cells(line: &str, separator: char) -> Vec<String> {
     if separator == ' ' {
-        return line.split_whitespace().map(str::to_owned).collect();
+        return between_blanks(line);
     }
     let (mut found, mut quoted) = (vec![String::new()], false);
     for letter in line.chars() {
@@ -107,6 +107,27 @@ fn longest(
         return Err(Error::OtherTable { log: log.to_owned(), line: *line, heading });
     }
     Ok(parts[own].clone())
+}
+
+/// The cells of a line in columns of blanks: words that are no values stand two blanks apart, or one where brackets hold units.
+fn between_blanks(line: &str) -> Vec<String> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    let wide: Vec<String> = line
+        .split("  ")
+        .map(|cell| cell.trim().to_owned())
+        .filter(|cell| !cell.is_empty())
+        .collect();
+    if words.iter().all(|word| is_value(word)) || wide.len() < 2 {
+        let mut cells: Vec<String> = vec![];
+        for word in words {
+            match cells.last_mut().filter(|_| word.starts_with(['(', '['])) {
+                Some(name) => *name += &format!(" {word}"),
+                None => cells.push(word.to_owned()),
+            }
+        }
+        return cells;
+    }
+    wide
 }
 
 /// Whether a line is a row: two values at least, and values in most of its cells.

@@ -37,10 +37,10 @@ pub fn spikes(depth: &[f64]) -> Vec<usize> {
     let around = running_quartiles(depth, width(n));
     let off: Vec<f64> = depth.iter().zip(&around).map(|(own, around)| own - around[1]).collect();
     let bound = bound(&off, resolution(depth));
-    // An end has readings at one side alone: it is off from both of the next two.
+    // An end has readings at one side alone: it is off from where the next two point, whose noise adds up to the root of six.
     let end = |row: usize, near: usize, next: usize| {
-        let far = |other: usize| (depth[row] - depth[other]).abs() > bound;
-        far(near) && far(next) && (depth[near] - depth[next]).abs() <= bound
+        let off = depth[row] - 2.0 * depth[near] + depth[next];
+        off.abs() > 6f64.sqrt() * bound && (depth[near] - depth[next]).abs() <= 2f64.sqrt() * bound
     };
     let is = |row: &usize| match *row {
         0 => end(0, 1, 2),

@@ -125,6 +125,7 @@ fn what_a_log_does_not_hold_may_stand_in_its_head() {
         given.expect("a log"),
         told(&format!("Load: 10 N\nTrack radius = 10 mm\n{text}")),
         told(&format!("Applied Load;10;N;\nRadius [mm];10;\n{text}")),
+        told(&format!("Load : 10 N\nSpeed : 120 RPM\nWear Track Diameter : 20 mm\n{text}")),
     ] {
         has_rate(&log.steps[0], 0.2);
         assert_eq!(log.steps[0].load, Some(10.0));
@@ -151,10 +152,14 @@ fn units_stand_as_people_write_them() {
         ("Normal Force / N,Distance / km,Wear / mm", [10.0, 1e3, 1e-3]),
         ("Applied load (Newton),Distance (meters),Wear (microns)", [10.0, 1.0, 1e-6]),
         ("Load,Distance,Wear\nN,m,um", [10.0, 1.0, 1e-6]),
+        ("Load (N)   Sliding distance (m)   Wear (um)", [10.0, 1.0, 1e-6]),
+        ("Load (N) Distance (m) Wear (um)", [10.0, 1.0, 1e-6]),
         ("Load [kg],Distance [m],Wear [um]", [10.0 / 9.80665, 1.0, 1e-6]),
         ("Dead weight (kg),Distance [m],Wear [um]", [10.0 / 9.80665, 1.0, 1e-6]),
     ] {
-        let log = told(&plain(heading, units));
+        let text = plain(heading, units);
+        let text = if heading.contains(',') { text } else { text.replace(',', "   ") };
+        let log = told(&text);
         has_rate(&log.steps[0], 0.5);
         let load = log.steps[0].load.expect("a load");
         assert!((load - 10.0).abs() < 1e-6, "{heading}: {load}");

@@ -57,14 +57,7 @@ fn other_laws_take_a_run_for_each_share() {
     let dir = TempDir::new().unwrap();
     let law = "body.pin.wear={ energy = { coefficient = \"1e-13 1/Pa\" } }";
     put_fit(&dir, "body.pin.wear.energy.coefficient", json!([0.3, 4.0]));
-    let set = [
-        "--set",
-        law,
-        "--set",
-        "friction.coulomb.coefficient=0.5",
-        "--set",
-        "motion.sliding.step=5mm",
-    ];
+    let set = ["--set", law, "--set", "friction.coulomb.coefficient=0.5"];
     let command = [&["run", "pin_on_disc", "-o", "r"][..], &set, &LIMIT].concat();
     archard(&dir, &command).success();
     let life = life(&dir, "r");
