@@ -170,6 +170,57 @@ fn oddities_of_files_are_told() {
     assert!(said.contains("wheel.file"), "{said}");
 }
 
+/// A wheel of 130 mm in inches is 5.1 "mm" wide: it is refused with the unit, and read where the unit is stated.
+#[test]
+fn profiles_in_another_unit_are_refused() {
+    let dir = tempdir().unwrap();
+    let path = dir.path().join("wheel.csv");
+    let wheel = archard_rail::standard::wheel_s1002(1e-3).unwrap();
+    let rows = wheel.points.iter().map(|[y, z]| format!("{:.6},{:.6}", y / 0.0254, z / 0.0254));
+    fs::write(&path, format!("y,z\n{}\n", rows.collect::<Vec<_>>().join("\n"))).unwrap();
+    let file = format!("body.wheel.profile.wheel.file={}", path.display());
+    let options = ["body.wheel.profile.wheel.standard=", &file];
+    let said = resolve(MANCHESTER, &options).expect_err("inches");
+    assert!(said.contains("inches read as millimetres") && said.contains("unit"), "{said}");
+    let unit = "body.wheel.profile.wheel.unit=25.4 mm";
+    resolve(MANCHESTER, &[&options[..], &[unit]].concat()).expect("a wheel");
+}
+
+/// A wheel on its flange is held up by it: lateral over vertical force is the tangent of the inclination less or more friction, and
+/// above Nadal's limit; on its tread it is far below.
+#[test]
+fn a_wheel_that_may_climb_is_doubtful() {
+    let judged = |shift: &str| {
+        let set = [
+            &*format!("motion.wheel_rail.shift={shift}"),
+            "motion.wheel_rail.roll=",
+            "motion.wheel_rail.yaw=0 rad",
+        ];
+        let resolved = resolve(MANCHESTER, &set).expect("a case");
+        let results = resolved.case.solve(|_, _| ControlFlow::Continue(())).expect("a contact");
+        let contact = results.contacts[0].clone();
+        let dir = tempdir().unwrap();
+        let mut claim = Claim::take(dir.path()).unwrap();
+        let verdict = write_rail(&mut claim, "", &results, &Totals::default()).unwrap();
+        (contact, verdict.complaints().map(ToString::to_string).collect::<String>())
+    };
+    let (tread, words) = judged("0 mm");
+    let [lateral, vertical] = tread.forces();
+    assert!(lateral.abs() < 0.1 * vertical && !words.contains("Nadal"), "{words}");
+    let (flange, words) = judged("7 mm");
+    let [lateral, vertical] = flange.forces();
+    let [patch] = &flange.patches[..] else { panic!("{} patches", flange.patches.len()) };
+    let angle = patch.values.contact_angle.abs().tan();
+    let ends = [-0.3, 0.3].map(|mu| (angle + mu) / (1.0 - mu * angle));
+    assert!((ends[0]..=ends[1]).contains(&(lateral / vertical)), "{lateral} {vertical} {ends:?}");
+    assert!(words.contains("Nadal"), "{words}");
+    // A flange of 70 degrees and a coefficient of .36, of textbooks: 1.2003; one of 60 degrees .8451.
+    let limit = |degrees: f64| {
+        archard_case::output::Flank { y: 0.0, angle: degrees.to_radians() }.nadal(0.36).unwrap()
+    };
+    assert!((limit(70.0) - 1.20029).abs() < 1e-5 && (limit(60.0) - 0.84510).abs() < 1e-5);
+}
+
 const WEARS: &str = "body.wheel.wear.archard.coefficient=1e-13 1/Pa";
 
 /// A case whose wheel wears over that route.

@@ -36,6 +36,8 @@ pub struct RailContact {
     pub side: Side,
     /// Vertical force (N) prescribed.
     pub load: f64,
+    /// Lateral over vertical force at which the flange may climb the rail, by Nadal; `None` without a flange.
+    pub nadal: Option<f64>,
     /// Its patches, from the field side to the flange, as this side sees them.
     pub patches: Vec<Patch>,
 }
@@ -61,6 +63,14 @@ pub struct Flank {
 }
 
 impl Flank {
+    /// The least lateral over vertical force of a wheel that touches at this place alone: where friction of that coefficient bears all it
+    /// can against the flange (M. J. Nadal, *Annales des Mines* 10 (1896) 232). `None` where friction alone holds it.
+    pub fn nadal(self, friction: f64) -> Option<f64> {
+        let slope = self.angle.tan();
+        let limit = (slope - friction) / (1.0 + friction * slope);
+        (limit > 0.0).then_some(limit)
+    }
+
     /// Whether a patch lies between this place and the tip of the flange, where the flange is less steep again by more than the
     /// inclination differs within the patch and its stated error.
     fn ends_before(&self, patch: &Patch) -> bool {
@@ -91,11 +101,18 @@ impl RailContact {
 
     /// How far the vertical force of all patches is off the one prescribed, relative to it.
     pub fn off(&self) -> f64 {
-        let vertical = |patch: &Patch| {
+        (self.forces()[1] / self.load - 1.0).abs()
+    }
+
+    /// Lateral force against the flange (Y) and vertical force (Q) of all patches (N).
+    pub fn forces(&self) -> [f64; 2] {
+        let of_patch = |patch: &Patch| {
             let (sin, cos) = patch.values.contact_angle.sin_cos();
-            patch.values.normal_force * cos + patch.values.force_s * sin
+            let (normal, across) = (patch.values.normal_force, patch.values.force_s);
+            [across * cos - normal * sin, normal * cos + across * sin]
         };
-        (self.patches.iter().map(vertical).sum::<f64>() / self.load - 1.0).abs()
+        let sum = |sum: [f64; 2], own: [f64; 2]| [sum[0] + own[0], sum[1] + own[1]];
+        self.patches.iter().map(of_patch).fold([0.0; 2], sum)
     }
 }
 
@@ -178,6 +195,11 @@ fn rail_verdict(results: &RailResults) -> Verdict {
     lines.extend(stated(contacts));
     let beyond = |patch: &Patch| flank.is_some_and(|flank| flank.ends_before(patch));
     lines.push(verdict::climbs(patches(contacts).filter(|(_, patch)| beyond(patch)).count()));
+    let climbs = contacts.iter().filter_map(|contact| {
+        let [lateral, vertical] = contact.forces();
+        Some(lateral / vertical / contact.nadal?)
+    });
+    lines.extend(climbs.max_by(f64::total_cmp).map(verdict::nadal));
     lines.extend(wear.as_ref().map(|wear| verdict::worn(wear.relative_error())));
     Verdict { lines }
 }

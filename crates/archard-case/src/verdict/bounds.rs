@@ -375,3 +375,11 @@ pub fn climbs(patches: usize) -> Line {
     let text = "the wheel stands on its flange, beyond the steepest place of it: it leaves the track there; look at `shift`, gauge and profiles";
     Line::new("flange", patches as f64, Bound::AtMost([0.0, f64::INFINITY]), text)
 }
+
+/// The lateral over the vertical force of a wheel, relative to Nadal's limit.
+///
+/// Above it the flange may climb: the vertical force is less than what friction and the flange's inclination hold up.
+pub fn nadal(over: f64) -> Line {
+    let text = "times Nadal's limit is the lateral over the vertical force of a wheel: its flange may climb the rail; look at `shift`, `yaw`, gauge and loads";
+    Line::new("climb", over, Bound::AtMost([1.0, f64::INFINITY]), text)
+}

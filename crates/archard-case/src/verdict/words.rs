@@ -16,7 +16,7 @@ enum Number {
 }
 
 /// What a good line says, by its subject; its number stands at `{}`, what it is said of any other at `{text}`.
-const GOOD: [(&str, &str, Number); 36] = [
+const GOOD: [(&str, &str, Number); 37] = [
     ("load", "load met to {}", Number::Residual),
     ("edges", "{} of the load at the edge of the frame", Number::Share),
     ("elements", "{} elements across the first contact", Number::Plain),
@@ -53,6 +53,7 @@ const GOOD: [(&str, &str, Number); 36] = [
     ("next test", "the tests say where the next will lie", Number::Unsaid),
     ("missing", "{} of the points without a height", Number::Share),
     ("flange", "no contact above the steepest place of the flange", Number::Unsaid),
+    ("climb", "lateral over vertical force {} of Nadal's limit", Number::Share),
 ];
 
 /// The place of a subject among all.
@@ -245,6 +246,7 @@ mod tests {
             verdict::friction(0.3),
             verdict::stated(0.01, "peak_pressure_Pa"),
             verdict::climbs(0),
+            verdict::nadal(0.2),
             verdict::measured(0.01, "depth"),
             verdict::of_run(Word::Good, ""),
             verdict::missing(0.0),

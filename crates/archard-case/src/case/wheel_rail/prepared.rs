@@ -128,10 +128,20 @@ impl Prepared {
             let roll = contact::roll(&self.setup, &bodies, &operation, &self.resolution);
             operation.attitude.roll = roll.map_err(wrong)?;
         }
+        let flank = self.flank();
         let solve = |(side, setup): (&Side, &Setup)| {
             let own = operation.of_side(*side);
             let patches = contact::contact(setup, &bodies, &own, &self.resolution);
-            Ok(RailContact { at, side: *side, load: own.load, patches: patches.map_err(wrong)? })
+            let patches = patches.map_err(wrong)?;
+            // Friction where the flange would bear.
+            let steepest = patches.iter().max_by(|one, other| {
+                one.values.contact_angle.abs().total_cmp(&other.values.contact_angle.abs())
+            });
+            let peak = steepest.map(|patch| patch.values.peak_pressure).filter(|peak| *peak > 0.0);
+            let nadal = flank
+                .zip(peak)
+                .and_then(|(flank, peak)| flank.nadal(bodies.friction.limit(peak) / peak));
+            Ok(RailContact { at, side: *side, load: own.load, nadal, patches })
         };
         self.running.sides.iter().zip(setups).map(solve).collect()
     }

@@ -3,7 +3,7 @@
 use archard::parameters::{Choice, Invalid, Parameter, Quantity, Value, Values};
 use archard_rail::curve::{Curve, Smoothing};
 use archard_rail::file::{Format, read};
-use archard_rail::oddity::Finding;
+use archard_rail::oddity::{Finding, Oddity};
 use archard_rail::standard::{rail_60e1, wheel_s1002};
 use archard_rail::{Part, Profile};
 
@@ -147,6 +147,17 @@ fn file(
         other => other,
     };
     let document = read(bytes, format).map_err(|error| Invalid::new("file", error.to_string()))?;
+    // No wheel and no rail has such a width: nothing that is computed of it holds.
+    let size = document.findings.iter().find(|one| matches!(one.oddity, Oddity::Size { .. }));
+    if let Some(size) = size {
+        let remedy = match format {
+            Format::Columns { .. } => {
+                "state the unit of its columns, as unit = \"25.4 mm\" of inches"
+            }
+            _ => "correct the unit in its head",
+        };
+        return Err(Invalid::new("file", format!("{size}: {remedy}")));
+    }
     Ok((document.profile, document.findings, format))
 }
 
