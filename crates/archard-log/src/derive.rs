@@ -187,7 +187,7 @@ pub fn derive(table: &Table, options: &Options) -> Result<Derived, Error> {
         })
     });
     let speed = speed.or(turning(&rotation, &radius));
-    let load = loaded(&mut read, load, (force.as_deref(), friction.as_deref(), mass.as_deref()))?;
+    let load = loaded(&mut read, load, [force.as_deref(), friction.as_deref(), mass.as_deref()])?;
     let friction = friction.or_else(|| {
         let (force, load) = force.as_ref().zip(load.as_ref())?;
         Some(force.iter().zip(load).map(|(force, load)| force / load).collect())
@@ -249,7 +249,7 @@ fn travelled(speed: &[f64], time: &[f64]) -> Vec<f64> {
 fn loaded(
     read: &mut Reader<'_>,
     load: Values,
-    (force, friction, mass): (Option<&[f64]>, Option<&[f64]>, Option<&[f64]>),
+    [force, friction, mass]: [Option<&[f64]>; 3],
 ) -> Result<Values, Error> {
     let rows = read.table.lines.len();
     let from_force = force.zip(friction).map(|(force, mu)| {
