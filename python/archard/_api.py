@@ -17,6 +17,7 @@ from archard._errors import (
 from archard._fit import Coefficient, Exponent, Fit, fit
 from archard._law import Law
 from archard._surface import Surface, surface
+from archard._tribometer import read_log
 from archard._sweep import Row, Sweep, sweep
 from archard._validate import Compared, Validated, validate
 from archard.case import Case, Forecast, cases
@@ -58,6 +59,7 @@ __all__ = [
     "contact",
     "fit",
     "rail",
+    "read_log",
     "surface",
     "sweep",
     "validate",

@@ -25,6 +25,7 @@ __all__ = [
     "pictures",
     "quantity",
     "read_fields",
+    "read_log",
     "read_surface",
     "solve_contact",
     "solve_elastic",
@@ -118,6 +119,9 @@ def next_tests(
     coefficients: Sequence[tuple[float, float, float]], correlation: float, points: Sequence[Sequence[float]]
 ) -> list[list[float]]: ...
 def validate(folder: str | PathLike[str], dir: str | PathLike[str]) -> list[tuple[str, str]]: ...
+def read_log(
+    file: str | PathLike[str], columns: Sequence[tuple[str, str]], values: Sequence[tuple[str, str]]
+) -> str: ...
 def read_surface(
     file: CaseFile,
 ) -> tuple[NDArray[np.float64], tuple[float, float], list[tuple[str, float]]]: ...

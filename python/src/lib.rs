@@ -14,6 +14,7 @@ mod fit;
 mod folders;
 mod friction;
 mod law;
+mod log;
 mod rail;
 mod run;
 mod surface;
@@ -49,6 +50,8 @@ mod _archard {
     use super::folders::{
         comparison, free_memory, knows_unit, numbers, page, pictures, quantity, verify,
     };
+    #[pymodule_export]
+    use super::log::read_log;
     #[pymodule_export]
     use super::rail::WheelRail;
     #[pymodule_export]
