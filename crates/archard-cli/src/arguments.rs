@@ -145,9 +145,17 @@ pub struct Case {
     /// follows from it
     #[arg(long, value_name = "ERROR")]
     pub accuracy: Option<String>,
+    /// End where a quantity of wear reaches a limit, e.g. wear_depth=0.1mm: the life of the part
+    #[arg(long, value_name = "QUANTITY=LIMIT")]
+    pub until: Vec<String>,
 }
 
 impl Case {
+    /// The limits, as settings of their keys.
+    pub fn limits(&self) -> impl Iterator<Item = String> {
+        self.until.iter().map(|limit| format!("until.{limit}"))
+    }
+
     /// The accuracy that is asked for, as a setting of its key.
     pub fn accuracy(&self) -> Option<String> {
         self.accuracy.as_deref().map(|error| format!("accuracy={}", share(error)))
@@ -155,7 +163,7 @@ impl Case {
 
     /// All settings, the last of which may be the accuracy.
     pub fn settings(&self) -> Vec<String> {
-        self.set.iter().cloned().chain(self.accuracy()).collect()
+        self.set.iter().cloned().chain(self.limits()).chain(self.accuracy()).collect()
     }
 }
 
@@ -251,9 +259,8 @@ impl Run {
     /// The case, of a run that goes on the one in its folder.
     pub fn case(&self) -> Case {
         let case = self.case.clone().or_else(|| Some(self.resume.clone()?.join("case.toml")));
-        let until = self.until.iter().map(|limit| format!("until.{limit}"));
-        let set = self.set.iter().cloned().chain(until).collect();
-        Case { case: case.unwrap_or_default(), set, accuracy: self.accuracy.clone() }
+        let (set, accuracy, until) = (self.set.clone(), self.accuracy.clone(), self.until.clone());
+        Case { case: case.unwrap_or_default(), set, accuracy, until }
     }
 
     /// The folder of compliances, if there is any place for one.
@@ -498,7 +505,7 @@ impl Sweep {
     /// The case of all rows.
     pub fn case(&self) -> Case {
         let Self { case, set, accuracy, .. } = self.clone();
-        Case { case, set, accuracy }
+        Case { case, set, accuracy, until: vec![] }
     }
 }
 

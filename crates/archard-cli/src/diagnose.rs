@@ -15,6 +15,7 @@ use crate::say::{in_colour, tell};
 pub fn read(arguments: &Case) -> Result<CaseFile, Failure> {
     let file = builtin::read(&arguments.case)?;
     let file = arguments.set.iter().fold(file, |file, option| file.set(option));
+    let file = arguments.limits().fold(file, |file, option| file.set_by("--until", option));
     Ok(arguments
         .accuracy()
         .into_iter()

@@ -103,6 +103,7 @@ fn life(arguments: &Arguments, dir: &Path) -> Result<(), Failure> {
         case: Some(arguments.case.case.clone()),
         set: arguments.case.set.clone(),
         accuracy: arguments.case.accuracy.clone(),
+        until: arguments.case.until.clone(),
         from: Some(dir.join("fit.json")),
         assume: arguments.assume.clone(),
         output: Some(dir.join("life")),

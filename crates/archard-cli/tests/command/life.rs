@@ -74,6 +74,8 @@ fn what_is_not_told_is_said() {
     put_fit(&dir, KEY, Value::Null);
     let ran = archard(&dir, &[&["run", "pin_on_disc", "-o", "r"][..], &LIMIT].concat()).success();
     assert!(printed(&ran).contains("unknown: one test does not tell"), "{}", printed(&ran));
+    let unknown = archard(&dir, &["run", "pin_on_disc", "-o", "u", "--until", "depth=1um"]).code(2);
+    assert!(said(&unknown).contains("--until"), "{}", said(&unknown));
     put_fit(&dir, "body.stud.wear.archard.coefficient", json!([0.3, 4.0]));
     archard(&dir, &[&["run", "pin_on_disc", "-o", "s"][..], &LIMIT].concat()).code(2);
     let named = [&["run", "pin_on_disc", "-o", "s", "--as", KEY][..], &LIMIT].concat();
@@ -90,8 +92,8 @@ fn a_fit_tells_how_long_its_case_lasts() {
     let dir = TempDir::new().unwrap();
     let table = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/fit/tests.csv");
     let table = table.display().to_string();
-    let limit = "until={ wear_depth_pin = \"1.5 um\" }";
-    let fit = ["fit", "pin_on_disc", "--data", &table, "-o", "fit", "--set", limit];
+    let limit = "wear_depth_pin=1.5um";
+    let fit = ["fit", "pin_on_disc", "--data", &table, "-o", "fit", "--until", limit];
     let words = printed(&archard(&dir, &fit).success());
     assert!(words.contains("B10"), "{words}");
     let told = life(&dir, "fit/life");
