@@ -85,8 +85,11 @@ pub(super) fn compare(
     let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
     let deepest = inside.iter().map(|reading| reading.1).fold(f64::NEG_INFINITY, f64::max);
     let line = |name: &str, value: String| [name.to_owned(), value];
-    let mut lines =
-        vec![line("readings", format!("{}, {} of them at the scar", readings.len(), inside.len()))];
+    let count = match levelled {
+        true => format!("{}, {} of them at the scar", readings.len(), inside.len()),
+        false => readings.len().to_string(),
+    };
+    let mut lines = vec![line("readings", count)];
     let computed = largest(section.worn);
     let measured = match &scar {
         Some((scar, shape)) => {
@@ -136,7 +139,6 @@ pub(super) fn compare(
         }
         None => {}
         Some((scar, _)) => {
-            remarks.push(format!("readings outside the scar, used for the level only: {beyond}"));
             remarks.push(format!("spikes, left out: {}", scar.spikes));
             if scar.debris > 0.0 {
                 let share = 100.0 * scar.debris;

@@ -85,7 +85,7 @@ pub struct Scar {
     pub misfit: f64,
     /// Length (m) over which noise and texture are alike.
     pub length: f64,
-    /// Independent lengths beside the scar, less one: the degrees of freedom of the intervals.
+    /// Independent lengths beside the scar, less one: the degrees of freedom of section, depth and width.
     pub freedom: f64,
     /// Readings in all, and how many of them are spikes.
     pub readings: usize,
@@ -136,26 +136,26 @@ impl Scar {
         let [low, high] = shape.extent(*grown).map(|place| place + shift);
         let beside = blocks.span() * (1.0 - debris) - (high - low);
         let freedom = (beside / alike - 1.0).max(1.0);
-        let factor =
-            StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |own| own.inverse_cdf(0.975));
-        let estimate = |(value, standard): (f64, f64)| Estimate {
-            value,
-            standard,
-            expanded: factor * standard,
+        // Growth and place are found by the scar: by as many independent stretches as it has, less these two.
+        let within = ((high - low) / scatter.length - 2.0).max(1.0);
+        let estimate = |(value, standard): (f64, f64), freedom: f64| {
+            let factor = StudentsT::new(0.0, 1.0, freedom)
+                .map_or(f64::INFINITY, |own| own.inverse_cdf(0.975));
+            Estimate { value, standard, expanded: factor * standard }
         };
         let depth = worn.depth();
         let width = depth.as_ref().and_then(|(found, weights)| worn.width((found.0, weights)));
         let middle = blocks.places.iter().sum::<f64>() / blocks.len() as f64;
         let tilt = settled.level[1] / blocks.span();
         Ok(Self {
-            place: estimate((*shift, deviation(3))),
+            place: estimate((*shift, deviation(3)), within),
             height: settled.level[0] + tilt * (shift - middle),
             tilt,
-            grown: estimate((*grown, deviation(2))),
-            section: estimate((section, of_section)),
+            grown: estimate((*grown, deviation(2)), within),
+            section: estimate((section, of_section), freedom),
             unseen,
-            depth: depth.map(|own| estimate(own.0)),
-            width: width.map(estimate),
+            depth: depth.map(|own| estimate(own.0, freedom)),
+            width: width.map(|own| estimate(own, freedom)),
             extent: [low, high],
             noise: scatter.noise,
             texture: scatter.texture,
